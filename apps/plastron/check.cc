@@ -1,0 +1,18 @@
+#include "commands.hpp"
+#include "console.hpp"
+
+#include <plastron/config/case.hpp>
+
+namespace plastron::app {
+
+ExitCode check(const std::filesystem::path& case_file) {
+  const config::Case c = config::read_case(case_file);
+  print("{}: {}\n", case_file.string(), c.title.empty() ? "untitled" : c.title);
+  const auto findings = study::examine(c.problem);
+  print_findings(findings, case_file.string(), true);
+  if (study::has_errors(findings)) return bad_input;
+  print("  ready to run\n");
+  return solved;
+}
+
+}  // namespace plastron::app

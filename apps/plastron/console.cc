@@ -1,0 +1,101 @@
+#include "console.hpp"
+
+#include <mpi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::app {
+
+bool is_first_rank() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank == 0;
+}
+
+void print_findings(const std::vector<study::Finding>& findings, const std::string& case_file, bool with_notes) {
+  for (const study::Finding& f : findings) switch (f.severity) {
+      case study::Severity::error: print_error("{}: error: {}\n", case_file, f.text); break;
+      case study::Severity::warning: print_error("{}: warning: {}\n", case_file, f.text); break;
+      case study::Severity::note:
+        if (with_notes) print("  {}\n", f.text);
+    }
+}
+
+Progress::Progress(bool has_obstacle, bool quiet)
+    : has_obstacle_(has_obstacle), quiet_(quiet), on_terminal_(!quiet && is_first_rank() && isatty(STDERR_FILENO)) {
+  if (!quiet_) print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16} {:>9}\n", "level", "cells", "unknowns", "contact", "steps",
+                     "min gap [m]", "energy [J]", "time [s]");
+}
+
+study::Observer Progress::observer() {
+  return {.phase = [this](int l, std::string_view name) { phase(l, name); },
+          .iteration = [this](int l, const contact::Iteration& i) { iteration(l, i); },
+          .level = [this](int l, const study::Level& record) { level(l, record); }};
+}
+
+void Progress::show(const std::string& text) {
+  if (!on_terminal_) return;
+  fmt::print(stderr, "\r{:<{}}", text, shown_);
+  std::fflush(stderr);
+  shown_ = text.size();
+}
+
+void Progress::clear() {
+  if (!on_terminal_) return;
+  fmt::print(stderr, "\r{:<{}}\r", "", shown_);
+  shown_ = 0;
+}
+
+void Progress::phase(int level, std::string_view name) {
+  iterations_ = 0;
+  show(fmt::format("level {}: {} ...", level, name));
+}
+
+void Progress::iteration(int level, const contact::Iteration& i) {
+  show(fmt::format("level {}: step {}, {} nodes in contact, {} changed", level, ++iterations_, i.active, i.changes));
+}
+
+void Progress::level(int level, const study::Level& r) {
+  clear();
+  if (quiet_) return;
+  const std::string gap = has_obstacle_ ? fmt::format("{:.3e}", r.min_gap) : "-";
+  print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16.9e} {:>9.2f}{}\n", level, r.cells, r.unknowns, r.active, r.iterations, gap,
+        r.energy, r.seconds.total(), r.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(r.status)));
+  if (is_first_rank()) std::fflush(stdout);
+}
+
+namespace {
+
+std::string vector_text(const Eigen::Vector3d& v) { return fmt::format("({:.6e}, {:.6e}, {:.6e})", v[0], v[1], v[2]); }
+
+}  // namespace
+
+void print_summary(const study::Result& result) {
+  const auto& s = result.summary;
+  const auto& c = result.certificate;
+  print("\nstatus            {}\n", contact::explain(result.status));
+  const double total = std::max(s.energy.total(), 1e-300);
+  print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(), 100 * s.energy.membrane / total,
+        100 * s.energy.bending / total, 100 * s.energy.shear / total);
+  print("loads             {} N\n", vector_text(s.loads.force));
+  print("supports          {} N\n", vector_text(s.support_reaction.force));
+  if (result.has_obstacle) {
+    print("obstacle          {} N\n", vector_text(s.reaction.force));
+    print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area, s.max_pressure);
+    const double between = std::isfinite(c.min_gap_between) ? std::max(0.0, -c.min_gap_between) : 0.0;
+    print("penetration       {:.2e} m between the nodes, {:.2e} m at them\n", between, std::max(0.0, -c.min_gap_nodes));
+  }
+  print("certificate       equilibrium {:.1e}, balance of forces {:.1e}, of moments {:.1e}, energy identity {:.1e}", c.stationarity,
+        c.force_balance, c.moment_balance, c.energy_identity);
+  if (result.has_obstacle) print(", min pressure {:.2e} Pa, max |pressure * gap| {:.1e}", c.min_pressure, c.complementarity);
+  print("\n");
+  for (const auto& p : result.probes) {
+    print("probe {:<12}u = {} m, r = {}", p.name, vector_text(p.values.u), vector_text(p.values.r));
+    if (result.has_obstacle) print(", gap = {:.6e} m, pressure = {:.6e} Pa", p.values.gap, p.values.pressure);
+    print("\n");
+  }
+}
+
+}  // namespace plastron::app

@@ -1,0 +1,34 @@
+# plastron_library(NAME folder DEPENDS other folders EXTERNAL third-party targets PRIVATE_EXTERNAL ...)
+#
+# One target per folder of src/plastron. A target sees its own headers and those of the folders it
+# DEPENDS on, and no others: its include root is a directory in the build tree that holds one link,
+# plastron/<folder>. A forbidden include therefore does not compile.
+add_library(plastron_warnings INTERFACE)
+target_compile_options(plastron_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # false alarms on std::string in g++ 12 (GCC bug 105329)
+if(PLASTRON_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+function(plastron_library name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;EXTERNAL;PRIVATE_EXTERNAL" ${ARGN})
+  set(root ${PROJECT_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${root}/plastron)
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/${name} ${root}/plastron/${name} SYMBOLIC)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
+  if(sources)
+    add_library(plastron_${name} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(plastron_${name} PRIVATE plastron_warnings ${ARG_PRIVATE_EXTERNAL})
+  else()
+    add_library(plastron_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(plastron_${name} ${scope} ${root})
+  foreach(dependency IN LISTS ARG_DEPENDS)
+    target_link_libraries(plastron_${name} ${scope} plastron_${dependency})
+  endforeach()
+  target_link_libraries(plastron_${name} ${scope} ${ARG_EXTERNAL})
+endfunction()

@@ -1,0 +1,160 @@
+#include <plastron/algebra/factorisation.hpp>
+
+#include <cassert>
+#include <stdexcept>
+
+#include "petsc_check.hpp"
+#include "working_copy.hpp"
+
+namespace plastron::algebra {
+namespace {
+
+// A database of PETSc options for the time of a call, seen by nobody else.
+class PrivateOptions {
+ public:
+  PrivateOptions() {
+    petsc_check(PetscOptionsCreate(&options_), "creating options");
+    petsc_check(PetscOptionsPush(options_), "using private options");
+  }
+  ~PrivateOptions() {
+    PetscOptionsPop();
+    PetscOptionsDestroy(&options_);
+  }
+  PrivateOptions(const PrivateOptions&) = delete;
+  PrivateOptions& operator=(const PrivateOptions&) = delete;
+  void add(const char* name, const char* value) {
+    petsc_check(PetscOptionsSetValue(options_, name, value), "setting an option");
+  }
+
+ private:
+  PetscOptions options_ = nullptr;
+};
+
+constexpr int mumps_extra_memory = 14;     // ICNTL: working space beyond its estimate, in per cent
+constexpr int mumps_negative_pivots = 12;  // INFOG
+
+// CHOLMOD supernodal L L' always: it runs on the BLAS, and unlike the simplicial L D L' it notices negative pivots. The
+// ordering is CHOLMOD's own choice of AMD and METIS. PETSc reads these options during the analysis.
+Mat analyse(Mat mat, bool on_one_rank, const MatFactorInfo& info) {
+  PrivateOptions options;
+  options.add("-mat_cholmod_factor", "SUPERNODAL");
+  options.add("-mat_cholmod_print", "0");
+  Mat factor = nullptr;
+  petsc_check(MatGetFactor(mat, on_one_rank ? MATSOLVERCHOLMOD : MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor),
+              "asking for a Cholesky factorisation");
+  if (!on_one_rank) petsc_check(MatMumpsSetIcntl(factor, mumps_extra_memory, 50), "setting MUMPS's memory");
+  petsc_check(MatCholeskyFactorSymbolic(factor, mat, nullptr, &info), "analysing the pattern of a matrix");
+  return factor;
+}
+
+PetscInt mumps_info(Mat factor, int which) {
+  PetscInt value = 0;
+  petsc_check(MatMumpsGetInfog(factor, which, &value), "asking MUMPS how it went");
+  return value;
+}
+
+// MUMPS foresees its memory from the pattern and may be wrong: more is granted, twice as much each time.
+bool is_short_of_estimated_memory(PetscInt outcome) {
+  return outcome == -8 || outcome == -9 || outcome == -14 || outcome == -15 || outcome == -17 || outcome == -20;
+}
+
+// An owned array as a PETSc vector for the time of a call.
+class BorrowedVec {
+ public:
+  BorrowedVec(const Layout& layout, int block, const double* values) {
+    petsc_check(VecCreateMPIWithArray(layout.comm, 1, layout.owned * block, PETSC_DETERMINE, values, &vec_),
+                "wrapping a vector");
+  }
+  ~BorrowedVec() { VecDestroy(&vec_); }
+  BorrowedVec(const BorrowedVec&) = delete;
+  BorrowedVec& operator=(const BorrowedVec&) = delete;
+  Vec vec() const { return vec_; }
+
+ private:
+  Vec vec_ = nullptr;
+};
+
+}  // namespace
+
+struct Factorisation::Storage {
+  explicit Storage(const Matrix::Storage& matrix) : A(matrix), copy(matrix) {
+    MPI_Comm_size(A.layout->comm, &ranks);
+    petsc_check(MatFactorInfoInitialize(&info), "preparing a factorisation");
+    factor = analyse(copy.mat(), ranks == 1, info);
+  }
+  ~Storage() { MatDestroy(&factor); }
+  Storage(const Storage&) = delete;
+  Storage& operator=(const Storage&) = delete;
+
+  bool factorise_with_cholmod() {
+    petsc_check(MatFactorClearError(factor), "restarting CHOLMOD");
+    const PetscErrorCode code = MatCholeskyFactorNumeric(factor, copy.mat(), &info);
+    if (code == PETSC_ERR_MAT_CH_ZRPVT) return false;
+    petsc_check(code, "factorising with CHOLMOD");
+    MatFactorError error = MAT_FACTOR_NOERROR;
+    petsc_check(MatFactorGetError(factor, &error), "asking CHOLMOD how it went");
+    return error == MAT_FACTOR_NOERROR;
+  }
+
+  bool factorise_with_mumps() {
+    constexpr PetscInt not_positive_definite[] = {-10, -40};  // a null pivot; a negative one in the dense root
+    for (PetscInt extra_memory = 100; extra_memory <= 3200; extra_memory *= 2) {
+      petsc_check(MatFactorClearError(factor), "restarting MUMPS");
+      petsc_check(MatCholeskyFactorNumeric(factor, copy.mat(), &info), "factorising with MUMPS");
+      const PetscInt outcome = mumps_info(factor, 1);
+      if (outcome >= 0) return mumps_info(factor, mumps_negative_pivots) == 0;
+      for (const PetscInt bad_pivot : not_positive_definite)
+        if (outcome == bad_pivot) return false;
+      if (!is_short_of_estimated_memory(outcome)) break;
+      petsc_check(MatMumpsSetIcntl(factor, mumps_extra_memory, extra_memory), "granting MUMPS more memory");
+    }
+    throw std::runtime_error("MUMPS failed with INFOG(1) = " + std::to_string(mumps_info(factor, 1)) +
+                             ", INFOG(2) = " + std::to_string(mumps_info(factor, 2)) +
+                             "; out of memory is the usual reason: use more ranks or a coarser mesh");
+  }
+
+  const Matrix::Storage& A;
+  WorkingCopy copy;
+  int ranks = 1;
+  Mat factor = nullptr;
+  MatFactorInfo info{};
+  bool ready = false;
+  int factorisations = 0;
+  double seconds_symbolic = 0;
+  double seconds_numeric = 0;
+};
+
+Factorisation::Factorisation(const Matrix& A) {
+  const double start = MPI_Wtime();
+  storage_ = std::make_unique<Storage>(A.storage());
+  storage_->seconds_symbolic = MPI_Wtime() - start;
+}
+
+Factorisation::Factorisation(Factorisation&&) noexcept = default;
+Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
+Factorisation::~Factorisation() = default;
+
+bool Factorisation::factorise(std::span<const char> pinned) {
+  Storage& s = *storage_;
+  const double start = MPI_Wtime();
+  s.copy.fill(s.A, pinned);
+  s.ready = s.ranks == 1 ? s.factorise_with_cholmod() : s.factorise_with_mumps();
+  s.seconds_numeric += MPI_Wtime() - start;
+  ++s.factorisations;
+  return s.ready;
+}
+
+void Factorisation::solve(const Vector& b, Vector& x) const {
+  const Storage& s = *storage_;
+  if (!s.ready) throw std::logic_error("solve needs a factorise() that returned true");
+  assert(&b != &x && b.owned().size() == x.owned().size());
+  const BorrowedVec rhs(*s.A.layout, s.A.block, b.owned().data());
+  const BorrowedVec solution(*s.A.layout, s.A.block, x.owned().data());
+  petsc_check(MatSolve(s.factor, rhs.vec(), solution.vec()), "solving with a factorised matrix");
+}
+
+int Factorisation::factorisations() const { return storage_->factorisations; }
+double Factorisation::seconds_symbolic() const { return storage_->seconds_symbolic; }
+double Factorisation::seconds_numeric() const { return storage_->seconds_numeric; }
+
+}  // namespace plastron::algebra

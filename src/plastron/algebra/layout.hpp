@@ -1,0 +1,25 @@
+// How nodes are spread over the ranks: every rank owns a contiguous range and sees some of the others' (ghosts).
+#pragma once
+#include <mpi.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace plastron::algebra {
+
+using GlobalIndex = std::int64_t;
+using LocalIndex = std::int32_t;
+
+/// Local index i < owned is global node first + i; local index owned + j is global node ghosts[j].
+struct Layout {
+  MPI_Comm comm = MPI_COMM_SELF;
+  GlobalIndex first = 0;
+  LocalIndex owned = 0;
+  GlobalIndex global_size = 0;
+  std::vector<GlobalIndex> ghosts{};  ///< ascending, owned by other ranks
+
+  LocalIndex local_size() const { return owned + static_cast<LocalIndex>(ghosts.size()); }
+  GlobalIndex global(LocalIndex i) const { return i < owned ? first + i : ghosts[static_cast<std::size_t>(i - owned)]; }
+};
+
+}  // namespace plastron::algebra

@@ -1,0 +1,59 @@
+#include <plastron/algebra/session.hpp>
+
+#include <dlfcn.h>
+#include <petscsys.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "petsc_check.hpp"
+
+namespace plastron::algebra {
+namespace {
+
+bool we_started_mpi = false;
+
+void start_mpi(int& argc, char**& argv) {
+  int started = 0;
+  MPI_Initialized(&started);
+  we_started_mpi = !started;
+  if (we_started_mpi) MPI_Init(&argc, &argv);
+}
+
+// The words PETSc sees in place of our command line: no file, no signal handler that prints, no report at the end.
+void start_petsc() {
+  unsetenv("PETSC_OPTIONS");
+  std::array words{const_cast<char*>("plastron"),   const_cast<char*>("-skip_petscrc"), const_cast<char*>("1"),
+                   const_cast<char*>("-no_signal_handler"), const_cast<char*>("1"), const_cast<char*>("-options_left"),
+                   const_cast<char*>("0"), static_cast<char*>(nullptr)};
+  int count = static_cast<int>(words.size()) - 1;
+  char** arguments = words.data();
+  petsc_check(PetscInitialize(&count, &arguments, nullptr, nullptr), "starting");
+  petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "silencing its error handler");
+}
+
+// With one process a core, threads of the BLAS would fight each other. Looked up by name: another BLAS has no such switch.
+void one_blas_thread_per_rank() {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  if (ranks == 1) return;
+  using SetThreads = void (*)(int);
+  if (const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    set_threads(1);
+}
+
+}  // namespace
+
+Session::Session(int& argc, char**& argv) {
+  start_mpi(argc, argv);
+  start_petsc();
+  one_blas_thread_per_rank();
+}
+
+Session::~Session() {
+  PetscPopErrorHandler();
+  PetscFinalize();
+  if (we_started_mpi) MPI_Finalize();
+}
+
+}  // namespace plastron::algebra

@@ -1,0 +1,16 @@
+// Starts and ends MPI, PETSc and the BLAS threads. One per program, alive as long as any vector or matrix.
+#pragma once
+#include <mpi.h>
+
+namespace plastron::algebra {
+
+class Session {
+ public:
+  /// PETSc reads no options from the command line, the environment or files.
+  Session(int& argc, char**& argv);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+};
+
+}  // namespace plastron::algebra

@@ -1,0 +1,57 @@
+#include <plastron/algebra/scramble.hpp>
+#include <plastron/algebra/softest_motion.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace plastron::algebra {
+namespace {
+
+// In (-1, 1), and a function of the unknown's global number only.
+void fill_with_arbitrary_values(Vector& v) {
+  const auto first = static_cast<std::uint64_t>(v.layout()->first) * static_cast<std::uint64_t>(v.block());
+  const auto values = v.owned();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<double>(scramble(first + i) >> 11) * 0x1p-52 - 1;
+}
+
+// a = D v, zero at fixed unknowns.
+void weigh(const Vector& diagonal, const Vector& v, std::span<const char> fixed, Vector& a) {
+  for (std::size_t i = 0; i < v.owned().size(); ++i) {
+    const bool is_fixed = !fixed.empty() && fixed[i];
+    a.owned()[i] = is_fixed ? 0.0 : diagonal.owned()[i] * v.owned()[i];
+  }
+}
+
+}  // namespace
+
+bool SoftestMotion::is_free() const {
+  constexpr double nothing_but_rounding = 4 * std::numeric_limits<double>::epsilon();
+  constexpr double unlike_its_factor = 1e-3;
+  return !(stiffness > nothing_but_rounding) || !(stiffness > unlike_its_factor * factor_stiffness);
+}
+
+SoftestMotion softest_motion(const Operator& apply, const Factorisation& factor, std::span<const char> fixed,
+                             const Vector& diagonal) {
+  SoftestMotion softest{Vector(diagonal.layout(), diagonal.block())};
+  Vector& v = softest.motion;
+  Vector force(v);
+  Vector weighted(v);
+  fill_with_arbitrary_values(v);
+  for (int step = 0; step < 2; ++step) {
+    weigh(diagonal, v, fixed, force);
+    factor.solve(force, v);
+    weigh(diagonal, v, fixed, weighted);
+    const double size = std::sqrt(dot(v, weighted));
+    if (size == 0) return softest;
+    softest.factor_stiffness = dot(v, force) / (size * size);
+    for (double& value : v.owned()) value /= size;
+  }
+  v.update_ghosts();
+  Vector Av(v.layout(), v.block());
+  apply(v, Av);
+  softest.stiffness = dot(v, Av);
+  return softest;
+}
+
+}  // namespace plastron::algebra

@@ -1,0 +1,113 @@
+#include <plastron/algebra/exchange.hpp>
+#include <plastron/algebra/vector.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace plastron::algebra {
+
+struct Vector::Storage {
+  std::shared_ptr<const Layout> layout{};
+  int block = 0;
+  std::vector<double> values{};
+  std::shared_ptr<const Exchange> exchange{};  ///< made by the first exchange of ghosts, shared with copies
+
+  std::size_t owned_size() const {
+    return layout ? static_cast<std::size_t>(layout->owned) * static_cast<std::size_t>(block) : 0;
+  }
+  const Exchange& ghost_exchange() {
+    if (!exchange) exchange = std::make_shared<const Exchange>(*layout);
+    return *exchange;
+  }
+};
+
+Vector::Vector() : storage_(std::make_unique<Storage>()) {}
+
+Vector::Vector(std::shared_ptr<const Layout> layout, int block) : storage_(std::make_unique<Storage>()) {
+  assert(layout && block > 0);
+  storage_->values.assign(static_cast<std::size_t>(layout->local_size()) * static_cast<std::size_t>(block), 0.0);
+  storage_->layout = std::move(layout);
+  storage_->block = block;
+}
+
+Vector::Vector(const Vector& other) : storage_(std::make_unique<Storage>(*other.storage_)) {}
+
+// The one moved from is left empty, not without storage: it can be read and assigned to.
+Vector::Vector(Vector&& other) noexcept : storage_(std::move(other.storage_)) {
+  other.storage_ = std::make_unique<Storage>();
+}
+
+Vector& Vector::operator=(const Vector& other) {
+  if (this != &other) *storage_ = *other.storage_;
+  return *this;
+}
+
+Vector& Vector::operator=(Vector&& other) noexcept {
+  std::swap(storage_, other.storage_);
+  return *this;
+}
+
+Vector::~Vector() = default;
+
+const std::shared_ptr<const Layout>& Vector::layout() const { return storage_->layout; }
+int Vector::block() const { return storage_->block; }
+
+std::span<double> Vector::owned() { return local().first(storage_->owned_size()); }
+std::span<const double> Vector::owned() const { return local().first(storage_->owned_size()); }
+std::span<double> Vector::local() { return storage_->values; }
+std::span<const double> Vector::local() const { return storage_->values; }
+
+void Vector::fill(double value) { std::ranges::fill(storage_->values, value); }
+
+void Vector::update_ghosts() {
+  if (storage_->layout) storage_->ghost_exchange().to_ghosts(storage_->values, storage_->block);
+}
+
+void Vector::accumulate_ghosts() {
+  if (storage_->layout) storage_->ghost_exchange().to_owners(storage_->values, storage_->block);
+}
+
+namespace {
+
+MPI_Comm comm_of(const Vector& a) { return a.layout() ? a.layout()->comm : MPI_COMM_SELF; }
+
+template <class Value>
+Value reduce(Value value, MPI_Datatype type, MPI_Op operation, MPI_Comm comm) {
+  MPI_Allreduce(MPI_IN_PLACE, &value, 1, type, operation, comm);
+  return value;
+}
+
+}  // namespace
+
+double dot(const Vector& a, const Vector& b) {
+  const auto u = a.owned();
+  const auto v = b.owned();
+  assert(u.size() == v.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * v[i];
+  return sum_over_ranks(sum, comm_of(a));
+}
+
+double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
+
+double max_abs(const Vector& a) {
+  double largest = 0;
+  for (const double value : a.owned()) largest = std::max(largest, std::abs(value));
+  return max_over_ranks(largest, comm_of(a));
+}
+
+void axpy(double s, const Vector& x, Vector& y) {
+  const auto u = x.owned();
+  const auto v = y.owned();
+  assert(u.size() == v.size());
+  for (std::size_t i = 0; i < u.size(); ++i) v[i] += s * u[i];
+}
+
+double sum_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_SUM, comm); }
+double min_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_MIN, comm); }
+double max_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_MAX, comm); }
+std::int64_t sum_over_ranks(std::int64_t value, MPI_Comm comm) { return reduce(value, MPI_INT64_T, MPI_SUM, comm); }
+
+}  // namespace plastron::algebra

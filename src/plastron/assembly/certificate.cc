@@ -1,0 +1,154 @@
+#include <plastron/assembly/certificate.hpp>
+
+#include <plastron/assembly/gap_between.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::assembly {
+
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+Vector6 block6(const algebra::Vector& v, std::size_t node) { return Eigen::Map<const Vector6>(v.local().data() + 6 * node); }
+
+/// A y - l per owned node, through strains.
+algebra::Vector residual(const DiscreteShell& discrete, const algebra::Vector& y) {
+  algebra::Vector r(discrete.space().layout, 6);
+  discrete.shell.apply(y, r);
+  for (std::size_t i = 0; i < r.owned().size(); ++i) r.owned()[i] -= discrete.load.owned()[i];
+  return r;
+}
+
+Wrench over_ranks(const Wrench& w, MPI_Comm comm) {
+  Wrench sum;
+  for (int k = 0; k < 3; ++k) {
+    sum.force[k] = algebra::sum_over_ranks(w.force[k], comm);
+    sum.moment[k] = algebra::sum_over_ranks(w.moment[k], comm);
+  }
+  return sum;
+}
+
+/// Sums over the owned nodes of one rank.
+struct Sums {
+  Wrench loads, obstacle, supports;
+  double force_scale = 0, moment_scale = 0;  // sums of the norms of all nodal contributions
+  double load_work = 0, contact_work = 0, support_work = 0;
+  double free_residual = 0, all_forces = 0;
+  double area = 0, max_pressure = 0, complementarity = 0;
+  double min_pressure = std::numeric_limits<double>::infinity(), min_gap = std::numeric_limits<double>::infinity();
+  std::int64_t touching = 0;
+};
+
+void add(Wrench& wrench, const NodalPoint& p, const Vector6& f, Sums& sums) {
+  const Vector3d moment = p.phi.cross(f.head<3>()) + p.a3.cross(f.tail<3>());
+  wrench.force += f.head<3>();
+  wrench.moment += moment;
+  sums.force_scale += f.head<3>().norm();
+  sums.moment_scale += moment.norm();
+}
+
+Vector6 gap_row(const obstacle::Gap& gap) {
+  Vector6 row;
+  row << gap.normal, gap.z * gap.normal;
+  return row;
+}
+
+/// Contact at one node; returns its generalised force.
+Vector6 add_contact(const DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& y, Sums& sums) {
+  const obstacle::Gap& gap = discrete.coordinates.gaps[i];
+  const double g = gap(y.head<3>(), y.tail<3>());
+  if (discrete.coordinates.touchable[i]) sums.min_gap = std::min(sums.min_gap, g);
+  if (solution.touching.local()[i] == 0) return Vector6::Zero();
+  const double pressure = solution.pressure.local()[i], weight = discrete.points[i].weight;
+  sums.touching += 1;
+  sums.area += weight;
+  sums.max_pressure = std::max(sums.max_pressure, pressure);
+  sums.min_pressure = std::min(sums.min_pressure, pressure);
+  sums.complementarity = std::max(sums.complementarity, std::abs(pressure * g));
+  const Vector6 force = pressure * weight * gap_row(gap);
+  sums.contact_work += force.dot(y);
+  add(sums.obstacle, discrete.points[i], force, sums);
+  return force;
+}
+
+void add_node(const DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& r, Sums& sums) {
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  const Vector6 y = block6(solution.y, i), load = block6(discrete.load, i);
+  add(sums.loads, discrete.points[i], load, sums);
+  sums.load_work += load.dot(y);
+  Vector6 contact = Vector6::Zero();
+  if (!coordinates.gaps.empty()) contact = add_contact(discrete, solution, i, y, sums);
+  const Vector6 rest = r - contact;
+  for (int k = 0; k < 5; ++k) {
+    const std::size_t at = 5 * i + static_cast<std::size_t>(k);
+    const Vector6 direction = coordinates.basis[i].col(k);
+    const double component = direction.dot(rest);
+    sums.all_forces += std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2);
+    if (coordinates.lower.local()[at] == coordinates.upper.local()[at]) {
+      add(sums.supports, discrete.points[i], component * direction, sums);
+      sums.support_work += component * direction.dot(y);
+      sums.all_forces += component * component;
+    } else {
+      sums.free_residual += component * component;
+    }
+  }
+}
+
+}  // namespace
+
+NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vector& z, const std::vector<contact::Activity>& activity) {
+  const auto& layout = discrete.space().layout;
+  NodalSolution solution{algebra::Vector(layout, 6), algebra::Vector(layout, 1), algebra::Vector(layout, 1)};
+  discrete.coordinates.to_cartesian(z, solution.y);
+  const algebra::Vector r = residual(discrete, solution.y);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(layout->owned); ++i) {
+    if (!discrete.coordinates.touchable[i] || activity[5 * i] != contact::Activity::at_lower) continue;
+    solution.touching.local()[i] = 1;
+    solution.pressure.local()[i] = discrete.coordinates.basis[i].col(0).dot(block6(r, i)) / discrete.points[i].weight;
+  }
+  solution.touching.update_ghosts();
+  solution.pressure.update_ghosts();
+  return solution;
+}
+
+Verdict certify(const DiscreteShell& discrete, const NodalSolution& solution) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  const algebra::Vector r = residual(discrete, solution.y);
+  Sums sums;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+    add_node(discrete, solution, i, block6(r, i), sums);
+
+  Verdict verdict;
+  Summary& s = verdict.summary;
+  Certificate& c = verdict.certificate;
+  s.energy = discrete.shell.energies(solution.y);
+  s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
+  s.loads = over_ranks(sums.loads, comm);
+  s.reaction = over_ranks(sums.obstacle, comm);
+  s.support_reaction = over_ranks(sums.supports, comm);
+  s.contact_area = algebra::sum_over_ranks(sums.area, comm);
+  s.touching_nodes = algebra::sum_over_ranks(sums.touching, comm);
+  s.max_pressure = algebra::max_over_ranks(sums.max_pressure, comm);
+
+  const double all_forces = algebra::sum_over_ranks(sums.all_forces, comm);
+  c.stationarity = all_forces > 0 ? std::sqrt(algebra::sum_over_ranks(sums.free_residual, comm) / all_forces) : 0;
+  c.min_pressure = s.touching_nodes > 0 ? algebra::min_over_ranks(sums.min_pressure, comm) : 0;
+  c.min_gap_nodes = algebra::min_over_ranks(sums.min_gap, comm);
+  c.min_gap_between = min_gap_between_nodes(discrete, solution.y);
+  c.complementarity = algebra::max_over_ranks(sums.complementarity, comm);
+  const auto balance = [comm](const Vector3d& sum, double scale) {
+    const double all = algebra::sum_over_ranks(scale, comm);
+    return all > 0 ? sum.norm() / all : 0.0;
+  };
+  c.force_balance = balance(s.loads.force + s.reaction.force + s.support_reaction.force, sums.force_scale);
+  c.moment_balance = balance(s.loads.moment + s.reaction.moment + s.support_reaction.moment, sums.moment_scale);
+  const double work = s.load_work + algebra::sum_over_ranks(sums.contact_work, comm) + algebra::sum_over_ranks(sums.support_work, comm);
+  const double a = 2 * s.energy.total();
+  c.energy_identity = a > 0 ? std::abs(a - work) / a : 0;
+  return verdict;
+}
+
+}  // namespace plastron::assembly

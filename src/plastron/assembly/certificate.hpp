@@ -1,0 +1,53 @@
+// The certificate of a solution (docs/model.md, section 8), recomputed from displacements, strains and bounds alone.
+#pragma once
+#include <plastron/assembly/discrete_shell.hpp>
+
+#include <vector>
+
+namespace plastron::assembly {
+
+/// A system of forces: resultant [N] and moment about the origin [N m].
+struct Wrench {
+  Vector3d force = Vector3d::Zero();
+  Vector3d moment = Vector3d::Zero();
+};
+
+struct Certificate {
+  double stationarity = 0;     ///< |residual on free coordinates| / |loads and reactions|
+  double min_pressure = 0;     ///< min eta_i over touching nodes [Pa]
+  double min_gap_nodes = 0;    ///< min g_i [m]
+  double min_gap_between = 0;  ///< min of the gap between the nodes [m]
+  double complementarity = 0;  ///< max |eta_i g_i| [Pa m]
+  double force_balance = 0;    ///< |loads + obstacle + supports| / sum of the norms of all nodal forces
+  double moment_balance = 0;   ///< likewise for moments about the origin; falls with h on curved charts
+  double energy_identity = 0;  ///< |a(U,U) - l(U) - sum eta_i (g_i - g_i(0)) - support work| / a(U,U)
+};
+
+/// What the solution weighs: energies, works, resultants, contact.
+struct Summary {
+  Energies energy;
+  double load_work = 0;         ///< l(U) [J]
+  Wrench loads, reaction, support_reaction;
+  double contact_area = 0;      ///< nodal weight of the touching nodes [m^2]
+  double max_pressure = 0;      ///< max eta_i [Pa]
+  std::int64_t touching_nodes = 0;
+};
+
+/// Nodal results of a solution, per local node with valid ghosts.
+struct NodalSolution {
+  algebra::Vector y;         ///< (u, r), block 6
+  algebra::Vector pressure;  ///< eta_i [Pa], block 1
+  algebra::Vector touching;  ///< 1 where the node is in contact, else 0
+};
+
+/// eta_i from the residual at the nodes that `activity` puts at their bound (collective).
+NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vector& z, const std::vector<contact::Activity>& activity);
+
+struct Verdict {
+  Summary summary;
+  Certificate certificate;
+};
+/// (collective)
+Verdict certify(const DiscreteShell& discrete, const NodalSolution& solution);
+
+}  // namespace plastron::assembly

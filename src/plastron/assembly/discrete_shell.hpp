@@ -1,0 +1,42 @@
+// A shell on one mesh, ready to be solved: strains, nodal coordinates with their bounds, loads.
+#pragma once
+#include <plastron/assembly/load_vector.hpp>
+#include <plastron/assembly/nodal_coordinates.hpp>
+#include <plastron/assembly/shell_operator.hpp>
+#include <plastron/contact/problem.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace plastron::assembly {
+
+struct DiscreteShell {
+  ShellOperator shell;
+  std::vector<NodalPoint> points;
+  NodalCoordinates coordinates;
+  algebra::Vector load;  ///< Cartesian nodal forces and couples (block 6)
+  geometry::Expression thickness;  ///< e(x, y) [m]
+  GapFunction gap;                 ///< empty without obstacle
+
+  const fem::Space& space() const { return shell.space(); }
+};
+
+/// All that discretises a shell, independent of the mesh.
+struct ShellDescription {
+  geometry::Expression thickness{1.0};
+  shell::Material material{};
+  bool tying = true;
+  std::vector<Support> supports{};
+  std::vector<AreaLoad> area_loads{};
+  std::vector<EdgeLoad> edge_loads{};
+  GapFunction gap{};  ///< empty without obstacle
+};
+
+/// (collective) Throws SupportError.
+std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
+                                          const ShellDescription& description);
+
+/// The box-constrained program of a discrete shell. `matrix` is its stiffness_matrix(); both must outlive the result.
+contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix);
+
+}  // namespace plastron::assembly

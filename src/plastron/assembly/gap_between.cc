@@ -1,0 +1,58 @@
+#include <plastron/assembly/gap_between.hpp>
+
+#include <plastron/geometry/frame.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace plastron::assembly {
+
+namespace {
+
+std::vector<Eigen::Vector2d> lattice(int degree) {
+  const int n = 2 * degree;
+  std::vector<Eigen::Vector2d> points;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) points.emplace_back(static_cast<double>(i) / n, static_cast<double>(j) / n);
+  return points;
+}
+
+/// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range.
+bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field, std::span<const algebra::LocalIndex> nodes) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto row = field.row(static_cast<Eigen::Index>(i));
+    const double g = discrete.coordinates.gaps[static_cast<std::size_t>(nodes[i])](row.head<3>(), row.tail<3>());
+    lowest = std::min(lowest, g);
+    highest = std::max(highest, g);
+  }
+  return lowest <= highest - lowest;
+}
+
+}  // namespace
+
+double min_gap_between_nodes(const DiscreteShell& discrete, const algebra::Vector& y) {
+  const fem::Space& space = discrete.space();
+  double smallest = std::numeric_limits<double>::infinity();
+  if (discrete.gap) {
+    const BasisAt basis = basis_at(space.degree, lattice(space.degree));
+    std::vector<geometry::SurfaceJet> jets(basis.xi.size());
+    std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
+    for (std::size_t c = 0; c < space.owned_cells; ++c) {
+      const CellField field = discrete.shell.gather(c, y);
+      if (!is_near_obstacle(discrete, field, space.nodes(c))) continue;
+      discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
+      discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
+      discrete.thickness.evaluate(px, py, e);
+      const CellField values = basis.value * field;
+      for (std::size_t p = 0; p < jets.size(); ++p) {
+        const auto row = values.row(static_cast<Eigen::Index>(p));
+        const obstacle::Gap gap = discrete.gap(jets[p].value, geometry::unit_normal(jets[p]), e[p]);
+        smallest = std::min(smallest, gap(row.head<3>(), row.tail<3>()));
+      }
+    }
+  }
+  return algebra::min_over_ranks(smallest, space.layout->comm);
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,88 @@
+#include <plastron/assembly/load_vector.hpp>
+
+#include <plastron/fem/basis.hpp>
+
+#include <algorithm>
+
+namespace plastron::assembly {
+
+namespace {
+
+using geometry::Vector3d;
+
+/// Values of a load (force, couple) at points, a row per point.
+void add_expression(const VectorExpression& f, std::span<const double> x, std::span<const double> y, int column, CellField& values) {
+  std::vector<double> component(x.size());
+  for (int k = 0; k < 3; ++k) {
+    f[static_cast<std::size_t>(k)].evaluate(x, y, component);
+    values.col(column + k) += Eigen::Map<const Eigen::VectorXd>(component.data(), static_cast<Eigen::Index>(component.size()));
+  }
+}
+
+void add_function(const VectorFunction& f, std::span<const double> x, std::span<const double> y, int column, CellField& values) {
+  if (!f) return;
+  for (std::size_t p = 0; p < x.size(); ++p) values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
+}
+
+void scatter(std::span<const algebra::LocalIndex> nodes, const CellField& forces, algebra::Vector& f) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int k = 0; k < 6; ++k)
+      f.local()[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] += forces(static_cast<Eigen::Index>(i), k);
+}
+
+void add_area_loads(const ShellOperator& shell, const std::vector<AreaLoad>& loads, algebra::Vector& f) {
+  const fem::Space& space = shell.space();
+  const auto& xi = shell.tables().quadrature.xi;
+  std::vector<double> x(xi.size()), y(xi.size()), pressure(xi.size());
+  CellField values(static_cast<Eigen::Index>(xi.size()), 6);
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    shell.surface().positions(space.cells[c], xi, x, y);
+    values.setZero();
+    for (const AreaLoad& load : loads) {
+      add_expression(load.force, x, y, 0, values);
+      add_expression(load.couple, x, y, 3, values);
+      add_function(load.force_function, x, y, 0, values);
+      add_function(load.couple_function, x, y, 3, values);
+      load.pressure.evaluate(x, y, pressure);
+      for (int q = 0; q < values.rows(); ++q)
+        values.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * shell.point(c, q).frame.a3;
+    }
+    for (int q = 0; q < values.rows(); ++q) values.row(q) *= shell.point(c, q).area;
+    scatter(space.nodes(c), shell.tables().quadrature.value.transpose() * values, f);
+  }
+}
+
+void add_edge_load(const ShellOperator& shell, const EdgeLoad& load, algebra::Vector& f) {
+  const fem::Space& space = shell.space();
+  const auto& names = space.coarse->boundaries;
+  const auto boundary = static_cast<int>(std::ranges::find(names, load.boundary) - names.begin());
+  const fem::Rule rule = fem::gauss(space.degree + 1);
+  std::vector<double> x(rule.points.size()), y(rule.points.size());
+  std::vector<geometry::SurfaceJet> jets(rule.points.size());
+  for (const fem::BoundaryFace& face : space.faces) {
+    if (face.boundary != boundary || face.cell >= space.owned_cells) continue;
+    std::vector<Eigen::Vector2d> xi;
+    for (const double t : rule.points) xi.push_back(fem::side_point(face.side, t));
+    shell.surface().positions(space.cells[face.cell], xi, x, y);
+    shell.surface().jets(space.cells[face.cell], xi, jets, false);
+    CellField values = CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
+    add_expression(load.force, x, y, 0, values);
+    add_expression(load.couple, x, y, 3, values);
+    for (std::size_t q = 0; q < xi.size(); ++q)
+      values.row(static_cast<Eigen::Index>(q)) *= rule.weights[q] * jets[q].d[face.side < 2 ? 1 : 0].norm();
+    scatter(space.nodes(face.cell), basis_at(space.degree, xi).value.transpose() * values, f);
+  }
+}
+
+}  // namespace
+
+algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
+                            const std::vector<EdgeLoad>& edge_loads) {
+  algebra::Vector f(shell.space().layout, 6);
+  add_area_loads(shell, area_loads, f);
+  for (const EdgeLoad& load : edge_loads) add_edge_load(shell, load, f);
+  f.accumulate_ghosts();
+  return f;
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,32 @@
+// Loads of (M9) as functions of the parameters x, y.
+#pragma once
+#include <plastron/geometry/expression.hpp>
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <string>
+
+namespace plastron::assembly {
+
+using VectorExpression = std::array<geometry::Expression, 3>;
+/// A load that a program computes itself, as a function of x and y.
+using VectorFunction = std::function<Eigen::Vector3d(double x, double y)>;
+
+/// Dead load per unit mid-surface area.
+struct AreaLoad {
+  VectorExpression force{};        ///< p, Cartesian [N/m^2]
+  geometry::Expression pressure{}; ///< force along a_3, positive along the normal [N/m^2]
+  VectorExpression couple{};       ///< m, works on r [N m/m^2]
+  VectorFunction force_function{};  ///< added to `force`; empty in loads from case files
+  VectorFunction couple_function{}; ///< added to `couple`
+};
+
+/// Dead load per unit length of the boundary curve phi(Gamma).
+struct EdgeLoad {
+  std::string boundary{};
+  VectorExpression force{};   ///< n [N/m]
+  VectorExpression couple{};  ///< k, works on r [N m/m]
+};
+
+}  // namespace plastron::assembly

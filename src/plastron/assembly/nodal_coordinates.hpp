@@ -1,0 +1,61 @@
+// Nodal coordinates of the tangent formulation (M12) in which contact is a bound (D2).
+//
+// At every node the six Cartesian values y = (u, r) are written as y = T z with five coordinates z:
+//   z_0          w = n . (u + z r), the change of the gap, where the node can touch the obstacle and w is not prescribed
+//   then         displacements across n, rotations in the tangent plane
+//   and, last,   the components that supports prescribe.
+// r . a_3 = 0 is built in. Non-penetration is then z_0 >= -(initial gap), and a support is lower == upper.
+#pragma once
+#include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/nodal_geometry.hpp>
+#include <plastron/assembly/supports.hpp>
+#include <plastron/obstacle/gap.hpp>
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace plastron::assembly {
+
+using NodeBasis = Eigen::Matrix<double, 6, 5>;
+
+/// The gap of (M16) at a point with mid-surface position phi, normal a_3 and thickness e.
+using GapFunction = std::function<obstacle::Gap(const Vector3d& phi, const Vector3d& a3, double thickness)>;
+
+/// Supports that contradict each other or name a boundary that is not there.
+struct SupportError : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+struct NodalCoordinates {
+  std::vector<NodeBasis> basis;          ///< T of every local node
+  std::vector<char> supported;           ///< node has prescribed components (local)
+  std::vector<char> touchable;           ///< node has a contact bound on z_0 (local)
+  std::vector<double> bound_gap;         ///< gap at z_0 = 0, prescribed values included (local) [m]; NaN without obstacle
+  algebra::Vector lower, upper;          ///< bounds of z (block 5)
+  std::vector<obstacle::Gap> gaps;       ///< per local node; empty without obstacle
+
+  /// y = T z on local nodes; needs z's ghosts. The result has valid ghosts.
+  void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
+  /// z += T' f on owned nodes.
+  void add_transposed(const algebra::Vector& f, algebra::Vector& z) const;
+};
+
+/// Rows of one node's supports: the directions in which u and r are prescribed, and the values.
+struct NodeSupport {
+  std::vector<std::pair<Vector3d, double>> displacement, rotation;
+};
+/// Supports of owned nodes by local index; empty where there are none (throws SupportError).
+std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
+                                       const std::vector<NodalPoint>& points, const std::vector<Support>& supports);
+
+/// (collective) Throws SupportError.
+NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
+                                   const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
+                                   const GapFunction& gap);
+
+}  // namespace plastron::assembly

@@ -1,0 +1,110 @@
+// From supports by boundary and component to prescribed directions at nodes.
+#include <plastron/assembly/nodal_coordinates.hpp>
+
+#include <plastron/fem/basis.hpp>
+#include <plastron/geometry/frame.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace plastron::assembly {
+
+namespace {
+
+struct EdgeFrame {
+  Vector3d conormal, tangent;
+};
+
+/// Frames of the boundary curves that meet at a node. Pieces of one smooth curve give one averaged frame; at a corner
+/// of the curve both directions stay.
+class EdgeFrames {
+ public:
+  void add(const EdgeFrame& frame) {
+    constexpr double cosine_of_a_corner = 0.9;
+    for (EdgeFrame& known : frames_)
+      if (known.conormal.dot(frame.conormal) > cosine_of_a_corner) {
+        known.conormal = (known.conormal + frame.conormal).normalized();
+        known.tangent = (known.tangent + frame.tangent).normalized();
+        return;
+      }
+    frames_.push_back(frame);
+  }
+  const std::vector<EdgeFrame>& all() const { return frames_; }
+
+ private:
+  std::vector<EdgeFrame> frames_;
+};
+
+/// Outward conormal and tangent (anticlockwise round the domain) on a side of a cell.
+EdgeFrame edge_frame(const geometry::SurfaceJet& jet, int side) {
+  const Vector3d a3 = geometry::unit_normal(jet);
+  Vector3d tangent = jet.d[side < 2 ? 1 : 0].normalized();
+  if (side == 0 || side == 3) tangent = -tangent;
+  return {tangent.cross(a3), tangent};
+}
+
+std::vector<Vector3d> directions(Direction direction, const Vector3d& a3, const EdgeFrames& edges) {
+  switch (direction) {
+    case Direction::x: return {Vector3d::UnitX()};
+    case Direction::y: return {Vector3d::UnitY()};
+    case Direction::z: return {Vector3d::UnitZ()};
+    case Direction::normal: return {a3};
+    default: break;
+  }
+  std::vector<Vector3d> all;
+  for (const EdgeFrame& frame : edges.all()) all.push_back(direction == Direction::conormal ? frame.conormal : frame.tangent);
+  return all;
+}
+
+/// The edge frames of one boundary at the owned nodes on it, by local node.
+std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_on(const fem::Space& space, const fem::Surface& surface, int boundary) {
+  const auto line = fem::gauss_lobatto(space.degree + 1).points;
+  std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames;
+  std::vector<int> slot(static_cast<std::size_t>(space.layout->owned), -1);
+  for (const fem::BoundaryFace& face : space.faces) {
+    if (face.boundary != boundary) continue;
+    std::vector<Eigen::Vector2d> xi;
+    for (const double t : line) xi.push_back(fem::side_point(face.side, t));
+    std::vector<geometry::SurfaceJet> jets(xi.size());
+    surface.jets(space.cells[face.cell], xi, jets, false);
+    const auto on_side = fem::side_nodes(space.degree, face.side);
+    for (std::size_t i = 0; i < xi.size(); ++i) {
+      const algebra::LocalIndex node = space.nodes(face.cell)[static_cast<std::size_t>(on_side[i])];
+      if (node >= space.layout->owned) continue;
+      int& s = slot[static_cast<std::size_t>(node)];
+      if (s < 0) {
+        s = static_cast<int>(frames.size());
+        frames.emplace_back(node, EdgeFrames{});
+      }
+      frames[static_cast<std::size_t>(s)].second.add(edge_frame(jets[i], face.side));
+    }
+  }
+  return frames;
+}
+
+}  // namespace
+
+std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
+                                       const std::vector<NodalPoint>& points, const std::vector<Support>& supports) {
+  std::vector<NodeSupport> all(static_cast<std::size_t>(space.layout->owned));
+  const auto& names = space.coarse->boundaries;
+  for (const Support& support : supports) {
+    const auto found = std::ranges::find(names, support.boundary);
+    if (found == names.end())
+      throw SupportError(fmt::format("there is no boundary \"{}\"; the mesh has: {}", support.boundary, fmt::join(names, ", ")));
+    for (const auto& [node, edges] : frames_on(space, surface, static_cast<int>(found - names.begin()))) {
+      const NodalPoint& p = points[static_cast<std::size_t>(node)];
+      NodeSupport& at_node = all[static_cast<std::size_t>(node)];
+      for (const PrescribedComponent& component : support.components)
+        for (const Vector3d& d : directions(component.direction, p.a3, edges)) {
+          auto& rows = component.unknown == Unknown::displacement ? at_node.displacement : at_node.rotation;
+          rows.emplace_back(d, component.value(p.x[0], p.x[1]));
+        }
+    }
+  }
+  return all;
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,254 @@
+#include <plastron/assembly/shell_operator.hpp>
+
+namespace plastron::assembly {
+
+using geometry::SurfaceJet;
+using geometry::Vector3d;
+using shell::LocalField;
+
+ShellOperator::ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
+                             const geometry::Expression& thickness, const shell::Material& material, bool tying)
+    : space_(std::move(space)), surface_(std::move(surface)), material_(material), tables_(element_tables(space_->degree, tying)) {
+  const std::size_t cells = space_->owned_cells;
+  points_.resize(cells * tables_.weights.size());
+  for (const Sampling& sampling : tables_.samplings) sampling_points_.emplace_back(cells * sampling.basis.xi.size());
+  for (std::size_t c = 0; c < cells; ++c) prepare_cell(c, thickness);
+}
+
+void ShellOperator::prepare_cell(std::size_t cell, const geometry::Expression& thickness) {
+  const fem::Cell& where = space_->cells[cell];
+  const auto& xi = tables_.quadrature.xi;
+  std::vector<SurfaceJet> jets(xi.size());
+  std::vector<double> x(xi.size()), y(xi.size()), e(xi.size());
+  surface_->jets(where, xi, jets);
+  surface_->positions(where, xi, x, y);
+  thickness.evaluate(x, y, e);
+  for (std::size_t q = 0; q < xi.size(); ++q) {
+    const geometry::Frame frame = geometry::frame_at(jets[q]);
+    points_[cell * xi.size() + q] = {frame, shell::section_stiffness(material_, e[q], frame.metric_con),
+                                     frame.sqrt_a * tables_.weights[q]};
+  }
+  for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
+    const auto& sample_xi = tables_.samplings[s].basis.xi;
+    // Without tying the strains are sampled at the quadrature points, whose jets are there already.
+    if (tables_.tying) {
+      jets.resize(sample_xi.size());
+      surface_->jets(where, sample_xi, jets, false);
+    }
+    for (std::size_t t = 0; t < sample_xi.size(); ++t)
+      sampling_points_[s][cell * sample_xi.size() + t] = {jets[t].d, geometry::unit_normal(jets[t])};
+  }
+}
+
+CellField ShellOperator::gather(std::size_t cell, const algebra::Vector& y) const {
+  const auto nodes = space_->nodes(cell);
+  const auto values = y.local();
+  CellField field(static_cast<Eigen::Index>(nodes.size()), 6);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int c = 0; c < 6; ++c) field(static_cast<Eigen::Index>(i), c) = values[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(c)];
+  return field;
+}
+
+namespace {
+
+/// Bending strains (M5) at points with the given frames, into columns 3..5.
+template <class FrameAt>
+void set_bending_strains(const BasisAt& basis, const FrameAt& frame_at, const CellField& field, CellStrain& strains) {
+  const CellField d1 = basis.d1 * field, d2 = basis.d2 * field;
+  for (Eigen::Index q = 0; q < d1.rows(); ++q) {
+    const LocalField<double> v{{Vector3d(d1.row(q).head<3>()), Vector3d(d2.row(q).head<3>())},
+                               Vector3d::Zero(),
+                               {Vector3d(d1.row(q).tail<3>()), Vector3d(d2.row(q).tail<3>())}};
+    strains.row(q).segment<3>(3) = shell::bending_strain(v, frame_at(q));
+  }
+}
+
+}  // namespace
+
+ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::size_t cell, const CellField& field) const {
+  const BasisAt& basis = tables_.samplings[s].basis;
+  const SamplingPoint* geometry = sampling_points(s, cell);
+  const CellField d1 = basis.d1 * field, d2 = basis.d2 * field, value = basis.value * field;
+  SampledStrain sampled(d1.rows(), 5);
+  for (Eigen::Index t = 0; t < d1.rows(); ++t) {
+    const LocalField<double> v{{Vector3d(d1.row(t).head<3>()), Vector3d(d2.row(t).head<3>())},
+                               Vector3d(value.row(t).tail<3>()),
+                               {Vector3d::Zero(), Vector3d::Zero()}};
+    sampled.row(t).head<3>() = shell::membrane_strain(v, geometry[t].a_cov);
+    sampled.row(t).tail<2>() = shell::shear_strain(v, geometry[t].a_cov, geometry[t].a3);
+  }
+  return sampled;
+}
+
+CellStrain ShellOperator::strains(std::size_t cell, const CellField& field) const {
+  CellStrain strains = CellStrain::Zero(tables_.points_per_cell(), 8);
+  set_bending_strains(tables_.quadrature, [&](Eigen::Index q) -> const geometry::Frame& { return point(cell, static_cast<int>(q)).frame; },
+                      field, strains);
+  for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
+    const Sampling& sampling = tables_.samplings[s];
+    const SampledStrain sampled = sampled_strains(s, cell, field);
+    for (int q = 0; q < tables_.points_per_cell(); ++q)
+      for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)]) {
+        for (const int m : sampling.membrane) strains(q, m) += weight * sampled(t, m);
+        for (const int d : sampling.shear) strains(q, 6 + d) += weight * sampled(t, 3 + d);
+      }
+  }
+  return strains;
+}
+
+CellStrain ShellOperator::strains_at(std::size_t cell, const CellField& field, const BasisAt& basis, const std::vector<MatrixXd>& tied,
+                                     std::span<const geometry::SurfaceJet> jets) const {
+  CellStrain strains = CellStrain::Zero(basis.value.rows(), 8);
+  set_bending_strains(basis, [&](Eigen::Index p) { return geometry::frame_at(jets[static_cast<std::size_t>(p)]); }, field, strains);
+  for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
+    const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field);
+    for (const int m : tables_.samplings[s].membrane) strains.col(m) = at_points.col(m);
+    for (const int d : tables_.samplings[s].shear) strains.col(6 + d) = at_points.col(3 + d);
+  }
+  return strains;
+}
+
+CellStrain ShellOperator::weighted_stresses(std::size_t cell, const CellStrain& strains) const {
+  CellStrain stresses(strains.rows(), 8);
+  for (int q = 0; q < tables_.points_per_cell(); ++q) {
+    const QuadraturePoint& p = point(cell, q);
+    stresses.row(q).head<3>() = p.area * (p.stiffness.membrane * strains.row(q).head<3>().transpose());
+    stresses.row(q).segment<3>(3) = p.area * (p.stiffness.bending * strains.row(q).segment<3>(3).transpose());
+    stresses.row(q).tail<2>() = p.area * (p.stiffness.shear * strains.row(q).tail<2>().transpose());
+  }
+  return stresses;
+}
+
+namespace {
+
+/// Duals of a cell's local fields, a row per point, and their way to the nodes.
+struct DualRows {
+  explicit DualRows(Eigen::Index points)
+      : du1(CellField::Zero(points, 6)), du2(CellField::Zero(points, 6)), value(CellField::Zero(points, 6)) {}
+
+  void add(Eigen::Index row, const LocalField<double>& dual) {
+    du1.row(row).head<3>() += dual.du[0];
+    du2.row(row).head<3>() += dual.du[1];
+    du1.row(row).tail<3>() += dual.dr[0];
+    du2.row(row).tail<3>() += dual.dr[1];
+    value.row(row).tail<3>() += dual.r;
+  }
+  void add_to(const BasisAt& basis, CellField& forces) const {
+    forces.noalias() += basis.d1.transpose() * du1;
+    forces.noalias() += basis.d2.transpose() * du2;
+    forces.noalias() += basis.value.transpose() * value;
+  }
+
+  CellField du1, du2, value;
+};
+
+}  // namespace
+
+CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) const {
+  CellField forces = CellField::Zero(tables_.nodes_per_cell(), 6);
+  DualRows bending(tables_.points_per_cell());
+  for (int q = 0; q < tables_.points_per_cell(); ++q) {
+    LocalField<double> dual = shell::zero_field();
+    shell::add_bending_dual(stresses.row(q).segment<3>(3), point(cell, q).frame, dual);
+    bending.add(q, dual);
+  }
+  bending.add_to(tables_.quadrature, forces);
+
+  for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
+    const Sampling& sampling = tables_.samplings[s];
+    const auto points = static_cast<Eigen::Index>(sampling.basis.xi.size());
+    SampledStrain sampled = SampledStrain::Zero(points, 5);
+    for (int q = 0; q < tables_.points_per_cell(); ++q)
+      for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)]) {
+        for (const int m : sampling.membrane) sampled(t, m) += weight * stresses(q, m);
+        for (const int d : sampling.shear) sampled(t, 3 + d) += weight * stresses(q, 6 + d);
+      }
+    const SamplingPoint* geometry = sampling_points(s, cell);
+    DualRows rows(points);
+    for (Eigen::Index t = 0; t < points; ++t) {
+      LocalField<double> dual = shell::zero_field();
+      shell::add_membrane_dual(sampled.row(t).head<3>(), geometry[t].a_cov, dual);
+      shell::add_shear_dual(sampled.row(t).tail<2>(), geometry[t].a_cov, geometry[t].a3, dual);
+      rows.add(t, dual);
+    }
+    rows.add_to(sampling.basis, forces);
+  }
+  return forces;
+}
+
+namespace {
+
+/// The row of the strain matrix at a point that a unit stress makes: what each nodal value adds to that strain.
+void write_row(const BasisAt& basis, Eigen::Index point, const LocalField<double>& dual, Eigen::Ref<Eigen::RowVectorXd> row) {
+  for (Eigen::Index i = 0; i < basis.value.cols(); ++i) {
+    const double n = basis.value(point, i), n1 = basis.d1(point, i), n2 = basis.d2(point, i);
+    row.segment<3>(6 * i) = n1 * dual.du[0] + n2 * dual.du[1];
+    row.segment<3>(6 * i + 3) = n1 * dual.dr[0] + n2 * dual.dr[1] + n * dual.r;
+  }
+}
+
+}  // namespace
+
+RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
+  const int columns = 6 * tables_.nodes_per_cell();
+  RowMatrix b = RowMatrix::Zero(8 * tables_.points_per_cell(), columns);
+  Eigen::RowVectorXd row(columns);
+  for (int q = 0; q < tables_.points_per_cell(); ++q)
+    for (int c = 0; c < 3; ++c) {
+      LocalField<double> dual = shell::zero_field();
+      shell::add_bending_dual(Vector3d::Unit(c), point(cell, q).frame, dual);
+      write_row(tables_.quadrature, q, dual, row);
+      b.row(8 * q + 3 + c) = row;
+    }
+  for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
+    const Sampling& sampling = tables_.samplings[s];
+    const SamplingPoint* geometry = sampling_points(s, cell);
+    std::vector<RowMatrix> sampled(sampling.membrane.size() + sampling.shear.size(),
+                                   RowMatrix(static_cast<Eigen::Index>(sampling.basis.xi.size()), columns));
+    std::vector<int> component(sampling.membrane);
+    for (const int d : sampling.shear) component.push_back(6 + d);
+    for (Eigen::Index t = 0; t < sampled[0].rows(); ++t)
+      for (std::size_t k = 0; k < component.size(); ++k) {
+        LocalField<double> dual = shell::zero_field();
+        if (component[k] < 3) shell::add_membrane_dual(Vector3d::Unit(component[k]), geometry[t].a_cov, dual);
+        else shell::add_shear_dual(Eigen::Vector2d::Unit(component[k] - 6), geometry[t].a_cov, geometry[t].a3, dual);
+        write_row(sampling.basis, t, dual, row);
+        sampled[k].row(t) = row;
+      }
+    for (int q = 0; q < tables_.points_per_cell(); ++q)
+      for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)])
+        for (std::size_t k = 0; k < component.size(); ++k) b.row(8 * q + component[k]) += weight * sampled[k].row(t);
+  }
+  return b;
+}
+
+void ShellOperator::apply(const algebra::Vector& y, algebra::Vector& f) const {
+  f.fill(0);
+  const auto out = f.local();
+  for (std::size_t c = 0; c < space_->owned_cells; ++c) {
+    const CellField cell_forces = forces(c, weighted_stresses(c, strains(c, gather(c, y))));
+    const auto nodes = space_->nodes(c);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (int k = 0; k < 6; ++k) out[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] += cell_forces(static_cast<Eigen::Index>(i), k);
+  }
+  f.accumulate_ghosts();
+}
+
+Energies ShellOperator::energies(const algebra::Vector& y) const {
+  Energies sum;
+  for (std::size_t c = 0; c < space_->owned_cells; ++c) {
+    const CellStrain s = strains(c, gather(c, y));
+    for (int q = 0; q < tables_.points_per_cell(); ++q) {
+      const shell::Strain<double> strain{s.row(q).head<3>(), s.row(q).segment<3>(3), s.row(q).tail<2>()};
+      const shell::EnergyDensity density = shell::energy_density(point(c, q).stiffness, strain);
+      sum.membrane += point(c, q).area * density.membrane;
+      sum.bending += point(c, q).area * density.bending;
+      sum.shear += point(c, q).area * density.shear;
+    }
+  }
+  const MPI_Comm comm = space_->layout->comm;
+  return {algebra::sum_over_ranks(sum.membrane, comm), algebra::sum_over_ranks(sum.bending, comm),
+          algebra::sum_over_ranks(sum.shear, comm)};
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,91 @@
+// The discrete shell on one mesh: strains of a nodal field, and the bilinear form a(., .) of (M8) as an operator that goes
+// through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D5).
+#pragma once
+#include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/element_tables.hpp>
+#include <plastron/fem/surface.hpp>
+#include <plastron/geometry/expression.hpp>
+#include <plastron/shell/energy.hpp>
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace plastron::assembly {
+
+/// Nodal values of a cell: a row per node, columns u_x u_y u_z r_x r_y r_z.
+using CellField = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+/// Strains or weighted stresses of a cell: a row per point; gamma_11 gamma_22 2gamma_12, chi likewise, 2delta_1 2delta_2.
+using CellStrain = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct Energies {
+  double membrane = 0, bending = 0, shear = 0;  ///< [J]
+  double total() const { return membrane + bending + shear; }
+};
+
+/// Geometry and stiffness at a quadrature point, in the element's own coordinates.
+struct QuadraturePoint {
+  geometry::Frame frame;
+  shell::SectionStiffness stiffness;  ///< not weighted
+  double area;                        ///< sqrt(a) times the quadrature weight [m^2]
+};
+
+class ShellOperator {
+ public:
+  /// Precondition: the surface is regular and the thickness positive at the quadrature points.
+  ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
+                const geometry::Expression& thickness, const shell::Material& material, bool tying);
+
+  const fem::Space& space() const { return *space_; }
+  const fem::Surface& surface() const { return *surface_; }
+  const ElementTables& tables() const { return tables_; }
+  const shell::Material& material() const { return material_; }
+
+  CellField gather(std::size_t cell, const algebra::Vector& y) const;
+  /// Strains at the quadrature points, tied where tying is on (M4-M6, M22).
+  CellStrain strains(std::size_t cell, const CellField& field) const;
+  /// Nodal forces of weighted stresses: the transpose of strains().
+  CellField forces(std::size_t cell, const CellStrain& stresses) const;
+  /// Stresses times area at the quadrature points: N, M, Q of (M8).
+  CellStrain weighted_stresses(std::size_t cell, const CellStrain& strains) const;
+  /// The matrix of strains(): rows point by point in the order of CellStrain, columns node by node in the order of CellField.
+  RowMatrix strain_matrix(std::size_t cell) const;
+
+  /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), bending as it is.
+  CellStrain strains_at(std::size_t cell, const CellField& field, const BasisAt& basis, const std::vector<MatrixXd>& tied,
+                        std::span<const geometry::SurfaceJet> jets) const;
+
+  /// f = A y for Cartesian nodal values (block 6); needs y's ghosts, leaves f complete on owned nodes (collective).
+  void apply(const algebra::Vector& y, algebra::Vector& f) const;
+  /// 1/2 a(y, y) by its three parts, over all ranks (collective).
+  Energies energies(const algebra::Vector& y) const;
+
+  const QuadraturePoint& point(std::size_t cell, int q) const {
+    return points_[cell * static_cast<std::size_t>(tables_.points_per_cell()) + static_cast<std::size_t>(q)];
+  }
+
+ private:
+  struct SamplingPoint {
+    std::array<geometry::Vector3d, 2> a_cov;
+    geometry::Vector3d a3;
+  };
+  /// Sampled membrane and shear strains: a row per sampling point, gamma_11 gamma_22 2gamma_12 2delta_1 2delta_2.
+  using SampledStrain = Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor>;
+
+  void prepare_cell(std::size_t cell, const geometry::Expression& thickness);
+  const SamplingPoint* sampling_points(std::size_t sampling, std::size_t cell) const {
+    return sampling_points_[sampling].data() + cell * tables_.samplings[sampling].basis.xi.size();
+  }
+  SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const CellField& field) const;
+
+  std::shared_ptr<const fem::Space> space_;
+  std::shared_ptr<const fem::Surface> surface_;
+  shell::Material material_;
+  ElementTables tables_;
+  std::vector<QuadraturePoint> points_;                     // owned cells x quadrature points
+  std::vector<std::vector<SamplingPoint>> sampling_points_; // per sampling: owned cells x its points
+};
+
+}  // namespace plastron::assembly

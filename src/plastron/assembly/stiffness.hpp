@@ -1,0 +1,15 @@
+// The stiffness matrix in nodal coordinates, to be factorised: A = T' (B' C B) T.
+#pragma once
+#include <plastron/algebra/matrix.hpp>
+#include <plastron/assembly/nodal_coordinates.hpp>
+#include <plastron/assembly/shell_operator.hpp>
+
+namespace plastron::assembly {
+
+/// Cartesian element matrix, 6 values a node.
+RowMatrix element_stiffness(const ShellOperator& shell, std::size_t cell);
+
+/// (collective)
+algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates);
+
+}  // namespace plastron::assembly

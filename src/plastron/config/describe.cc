@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+#include <plastron/config/declarations.hpp>
+#include <plastron/config/describe.hpp>
+
+namespace plastron::config {
+
+namespace {
+
+constexpr const char* introduction = R"manual(# The case file
+
+<!-- Generated from src/plastron/config by tests/config (PLASTRON_WRITE_DOCS=1); change it there. -->
+
+A case file is a [TOML](https://toml.io) file that defines one computation. An unknown key, a wrong type or a value out of
+range is an error; all mistakes of a file are reported together, each with its line, what is allowed, and what to do.
+
+```toml
+title = "Spherical bowl pressed on a table"
+
+[constants]
+R = 1.0
+edge = "0.5*R"                      # constants may use those above them
+
+[shell]
+E = 1.0
+nu = 0.3
+thickness = 0.02
+
+[geometry]
+domain = { disk = { radius = "sin(edge)" } }
+chart = ["x", "y", "0.02 + R - sqrt(R^2 - x^2 - y^2)"]
+
+[mesh]
+degree = 3
+refinements = 4
+
+[[support]]
+boundary = "rim"
+fix = ["u.x", "u.y"]
+values = { u.x = "1e-3*x" }         # 0 where nothing is given
+
+[[load]]
+force = [0, 0, "-2e-3"]
+
+[[obstacle]]
+half_space = { point = [0, 0, 0], normal = [0, 0, 1] }
+
+[[probe]]
+name = "quarter"
+at = ["sin(0.25)", 0]
+```
+
+Units are those listed, or any consistent set. Lengths in the plane of the parameters have the unit of x and y.
+
+## Expressions
+
+Wherever a number stands, an expression in quotes may stand: `"2*sin(R/2)"`. Where the tables below say so it may also use
+the parameters x and y. An expression has
+
+- numbers, pi, the constants of `[constants]`, and x and y where allowed;
+- `+ - * / ^`, comparisons `== != < <= > >=`, `&& ||`, and the choice `condition ? a : b`;
+- sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs min max sign.
+
+A chart is differentiated twice and therefore has no comparisons, choices, min or max.
+)manual";
+
+std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
+
+std::string allowed(const Key& key) {
+  return key.words.empty() ? code(key.range.text(key.name)) : joined(available_names(key.words));
+}
+
+std::string fallback(const Key& key) { return key.required ? "required" : code(key.fallback); }
+
+std::string heading(const Section& section) {
+  const std::string depth = section.path.find('.') == std::string::npos ? "##" : "###";
+  if (section.path.empty()) return "## Sections";
+  return depth + " " + (section.header.starts_with('[') ? section.header : code(section.path));
+}
+
+std::string describe(const Section& section) {
+  std::string text = fmt::format("\n{}\n\n{}\n", heading(section), section.meaning);
+  if (section.keys.empty()) return text;
+  text += "\n| key | value | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
+  for (const Key& key : section.keys)
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(key.name), description(key.kind), key.unit,
+                        fallback(key), allowed(key), key.meaning);
+  return text;
+}
+
+}  // namespace
+
+std::string describe_case_format() {
+  std::string text = introduction;
+  for (const Section& section : sections()) text += describe(section);
+  return text;
+}
+
+}  // namespace plastron::config

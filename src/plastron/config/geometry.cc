@@ -1,0 +1,101 @@
+// [geometry]: the domain and its charts.
+#include <plastron/config/nearest.hpp>
+#include <plastron/config/sections.hpp>
+
+#include <algorithm>
+
+namespace plastron::config {
+
+namespace {
+
+using Formulas = std::array<std::string, 3>;
+
+std::optional<std::string> read_formula(Reading& reading, const Item& item) {
+  const auto field = read_field(reading, item);
+  return field ? std::optional(field->text()) : std::nullopt;
+}
+
+// A chart does not say which of its components is wrong: each is tried alone.
+void report_chart(Reading& reading, const Item& item, const Formulas& formulas) {
+  for (std::size_t i = 0; i < 3; ++i) try {
+      const geometry::Chart alone({formulas[i], "0", "0"}, reading.constants);
+    } catch (const geometry::ExpressionError& error) {
+      const toml::value& formula = item.value.as_array()[i];
+      report_expression(reading, Item{formula, fmt::format("entry {} of {}", i + 1, item.name)}, error, true);
+    }
+}
+
+void read_chart(const Table& geometry, const Item& item, const std::vector<std::string>& regions,
+                study::Problem& problem, nlohmann::json& effective) {
+  Reading& reading = geometry.reading();
+  const auto list = read_list(reading, item, Kind::formulas, 3, read_formula);
+  if (!list) return;
+  const Formulas formulas{(*list)[0], (*list)[1], (*list)[2]};
+  try {
+    const geometry::Chart chart(formulas, reading.constants);
+    for (const std::string& region : regions) problem.charts.insert_or_assign(region, chart);
+    effective = formulas;
+  } catch (const geometry::ExpressionError&) {
+    report_chart(reading, item, formulas);
+  }
+}
+
+void report_unknown_region(Reading& reading, const std::string& region, const toml::value& value,
+                           const std::vector<std::string>& regions) {
+  const bool unnamed = regions == std::vector<std::string>{""};
+  reading.report(reading.source.key(region, value), fmt::format("the domain has no region \"{}\"", region),
+                 unnamed ? "" : joined(regions),
+                 unnamed ? "the domain is one region without a name: write chart = [three expressions]"
+                         : did_you_mean(region, regions));
+}
+
+// A table of charts by region. The regions of a mesh file are known only when it is read.
+void read_charts_by_region(const Table& geometry, const toml::value& table, const std::vector<std::string>& regions,
+                           study::Problem& problem, nlohmann::json& effective) {
+  Reading& reading = geometry.reading();
+  effective = nlohmann::json::object();
+  for (const auto& [region, value] : entries(reading, table)) {
+    if (!regions.empty() && std::ranges::count(regions, region) == 0) {
+      report_unknown_region(reading, region, value, regions);
+      continue;
+    }
+    read_chart(geometry, Item{value, fmt::format("the chart of {}", region)}, {region}, problem, effective[region]);
+  }
+  if (table.as_table().empty()) geometry.report("chart", "chart is an empty table", description(Kind::formulas));
+  if (regions == std::vector<std::string>{""}) return;
+  for (const std::string& region : regions)
+    if (table.as_table().count(region) == 0)
+      geometry.report("chart", fmt::format("the region \"{}\" has no chart", region), joined(regions));
+}
+
+}  // namespace
+
+void read_charts(Table& geometry, const fem::Domain& domain, study::Problem& problem) {
+  const auto given = geometry.value("chart");
+  if (!given) return;
+  const auto regions = fem::region_names(domain);
+  auto& effective = geometry.effective["chart"];
+  if (given->is_table())
+    read_charts_by_region(geometry, *given, regions, problem, effective);
+  else
+    read_chart(geometry, Item{*given, "chart"}, regions.empty() ? std::vector<std::string>{""} : regions, problem,
+               effective);
+}
+
+std::optional<fem::Domain> read_geometry(Table& root, study::Problem& problem) {
+  auto geometry = root.table("geometry");
+  if (!geometry) return {};
+  const auto domain = read_domain(*geometry);
+  if (domain) {
+    problem.domain = *domain;
+    read_charts(*geometry, *domain, problem);
+  } else if (const auto chart = geometry->value("chart"); chart && !chart->is_table()) {
+    const Item item{*chart, "chart"};  // its own mistakes are found whatever the domain
+    nlohmann::json unused;
+    read_chart(*geometry, item, {""}, problem, unused);
+  }
+  root.effective["geometry"] = geometry->effective;
+  return domain;
+}
+
+}  // namespace plastron::config

@@ -1,0 +1,47 @@
+// [[load]].
+#include <plastron/config/sections.hpp>
+
+namespace plastron::config {
+
+namespace {
+
+assembly::VectorExpression vector_or_zero(Table& load, const char* name) {
+  if (load.has(name)) return load.field_vector(name).value_or(assembly::VectorExpression{});
+  load.effective[name] = {0.0, 0.0, 0.0};
+  return {};
+}
+
+void read_edge_load(Table& load, const std::optional<fem::Domain>& domain, study::Problem& problem) {
+  const auto boundary = read_boundary(load, domain);
+  if (load.has("pressure"))
+    load.reading().report(load.key_place("pressure"), "a load on a boundary has no pressure", "force, couple",
+                          "an edge is loaded by force = [x, y, z] per length");
+  problem.edge_loads.push_back({boundary.value_or(""), vector_or_zero(load, "force"), vector_or_zero(load, "couple")});
+}
+
+void read_area_load(Table& load, study::Problem& problem) {
+  assembly::AreaLoad result{.force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
+  if (load.has("pressure"))
+    result.pressure = load.field("pressure").value_or(geometry::Expression{});
+  else
+    load.effective["pressure"] = 0.0;
+  problem.area_loads.push_back(std::move(result));
+}
+
+}  // namespace
+
+void read_loads(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem) {
+  auto& effective = root.effective["load"] = nlohmann::json::array();
+  for (Table& load : root.tables("load")) {
+    if (!load.has("force") && !load.has("pressure") && !load.has("couple"))
+      load.reading().report(load.place(), "[[load]] has neither force nor pressure nor couple", "",
+                            "add for example force = [0, 0, -1]");
+    if (load.has("boundary"))
+      read_edge_load(load, domain, problem);
+    else
+      read_area_load(load, problem);
+    effective.push_back(load.effective);
+  }
+}
+
+}  // namespace plastron::config

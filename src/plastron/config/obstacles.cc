@@ -1,0 +1,52 @@
+// [[obstacle]] and [[probe]].
+#include <plastron/config/sections.hpp>
+
+#include <algorithm>
+
+namespace plastron::config {
+
+namespace {
+
+std::optional<obstacle::HalfSpace> read_half_space(Table& table) {
+  const auto point = table.vector("point"), normal = table.vector("normal");
+  if (!point || !normal) return {};
+  if (const double length = normal->stableNorm(); length > 0) return obstacle::HalfSpace{*point, *normal / length};
+  table.report("normal", "the normal is the zero vector", "",
+               "give the direction of the free side, for example [0, 0, 1]");
+  return {};
+}
+
+}  // namespace
+
+void read_obstacles(Table& root, study::Problem& problem) {
+  auto& effective = root.effective["obstacle"] = nlohmann::json::array();
+  for (Table& table : root.tables("obstacle")) {
+    if (problem.obstacle)
+      root.reading().report(table.place(), "a second obstacle: this version takes one", "at most one [[obstacle]]");
+    study::Obstacle result;
+    if (auto half_space = table.table("half_space")) {
+      result.half_space = read_half_space(*half_space).value_or(obstacle::HalfSpace{});
+      table.effective["half_space"] = half_space->effective;
+    }
+    if (table.text("face") == "upper") result.face = obstacle::Face::upper;
+    problem.obstacle = result;
+    effective.push_back(table.effective);
+  }
+}
+
+void read_probes(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem) {
+  auto& effective = root.effective["probe"] = nlohmann::json::array();
+  for (Table& table : root.tables("probe")) {
+    const auto name = table.text("name");
+    const auto at = table.point("at");
+    if (name && name->empty()) table.report("name", "a probe needs a name");
+    if (name && std::ranges::count(problem.probes, *name, &study::Probe::name) > 0)
+      table.report("name", fmt::format("two probes are named \"{}\"", *name), "", "choose another name");
+    if (at && domain && !may_contain(*domain, *at))
+      table.report("at", fmt::format("the probe at [{}, {}] is outside the domain", (*at)[0], (*at)[1]));
+    problem.probes.push_back({name.value_or(""), at.value_or(Eigen::Vector2d::Zero())});
+    effective.push_back(table.effective);
+  }
+}
+
+}  // namespace plastron::config

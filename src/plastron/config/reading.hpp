@@ -1,0 +1,84 @@
+// What all readers of one case file share, and the readers of single values. A reader reports what is wrong and returns
+// nothing, so that reading goes on and all mistakes are found together.
+#pragma once
+#include <fmt/format.h>
+#include <plastron/config/declarations.hpp>
+#include <plastron/config/source.hpp>
+#include <plastron/geometry/expression.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace plastron::config {
+
+struct Reading {
+  const Source& source;
+  geometry::Constants constants{};
+  std::vector<std::string> later_constants{};  ///< those below the one being read
+  bool constants_complete =
+      true;  ///< false: some constant is wrong and stands as NaN; what follows from it is not reported
+  std::vector<Mistake> mistakes{};
+
+  void report(Place place, std::string what, std::string allowed = "", std::string advice = "") {
+    mistakes.push_back(source.mistake(place, std::move(what), std::move(allowed), std::move(advice)));
+  }
+};
+
+/// A value to be read, and what messages call it.
+struct Item {
+  const toml::value& value;
+  std::string name;
+  Range range{};
+};
+
+std::optional<bool> read_boolean(Reading& reading, const Item& item);
+std::optional<std::string> read_text(Reading& reading, const Item& item);
+/// A number or an expression of the constants, finite and in the item's range.
+std::optional<double> read_number(Reading& reading, const Item& item);
+std::optional<int> read_integer(Reading& reading, const Item& item);
+/// A number or an expression that may use x and y; a constant one is finite and in the item's range.
+std::optional<geometry::Expression> read_field(Reading& reading, const Item& item);
+
+void report_kind(Reading& reading, const Item& item, Kind expected);
+void report_range(Reading& reading, const Item& item, double value);
+/// Marks the character of the string that the error is about.
+void report_expression(Reading& reading, const Item& item, const geometry::ExpressionError& error,
+                       bool parameters_allowed);
+/// Refuses what the expressions' library would accept, but the manual does not describe. True if there is none.
+bool check_expression_text(Reading& reading, const Item& item);
+
+/// Names that expressions know already: x, y, pi and the functions.
+const std::vector<std::string>& expression_names();
+
+/// The entries of a table in the order of the file.
+std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading, const toml::value& table);
+
+/// A list of `count` values (any number for 0), each read by `read`.
+template <class Read>
+auto read_list(Reading& reading, const Item& item, Kind kind, std::size_t count, Read read) {
+  using Value = typename std::invoke_result_t<Read, Reading&, const Item&>::value_type;
+  std::optional<std::vector<Value>> list;
+  if (!item.value.is_array()) {
+    report_kind(reading, item, kind);
+    return list;
+  }
+  const auto& entries = item.value.as_array();
+  if (count != 0 && entries.size() != count) {
+    const std::string what = fmt::format("{} has {} entries, but must have {}", item.name, entries.size(), count);
+    reading.report(reading.source.value(item.value), what, description(kind));
+    return list;
+  }
+  std::vector<Value> values;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::string name = fmt::format("entry {} of {}", i + 1, item.name);
+    if (auto value = read(reading, Item{entries[i], name, item.range})) values.push_back(std::move(*value));
+  }
+  if (values.size() == entries.size()) list = std::move(values);
+  return list;
+}
+
+}  // namespace plastron::config

@@ -1,0 +1,34 @@
+// One reader for each section of a case file. Each fills its part of the problem and notes its effective settings.
+#pragma once
+#include <plastron/config/table.hpp>
+#include <plastron/study/problem.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plastron::config {
+
+/// Fills Reading::constants, which all other sections use.
+void read_constants(Table& root);
+void read_shell(Table& root, study::Problem& problem);
+/// The domain and its charts; nothing if the domain is wrong.
+std::optional<fem::Domain> read_geometry(Table& root, study::Problem& problem);
+std::optional<fem::Domain> read_domain(Table& geometry);
+void read_charts(Table& geometry, const fem::Domain& domain, study::Problem& problem);
+void read_mesh(Table& root, study::Problem& problem);
+void read_solver(Table& root, study::Problem& problem);
+void read_supports(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem);
+void read_loads(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem);
+void read_obstacles(Table& root, study::Problem& problem);
+void read_probes(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem);
+
+/// The name under "boundary", one of the domain if its names are known.
+std::optional<std::string> read_boundary(Table& table, const std::optional<fem::Domain>& domain);
+
+/// What is wrong with a closed polygon, in words; "" if nothing.
+std::string polygon_fault(const std::vector<Eigen::Vector2d>& corners);
+/// False if the point is certainly not in the domain; mesh files are not looked at.
+bool may_contain(const fem::Domain& domain, const Eigen::Vector2d& point);
+
+}  // namespace plastron::config

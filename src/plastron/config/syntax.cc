@@ -1,0 +1,115 @@
+// toml11's several-line syntax errors put into one sentence with one caret. Its message quotes the text as
+// "12 | line" above a line with carets, several times when two places matter: the last one is where reading stopped.
+#include <fmt/format.h>
+#include <plastron/config/source.hpp>
+
+#include <cctype>
+#include <sstream>
+
+namespace plastron::config {
+
+namespace {
+
+// Offset of the last caret of toml11's message.
+std::size_t last_caret(const Source& source, const std::string& message, std::size_t otherwise) {
+  std::istringstream lines(message);
+  for (std::string line, carets; std::getline(lines, line);) {
+    const std::size_t digit = line.find_first_not_of(' ');
+    const std::size_t bar = line.find(" | ");
+    if (digit == std::string::npos || digit == 0 || bar == std::string::npos || digit >= bar) continue;
+    if (line.find_first_not_of("0123456789", digit) != bar || !std::getline(lines, carets)) continue;
+    const std::size_t caret = carets.find_first_of("^~", bar + 3);
+    if (caret != std::string::npos) otherwise = source.offset(std::stoul(line.substr(digit)), caret - bar - 2);
+  }
+  return otherwise;
+}
+
+std::string up_to(const std::string& text, std::size_t at, const char* ends) {
+  return text.substr(at, text.find_first_of(ends, at) - at);
+}
+
+std::string quoted_name(const std::string& message) {
+  const std::size_t begin = message.find("(\"") + 2;
+  return message.substr(begin, message.find("\")", begin) - begin);
+}
+
+struct Sentence {
+  std::string what, advice;
+};
+
+Sentence about_value(const std::string& text, std::size_t at) {
+  const std::string token = up_to(text, at, " \t\r\n#,]}");
+  std::string lower = token;
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (lower == "true" || lower == "false") return {fmt::format("\"{}\" is not a value", token), "write " + lower};
+  if (token.starts_with("\xE2\x80")) return {"curly quotes are not quotes", "use plain quotes: \"...\""};
+  return {fmt::format("\"{}\" is not a value", token), "text and expressions stand in quotes: \"...\""};
+}
+
+Sentence about_string(const std::string& text, std::size_t at) {
+  std::size_t i = at + 1;
+  while (i < text.size() && text[i] != '\n' && text[i] != text[at]) i += text[i] == '\\' ? 2 : 1;
+  if (i >= text.size() || text[i] == '\n')
+    return {"the quote is never closed", fmt::format("add {} at its end", text[at])};
+  return {"the text has an unknown escape after \\", "write \\\\ for a backslash, or put the text in single quotes"};
+}
+
+Sentence about_key(const std::string& text, std::size_t at) {
+  const std::string rest = up_to(text, at, "\r\n");
+  if (rest.starts_with('['))
+    return {"the section header is not complete", "write [name], or [[name]] for a list of sections"};
+  if (rest.find_first_not_of(" \t") == std::string::npos)
+    return {"the line ends inside a table in braces", "a table { ... } stands on one line, without a comma at its end"};
+  return {fmt::format("\"{}\" is not a key", up_to(text, at, " \t\r\n=")), "a key has letters, digits, _ and -"};
+}
+
+Sentence about_duplicate(const std::string& message) {
+  const std::string name = quoted_name(message);
+  if (message.find(": table (") == std::string::npos && message.find("array of table") == std::string::npos)
+    return {fmt::format("\"{}\" is given twice", name), ""};
+  return {fmt::format("section [{}] is given twice", name), fmt::format("a repeated section is written [[{}]]", name)};
+}
+
+Sentence translate(const std::string& message, const std::string& text, std::size_t at) {
+  const auto says = [&](const char* words) { return message.find(words) != std::string::npos; };
+  if (says("unknown value appeared")) return about_value(text, at);
+  if (says("not a valid string") || says("not a valid literal string")) return about_string(text, at);
+  if (says("multiline string")) return {"the quotes are never closed", "add three quotes at the end of the text"};
+  if (says("already exists") || says("collides") || says("cannot be defined")) return about_duplicate(message);
+  if (says("missing value after")) return {"the value is missing after =", ""};
+  if (says("missing key-value separator")) return {"expected = and a value after the key", "write key = value"};
+  if (says("empty key")) return {"the key is missing before =", ""};
+  if (says("missing array separator"))
+    return {"expected a comma or ] in the list", "text and expressions stand in quotes"};
+  if (says("invalid format appeared in an array"))
+    return {"this is not a value", "the list has a comma or a word without quotes too much"};
+  if (says("trailing comma")) return {"a table in braces has no comma before its }", ""};
+  if (says("missing table separator"))
+    return {"expected a comma or } in the table", "text and expressions stand in quotes"};
+  if (says("invalid line format"))
+    return {fmt::format("unexpected \"{}\" after the value", up_to(text, at, "\r\n")),
+            "text and expressions stand in quotes, and every key has its own line"};
+  if (says("newline required after")) return {"unexpected text after the section header", ""};
+  if (says("invalid key") || says("unknown line")) return about_key(text, at);
+  if (says("float") || says("integer")) return {"this is not a number", "write numbers as 5, 0.5, 1e-3"};
+  return {"this is not TOML", "see https://toml.io"};
+}
+
+}  // namespace
+
+toml::value parse_toml(const Source& source) {
+  std::istringstream stream(source.text());
+  try {
+    return toml::parse(stream, source.file_name());
+  } catch (const toml::syntax_error& error) {
+    const auto location = error.location();
+    const std::string message = error.what();
+    const std::size_t at = last_caret(source, message, source.offset(location.line(), location.column()));
+    const Sentence sentence = translate(message, source.text(), at);
+    throw CaseErrors({source.mistake({at, 1}, sentence.what, "", sentence.advice)});
+  } catch (const std::exception&) {
+    throw CaseErrors({{.file = source.file_name(), .what = "the file cannot be read as TOML"}});
+  }
+}
+
+}  // namespace plastron::config

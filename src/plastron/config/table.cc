@@ -1,0 +1,198 @@
+#include <plastron/config/nearest.hpp>
+#include <plastron/config/table.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace plastron::config {
+
+namespace {
+
+toml::value parsed(const std::string& toml_text) {
+  std::istringstream stream("value = " + toml_text);
+  return toml::parse(stream, "default").at("value");
+}
+
+template <class Value>
+nlohmann::json json_of(const Value& value) {
+  return value;
+}
+nlohmann::json json_of(const geometry::Expression& field) { return as_json(field); }
+nlohmann::json json_of(const std::vector<geometry::Expression>& fields) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& field : fields) list.push_back(as_json(field));
+  return list;
+}
+
+// Headers of the other sections that know a key of this name.
+std::string belongs(const std::string& name) {
+  std::string headers;
+  for (const Section& other : sections()) {
+    if (other.path.empty() || std::ranges::count(other.keys, name, &Key::name) == 0) continue;
+    headers += (headers.empty() ? "" : " or ") + other.header;
+  }
+  return headers.empty() ? "" : fmt::format("\"{}\" belongs in {}", name, headers);
+}
+
+auto list_reader(Kind kind, std::size_t count, auto read) {
+  return [=](Reading& reading, const Item& item) { return read_list(reading, item, kind, count, read); };
+}
+
+}  // namespace
+
+nlohmann::json as_json(const geometry::Expression& field) {
+  if (field.is_constant()) return field(0, 0);
+  return field.text();
+}
+
+Table::Table(Reading& reading, const Section& section, toml::value value)
+    : reading_(&reading), section_(&section), value_(std::move(value)) {
+  for (const auto& [name, entry] : entries(reading, value_))
+    if (std::ranges::count(section.keys, name, &Key::name) == 0) report_unknown(name, entry);
+}
+
+Place Table::place() const { return reading_->source.value(value_); }
+
+bool Table::has(const std::string& name) const { return value_.as_table().count(name) > 0; }
+
+Place Table::key_place(const std::string& name) const { return reading_->source.key(name, value_.as_table().at(name)); }
+
+const Key& Table::declared(const std::string& name) const {
+  const auto key = std::ranges::find(section_->keys, name, &Key::name);
+  if (key == section_->keys.end()) throw std::logic_error(section_->path + " declares no " + name);
+  return *key;
+}
+
+void Table::report_unknown(const std::string& name, const toml::value& value) const {
+  const auto known = names(section_->keys);
+  const bool is_section = section_->path.empty() && (value.is_table() || value.is_array());
+  std::string advice = did_you_mean(name, known);
+  if (advice.empty()) advice = belongs(name);
+  reading_->report(reading_->source.key(name, value),
+                   is_section ? fmt::format("unknown section [{}]", name)
+                              : fmt::format("unknown key \"{}\" in {}", name, section_->header),
+                   joined(known), advice);
+}
+
+void Table::report_missing(const Key& key) const {
+  if (section_->path.empty())
+    reading_->mistakes.push_back(
+        {.file = reading_->source.file_name(), .what = fmt::format("the section [{}] is missing", key.name)});
+  else
+    reading_->report(place(), fmt::format("{} has no \"{}\"", section_->header, key.name), key.range.text(key.name),
+                     fmt::format("add {} = {}", key.name, key.example));
+}
+
+void Table::report(const std::string& name, std::string what, std::string allowed, std::string advice) const {
+  reading_->report(reading_->source.value(value_.as_table().at(name)), std::move(what), std::move(allowed),
+                   std::move(advice));
+}
+
+std::optional<toml::value> Table::value(const std::string& name) const {
+  if (has(name)) return value_.as_table().at(name);
+  const Key& key = declared(name);
+  if (key.required) report_missing(key);
+  if (key.fallback.empty()) return {};
+  return parsed(key.fallback);
+}
+
+template <class Read>
+auto Table::read(const std::string& name, Read read_value) {
+  using Result = std::invoke_result_t<Read, Reading&, const Item&>;
+  const auto given = value(name);
+  if (!given) return Result{};
+  Result result = read_value(*reading_, Item{*given, name, declared(name).range});
+  if (result) effective[name] = json_of(*result);
+  return result;
+}
+
+std::optional<bool> Table::boolean(const std::string& name) { return read(name, read_boolean); }
+std::optional<int> Table::integer(const std::string& name) { return read(name, read_integer); }
+std::optional<double> Table::number(const std::string& name) { return read(name, read_number); }
+std::optional<geometry::Expression> Table::field(const std::string& name) { return read(name, read_field); }
+
+std::optional<std::vector<double>> Table::numbers(const std::string& name) {
+  return read(name, list_reader(Kind::numbers, 0, read_number));
+}
+
+std::optional<Eigen::Vector2d> Table::point(const std::string& name) {
+  const auto list = read(name, list_reader(Kind::point, 2, read_number));
+  if (!list) return {};
+  return Eigen::Vector2d((*list)[0], (*list)[1]);
+}
+
+std::optional<Eigen::Vector3d> Table::vector(const std::string& name) {
+  const auto list = read(name, list_reader(Kind::vector, 3, read_number));
+  if (!list) return {};
+  return Eigen::Vector3d((*list)[0], (*list)[1], (*list)[2]);
+}
+
+std::optional<std::array<int, 2>> Table::cell_counts(const std::string& name) {
+  const auto list = read(name, list_reader(Kind::cell_counts, 2, read_integer));
+  if (!list) return {};
+  return std::array{(*list)[0], (*list)[1]};
+}
+
+std::optional<assembly::VectorExpression> Table::field_vector(const std::string& name) {
+  const auto list = read(name, list_reader(Kind::field_vector, 3, read_field));
+  if (!list) return {};
+  return assembly::VectorExpression{(*list)[0], (*list)[1], (*list)[2]};
+}
+
+bool Table::check_word(const Key& key, const Item& item, const std::string& word) const {
+  const auto allowed = available_names(key.words);
+  const auto known = std::ranges::find(key.words, word, &Word::name);
+  if (key.words.empty() || (known != key.words.end() && known->available)) return true;
+  const bool later = known != key.words.end();
+  reading_->report(reading_->source.value(item.value),
+                   later ? fmt::format("{} \"{}\" is not available in this version", item.name, word)
+                         : fmt::format("unknown word \"{}\" for {}", word, item.name),
+                   joined(allowed), later ? fmt::format("use \"{}\"", allowed.front()) : did_you_mean(word, allowed));
+  return false;
+}
+
+std::optional<std::string> Table::text(const std::string& name) {
+  return read(name, [&](Reading& reading, const Item& item) {
+    auto word = read_text(reading, item);
+    return word && check_word(declared(name), item, *word) ? word : std::nullopt;
+  });
+}
+
+std::optional<std::vector<std::string>> Table::texts(const std::string& name) {
+  const auto read_one = [this, &key = declared(name)](Reading& reading, const Item& item) {
+    auto word = read_text(reading, item);
+    return word && check_word(key, item, *word) ? word : std::nullopt;
+  };
+  return read(name, list_reader(Kind::names, 0, read_one));
+}
+
+std::optional<Table> Table::table(const std::string& name) const {
+  const auto given = value(name);
+  if (!given) return {};
+  if (!given->is_table()) {
+    report_kind(*reading_, Item{*given, name}, Kind::table);
+    return {};
+  }
+  return Table(*reading_, section(section_->path.empty() ? name : section_->path + "." + name), *given);
+}
+
+std::vector<Table> Table::tables(const std::string& name) const {
+  std::vector<Table> all;
+  const toml::value given = value(name).value();
+  if (given.is_table()) {
+    reading_->report(key_place(name), fmt::format("[{}] is a repeated section", name), "",
+                     fmt::format("write [[{}]] with double brackets", name));
+  } else if (!given.is_array()) {
+    report_kind(*reading_, Item{given, name}, Kind::tables);
+  } else {
+    for (const toml::value& entry : given.as_array()) {
+      if (entry.is_table())
+        all.emplace_back(*reading_, section(name), entry);
+      else
+        report_kind(*reading_, Item{entry, "an entry of " + name}, Kind::table);
+    }
+  }
+  return all;
+}
+
+}  // namespace plastron::config

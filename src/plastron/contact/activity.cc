@@ -1,0 +1,89 @@
+#include <plastron/algebra/scramble.hpp>
+#include <plastron/contact/activity.hpp>
+
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+namespace plastron::contact {
+namespace {
+
+MPI_Comm comm_of(const BoxProblem& problem) { return problem.load.layout()->comm; }
+
+bool is_active(Activity activity) { return activity == Activity::at_lower || activity == Activity::at_upper; }
+
+std::int64_t count_over_ranks(const BoxProblem& problem, std::int64_t here) {
+  return algebra::sum_over_ranks(here, comm_of(problem));
+}
+
+}  // namespace
+
+bool bounds_are_consistent(const BoxProblem& problem) {
+  std::int64_t contradictions = 0;
+  for (std::size_t i = 0; i < problem.lower.owned().size(); ++i)
+    if (!(problem.lower.owned()[i] <= problem.upper.owned()[i])) ++contradictions;
+  return count_over_ranks(problem, contradictions) == 0;
+}
+
+ActiveSet starting_set(const BoxProblem& problem, std::span<const Activity> initial) {
+  const auto lower = problem.lower.owned();
+  const auto upper = problem.upper.owned();
+  if (!initial.empty() && initial.size() != lower.size())
+    throw std::invalid_argument("an initial active set has one entry per owned unknown, or none at all");
+  ActiveSet set(lower.size(), Activity::free);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    if (lower[i] == upper[i]) set[i] = Activity::prescribed;
+    if (set[i] == Activity::prescribed || initial.empty()) continue;
+    if (initial[i] == Activity::at_lower && std::isfinite(lower[i])) set[i] = Activity::at_lower;
+    if (initial[i] == Activity::at_upper && std::isfinite(upper[i])) set[i] = Activity::at_upper;
+  }
+  return set;
+}
+
+ActiveSet everything_active(const BoxProblem& problem) {
+  ActiveSet set = starting_set(problem, {});
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const double lower = problem.lower.owned()[i];
+    const double upper = problem.upper.owned()[i];
+    if (set[i] == Activity::prescribed || (std::isinf(lower) && std::isinf(upper))) continue;
+    set[i] = std::abs(lower) <= std::abs(upper) ? Activity::at_lower : Activity::at_upper;
+  }
+  return set;
+}
+
+BoxSolution unsolved(const BoxProblem& problem, Status status) {
+  const algebra::Vector zero(problem.load.layout(), problem.load.block());
+  return {.status = status,
+          .z = zero,
+          .multiplier = zero,
+          .activity = starting_set(problem, {}),
+          .iterations = {},
+          .linear_residual = 0};
+}
+
+double held_at(const BoxProblem& problem, std::size_t i, Activity activity) {
+  return activity == Activity::at_upper ? problem.upper.owned()[i] : problem.lower.owned()[i];
+}
+
+std::int64_t count_active(const BoxProblem& problem, const ActiveSet& set) {
+  std::int64_t active = 0;
+  for (const Activity activity : set) active += is_active(activity);
+  return count_over_ranks(problem, active);
+}
+
+std::int64_t count_changes(const BoxProblem& problem, const ActiveSet& before, const ActiveSet& after) {
+  std::int64_t changes = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) changes += before[i] != after[i];
+  return count_over_ranks(problem, changes);
+}
+
+// A sum of hashes, so that neither order nor ranks matter; it may wrap around.
+std::uint64_t fingerprint(const BoxProblem& problem, const ActiveSet& set) {
+  const auto first = static_cast<std::uint64_t>(problem.load.layout()->first) * static_cast<std::uint64_t>(problem.load.block());
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if (is_active(set[i])) sum += algebra::scramble(2 * (first + i) + (set[i] == Activity::at_upper));
+  return std::bit_cast<std::uint64_t>(count_over_ranks(problem, std::bit_cast<std::int64_t>(sum)));
+}
+
+}  // namespace plastron::contact

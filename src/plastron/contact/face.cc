@@ -1,0 +1,107 @@
+#include <plastron/algebra/softest_motion.hpp>
+#include <plastron/contact/face.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::contact {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// A linear solve that ends above this relative residual is a failure; below it, rounding may excuse a missed tolerance.
+constexpr double usable_residual = 1e-6;
+
+std::vector<char> held(const ActiveSet& set) {
+  std::vector<char> marks(set.size());
+  std::ranges::transform(set, marks.begin(), [](Activity activity) { return activity != Activity::free; });
+  return marks;
+}
+
+}  // namespace
+
+FaceSolver::FaceSolver(const BoxProblem& problem, algebra::Factorisation& factorisation, const Settings& settings)
+    : problem_(problem), factorisation_(factorisation), settings_(settings), diagonal_(problem.matrix.diagonal()) {}
+
+std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
+  const auto fixed = held(set);
+  failure_ = Status::singular;
+  if (!factorisation_.factorise(fixed)) return {};
+  if (algebra::softest_motion(problem_.apply, factorisation_, fixed, diagonal_).is_free()) return {};
+
+  algebra::Vector z(problem_.load.layout(), problem_.load.block());
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if (set[i] != Activity::free) z.owned()[i] = held_at(problem_, i, set[i]);
+  const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { factorisation_.solve(r, x); };
+  const auto linear = algebra::conjugate_gradients(
+      problem_.apply, precondition, problem_.load, fixed, diagonal_, z,
+      {.tolerance = settings_.linear_tolerance, .max_steps = settings_.max_refinement_steps});
+  failure_ = Status::linear_solver_stalled;
+  if (!linear.converged && !(linear.relative_residual <= usable_residual)) return {};
+  return complete(std::move(z), linear, set);
+}
+
+FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) const {
+  FacePoint point{.z = std::move(z), .multiplier = algebra::Vector(problem_.load.layout(), problem_.load.block())};
+  problem_.apply(point.z, point.multiplier);
+  algebra::axpy(-1, problem_.load, point.multiplier);
+  point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));
+  point.linear_residual = linear.relative_residual;
+  point.linear_steps = linear.steps;
+  point.gap_noise = std::max(settings_.gap_tolerance, linear.relative_residual) * algebra::max_abs(point.z);
+  point.multiplier_noise = noise_of_multipliers(point, set);
+  return point;
+}
+
+// The larger of the tolerance asked for and what rounding does to A z - b. The latter goes like eps |A| |z|, with a factor
+// that the residuals of the free unknowns show, since they would be zero without rounding; forces and moments are made
+// comparable by the diagonal.
+algebra::Vector FaceSolver::noise_of_multipliers(const FacePoint& point, const ActiveSet& set) const {
+  algebra::Vector noise(point.z.layout(), point.z.block());
+  problem_.matrix.multiply_absolute(point.z, noise);
+  double residual = 0;
+  double rounding = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const double multiplier = std::abs(point.multiplier.owned()[i]);
+    double& value = noise.owned()[i];
+    value = epsilon * (value + std::abs(problem_.load.owned()[i]));
+    if (set[i] == Activity::free && diagonal_.owned()[i] > 0) {
+      residual += multiplier * multiplier / diagonal_.owned()[i];
+      rounding += value * value / diagonal_.owned()[i];
+    }
+    if (set[i] == Activity::at_lower || set[i] == Activity::at_upper) largest = std::max(largest, multiplier);
+  }
+  const MPI_Comm comm = point.z.layout()->comm;
+  residual = std::sqrt(algebra::sum_over_ranks(residual, comm));
+  rounding = std::sqrt(algebra::sum_over_ranks(rounding, comm));
+  const double factor = 4 * std::max(1.0, rounding > 0 ? residual / rounding : 1.0);
+  const double asked = settings_.multiplier_tolerance * algebra::max_over_ranks(largest, comm);
+  for (double& value : noise.owned()) value = std::max(asked, factor * value);
+  return noise;
+}
+
+Verdict judge(const BoxProblem& problem, const FacePoint& point, const ActiveSet& set) {
+  Verdict verdict{.next = set};
+  const auto z = point.z.owned();
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    if (set[i] == Activity::prescribed) continue;
+    if (set[i] == Activity::free) {
+      const double below = problem.lower.owned()[i] - z[i];
+      const double above = z[i] - problem.upper.owned()[i];
+      verdict.worst_violation = std::max({verdict.worst_violation, below, above});
+      if (below > point.gap_noise) verdict.next[i] = Activity::at_lower;
+      if (above > point.gap_noise) verdict.next[i] = Activity::at_upper;
+    } else {
+      const double multiplier = (set[i] == Activity::at_lower ? 1 : -1) * point.multiplier.owned()[i];
+      verdict.worst_multiplier = std::min(verdict.worst_multiplier, multiplier);
+      if (multiplier < -point.multiplier_noise.owned()[i]) verdict.next[i] = Activity::free;
+    }
+  }
+  const MPI_Comm comm = problem.load.layout()->comm;
+  verdict.worst_violation = algebra::max_over_ranks(verdict.worst_violation, comm);
+  verdict.worst_multiplier = algebra::min_over_ranks(verdict.worst_multiplier, comm);
+  return verdict;
+}
+
+}  // namespace plastron::contact

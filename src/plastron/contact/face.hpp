@@ -1,0 +1,54 @@
+// The minimiser on a face of the box: active and prescribed unknowns are held at their bounds, all others are free.
+// Every contact solver is a way of choosing the next face.
+#pragma once
+#include <plastron/algebra/factorisation.hpp>
+#include <plastron/algebra/krylov.hpp>
+#include <plastron/contact/activity.hpp>
+#include <plastron/contact/problem.hpp>
+#include <plastron/contact/settings.hpp>
+
+#include <optional>
+
+namespace plastron::contact {
+
+struct FacePoint {
+  algebra::Vector z{};
+  algebra::Vector multiplier{};        ///< A z - b
+  algebra::Vector multiplier_noise{};  ///< what rounding makes of each multiplier, at least
+  double energy = 0;
+  double gap_noise = 0;             ///< violations up to here are no violations
+  double linear_residual = 0;
+  int linear_steps = 0;
+};
+
+class FaceSolver {
+ public:
+  FaceSolver(const BoxProblem& problem, algebra::Factorisation& factorisation, const Settings& settings);
+
+  /// Nothing if the face has no unique minimiser or it cannot be computed; failure() then tells which. (collective)
+  std::optional<FacePoint> solve(const ActiveSet& set);
+  Status failure() const { return failure_; }
+
+  const algebra::Vector& diagonal() const { return diagonal_; }
+
+ private:
+  FacePoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) const;
+  algebra::Vector noise_of_multipliers(const FacePoint& point, const ActiveSet& set) const;
+
+  const BoxProblem& problem_;
+  algebra::Factorisation& factorisation_;
+  const Settings& settings_;
+  algebra::Vector diagonal_;
+  Status failure_ = Status::singular;
+};
+
+/// How the point breaks the optimality conditions, and the active set that puts all of it right at once.
+struct Verdict {
+  ActiveSet next{};
+  double worst_violation = 0;   ///< of a bound by a free unknown
+  double worst_multiplier = 0;  ///< most negative, the sign turned at upper bounds; 0 if none is negative
+};
+/// Free unknowns beyond a bound become active, active ones with multipliers of the wrong sign free. (collective)
+Verdict judge(const BoxProblem& problem, const FacePoint& point, const ActiveSet& set);
+
+}  // namespace plastron::contact

@@ -1,0 +1,80 @@
+#include <plastron/contact/face.hpp>
+#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/projected_search.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace plastron::contact {
+namespace {
+
+/// So many iterations without fewer changes than ever before end the plain method. Generous: from a cold start it
+/// honestly moves the free boundary one element a step.
+constexpr int patience = 50;
+
+// Whether the plain method still gets anywhere.
+class Progress {
+ public:
+  bool is_lost(std::uint64_t next_set, std::int64_t changes) {
+    const bool seen_before = !seen_.insert(next_set).second;
+    since_fewer_changes_ = changes < fewest_changes_ ? 0 : since_fewer_changes_ + 1;
+    fewest_changes_ = std::min(fewest_changes_, changes);
+    return seen_before || since_fewer_changes_ > patience;
+  }
+
+ private:
+  std::set<std::uint64_t> seen_{};
+  std::int64_t fewest_changes_ = std::numeric_limits<std::int64_t>::max();
+  int since_fewer_changes_ = 0;
+};
+
+void record(const BoxProblem& problem, FacePoint point, const ActiveSet& set, const Verdict& verdict,
+            const Observer& observer, BoxSolution& solution) {
+  solution.iterations.push_back({.active = count_active(problem, set),
+                                 .changes = count_changes(problem, set, verdict.next),
+                                 .energy = point.energy,
+                                 .worst_violation = verdict.worst_violation,
+                                 .worst_multiplier = verdict.worst_multiplier,
+                                 .linear_steps = point.linear_steps});
+  solution.z = std::move(point.z);
+  solution.multiplier = std::move(point.multiplier);
+  solution.activity = set;
+  solution.linear_residual = point.linear_residual;
+  if (observer) observer(solution.iterations.back());
+}
+
+}  // namespace
+
+BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<const Activity> initial,
+                                         algebra::Factorisation& factorisation, const Settings& settings,
+                                         const Observer& observer) {
+  BoxSolution solution = unsolved(problem, Status::iteration_limit);
+  if (!bounds_are_consistent(problem)) return unsolved(problem, Status::infeasible);
+  FaceSolver faces(problem, factorisation, settings);
+  Progress progress;
+  ActiveSet set = starting_set(problem, initial);
+  auto point = faces.solve(set);
+  if (!point) point = faces.solve(set = everything_active(problem));
+  progress.is_lost(fingerprint(problem, set), std::numeric_limits<std::int64_t>::max());
+  while (point) {
+    const Verdict verdict = judge(problem, *point, set);
+    record(problem, std::move(*point), set, verdict, observer, solution);
+    const std::int64_t changes = solution.iterations.back().changes;
+    if (changes == 0) {
+      solution.status = Status::solved;
+      return solution;
+    }
+    if (static_cast<int>(solution.iterations.size()) >= settings.max_iterations) return solution;
+    if (progress.is_lost(fingerprint(problem, verdict.next), changes)) break;
+    set = verdict.next;
+    point = faces.solve(set);
+  }
+  if (solution.iterations.empty())
+    solution.status = faces.failure();
+  else
+    continue_projected_search(problem, faces, settings, observer, solution);
+  return solution;
+}
+
+}  // namespace plastron::contact

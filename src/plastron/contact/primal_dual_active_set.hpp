@@ -1,0 +1,25 @@
+// The primal-dual active set method: a semismooth Newton method for the box-constrained quadratic program. Each step solves
+// on the face of the present active set, then moves every unknown that breaks a condition to the other side at once:
+//   active   <-  free and beyond its bound
+//   free     <-  active with a multiplier of the wrong sign
+// Fast when it starts near the solution's active set, but in general nothing forbids it to come back to a set it has seen.
+// Source: Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method (2003).
+//
+// Every set seen is remembered by its fingerprint. When one comes back, or when the number of changes has not fallen for
+// long, the projected search (projected_search.hpp) takes over, which cannot cycle.
+#pragma once
+#include <plastron/algebra/factorisation.hpp>
+#include <plastron/contact/problem.hpp>
+#include <plastron/contact/settings.hpp>
+
+#include <span>
+
+namespace plastron::contact {
+
+/// `initial` is the active set to start from (owned unknowns; empty: nothing active). If a motion is free on it, all
+/// bounds are made active instead. `factorisation` must be one of problem.matrix. (collective)
+BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<const Activity> initial,
+                                         algebra::Factorisation& factorisation, const Settings& settings = {},
+                                         const Observer& observer = {});
+
+}  // namespace plastron::contact

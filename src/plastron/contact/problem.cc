@@ -1,0 +1,39 @@
+#include <plastron/contact/problem.hpp>
+
+namespace plastron::contact {
+
+std::string_view to_string(Status status) {
+  switch (status) {
+    case Status::solved: return "solved";
+    case Status::iteration_limit: return "iteration_limit";
+    case Status::cycling: return "cycling";
+    case Status::infeasible: return "infeasible";
+    case Status::singular: return "singular";
+    case Status::linear_solver_stalled: return "linear_solver_stalled";
+  }
+  return "unknown";
+}
+
+std::string_view explain(Status status) {
+  switch (status) {
+    case Status::solved:
+      return "All bounds and signs of multipliers hold.";
+    case Status::iteration_limit:
+      return "The active set still changed when the iterations ran out; start from a coarser mesh or a smaller load, or "
+             "allow more iterations.";
+    case Status::cycling:
+      return "The same active sets came back and the energy could not be lowered beyond rounding; loosen the tolerances "
+             "of gap and multiplier, or start from a coarser mesh.";
+    case Status::infeasible:
+      return "Some unknown has a lower bound above its upper bound; look for a support that presses the structure into "
+             "an obstacle, or for obstacles too close to each other.";
+    case Status::singular:
+      return "A motion costs no energy and no bound stops it; add a support that holds the structure.";
+    case Status::linear_solver_stalled:
+      return "The linear systems are too ill-conditioned for double precision; use a thicker shell, a coarser mesh or "
+             "higher degree.";
+  }
+  return "";
+}
+
+}  // namespace plastron::contact

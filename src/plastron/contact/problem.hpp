@@ -1,0 +1,62 @@
+// The box-constrained quadratic program that contact becomes in nodal coordinates, and its solution:
+//   minimise 1/2 z' A z - b' z   subject to   lower <= z <= upper.
+// Nothing here knows of shells: unknowns, bounds, multipliers.
+#pragma once
+#include <plastron/algebra/matrix.hpp>
+#include <plastron/algebra/vector.hpp>
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace plastron::contact {
+
+/// y = A z for owned values (collective); z comes with ghosts up to date.
+using Operator = std::function<void(const algebra::Vector& z, algebra::Vector& y)>;
+
+struct BoxProblem {
+  const algebra::Matrix& matrix;  ///< A as assembled: factorised, used as preconditioner
+  Operator apply;                 ///< A z as exactly as can be had (through strains): defines residuals and multipliers
+  algebra::Vector load;           ///< b
+  algebra::Vector lower;          ///< -infinity where there is no bound
+  algebra::Vector upper;          ///< +infinity where there is none; lower == upper prescribes the unknown
+};
+
+/// Where an unknown stands. Prescribed unknowns never leave; at_lower and at_upper make the active set.
+enum class Activity : char { free = 0, at_lower = 1, at_upper = 2, prescribed = 3 };
+
+enum class Status {
+  solved,
+  iteration_limit,       ///< max_iterations reached
+  cycling,               ///< the active set came back and the safeguarded search could not go on either
+  infeasible,            ///< some lower > upper
+  singular,              ///< A is not positive definite on the free unknowns: a motion is left free
+  linear_solver_stalled  ///< the preconditioned iteration missed its tolerance by far
+};
+std::string_view to_string(Status status);
+/// One sentence for the user: what happened and what to do.
+std::string_view explain(Status status);
+
+struct Iteration {
+  std::int64_t active = 0;        ///< unknowns at a bound (prescribed ones not counted)
+  std::int64_t changes = 0;       ///< unknowns that changed sides after this solve
+  double energy = 0;              ///< 1/2 z' A z - b' z
+  double worst_violation = 0;     ///< largest violation of a bound before projection
+  double worst_multiplier = 0;    ///< most negative multiplier (0 if none)
+  int linear_steps = 0;           ///< conjugate-gradient steps
+  bool safeguarded = false;       ///< made by the safeguarded search
+};
+
+/// Called after every iteration; may be empty.
+using Observer = std::function<void(const Iteration&)>;
+
+struct BoxSolution {
+  Status status = Status::iteration_limit;
+  algebra::Vector z{};
+  algebra::Vector multiplier{};          ///< A z - b: >= 0 at a lower bound, <= 0 at an upper one, 0 where free
+  std::vector<Activity> activity{};      ///< of the owned unknowns
+  std::vector<Iteration> iterations{};
+  double linear_residual = 0;            ///< reached by the last linear solve, relative
+};
+
+}  // namespace plastron::contact

@@ -1,0 +1,29 @@
+// One-dimensional quadrature points and Lagrange bases on [0, 1], from which all tensor-product tables are made.
+#pragma once
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+namespace plastron::fem {
+
+struct Rule {
+  std::vector<double> points;   ///< ascending, in [0, 1]
+  std::vector<double> weights;  ///< sum to 1
+};
+
+Rule gauss(int points);          ///< exact for degree 2 points - 1
+Rule gauss_lobatto(int points);  ///< end points included; exact for degree 2 points - 3
+
+/// The Lagrange polynomials of some nodes and their first two derivatives at a point x.
+struct LagrangeValues {
+  Eigen::VectorXd value, d, dd;
+};
+LagrangeValues lagrange(std::span<const double> nodes, double x);
+
+/// Tables of a one-dimensional Lagrange basis at points: rows are points, columns nodes.
+struct LagrangeTable {
+  Eigen::MatrixXd value, d;
+};
+LagrangeTable lagrange_table(std::span<const double> nodes, std::span<const double> points);
+
+}  // namespace plastron::fem

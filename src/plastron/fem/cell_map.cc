@@ -1,0 +1,64 @@
+#include <plastron/fem/cell_map.hpp>
+
+#include <plastron/fem/basis.hpp>
+
+#include <cmath>
+
+namespace plastron::fem {
+
+CurveJet Segment::operator()(double t) const { return {from + t * (to - from), to - from, Vector2d::Zero()}; }
+
+CurveJet Arc::operator()(double t) const {
+  const double rate = angle_to - angle_from, angle = angle_from + t * rate;
+  const Vector2d radial = radius * Vector2d(std::cos(angle), std::sin(angle));
+  return {centre + radial, rate * Vector2d(-radial[1], radial[0]), -rate * rate * radial};
+}
+
+PlaneJet BlendedMap::operator()(const Vector2d& xi) const {
+  const auto at = [](const Edge& edge, double t) { return std::visit([t](const auto& e) { return e(t); }, edge); };
+  const double s = xi[0], t = xi[1];
+  const CurveJet l = at(left, t), r = at(right, t), b = at(bottom, s), u = at(top, s);
+  const Vector2d p00 = at(bottom, 0).value, p10 = at(bottom, 1).value, p01 = at(top, 0).value, p11 = at(top, 1).value;
+  PlaneJet f;
+  f.value = (1 - s) * l.value + s * r.value + (1 - t) * b.value + t * u.value -
+            ((1 - s) * (1 - t) * p00 + s * (1 - t) * p10 + (1 - s) * t * p01 + s * t * p11);
+  f.d[0] = r.value - l.value + (1 - t) * b.d + t * u.d - ((1 - t) * (p10 - p00) + t * (p11 - p01));
+  f.d[1] = (1 - s) * l.d + s * r.d + u.value - b.value - ((1 - s) * (p01 - p00) + s * (p11 - p10));
+  f.dd[0] = (1 - t) * b.dd + t * u.dd;
+  f.dd[1] = r.d - l.d + u.d - b.d - (p11 - p01 - p10 + p00);
+  f.dd[2] = (1 - s) * l.dd + s * r.dd;
+  return f;
+}
+
+PlaneJet LagrangeMap::operator()(const Vector2d& xi) const {
+  std::vector<double> equidistant(static_cast<std::size_t>(order + 1));
+  for (int i = 0; i <= order; ++i) equidistant[static_cast<std::size_t>(i)] = static_cast<double>(i) / order;
+  const LagrangeValues p = lagrange(equidistant, xi[0]), q = lagrange(equidistant, xi[1]);
+  PlaneJet f;
+  for (int j = 0; j <= order; ++j)
+    for (int i = 0; i <= order; ++i) {
+      const Vector2d& node = nodes[static_cast<std::size_t>(j * (order + 1) + i)];
+      f.value += p.value[i] * q.value[j] * node;
+      f.d[0] += p.d[i] * q.value[j] * node;
+      f.d[1] += p.value[i] * q.d[j] * node;
+      f.dd[0] += p.dd[i] * q.value[j] * node;
+      f.dd[1] += p.d[i] * q.d[j] * node;
+      f.dd[2] += p.value[i] * q.dd[j] * node;
+    }
+  return f;
+}
+
+PlaneJet CellMap::operator()(const Vector2d& xi) const {
+  const PlaneJet f = std::visit([&](const auto& m) { return m(origin + axes * xi); }, map);
+  PlaneJet g;
+  g.value = f.value;
+  for (int a = 0; a < 2; ++a) g.d[a] = f.d[0] * axes(0, a) + f.d[1] * axes(1, a);
+  constexpr int row[3] = {0, 0, 1}, column[3] = {0, 1, 1};
+  for (int k = 0; k < 3; ++k) {
+    const auto p = axes.col(row[k]), q = axes.col(column[k]);
+    g.dd[k] = f.dd[0] * (p[0] * q[0]) + f.dd[1] * (p[0] * q[1] + p[1] * q[0]) + f.dd[2] * (p[1] * q[1]);
+  }
+  return g;
+}
+
+}  // namespace plastron::fem

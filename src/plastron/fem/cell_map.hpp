@@ -1,0 +1,58 @@
+// The exact map of a coarse cell: the unit square onto a piece of Omega, with two derivatives.
+#pragma once
+#include <plastron/geometry/jet.hpp>
+
+#include <array>
+#include <variant>
+#include <vector>
+
+namespace plastron::fem {
+
+using Eigen::Vector2d;
+using geometry::PlaneJet;
+
+/// A curve over [0, 1] with two derivatives.
+struct CurveJet {
+  Vector2d value, d, dd;
+};
+
+struct Segment {
+  Vector2d from, to;
+  CurveJet operator()(double t) const;
+};
+
+/// Part of a circle; the angle runs linearly from angle_from to angle_to [rad].
+struct Arc {
+  Vector2d centre;
+  double radius;
+  double angle_from, angle_to;
+  CurveJet operator()(double t) const;
+};
+
+using Edge = std::variant<Segment, Arc>;
+
+/// Transfinite interpolation between four edges (Gordon and Hall 1973): every edge is kept exactly.
+struct BlendedMap {
+  Edge left, right;  ///< xi_1 = 0 and 1, running with xi_2
+  Edge bottom, top;  ///< xi_2 = 0 and 1, running with xi_1
+  PlaneJet operator()(const Vector2d& xi) const;
+};
+
+/// Tensor-product polynomial through (order + 1)^2 equidistant nodes, xi_1 fastest.
+struct LagrangeMap {
+  int order = 1;
+  std::vector<Vector2d> nodes;
+  PlaneJet operator()(const Vector2d& xi) const;
+};
+
+using ExactMap = std::variant<BlendedMap, LagrangeMap>;
+
+/// An exact map seen through a rotation or reflection of the unit square: xi_map = origin + axes * xi.
+struct CellMap {
+  ExactMap map;
+  Vector2d origin = Vector2d::Zero();
+  Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();
+  PlaneJet operator()(const Vector2d& xi) const;
+};
+
+}  // namespace plastron::fem

@@ -1,0 +1,57 @@
+// The parameter domains Omega a case can name. A domain is only a description; coarse_mesh.hpp meshes it.
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace plastron::fem {
+
+using Eigen::Vector2d;
+
+/// Boundaries: left, right, bottom, top (x min, x max, y min, y max).
+struct Rectangle {
+  Vector2d from = Vector2d::Zero(), to = Vector2d::Ones();
+  std::array<int, 2> cells{0, 0};    ///< cells of the coarsest mesh; 0: as square as can be, at most 8 along a side
+  std::vector<double> breaks{};      ///< ascending x between from and to, where one region ends and the next begins
+  std::vector<std::string> regions{};///< names from left to right, one more than breaks; empty: one region ""
+};
+
+/// Boundary: rim.
+struct Disk {
+  Vector2d centre = Vector2d::Zero();
+  double radius = 1;
+};
+
+/// Boundaries: inner, outer.
+struct Annulus {
+  Vector2d centre = Vector2d::Zero();
+  double inner = 0.5, outer = 1;
+};
+
+/// A simple polygon, corners in either sense. Boundaries: edge1 (from corner 1 to corner 2), edge2, ...
+struct Polygon {
+  std::vector<Vector2d> corners;
+};
+
+/// A Gmsh file of quadrilaterals (order 1 or higher, complete) in the parameter plane. Physical curves name the
+/// boundaries, physical surfaces the regions.
+struct MeshFile {
+  std::string path;
+};
+
+using Domain = std::variant<Rectangle, Disk, Annulus, Polygon, MeshFile>;
+
+/// The boundary names of a built-in domain; empty for a mesh file, whose names are read with the mesh.
+std::vector<std::string> boundary_names(const Domain& domain);
+/// The region names; {""} for a domain of one unnamed region, empty for a mesh file.
+std::vector<std::string> region_names(const Domain& domain);
+
+/// What is wrong with a domain or mesh file: shown to the user as it stands.
+struct DomainError : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+}  // namespace plastron::fem

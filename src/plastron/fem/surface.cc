@@ -1,0 +1,91 @@
+#include <plastron/fem/surface.hpp>
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace plastron::fem {
+
+Surface::Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts)
+    : coarse_(std::move(coarse)) {
+  for (const std::string& region : coarse_->regions) {
+    auto found = charts.find(region);
+    if (found == charts.end() && charts.size() == 1 && charts.begin()->first.empty()) found = charts.begin();
+    if (found == charts.end())
+      throw DomainError(fmt::format("the region \"{}\" has no chart; write chart = {{ {} = [...], ... }}", region, region));
+    charts_.push_back(found->second);
+  }
+  for (const auto& [name, chart] : charts)
+    if (!name.empty() && std::ranges::find(coarse_->regions, name) == coarse_->regions.end())
+      throw DomainError(fmt::format("there is a chart for the region \"{}\", which the mesh does not have; it has: {}", name,
+                                    fmt::join(coarse_->regions, ", ")));
+}
+
+const geometry::Chart& Surface::chart_of(const Cell& cell) const {
+  return charts_[static_cast<std::size_t>(coarse_->cells[static_cast<std::size_t>(cell.coarse)].region)];
+}
+
+PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
+  PlaneJet f = coarse_->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * xi);
+  for (auto& d : f.d) d *= cell.size;
+  for (auto& dd : f.dd) dd *= cell.size * cell.size;
+  return f;
+}
+
+void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) const {
+  for (std::size_t p = 0; p < xi.size(); ++p) {
+    const Vector2d position = plane_jet(cell, xi[p]).value;
+    x[p] = position[0];
+    y[p] = position[1];
+  }
+}
+
+void Surface::jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets,
+                   bool second_derivatives) const {
+  std::vector<PlaneJet> plane(xi.size());
+  std::vector<double> x(xi.size()), y(xi.size());
+  for (std::size_t p = 0; p < xi.size(); ++p) {
+    plane[p] = plane_jet(cell, xi[p]);
+    x[p] = plane[p].value[0];
+    y[p] = plane[p].value[1];
+  }
+  chart_of(cell).evaluate(x, y, jets, second_derivatives);
+  for (std::size_t p = 0; p < xi.size(); ++p) jets[p] = geometry::compose(jets[p], plane[p]);
+}
+
+void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets) const {
+  std::vector<double> x(xi.size()), y(xi.size());
+  positions(cell, xi, x, y);
+  chart_of(cell).evaluate(x, y, jets, true);
+}
+
+std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point) {
+  constexpr double tolerance = 1e-9;
+  for (std::size_t c = 0; c < coarse.cells.size(); ++c) {
+    Vector2d xi(0.5, 0.5);
+    for (int step = 0; step < 30; ++step) {
+      const PlaneJet f = coarse.cells[c].map(xi);
+      Eigen::Matrix2d jacobian;
+      jacobian << f.d[0], f.d[1];
+      const Vector2d change = jacobian.fullPivLu().solve(point - f.value);
+      xi += change;
+      if (change.norm() < 1e-14) break;
+      if (!(xi.norm() < 10)) break;
+    }
+    if (!(xi.minCoeff() >= -tolerance && xi.maxCoeff() <= 1 + tolerance)) continue;
+    if ((coarse.cells[c].map(xi).value - point).norm() > tolerance * (1 + point.norm())) continue;
+    return Location{static_cast<int>(c), xi.cwiseMax(0.0).cwiseMin(1.0)};
+  }
+  return std::nullopt;
+}
+
+std::optional<Vector2d> local_coordinates(const Cell& cell, const Location& location) {
+  if (cell.coarse != location.coarse) return std::nullopt;
+  const Vector2d xi = (location.xi - cell.corner) / cell.size;
+  if (xi.minCoeff() < -1e-12 || xi.maxCoeff() > 1 + 1e-12) return std::nullopt;
+  return xi;
+}
+
+}  // namespace plastron::fem

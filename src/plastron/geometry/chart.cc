@@ -1,0 +1,108 @@
+#include <plastron/geometry/chart.hpp>
+
+#include <fmt/format.h>
+#include <ginac/ginac.h>
+
+#include <numbers>
+
+namespace plastron::geometry {
+
+namespace {
+
+std::string in_muparser_syntax(const GiNaC::ex& e);
+
+std::string number(const GiNaC::numeric& value) {
+  if (!value.is_real()) throw std::invalid_argument("it has a complex coefficient");
+  return fmt::format("({:.17g})", value.to_double());
+}
+
+std::string power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
+  const std::string b = in_muparser_syntax(base);
+  if (GiNaC::is_a<GiNaC::numeric>(exponent)) {
+    const auto n = GiNaC::ex_to<GiNaC::numeric>(exponent);
+    if (n.is_negative()) return fmt::format("(1/{})", power(base, -n));
+    if (n.is_equal(GiNaC::numeric(1))) return b;
+    if (n.is_equal(GiNaC::numeric(2))) return fmt::format("sq({})", b);
+    if (n.is_equal(GiNaC::numeric(3))) return fmt::format("cube({})", b);
+    if (n.is_equal(GiNaC::numeric(1, 2))) return fmt::format("sqrt({})", b);
+    if (n.is_equal(GiNaC::numeric(3, 2))) return fmt::format("cube(sqrt({}))", b);
+    if (n.is_equal(GiNaC::numeric(5, 2))) return fmt::format("(sq({0})*sqrt({0}))", b);
+  }
+  return fmt::format("(({})^({}))", b, in_muparser_syntax(exponent));
+}
+
+std::string call(const GiNaC::function& f) {
+  std::string name = f.get_name();
+  if (name == "csgn") name = "sign";
+  std::string arguments;
+  for (std::size_t i = 0; i < f.nops(); ++i) arguments += (i ? "," : "") + in_muparser_syntax(f.op(i));
+  return fmt::format("{}({})", name, arguments);
+}
+
+std::string joined(const GiNaC::ex& e, const char* separator) {
+  std::string text = "(";
+  for (std::size_t i = 0; i < e.nops(); ++i) text += (i ? separator : "") + in_muparser_syntax(e.op(i));
+  return text + ")";
+}
+
+std::string in_muparser_syntax(const GiNaC::ex& e) {
+  if (GiNaC::is_a<GiNaC::numeric>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e));
+  if (GiNaC::is_a<GiNaC::symbol>(e)) return GiNaC::ex_to<GiNaC::symbol>(e).get_name();
+  if (GiNaC::is_a<GiNaC::constant>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e.evalf()));
+  if (GiNaC::is_a<GiNaC::add>(e)) return joined(e, "+");
+  if (GiNaC::is_a<GiNaC::mul>(e)) return joined(e, "*");
+  if (GiNaC::is_a<GiNaC::power>(e)) return power(e.op(0), e.op(1));
+  if (GiNaC::is_a<GiNaC::function>(e)) return call(GiNaC::ex_to<GiNaC::function>(e));
+  throw std::invalid_argument("it cannot be differentiated twice");
+}
+
+// value, 1, 2, 11, 12, 22
+std::vector<Expression> differentiate(const std::string& text, const Constants& constants) {
+  [[maybe_unused]] const Expression checked(text, constants);  // muParser's messages carry positions
+  const GiNaC::realsymbol x("x"), y("y");
+  GiNaC::symtab table{{"x", x}, {"y", y}, {"pi", GiNaC::Pi}};
+  // Constants stay symbols while differentiating, so that R - R is exactly zero.
+  for (const auto& [name, value] : constants) table[name] = GiNaC::possymbol(name);
+  try {
+    GiNaC::parser read(table, true);
+    const GiNaC::ex f = read(text);
+    const GiNaC::ex fx = f.diff(x), fy = f.diff(y);
+    std::vector<Expression> all;
+    for (const GiNaC::ex& e : {f, fx, fy, fx.diff(x), fx.diff(y), fy.diff(y)})
+      all.emplace_back(in_muparser_syntax(e), constants);
+    return all;
+  } catch (const ExpressionError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw ExpressionError(fmt::format("\"{}\" is no formula with two derivatives: {} (charts allow + - * / ^ and "
+                                      "sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs)",
+                                      text, error.what()),
+                          0);
+  }
+}
+
+}  // namespace
+
+Chart::Chart(const std::array<std::string, 3>& components, const Constants& constants) : components_(components) {
+  for (int i = 0; i < 3; ++i) derivatives_[i] = differentiate(components[i], constants);
+}
+
+SurfaceJet Chart::operator()(double x, double y) const {
+  SurfaceJet jet;
+  evaluate({&x, 1}, {&y, 1}, {&jet, 1});
+  return jet;
+}
+
+void Chart::evaluate(std::span<const double> x, std::span<const double> y, std::span<SurfaceJet> jets,
+                     bool second_derivatives) const {
+  std::vector<double> values(jets.size());
+  const int count = second_derivatives ? 6 : 3;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < count; ++k) {
+      derivatives_[i][k].evaluate(x, y, values);
+      for (std::size_t p = 0; p < jets.size(); ++p)
+        (k == 0 ? jets[p].value : k < 3 ? jets[p].d[k - 1] : jets[p].dd[k - 3])[i] = values[p];
+    }
+}
+
+}  // namespace plastron::geometry

@@ -1,0 +1,32 @@
+// The chart phi : Omega -> R^3 given by three expressions in x, y and named constants.
+// First and second derivatives are exact (GiNaC) and evaluated fast (muParser).
+#pragma once
+#include <plastron/geometry/expression.hpp>
+#include <plastron/geometry/jet.hpp>
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plastron::geometry {
+
+class Chart {
+ public:
+  /// Throws ExpressionError; its message names the component.
+  Chart(const std::array<std::string, 3>& components, const Constants& constants);
+
+  /// phi with first and second derivatives with respect to x and y.
+  SurfaceJet operator()(double x, double y) const;
+  /// jets[i] at (x[i], y[i]). Second derivatives are left zero unless asked for.
+  void evaluate(std::span<const double> x, std::span<const double> y, std::span<SurfaceJet> jets,
+                bool second_derivatives = true) const;
+
+  const std::array<std::string, 3>& components() const { return components_; }
+
+ private:
+  std::array<std::string, 3> components_;
+  std::array<std::vector<Expression>, 3> derivatives_;  // value, 1, 2, 11, 12, 22 of each component
+};
+
+}  // namespace plastron::geometry

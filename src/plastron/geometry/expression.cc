@@ -1,0 +1,106 @@
+#include <plastron/geometry/expression.hpp>
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace plastron::geometry {
+
+namespace {
+
+double square(double a) { return a * a; }
+double cube(double a) { return a * a * a; }
+double natural_log(double a) { return std::log(a); }
+double arc_tangent2(double a, double b) { return std::atan2(a, b); }
+double sign_of(double a) { return (a > 0) - (a < 0); }
+double unit_step(double a) { return a > 0 ? 1 : (a < 0 ? 0 : 0.5); }
+
+mu::Parser parser_with(const Constants& constants) {
+  mu::Parser parser;
+  parser.ClearConst();
+  parser.DefineConst("pi", std::numbers::pi);
+  for (const auto& [name, value] : constants) parser.DefineConst(name, value);
+  parser.DefineFun("log", natural_log);
+  parser.DefineFun("atan2", arc_tangent2);
+  parser.DefineFun("sq", square);
+  parser.DefineFun("cube", cube);
+  parser.DefineFun("sign", sign_of);
+  parser.DefineFun("step", unit_step);
+  return parser;
+}
+
+[[noreturn]] void rethrow(const mu::ParserError& error, const std::string& text) {
+  const auto position = error.GetPos() < 0 ? std::size_t{0} : static_cast<std::size_t>(error.GetPos());
+  switch (error.GetCode()) {
+    case mu::ecUNASSIGNABLE_TOKEN:
+      throw ExpressionError(fmt::format("unknown name \"{}\" in \"{}\"", error.GetToken(), text), position);
+    case mu::ecUNEXPECTED_EOF:
+      throw ExpressionError(fmt::format("\"{}\" ends too early", text), text.size());
+    default:
+      throw ExpressionError(fmt::format("\"{}\": {}", text, error.GetMsg()), std::min(position, text.size()));
+  }
+}
+
+}  // namespace
+
+// muParser keeps the addresses of its variables, so they live as long as the compiled program.
+struct Expression::Program {
+  mu::Parser parser;
+  double x = 0, y = 0;
+};
+
+Expression::Expression(double value) : text_(fmt::format("{}", value)), constant_(value) {}
+
+Expression::Expression(std::string text, const Constants& constants) : text_(std::move(text)) {
+  auto program = std::make_shared<Program>();
+  try {
+    program->parser = parser_with(constants);
+    program->parser.DefineVar("x", &program->x);
+    program->parser.DefineVar("y", &program->y);
+    program->parser.SetExpr(text_);
+    const double first = program->parser.Eval();
+    if (program->parser.GetNumResults() != 1) throw ExpressionError(fmt::format("\"{}\" has more than one value", text_), 0);
+    if (program->parser.GetUsedVar().empty()) {
+      constant_ = first;
+      return;
+    }
+  } catch (const mu::ParserError& error) {
+    rethrow(error, text_);
+  }
+  program_ = std::move(program);
+}
+
+double Expression::operator()(double x, double y) const {
+  if (!program_) return constant_;
+  program_->x = x;
+  program_->y = y;
+  return program_->parser.Eval();
+}
+
+void Expression::evaluate(std::span<const double> x, std::span<const double> y, std::span<double> values) const {
+  if (!program_) {
+    std::ranges::fill(values, constant_);
+    return;
+  }
+  // Not muParser's bulk mode: it starts OpenMP threads for a handful of points.
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    program_->x = x[i];
+    program_->y = y[i];
+    values[i] = program_->parser.Eval();
+  }
+}
+
+double evaluate_constant(const std::string& text, const Constants& constants) {
+  try {
+    mu::Parser parser = parser_with(constants);
+    parser.SetExpr(text);
+    return parser.Eval();
+  } catch (const mu::ParserError& error) {
+    rethrow(error, text);
+  }
+}
+
+}  // namespace plastron::geometry

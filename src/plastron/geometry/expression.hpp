@@ -1,0 +1,51 @@
+// A scalar function of the two parameters x, y, written by the user as text and evaluated by muParser.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plastron::geometry {
+
+/// Named constants of a case, in the order of their definition.
+using Constants = std::vector<std::pair<std::string, double>>;
+
+/// A text that is no valid expression. `position` is the offset in the text of the first wrong character.
+struct ExpressionError : std::invalid_argument {
+  ExpressionError(const std::string& message, std::size_t position_in_text)
+      : std::invalid_argument(message), position(position_in_text) {}
+  std::size_t position;
+};
+
+/// f(x, y). Known names: x, y, pi, the constants; + - * / ^, comparisons, c ? a : b, and the functions
+/// sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs min max sign.
+class Expression {
+ public:
+  /// The zero function.
+  Expression() : Expression(0.0) {}
+  /// The function that is `value` everywhere.
+  explicit Expression(double value);
+  /// Throws ExpressionError.
+  Expression(std::string text, const Constants& constants);
+
+  double operator()(double x, double y) const;
+  /// values[i] = f(x[i], y[i]).
+  void evaluate(std::span<const double> x, std::span<const double> y, std::span<double> values) const;
+
+  bool is_constant() const { return !program_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  struct Program;
+  std::string text_;
+  double constant_ = 0;
+  std::shared_ptr<Program> program_;
+};
+
+/// The value of a text that may use the constants but not x and y. Throws ExpressionError.
+double evaluate_constant(const std::string& text, const Constants& constants);
+
+}  // namespace plastron::geometry

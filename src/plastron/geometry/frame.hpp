@@ -1,0 +1,62 @@
+// The local frame of the mid-surface at a point, in the coordinates in which the jet of phi is given (M1-M3).
+#pragma once
+#include <plastron/geometry/jet.hpp>
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+
+namespace plastron::geometry {
+
+using Eigen::Matrix2d;
+
+/// Index position is part of a name: a_cov[alpha] = a_alpha, a_con[alpha] = a^alpha.
+struct Frame {
+  std::array<Vector3d, 2> a_cov;  ///< a_alpha = d_alpha phi [m per unit of the coordinate]
+  std::array<Vector3d, 2> a_con;  ///< a^alpha
+  Vector3d a3;                    ///< unit normal
+  std::array<Vector3d, 2> da3;    ///< d_alpha a_3
+  Matrix2d metric_cov;            ///< a_{alpha beta}
+  Matrix2d metric_con;            ///< a^{alpha beta}
+  Matrix2d b_cov;                 ///< b_{alpha beta} = d_{alpha beta} phi . a_3
+  double sqrt_a;                  ///< area element: dS = sqrt(a) dxi
+};
+
+/// Relative size of |a_1 x a_2| against |a_1| |a_2| below which a chart counts as degenerate.
+inline constexpr double degenerate_sine = 1e-10;
+
+/// |a_1 x a_2| / (|a_1| |a_2|): the sine of the angle between the tangents; 0 or NaN where the chart is degenerate.
+inline double tangent_sine(const SurfaceJet& phi) {
+  return phi.d[0].cross(phi.d[1]).norm() / (phi.d[0].norm() * phi.d[1].norm());
+}
+
+/// a_3 alone, for places where only tangents and the normal are needed (tying points).
+inline Vector3d unit_normal(const SurfaceJet& phi) { return phi.d[0].cross(phi.d[1]).normalized(); }
+
+/// (M1)-(M3). Precondition: the chart is not degenerate at the point.
+inline Frame frame_at(const SurfaceJet& phi) {
+  Frame f;
+  f.a_cov = phi.d;
+  const Vector3d n = f.a_cov[0].cross(f.a_cov[1]);
+  f.sqrt_a = n.norm();
+  f.a3 = n / f.sqrt_a;
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b) {
+      f.metric_cov(a, b) = f.a_cov[a].dot(f.a_cov[b]);
+      f.b_cov(a, b) = phi.dd[a + b].dot(f.a3);
+    }
+  f.metric_con = f.metric_cov.inverse();
+  for (int a = 0; a < 2; ++a) f.a_con[a] = f.metric_con(a, 0) * f.a_cov[0] + f.metric_con(a, 1) * f.a_cov[1];
+  for (int a = 0; a < 2; ++a) f.da3[a] = -(f.b_cov(a, 0) * f.a_con[0] + f.b_cov(a, 1) * f.a_con[1]);
+  return f;
+}
+
+/// Principal curvatures, the eigenvalues of b_alpha^beta, in ascending order [1/m].
+inline std::array<double, 2> principal_curvatures(const Frame& f) {
+  const Matrix2d b_mixed = f.b_cov * f.metric_con;
+  const double mean = b_mixed.trace() / 2;
+  const double root = std::sqrt(std::max(0.0, mean * mean - b_mixed.determinant()));
+  return {mean - root, mean + root};
+}
+
+}  // namespace plastron::geometry

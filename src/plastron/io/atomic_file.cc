@@ -1,0 +1,152 @@
+#include <plastron/io/atomic_file.hpp>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+namespace plastron::io {
+
+namespace {
+
+int rank_in(MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  return rank;
+}
+
+/// The reason of the lowest rank that has one, on every rank; empty if none has.
+std::string first_reason(std::string mine, MPI_Comm comm) {
+  constexpr int none = std::numeric_limits<int>::max();
+  int speaker = mine.empty() ? none : rank_in(comm);
+  MPI_Allreduce(MPI_IN_PLACE, &speaker, 1, MPI_INT, MPI_MIN, comm);
+  if (speaker == none) return {};
+  int length = static_cast<int>(mine.size());
+  MPI_Bcast(&length, 1, MPI_INT, speaker, comm);
+  mine.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(mine.data(), length, MPI_CHAR, speaker, comm);
+  return mine;
+}
+
+/// Does a step of the work on `path` on every rank; if it throws on one, all ranks throw.
+template <class Step>
+void together(std::string_view what, const std::filesystem::path& path, MPI_Comm comm, const Step& step) {
+  std::string reason;
+  try {
+    step();
+  } catch (const std::system_error& e) {
+    reason = e.code().message();
+  } catch (const std::exception& e) {
+    reason = e.what();
+    if (reason.empty()) reason = "unknown error";
+  }
+  reason = first_reason(std::move(reason), comm);
+  if (!reason.empty()) throw std::runtime_error(fmt::format("cannot {} \"{}\": {}", what, path.string(), reason));
+}
+
+[[noreturn]] void throw_errno() { throw std::system_error(errno, std::generic_category()); }
+
+class OpenFile {
+ public:
+  OpenFile(const std::filesystem::path& path, int flags) : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) throw_errno();
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  void write(std::string_view text, std::int64_t offset) const {
+    while (!text.empty()) {
+      const ssize_t count = ::pwrite(descriptor_, text.data(), text.size(), offset);
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) throw_errno();
+      text.remove_prefix(static_cast<std::size_t>(count));
+      offset += count;
+    }
+  }
+  void flush() const {
+    // Some file systems (pipes, a few network ones) cannot flush and say EINVAL: nothing is lost then.
+    if (::fsync(descriptor_) != 0 && errno != EINVAL) throw_errno();
+  }
+  /// Network file systems report some failed writes only here.
+  void close() {
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0 && errno != EINTR) throw_errno();
+  }
+
+ private:
+  int descriptor_;
+};
+
+/// The same on every rank; two runs in one directory do not meet.
+std::filesystem::path temporary_name(const std::filesystem::path& path, MPI_Comm comm) {
+  auto process = static_cast<std::int64_t>(::getpid());
+  MPI_Bcast(&process, 1, MPI_INT64_T, 0, comm);
+  return path.parent_path() / fmt::format("{}.{}.partial", path.filename().string(), process);
+}
+
+std::int64_t offset_of(std::int64_t size, MPI_Comm comm) {
+  std::int64_t offset = 0;
+  MPI_Exscan(&size, &offset, 1, MPI_INT64_T, MPI_SUM, comm);
+  return rank_in(comm) == 0 ? 0 : offset;  // Exscan leaves rank 0's result undefined
+}
+
+void rename_for_good(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::filesystem::rename(from, to);
+  const auto directory = to.parent_path();
+  OpenFile(directory.empty() ? "." : directory, O_RDONLY | O_DIRECTORY)
+      .flush();  // the new name, too, survives a power cut
+}
+
+}  // namespace
+
+void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI_Comm comm) {
+  constexpr std::string_view what = "write";
+  const bool root = rank_in(comm) == 0;
+  std::string text;
+  together(what, path, comm, [&] { text = piece(); });
+  const std::int64_t offset = offset_of(static_cast<std::int64_t>(text.size()), comm);
+  const std::filesystem::path temporary = temporary_name(path, comm);
+  try {
+    together(what, path, comm, [&] {
+      if (root) OpenFile(temporary, O_WRONLY | O_CREAT | O_TRUNC).close();
+    });
+    together(what, path, comm, [&] {
+      OpenFile file(temporary, O_WRONLY);
+      file.write(text, offset);
+      file.flush();
+      file.close();
+    });
+    together(what, path, comm, [&] {
+      if (root) rename_for_good(temporary, path);
+    });
+  } catch (...) {
+    std::error_code ignored;  // the first error is the one to tell
+    if (root) std::filesystem::remove(temporary, ignored);
+    throw;
+  }
+}
+
+void make_directory(const std::filesystem::path& directory, MPI_Comm comm) {
+  together("make the directory", directory, comm, [&] {
+    if (rank_in(comm) == 0) std::filesystem::create_directories(directory);
+  });
+}
+
+void remove_file(const std::filesystem::path& path, MPI_Comm comm) {
+  together("remove", path, comm, [&] {
+    if (rank_in(comm) == 0) std::filesystem::remove(path);
+  });
+}
+
+}  // namespace plastron::io

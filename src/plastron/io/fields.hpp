@@ -1,0 +1,31 @@
+// The table of every output field: what it is called in both output files, its unit, its meaning and where it comes
+// from. A pressure [Pa] and a force [N] never share a name.
+#pragma once
+#include <plastron/assembly/recovery.hpp>
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace plastron::io {
+
+struct Field {
+  std::string_view key;                  ///< path in a probe of results.json, steps separated by '/'
+  std::vector<std::string_view> arrays;  ///< in the .vtu file: one name for a Cartesian vector, else one a component
+  std::string_view symbol;               ///< as in docs/symbols.md
+  std::string_view unit;
+  std::string_view meaning;
+  int components;   ///< 1 to 3
+  bool of_contact;  ///< has a meaning only where there is an obstacle
+  std::array<double, 3> (*take)(const assembly::PointValues&);
+
+  bool is_vector() const { return components == 3 && arrays.size() == 1; }
+};
+
+std::span<const Field> fields();
+
+/// The fields of a computation with or without obstacle.
+std::vector<Field> fields_of(bool has_obstacle);
+
+}  // namespace plastron::io

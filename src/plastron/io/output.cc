@@ -1,0 +1,32 @@
+#include <plastron/io/output.hpp>
+
+#include <plastron/io/atomic_file.hpp>
+#include <plastron/io/vtu.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::io {
+
+namespace {
+
+/// A singular system leaves displacements that no viewer can show.
+bool can_be_drawn(const study::Result& result, MPI_Comm comm) {
+  if (!result.solution) return false;
+  const auto y = result.solution->nodal.y.owned();
+  const bool finite = std::all_of(y.begin(), y.end(), [](double value) { return std::isfinite(value); });
+  return algebra::sum_over_ranks(static_cast<std::int64_t>(finite ? 0 : 1), comm) == 0;
+}
+
+}  // namespace
+
+void write_output(const study::Result& result, Provenance provenance, const std::filesystem::path& directory,
+                  const std::string& base_name, MPI_Comm comm) {
+  make_directory(directory, comm);
+  remove_file(directory / results_name, comm);
+  provenance.files.clear();
+  if (can_be_drawn(result, comm)) provenance.files = write_vtu(*result.solution, directory, base_name);
+  write_results(result, provenance, directory, comm);
+}
+
+}  // namespace plastron::io

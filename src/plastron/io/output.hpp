@@ -1,0 +1,13 @@
+// All output files of a computation, in the order that makes results.json the sign of completeness.
+#pragma once
+#include <plastron/io/results.hpp>
+
+namespace plastron::io {
+
+/// Makes the directory, removes results.json of an earlier run, writes base_name.vtu and .pvd (unless there is no
+/// finite solution to draw) and, last, results.json; provenance.files is filled here (collective). Throws
+/// std::runtime_error.
+void write_output(const study::Result& result, Provenance provenance, const std::filesystem::path& directory,
+                  const std::string& base_name, MPI_Comm comm);
+
+}  // namespace plastron::io

@@ -1,0 +1,136 @@
+#include <plastron/io/quantities.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::io {
+
+namespace {
+
+using study::Result;
+
+Json triple(const Eigen::Vector3d& v) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
+
+/// How far the shell enters the obstacle between nodes; 0 if no cell is near it. Keeps a NaN.
+double penetration(double min_gap_between) { return std::max(-min_gap_between, 0.0); }
+
+}  // namespace
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::span<const Quantity<Result>> result_quantities() {
+  static const std::vector<Quantity<Result>> all{
+      {"status", "-", "how the computation ended, in a word",
+       [](const Result& r) { return Json(contact::to_string(r.status)); }},
+      {"status_text", "-", "the same in a sentence", [](const Result& r) { return Json(contact::explain(r.status)); }},
+      {"energy", "J", "stored energy, 1/2 a(U, U)", [](const Result& r) { return number(r.summary.energy.total()); }},
+      {"energy_parts/membrane", "J", "its membrane part",
+       [](const Result& r) { return number(r.summary.energy.membrane); }},
+      {"energy_parts/bending", "J", "its bending part",
+       [](const Result& r) { return number(r.summary.energy.bending); }},
+      {"energy_parts/shear", "J", "its transverse shear part",
+       [](const Result& r) { return number(r.summary.energy.shear); }},
+      {"load_work", "J", "l(U)", [](const Result& r) { return number(r.summary.load_work); }},
+      {"loads/force", "N", "resultant of all loads", [](const Result& r) { return triple(r.summary.loads.force); }},
+      {"loads/moment", "N m", "their moment about the origin",
+       [](const Result& r) { return triple(r.summary.loads.moment); }},
+      {"reaction/force", "N", "resultant of the obstacle's reaction on the shell",
+       [](const Result& r) { return triple(r.summary.reaction.force); }},
+      {"reaction/moment", "N m", "its moment about the origin",
+       [](const Result& r) { return triple(r.summary.reaction.moment); }},
+      {"support_reaction/force", "N", "resultant of the supports' reactions on the shell",
+       [](const Result& r) { return triple(r.summary.support_reaction.force); }},
+      {"support_reaction/moment", "N m", "their moment about the origin",
+       [](const Result& r) { return triple(r.summary.support_reaction.moment); }},
+      {"memory/peak_bytes", "byte", "peak memory of all ranks together",
+       [](const Result& r) { return Json(std::llround(r.peak_memory)); }},
+      {"ranks", "1", "MPI processes", [](const Result& r) { return Json(r.ranks); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<Result>> contact_quantities() {
+  static const std::vector<Quantity<Result>> all{
+      {"area", "m^2", "mid-surface area of the touching nodes",
+       [](const Result& r) { return number(r.summary.contact_area); }},
+      {"nodes", "1", "touching nodes", [](const Result& r) { return Json(r.summary.touching_nodes); }},
+      {"min_gap", "m", "smallest gap at a node", [](const Result& r) { return number(r.certificate.min_gap_nodes); }},
+      {"max_penetration_between_nodes", "m",
+       "depth of the shell in the obstacle between nodes, where no bound holds it",
+       [](const Result& r) { return number(penetration(r.certificate.min_gap_between)); }},
+      {"max_pressure", "Pa", "largest eta at a node", [](const Result& r) { return number(r.summary.max_pressure); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<assembly::Certificate>> certificate_quantities() {
+  using assembly::Certificate;
+  static const std::vector<Quantity<Certificate>> all{
+      {"stationarity", "1", "residual on the free coordinates over loads and reactions",
+       [](const Certificate& c) { return number(c.stationarity); }},
+      {"min_pressure", "Pa", "smallest eta at a touching node",
+       [](const Certificate& c) { return number(c.min_pressure); }},
+      {"min_gap_nodes", "m", "smallest gap at a node; null without obstacle",
+       [](const Certificate& c) { return number(c.min_gap_nodes); }},
+      {"min_gap_between", "m", "smallest gap between nodes; null if no cell is near the obstacle",
+       [](const Certificate& c) { return number(c.min_gap_between); }},
+      {"complementarity", "Pa m", "largest |eta g| at a node",
+       [](const Certificate& c) { return number(c.complementarity); }},
+      {"force_balance", "1", "sum of loads and reactions over the largest of them",
+       [](const Certificate& c) { return number(c.force_balance); }},
+      {"moment_balance", "1", "the same for moments about the origin; falls with the mesh width on curved shells",
+       [](const Certificate& c) { return number(c.moment_balance); }},
+      {"energy_identity", "1", "|a(U, U) - work of loads and reactions| over a(U, U)",
+       [](const Certificate& c) { return number(c.energy_identity); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<study::Level>> level_quantities() {
+  using study::Level;
+  static const std::vector<Quantity<Level>> all{
+      {"cells", "1", "cells of the mesh", [](const Level& l) { return Json(l.cells); }},
+      {"nodes", "1", "nodes", [](const Level& l) { return Json(l.nodes); }},
+      {"unknowns", "1", "unknowns, supported ones included", [](const Level& l) { return Json(l.unknowns); }},
+      {"active", "1", "touching nodes", [](const Level& l) { return Json(l.active); }},
+      {"iterations", "1", "active-set iterations", [](const Level& l) { return Json(l.iterations); }},
+      {"factorisations", "1", "numeric factorisations", [](const Level& l) { return Json(l.factorisations); }},
+      {"status", "-", "how the level ended", [](const Level& l) { return Json(contact::to_string(l.status)); }},
+      {"energy", "J", "stored energy", [](const Level& l) { return number(l.energy); }},
+      {"reaction", "N", "norm of the obstacle's resultant force", [](const Level& l) { return number(l.reaction); }},
+      {"min_gap", "m", "smallest gap at a node; null without obstacle",
+       [](const Level& l) { return number(l.min_gap); }},
+      {"linear_residual", "1", "of the last linear solve, relative",
+       [](const Level& l) { return number(l.linear_residual); }},
+      {"seconds/mesh", "s", "refinement, numbering, transfer", [](const Level& l) { return number(l.seconds.mesh); }},
+      {"seconds/discretisation", "s", "geometry, bounds, loads",
+       [](const Level& l) { return number(l.seconds.discretisation); }},
+      {"seconds/assembly", "s", "stiffness matrix", [](const Level& l) { return number(l.seconds.assembly); }},
+      {"seconds/analysis", "s", "symbolic factorisation", [](const Level& l) { return number(l.seconds.analysis); }},
+      {"seconds/factorisation", "s", "numeric factorisations",
+       [](const Level& l) { return number(l.seconds.factorisation); }},
+      {"seconds/iteration", "s", "the rest of the active-set iteration",
+       [](const Level& l) { return number(l.seconds.iteration); }},
+      {"seconds/certificate", "s", "the certificate", [](const Level& l) { return number(l.seconds.certificate); }},
+      {"seconds/total", "s", "all of these", [](const Level& l) { return number(l.seconds.total()); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<contact::Iteration>> iteration_quantities() {
+  using contact::Iteration;
+  static const std::vector<Quantity<Iteration>> all{
+      {"active", "1", "unknowns at a bound", [](const Iteration& i) { return Json(i.active); }},
+      {"changes", "1", "unknowns that changed sides", [](const Iteration& i) { return Json(i.changes); }},
+      {"energy", "J", "potential energy, 1/2 a(U, U) - l(U)", [](const Iteration& i) { return number(i.energy); }},
+      {"worst_violation", "m", "largest violation of a bound",
+       [](const Iteration& i) { return number(i.worst_violation); }},
+      {"worst_multiplier", "N", "most negative reaction at a node",
+       [](const Iteration& i) { return number(i.worst_multiplier); }},
+      {"linear_steps", "1", "conjugate-gradient steps", [](const Iteration& i) { return Json(i.linear_steps); }},
+      {"safeguarded", "-", "made by the safeguarded search", [](const Iteration& i) { return Json(i.safeguarded); }},
+  };
+  return all;
+}
+
+}  // namespace plastron::io

@@ -1,0 +1,45 @@
+// The table of every number in results.json that belongs to no point: its path, unit, meaning and where it comes from.
+#pragma once
+#include <plastron/study/result.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace plastron::io {
+
+using Json = nlohmann::ordered_json;
+
+/// A number or text of a record. Numbers that are not finite are null.
+template <class Record>
+struct Quantity {
+  std::string_view path;  ///< inside the record, steps separated by '/'
+  std::string_view unit;
+  std::string_view meaning;
+  Json (*take)(const Record&);
+};
+
+/// JSON has no infinity and no NaN: null.
+Json number(double value);
+
+std::span<const Quantity<study::Result>> result_quantities();
+/// Null as a whole where there is no obstacle; paths inside "contact".
+std::span<const Quantity<study::Result>> contact_quantities();
+/// Paths inside "certificate".
+std::span<const Quantity<assembly::Certificate>> certificate_quantities();
+/// Paths inside "levels[]".
+std::span<const Quantity<study::Level>> level_quantities();
+/// Paths inside "levels[]/history[]".
+std::span<const Quantity<contact::Iteration>> iteration_quantities();
+
+/// The record as the table says.
+template <class Record>
+Json record_json(std::span<const Quantity<Record>> quantities, const Record& record) {
+  Json json = Json::object();
+  for (const auto& quantity : quantities)
+    json[Json::json_pointer("/" + std::string(quantity.path))] = quantity.take(record);
+  return json;
+}
+
+}  // namespace plastron::io

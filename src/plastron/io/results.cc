@@ -1,0 +1,105 @@
+#include <plastron/io/results.hpp>
+
+#include <plastron/io/atomic_file.hpp>
+#include <plastron/io/fields.hpp>
+#include <plastron/io/version.hpp>
+
+#include <deal.II/base/config.h>
+#include <fmt/format.h>
+
+#include <array>
+
+namespace plastron::io {
+
+namespace {
+
+Json probe_json(const assembly::PointValues& values, bool has_obstacle) {
+  Json json = Json::object();
+  for (const Field& field : fields()) {
+    const auto taken = field.take(values);
+    Json value = Json::array();
+    for (int c = 0; c < field.components; ++c) value.push_back(number(taken[static_cast<std::size_t>(c)]));
+    if (field.components == 1) value = Json(value.front());
+    if (field.of_contact && !has_obstacle) value = nullptr;
+    json[Json::json_pointer("/" + std::string(field.key))] = std::move(value);
+  }
+  return json;
+}
+
+Json level_json(const study::Level& level) {
+  Json json = record_json(level_quantities(), level);
+  json["history"] = Json::array();
+  for (const contact::Iteration& i : level.history) json["history"].push_back(record_json(iteration_quantities(), i));
+  return json;
+}
+
+Json versions_json() {
+  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> mpi{};
+  int length = 0;
+  MPI_Get_library_version(mpi.data(), &length);
+  return Json{{"plastron", version},
+              {"compiler", __VERSION__},
+              {"deal.II", DEAL_II_PACKAGE_VERSION},
+              {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+              {"MPI", std::string(mpi.data(), static_cast<std::size_t>(length))}};
+}
+
+template <class Record>
+void add_units(Json& units, const std::string& prefix, std::span<const Quantity<Record>> quantities) {
+  for (const auto& q : quantities)
+    if (q.unit != "-") units[prefix + std::string(q.path)] = q.unit;
+}
+
+/// Path -> unit of every number, so that a reader needs no manual.
+Json units_json() {
+  Json units = Json::object();
+  add_units(units, "", result_quantities());
+  add_units(units, "contact/", contact_quantities());
+  for (const Field& field : fields()) units["probes/*/" + std::string(field.key)] = field.unit;
+  add_units(units, "certificate/", certificate_quantities());
+  add_units(units, "levels/*/", level_quantities());
+  add_units(units, "levels/*/history/*/", iteration_quantities());
+  return units;
+}
+
+/// The arrays of the .vtu file.
+Json fields_json(bool has_obstacle) {
+  Json list = Json::array();
+  for (const Field& f : fields_of(has_obstacle))
+    list.push_back(
+        {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
+  return list;
+}
+
+}  // namespace
+
+Json results_json(const study::Result& result, const Provenance& provenance) {
+  Json json{{"title", provenance.title}};
+  json.update(record_json(result_quantities(), result));
+  json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
+  json["probes"] = Json::object();
+  for (const study::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result.has_obstacle);
+  json["certificate"] = record_json(certificate_quantities(), result.certificate);
+  json["levels"] = Json::array();
+  for (const study::Level& level : result.levels) json["levels"].push_back(level_json(level));
+  json["settings"] = provenance.settings;
+  json["versions"] = versions_json();
+  json["files"] = provenance.files;
+  json["fields"] = fields_json(result.has_obstacle);
+  json["units"] = units_json();
+  return json;
+}
+
+void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
+                   MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  const auto text = [&] {
+    // A title that is no valid UTF-8 shall not cost the results.
+    return rank == 0 ? results_json(result, provenance).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                     : std::string();
+  };
+  write_atomically(directory / results_name, text, comm);
+}
+
+}  // namespace plastron::io

@@ -1,0 +1,30 @@
+// results.json: what a computation found, with what certificate, from which settings. Its numbers are listed in
+// quantities.cc and fields.cc, and for the reader in docs/results.md.
+#pragma once
+#include <plastron/io/quantities.hpp>
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plastron::io {
+
+/// What results.json tells besides the result itself.
+struct Provenance {
+  std::string title;
+  Json settings;                   ///< effective: with every default written out
+  std::vector<std::string> files;  ///< written beside results.json
+};
+
+inline constexpr std::string_view results_name = "results.json";
+
+Json results_json(const study::Result& result, const Provenance& provenance);
+
+/// Writes directory/results.json (collective; the text is rank 0's; atomic). Throws std::runtime_error.
+void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
+                   MPI_Comm comm);
+
+}  // namespace plastron::io

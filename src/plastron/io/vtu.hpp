@@ -1,0 +1,17 @@
+// The deformed surface with all fields for ParaView: one .vtu file of Lagrange quadrilaterals of the elements' degree.
+#pragma once
+#include <plastron/study/result.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace plastron::io {
+
+/// Writes base_name.vtu, whose points are phi + displacement_scale u, and base_name.pvd, which names it (collective;
+/// atomic). Each cell has its own points, equidistant in its parameters, because resultants jump between cells;
+/// coordinates and values are rounded to single precision. Returns the names of the files. Throws std::runtime_error.
+std::vector<std::string> write_vtu(const study::Solution& solution, const std::filesystem::path& directory,
+                                   const std::string& base_name, double displacement_scale = 1);
+
+}  // namespace plastron::io

@@ -1,0 +1,29 @@
+// The gap of a face of the shell against an obstacle, as an affine function of (u, r) at a point (M16).
+#pragma once
+#include <plastron/obstacle/half_space.hpp>
+
+namespace plastron::obstacle {
+
+enum class Face { lower, upper };
+
+/// Height of a face over the mid-surface as a multiple of the thickness: -1/2 or +1/2.
+inline double face_position(Face face) { return face == Face::lower ? -0.5 : 0.5; }
+
+/// g(u, r) = initial + n . (u + z r), with z = -e/2 (lower face) or +e/2 (upper face).
+struct Gap {
+  double initial;   ///< gap of the undeformed shell [m]
+  Vector3d normal;  ///< n = grad d at the touching face
+  double z;         ///< height of the touching face over the mid-surface [m]
+  Vector3d contact_point;  ///< phi + z a_3
+
+  double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + z * r); }
+};
+
+template <class Obstacle>
+Gap gap_at(const Obstacle& obstacle, Face face, const Vector3d& phi, const Vector3d& a3, double thickness) {
+  const double z = face_position(face) * thickness;
+  const Vector3d point = phi + z * a3;
+  return {obstacle.distance(point), obstacle.gradient(point), z, point};
+}
+
+}  // namespace plastron::obstacle

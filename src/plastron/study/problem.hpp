@@ -1,0 +1,50 @@
+// All that defines a computation: geometry, shell, supports, loads, obstacle, discretisation. Plain values.
+#pragma once
+#include <plastron/assembly/loads.hpp>
+#include <plastron/assembly/supports.hpp>
+#include <plastron/contact/settings.hpp>
+#include <plastron/fem/domain.hpp>
+#include <plastron/geometry/chart.hpp>
+#include <plastron/geometry/expression.hpp>
+#include <plastron/obstacle/gap.hpp>
+#include <plastron/shell/material.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plastron::study {
+
+struct Discretisation {
+  int degree = 2;       ///< k, 1 to 8
+  bool tying = true;    ///< (M22)
+  int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
+};
+
+struct Obstacle {
+  obstacle::HalfSpace half_space;
+  obstacle::Face face = obstacle::Face::lower;
+};
+
+/// A point of Omega where the results are wanted.
+struct Probe {
+  std::string name;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+};
+
+struct Problem {
+  fem::Domain domain = fem::Rectangle{};
+  std::map<std::string, geometry::Chart> charts;  ///< by region; the unnamed region is ""
+  geometry::Expression thickness{1.0};            ///< e(x, y) [m]
+  shell::Material material{};
+  std::vector<assembly::Support> supports{};
+  std::vector<assembly::AreaLoad> area_loads{};
+  std::vector<assembly::EdgeLoad> edge_loads{};
+  std::optional<Obstacle> obstacle{};
+  std::vector<Probe> probes{};
+  Discretisation discretisation{};
+  contact::Settings contact{};
+};
+
+}  // namespace plastron::study
