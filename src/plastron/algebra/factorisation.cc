@@ -31,18 +31,20 @@ class PrivateOptions {
 };
 
 constexpr int mumps_extra_memory = 14;     // ICNTL: working space beyond its estimate, in per cent
-constexpr int mumps_negative_pivots = 12;  // INFOG
+constexpr int mumps_negative_pivots = 12;  // INFOG: how many
+constexpr PetscInt mumps_null_pivot = -10;  // values of INFOG(1)
+constexpr PetscInt mumps_negative_pivot_in_root = -40;
 
 // CHOLMOD supernodal L L' always: it runs on the BLAS, and unlike the simplicial L D L' it notices negative pivots. The
 // ordering is CHOLMOD's own choice of AMD and METIS. PETSc reads these options during the analysis.
-Mat analyse(Mat mat, bool on_one_rank, const MatFactorInfo& info) {
+Mat analyse(Mat mat, bool on_one_rank, PetscInt extra_memory, const MatFactorInfo& info) {
   PrivateOptions options;
   options.add("-mat_cholmod_factor", "SUPERNODAL");
   options.add("-mat_cholmod_print", "0");
   Mat factor = nullptr;
   petsc_check(MatGetFactor(mat, on_one_rank ? MATSOLVERCHOLMOD : MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor),
               "asking for a Cholesky factorisation");
-  if (!on_one_rank) petsc_check(MatMumpsSetIcntl(factor, mumps_extra_memory, 50), "setting MUMPS's memory");
+  if (!on_one_rank) petsc_check(MatMumpsSetIcntl(factor, mumps_extra_memory, extra_memory), "setting MUMPS's memory");
   petsc_check(MatCholeskyFactorSymbolic(factor, mat, nullptr, &info), "analysing the pattern of a matrix");
   return factor;
 }
@@ -80,11 +82,18 @@ struct Factorisation::Storage {
   explicit Storage(const Matrix::Storage& matrix) : A(matrix), copy(matrix) {
     MPI_Comm_size(A.layout->comm, &ranks);
     petsc_check(MatFactorInfoInitialize(&info), "preparing a factorisation");
-    factor = analyse(copy.mat(), ranks == 1, info);
+    analyse_again();
   }
   ~Storage() { MatDestroy(&factor); }
   Storage(const Storage&) = delete;
   Storage& operator=(const Storage&) = delete;
+
+  void analyse_again() {
+    const double start = MPI_Wtime();
+    petsc_check(MatDestroy(&factor), "dropping a factor");
+    factor = analyse(copy.mat(), ranks == 1, extra_memory, info);
+    seconds_symbolic += MPI_Wtime() - start;
+  }
 
   bool factorise_with_cholmod() {
     petsc_check(MatFactorClearError(factor), "restarting CHOLMOD");
@@ -96,26 +105,27 @@ struct Factorisation::Storage {
     return error == MAT_FACTOR_NOERROR;
   }
 
+  // PETSc lets MUMPS do nothing more once it has failed, hence the new analysis after each failure.
   bool factorise_with_mumps() {
-    constexpr PetscInt not_positive_definite[] = {-10, -40};  // a null pivot; a negative one in the dense root
-    for (PetscInt extra_memory = 100; extra_memory <= 3200; extra_memory *= 2) {
-      petsc_check(MatFactorClearError(factor), "restarting MUMPS");
+    for (;; extra_memory *= 2, analyse_again()) {
       petsc_check(MatCholeskyFactorNumeric(factor, copy.mat(), &info), "factorising with MUMPS");
       const PetscInt outcome = mumps_info(factor, 1);
       if (outcome >= 0) return mumps_info(factor, mumps_negative_pivots) == 0;
-      for (const PetscInt bad_pivot : not_positive_definite)
-        if (outcome == bad_pivot) return false;
-      if (!is_short_of_estimated_memory(outcome)) break;
-      petsc_check(MatMumpsSetIcntl(factor, mumps_extra_memory, extra_memory), "granting MUMPS more memory");
+      if (outcome == mumps_null_pivot || outcome == mumps_negative_pivot_in_root) {
+        analyse_again();
+        return false;
+      }
+      if (!is_short_of_estimated_memory(outcome) || extra_memory > 3000)
+        throw std::runtime_error("MUMPS failed with INFOG(1) = " + std::to_string(outcome) + ", INFOG(2) = " +
+                                 std::to_string(mumps_info(factor, 2)) +
+                                 "; out of memory is the usual reason: use more ranks or a coarser mesh");
     }
-    throw std::runtime_error("MUMPS failed with INFOG(1) = " + std::to_string(mumps_info(factor, 1)) +
-                             ", INFOG(2) = " + std::to_string(mumps_info(factor, 2)) +
-                             "; out of memory is the usual reason: use more ranks or a coarser mesh");
   }
 
   const Matrix::Storage& A;
   WorkingCopy copy;
   int ranks = 1;
+  PetscInt extra_memory = 50;
   Mat factor = nullptr;
   MatFactorInfo info{};
   bool ready = false;
@@ -127,7 +137,7 @@ struct Factorisation::Storage {
 Factorisation::Factorisation(const Matrix& A) {
   const double start = MPI_Wtime();
   storage_ = std::make_unique<Storage>(A.storage());
-  storage_->seconds_symbolic = MPI_Wtime() - start;
+  storage_->seconds_symbolic = MPI_Wtime() - start;  // with the pattern of the working copy
 }
 
 Factorisation::Factorisation(Factorisation&&) noexcept = default;

@@ -74,9 +74,10 @@ std::vector<NamedValue> named_values(Reading& reading, const toml::value& table)
   std::vector<NamedValue> all;
   for (const auto& [name, value] : entries(reading, table)) {
     if (value.is_table()) {
-      for (const auto& [direction, inner] : entries(reading, value)) all.push_back({name + "." + direction, inner});
+      for (const auto& [direction, inner] : entries(reading, value))
+        all.push_back({fmt::format("{}.{}", name, direction), inner});
     } else if (value.is_array() && (name == "u" || name == "r") && value.as_array().size() == 3) {
-      for (std::size_t i = 0; i < 3; ++i) all.push_back({name + "." + "xyz"[i], value.as_array()[i]});
+      for (std::size_t i = 0; i < 3; ++i) all.push_back({fmt::format("{}.{}", name, "xyz"[i]), value.as_array()[i]});
     } else {
       all.push_back({name, value});
     }
@@ -111,7 +112,7 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
 }  // namespace
 
 std::optional<std::string> read_boundary(Table& table, const std::optional<fem::Domain>& domain) {
-  const auto boundary = table.text("boundary");
+  auto boundary = table.text("boundary");
   if (!boundary) return {};
   if (boundary->empty()) {
     table.report("boundary", "the boundary has no name");

@@ -33,6 +33,8 @@ std::string quoted_name(const std::string& message) {
   return message.substr(begin, message.find("\")", begin) - begin);
 }
 
+constexpr const char* key_letters = "a key has letters, digits, _ and -, and then comes =";
+
 struct Sentence {
   std::string what, advice;
 };
@@ -60,7 +62,7 @@ Sentence about_key(const std::string& text, std::size_t at) {
     return {"the section header is not complete", "write [name], or [[name]] for a list of sections"};
   if (rest.find_first_not_of(" \t") == std::string::npos)
     return {"the line ends inside a table in braces", "a table { ... } stands on one line, without a comma at its end"};
-  return {fmt::format("\"{}\" is not a key", up_to(text, at, " \t\r\n=")), "a key has letters, digits, _ and -"};
+  return {fmt::format("\"{}\" is not a key", up_to(text, at, " \t\r\n=")), key_letters};
 }
 
 Sentence about_duplicate(const std::string& message) {
@@ -72,12 +74,16 @@ Sentence about_duplicate(const std::string& message) {
 
 Sentence translate(const std::string& message, const std::string& text, std::size_t at) {
   const auto says = [&](const char* words) { return message.find(words) != std::string::npos; };
-  if (says("unknown value appeared")) return about_value(text, at);
+  if (says("unknown value appeared") || says("not a boolean")) return about_value(text, at);
   if (says("not a valid string") || says("not a valid literal string")) return about_string(text, at);
   if (says("multiline string")) return {"the quotes are never closed", "add three quotes at the end of the text"};
   if (says("already exists") || says("collides") || says("cannot be defined")) return about_duplicate(message);
   if (says("missing value after")) return {"the value is missing after =", ""};
   if (says("missing key-value separator")) return {"expected = and a value after the key", "write key = value"};
+  if (says("invalid character in key"))
+    return {fmt::format("\"{}\" cannot stand in a key", up_to(text, text.find_first_not_of(" \t", at), " \t\r\n=")),
+            key_letters};
+  if (says("missing curly brace")) return {"expected } at the end of the table", "a table { ... } stands on one line"};
   if (says("empty key")) return {"the key is missing before =", ""};
   if (says("missing array separator"))
     return {"expected a comma or ] in the list", "text and expressions stand in quotes"};
@@ -91,6 +97,7 @@ Sentence translate(const std::string& message, const std::string& text, std::siz
             "text and expressions stand in quotes, and every key has its own line"};
   if (says("newline required after")) return {"unexpected text after the section header", ""};
   if (says("invalid key") || says("unknown line")) return about_key(text, at);
+  if (says("date") || says("time")) return {"this is no value", "text and expressions stand in quotes"};
   if (says("float") || says("integer")) return {"this is not a number", "write numbers as 5, 0.5, 1e-3"};
   return {"this is not TOML", "see https://toml.io"};
 }

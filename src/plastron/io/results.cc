@@ -33,15 +33,23 @@ Json level_json(const study::Level& level) {
   return json;
 }
 
+std::string compiler() {
+#ifdef __clang__
+  return __VERSION__;  // "Clang 14.0.6"
+#else
+  return fmt::format("g++ {}", __VERSION__);
+#endif
+}
+
 Json versions_json() {
-  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> mpi{};
-  int length = 0;
+  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING + 1> mpi{};
+  int length = 0;  // counts the closing zero in some libraries
   MPI_Get_library_version(mpi.data(), &length);
   return Json{{"plastron", version},
-              {"compiler", __VERSION__},
+              {"compiler", compiler()},
               {"deal.II", DEAL_II_PACKAGE_VERSION},
               {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-              {"MPI", std::string(mpi.data(), static_cast<std::size_t>(length))}};
+              {"MPI", std::string(mpi.data())}};
 }
 
 template <class Record>

@@ -1,0 +1,147 @@
+// Good cases arrive as the settings they state.
+#include <gtest/gtest.h>
+#include <plastron/config/case.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace plastron::config {
+namespace {
+
+const std::string shell_section = "[shell]\nE = 2.0\nnu = 0.25\nthickness = 0.02\n";
+const std::string geometry_section = "[geometry]\ndomain = { disk = { radius = 1 } }\nchart = [\"x\", \"y\", \"0\"]\n";
+
+Case parsed(const std::string& more = "") {
+  return parse_case("title = \"t\"\n" + shell_section + geometry_section + more, "case.toml");
+}
+
+TEST(Shell, TakesYoungAndPoisson) {
+  const auto& material = parsed().problem.material;
+  EXPECT_DOUBLE_EQ(material.mu, 0.8);
+  EXPECT_DOUBLE_EQ(material.lambda, 0.8);
+  EXPECT_EQ(material.shear_correction, 1);
+}
+
+TEST(Shell, TakesLameConstantsAndAShearCorrection) {
+  const Case c =
+      parse_case("[shell]\nlambda = \"-1/2\"\nmu = 3\nshear_correction = \"5/6\"\nthickness = \"0.1*(1 + x^2)\"\n" +
+                     geometry_section,
+                 "case.toml");
+  EXPECT_EQ(c.problem.material.lambda, -0.5);
+  EXPECT_EQ(c.problem.material.mu, 3);
+  EXPECT_DOUBLE_EQ(c.problem.material.shear_correction, 5.0 / 6);
+  EXPECT_DOUBLE_EQ(c.problem.thickness(2, 7), 0.5);
+}
+
+TEST(Constants, MayUseThoseAboveThemInTheOrderOfTheFile) {
+  const Case c = parse_case("[constants]\nz = 2\nb = \"z/4\"\na = \"sin(pi*b)\"\n" + shell_section + geometry_section +
+                                "[[probe]]\nname = \"p\"\nat = [\"b/2\", \"a - 1\"]\n",
+                            "case.toml");
+  ASSERT_EQ(c.constants.size(), 3u);
+  EXPECT_EQ(c.constants[0], (std::pair<std::string, double>("z", 2)));
+  EXPECT_EQ(c.constants[1], (std::pair<std::string, double>("b", 0.5)));
+  EXPECT_EQ(c.constants[2].first, "a");
+  EXPECT_DOUBLE_EQ(c.constants[2].second, 1);
+  EXPECT_EQ(c.problem.probes[0].at[0], 0.25);
+}
+
+TEST(Constants, StandInChartsLoadsAndThickness) {
+  const Case c = parse_case(
+      "[constants]\nR = 2\n[shell]\nE = 1\nnu = 0\nthickness = \"R/100\"\n[geometry]\n"
+      "domain = { disk = { radius = \"R/2\" } }\nchart = [\"x\", \"y\", \"R - sqrt(R^2 - x^2 - y^2)\"]\n"
+      "[[load]]\nforce = [0, \"x\", \"-R*y\"]\n",
+      "case.toml");
+  EXPECT_DOUBLE_EQ(c.problem.thickness(0, 0), 0.02);
+  EXPECT_TRUE(c.problem.thickness.is_constant());
+  EXPECT_EQ(std::get<fem::Disk>(c.problem.domain).radius, 1);
+  const auto jet = c.problem.charts.at("")(0, 0);
+  EXPECT_NEAR(jet.dd[0][2], 0.5, 1e-15);
+  EXPECT_DOUBLE_EQ(c.problem.area_loads[0].force[2](0, 3), -6);
+}
+
+TEST(Loads, ActOnTheAreaOrOnABoundary) {
+  const auto problem = parsed(
+                           "[[load]]\nforce = [0, 0, -1]\n[[load]]\npressure = \"x\"\ncouple = [1, 0, 0]\n"
+                           "[[load]]\nboundary = \"rim\"\nforce = [\"y\", 2, 3]\n")
+                           .problem;
+  ASSERT_EQ(problem.area_loads.size(), 2u);
+  EXPECT_EQ(problem.area_loads[0].force[2](0, 0), -1);
+  EXPECT_EQ(problem.area_loads[0].pressure(0, 0), 0);
+  EXPECT_EQ(problem.area_loads[1].pressure(4, 0), 4);
+  EXPECT_EQ(problem.area_loads[1].couple[0](0, 0), 1);
+  ASSERT_EQ(problem.edge_loads.size(), 1u);
+  EXPECT_EQ(problem.edge_loads[0].boundary, "rim");
+  EXPECT_EQ(problem.edge_loads[0].force[0](0, 5), 5);
+  EXPECT_EQ(problem.edge_loads[0].couple[2](0, 5), 0);
+}
+
+TEST(Obstacle, HasAUnitNormal) {
+  const auto problem =
+      parsed("[[obstacle]]\nhalf_space = { point = [0, 0, 1], normal = [0, 3, -4] }\nface = \"upper\"\n").problem;
+  ASSERT_TRUE(problem.obstacle);
+  EXPECT_EQ(problem.obstacle->face, obstacle::Face::upper);
+  EXPECT_EQ(problem.obstacle->half_space.point, Eigen::Vector3d(0, 0, 1));
+  EXPECT_NEAR((problem.obstacle->half_space.normal - Eigen::Vector3d(0, 0.6, -0.8)).norm(), 0, 1e-15);
+  EXPECT_FALSE(parsed().problem.obstacle);
+}
+
+TEST(MeshAndSolver, TakeWhatTheyAreGiven) {
+  const auto problem = parsed(
+                           "[mesh]\ndegree = 4\ntying = false\nrefinements = \"2+1\"\n[solver]\nmax_iterations = 7\n"
+                           "linear_tolerance = 1e-9\ngap_tolerance = 1e-8\nmultiplier_tolerance = \"1e-7\"\n")
+                           .problem;
+  EXPECT_EQ(problem.discretisation.degree, 4);
+  EXPECT_FALSE(problem.discretisation.tying);
+  EXPECT_EQ(problem.discretisation.refinements, 3);
+  EXPECT_EQ(problem.contact.max_iterations, 7);
+  EXPECT_EQ(problem.contact.linear_tolerance, 1e-9);
+  EXPECT_EQ(problem.contact.gap_tolerance, 1e-8);
+  EXPECT_EQ(problem.contact.multiplier_tolerance, 1e-7);
+}
+
+TEST(Effective, HasTheDefaultsInTheShapeOfTheFile) {
+  const Case c = parsed();
+  const auto& e = c.effective;
+  EXPECT_EQ(c.title, "t");
+  EXPECT_EQ(e["title"], "t");
+  EXPECT_EQ(e["shell"]["E"], 2.0);
+  EXPECT_EQ(e["shell"]["shear_correction"], 1.0);
+  EXPECT_EQ(e["shell"]["formulation"], "tangent");
+  EXPECT_EQ(e["geometry"]["domain"]["disk"]["centre"], nlohmann::json::array({0.0, 0.0}));
+  EXPECT_EQ(e["geometry"]["chart"], nlohmann::json::array({"x", "y", "0"}));
+  EXPECT_EQ(e["mesh"],
+            (nlohmann::json{{"cells", "quadrilateral"}, {"degree", 2}, {"tying", true}, {"refinements", 3}}));
+  EXPECT_EQ(e["solver"]["gap_tolerance"], 1e-11);
+  EXPECT_EQ(e["load"], nlohmann::json::array());
+}
+
+// JSON as a TOML value on one line.
+std::string in_toml(const nlohmann::json& value) {
+  const bool list = value.is_array();
+  if (!list && !value.is_object()) return value.dump();
+  std::string text = list ? "[" : "{";
+  for (const auto& [key, entry] : value.items())
+    text += (text.size() > 1 ? ", " : "") + (list ? "" : nlohmann::json(key).dump() + " = ") + in_toml(entry);
+  return text + (list ? "]" : "}");
+}
+
+TEST(Effective, IsACaseOfItsOwnWithTheSameSettings) {
+  const Case c = parse_case(
+      "[constants]\nb = 2\na = \"1/b\"\n[shell]\nlambda = 1\nmu = 1\nthickness = \"a + x^2\"\n[geometry]\n"
+      "domain = { rectangle = { to = [2, 1], cells = [4, 2], breaks = [\"a\"], regions = [\"one\", \"two\"] } }\n"
+      "chart = { one = [\"x\", \"y\", 0], two = [\"x\", \"y\", \"1e-3*(x - a)^3\"] }\n"
+      "[[support]]\nboundary = \"left\"\nfix = [\"symmetry\", \"u.t\", \"r.x\"]\nvalues = { u.t = \"y*a\" }\n"
+      "[[support]]\nboundary = \"top\"\nfix = [\"u\"]\nvalues = { u = [0, \"a\", \"x\"] }\n"
+      "[[load]]\npressure = \"1/3\"\n[[load]]\nboundary = \"top\"\ncouple = [0, 0, \"x\"]\n"
+      "[[obstacle]]\nhalf_space = { normal = [1, 1, 1] }\n[[probe]]\nname = \"p\"\nat = [\"a/3\", 0.5]\n",
+      "case.toml");
+  std::string text;
+  for (const auto& [key, value] : c.effective.items()) text += key + " = " + in_toml(value) + "\n";
+  const Case again = parse_case(text, "effective.toml");
+  EXPECT_EQ(again.effective, c.effective) << text;
+  EXPECT_EQ(again.problem.thickness(1, 0), c.problem.thickness(1, 0));
+  EXPECT_EQ(again.problem.supports[1].components[2].value(3, 0), 3);
+}
+
+}  // namespace
+}  // namespace plastron::config

@@ -1,0 +1,71 @@
+#include <plastron/io/output.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <io/pressed_plate.hpp>
+#include <io/scratch_directory.hpp>
+#include <io/vtu_reader.hpp>
+
+#include <limits>
+
+namespace plastron::io {
+
+namespace {
+
+using testing::UnorderedElementsAre;
+
+const MPI_Comm world = MPI_COMM_WORLD;
+
+TEST(Output, of_a_solved_problem_is_three_files_that_agree) {
+  const ScratchDirectory scratch("output");
+  const study::Result result = study::solve(pressed_plate({.degree = 2, .refinements = 2}), world);
+  write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", world);
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
+  const Json json = Json::parse(text_of(scratch.path / "results.json"));
+  EXPECT_EQ(json["files"], Json({"solution.vtu", "solution.pvd"}));
+  EXPECT_EQ(json["status"], Json("solved"));
+  EXPECT_EQ(json["ranks"], Json(world_size()));
+  EXPECT_EQ(json["levels"].back()["cells"], Json(read_vtu(scratch.path / "solution.vtu").cells));
+  for (const Json& file : json["files"]) EXPECT_TRUE(std::filesystem::exists(scratch.path / file.get<std::string>()));
+  EXPECT_NE(text_of(scratch.path / "solution.pvd").find("file=\"solution.vtu\""), std::string::npos);
+}
+
+TEST(Output, the_resultants_of_results_json_balance) {
+  const study::Result result = study::solve(pressed_plate({.degree = 2, .refinements = 2}), world);
+  const Json json = results_json(result, {});
+  double sum = 0;
+  for (const char* part : {"loads", "reaction", "support_reaction"}) sum += json[part]["force"][2].get<double>();
+  EXPECT_NEAR(sum, 0, 1e-8 * -json["loads"]["force"][2].get<double>());
+}
+
+TEST(Output, makes_its_directory) {
+  const ScratchDirectory scratch("deep");
+  write_output({}, {}, scratch.path / "a" / "b", "solution", world);
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / "a" / "b" / "results.json"));
+}
+
+TEST(Output, of_displacements_that_are_not_finite_has_no_surface) {
+  const ScratchDirectory scratch("nan");
+  study::Result result = study::solve(pressed_plate({.refinements = 0}), world);
+  const auto y = result.solution->nodal.y.owned();
+  if (!y.empty()) y[0] = std::numeric_limits<double>::quiet_NaN();
+  write_output(result, {}, scratch.path, "solution", world);
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json"));
+}
+
+TEST(Output, that_fails_does_not_keep_the_results_of_an_earlier_run) {
+  const ScratchDirectory scratch("stale");
+  const study::Result result = study::solve(pressed_plate({.refinements = 0}), world);
+  write_output(result, {}, scratch.path, "solution", world);
+  if (world_rank() == 0) {  // a directory in the way of the .vtu file
+    std::filesystem::remove(scratch.path / "solution.vtu");
+    std::filesystem::create_directory(scratch.path / "solution.vtu");
+  }
+  MPI_Barrier(world);
+  EXPECT_THROW(write_output(result, {}, scratch.path, "solution", world), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path / "results.json"));
+}
+
+}  // namespace
+
+}  // namespace plastron::io

@@ -1,0 +1,17 @@
+// A small solved problem: a clamped plate pressed on a plane, over parameters that are not lengths.
+#pragma once
+#include <plastron/study/solve.hpp>
+
+namespace plastron::io {
+
+struct PressedPlate {
+  int degree = 2;
+  int cells = 2;  ///< along a side of the coarsest mesh
+  int refinements = 1;
+  bool obstacle = true;
+};
+
+/// phi = (2x, y, 0.012) on the unit square, thickness 0.02: the lower face hangs 0.002 over the plane z = 0.
+study::Problem pressed_plate(const PressedPlate& options);
+
+}  // namespace plastron::io

@@ -1,0 +1,172 @@
+#include <plastron/fem/basis.hpp>
+#include <plastron/io/fields.hpp>
+#include <plastron/io/vtu.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <io/pressed_plate.hpp>
+#include <io/scratch_directory.hpp>
+#include <io/vtu_reader.hpp>
+
+namespace plastron::io {
+
+namespace {
+
+using testing::Each;
+using testing::UnorderedElementsAre;
+
+constexpr double single_precision = 1e-6;
+
+struct Written {
+  study::Result result;
+  VtuFile file;
+  std::vector<std::string> names;
+};
+
+Written written(const PressedPlate& options, double displacement_scale = 1) {
+  const ScratchDirectory scratch("vtu");
+  Written w{.result = study::solve(pressed_plate(options), MPI_COMM_WORLD), .file = {}, .names = {}};
+  write_vtu(*w.result.solution, scratch.path, "plate", displacement_scale);
+  w.file = read_vtu(scratch.path / "plate.vtu");
+  w.names = scratch.names();
+  return w;
+}
+
+Eigen::Vector3d vector_at(const VtuArray& array, std::size_t point) {
+  return Eigen::Map<const Eigen::Vector3d>(&array.values.at(3 * point));
+}
+
+TEST(Vtu, has_the_cells_of_the_mesh_with_their_own_points) {
+  for (const int degree : {1, 2, 4}) {
+    const Written w = written({.degree = degree});
+    const auto per_cell = static_cast<std::size_t>((degree + 1) * (degree + 1));
+    EXPECT_EQ(w.file.cells, 16U);
+    EXPECT_EQ(w.file.points, 16U * per_cell);
+    EXPECT_EQ(w.file.connectivity.size(), w.file.points);
+    ASSERT_EQ(w.file.offsets.size(), w.file.cells);
+    for (std::size_t cell = 0; cell < w.file.cells; ++cell)
+      EXPECT_EQ(w.file.offsets[cell], static_cast<int>((cell + 1) * per_cell));
+    constexpr int vtk_lagrange_quadrilateral = 70;
+    EXPECT_EQ(w.file.types.size(), w.file.cells);
+    EXPECT_THAT(w.file.types, Each(vtk_lagrange_quadrilateral));
+    EXPECT_THAT(w.names, UnorderedElementsAre("plate.vtu", "plate.pvd"));
+  }
+}
+
+TEST(Vtu, has_every_array_of_the_table_with_its_unit) {
+  const Written w = written({});
+  std::vector<std::string> expected{"points"};
+  for (const Field& field : fields())
+    for (const auto name : field.arrays) {
+      expected.emplace_back(name);
+      ASSERT_TRUE(w.file.arrays.contains(expected.back())) << name;
+      const VtuArray& array = w.file.arrays.at(expected.back());
+      EXPECT_EQ(array.unit, field.unit) << name;
+      EXPECT_EQ(array.components, field.is_vector() ? 3 : 1) << name;
+      EXPECT_EQ(array.values.size(), w.file.points * static_cast<std::size_t>(array.components)) << name;
+    }
+  EXPECT_EQ(w.file.arrays.size(), expected.size());
+}
+
+TEST(Vtu, without_obstacle_has_no_contact_arrays) {
+  const Written w = written({.obstacle = false});
+  for (const char* name : {"gap", "eta", "contact"}) EXPECT_FALSE(w.file.arrays.contains(name)) << name;
+  EXPECT_TRUE(w.file.arrays.contains("displacement"));
+}
+
+TEST(Vtu, points_are_phi_plus_the_scaled_displacement) {
+  for (const double scale : {1.0, 0.0, 25.0}) {
+    const Written w = written({.degree = 3}, scale);
+    double largest = 0;
+    for (std::size_t p = 0; p < w.file.points; ++p) {
+      const Eigen::Vector3d phi = vector_at(w.file.arrays.at("reference position"), p);
+      const Eigen::Vector3d u = vector_at(w.file.arrays.at("displacement"), p);
+      const Eigen::Vector3d expected = phi + scale * u;
+      EXPECT_LT((vector_at(w.file.arrays.at("points"), p) - expected).norm(), 3 * single_precision);
+      const Eigen::Vector3d chart(2 * w.file.arrays.at("x").values[p], w.file.arrays.at("y").values[p], 0.012);
+      EXPECT_LT((phi - chart).norm(), 3 * single_precision);
+      largest = std::max(largest, u.norm());
+    }
+    EXPECT_GT(largest, 0.0019) << "the plate must have moved down on the plane";
+  }
+}
+
+/// Where VTK's points of a Lagrange quadrilateral lie: corners, then sides 0-1, 1-2, 3-2, 0-3, then the inside by rows.
+std::vector<std::array<int, 2>> lagrange_order(int k) {
+  std::vector<std::array<int, 2>> order{{0, 0}, {k, 0}, {k, k}, {0, k}};
+  for (int i = 1; i < k; ++i) order.push_back({i, 0});
+  for (int i = 1; i < k; ++i) order.push_back({k, i});
+  for (int i = 1; i < k; ++i) order.push_back({i, k});
+  for (int i = 1; i < k; ++i) order.push_back({0, i});
+  for (int j = 1; j < k; ++j)
+    for (int i = 1; i < k; ++i) order.push_back({i, j});
+  return order;
+}
+
+TEST(Vtu, lists_the_points_of_a_cell_in_the_order_of_a_lagrange_quadrilateral) {
+  for (const int degree : {1, 2, 3, 5}) {
+    const Written w = written({.degree = degree, .refinements = 0});
+    const auto order = lagrange_order(degree);
+    const VtuArray& phi = w.file.arrays.at("reference position");
+    for (std::size_t cell = 0; cell < w.file.cells; ++cell) {
+      const auto point = [&](std::size_t i) {
+        return vector_at(phi, static_cast<std::size_t>(w.file.connectivity[cell * order.size() + i]));
+      };
+      const Eigen::Vector3d side1 = point(1) - point(0), side2 = point(3) - point(0);
+      EXPECT_GT(side1.cross(side2).z(), 0);
+      for (std::size_t i = 0; i < order.size(); ++i) {
+        const Eigen::Vector3d expected =
+            point(0) + double(order[i][0]) / degree * side1 + double(order[i][1]) / degree * side2;
+        EXPECT_LT((point(i) - expected).norm(), single_precision) << "cell " << cell << " point " << i;
+      }
+    }
+  }
+}
+
+/// Sum over the cells of the nodal quadrature of eta, with equidistant points that are nodes: degrees 1 and 2.
+double integral_of_eta(const VtuFile& file, int degree) {
+  const auto weights = fem::gauss_lobatto(degree + 1).weights;
+  const auto order = lagrange_order(degree);
+  double sum = 0;
+  for (std::size_t cell = 0; cell < file.cells; ++cell) {
+    const int* point = &file.connectivity[cell * order.size()];
+    const auto phi = [&](int i) {
+      return vector_at(file.arrays.at("reference position"), static_cast<std::size_t>(point[i]));
+    };
+    const double area = (phi(1) - phi(0)).cross(phi(3) - phi(0)).norm();
+    for (std::size_t i = 0; i < order.size(); ++i)
+      sum += area * weights[static_cast<std::size_t>(order[i][0])] * weights[static_cast<std::size_t>(order[i][1])] *
+             file.arrays.at("eta").values[static_cast<std::size_t>(point[i])];
+  }
+  return sum;
+}
+
+TEST(Vtu, eta_is_a_pressure_whose_integral_is_the_reaction) {
+  for (const int degree : {1, 2}) {
+    const Written w = written({.degree = degree, .refinements = 2});
+    const double reaction = w.result.summary.reaction.force.z();
+    ASSERT_EQ(w.result.status, contact::Status::solved);
+    ASSERT_GT(reaction, 100) << "the plate must press on the plane";
+    EXPECT_NEAR(integral_of_eta(w.file, degree), reaction, single_precision * reaction);
+  }
+}
+
+TEST(Vtu, leaves_out_ranks_without_cells) {
+  const Written w = written({.cells = 1, .refinements = 0});
+  EXPECT_EQ(w.file.cells, 1U);
+  EXPECT_EQ(w.file.pieces, 1);
+}
+
+TEST(Vtu, a_directory_that_is_not_there_is_an_error_with_its_name) {
+  const study::Result result = study::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
+  try {
+    write_vtu(*result.solution, "/nowhere/at/all", "plate");
+    FAIL() << "no error";
+  } catch (const std::runtime_error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("/nowhere/at/all/plate.vtu"));
+  }
+}
+
+}  // namespace
+
+}  // namespace plastron::io

@@ -1,0 +1,266 @@
+#include "verification/reference_problems.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <stdexcept>
+
+namespace plastron::verification {
+
+namespace {
+
+using assembly::Direction;
+using assembly::PrescribedComponent;
+using assembly::Support;
+using assembly::Unknown;
+using geometry::Constants;
+using geometry::Expression;
+using nlohmann::ordered_json;
+
+const ordered_json& reference_file() {
+  static const ordered_json file = [] {
+    std::ifstream stream(PLASTRON_REFERENCE_DIR "/contact.json");
+    return ordered_json::parse(stream);
+  }();
+  return file;
+}
+
+PrescribedComponent zero(Unknown unknown, Direction direction) { return {unknown, direction, Expression(0.0)}; }
+
+Support clamped(const std::string& boundary) {
+  Support s{.boundary = boundary, .components = {}};
+  for (const auto unknown : {Unknown::displacement, Unknown::rotation})
+    for (const auto direction : {Direction::x, Direction::y, Direction::z})
+      s.components.push_back(zero(unknown, direction));
+  return s;
+}
+
+Support symmetry(const std::string& boundary) {
+  return {
+      .boundary = boundary,
+      .components = {zero(Unknown::displacement, Direction::conormal), zero(Unknown::rotation, Direction::conormal)},
+      .symmetry = true};
+}
+
+/// Keeps a strip in its plane: u.y = r.y = 0.
+Support in_plane(const std::string& boundary) {
+  return {.boundary = boundary,
+          .components = {zero(Unknown::displacement, Direction::y), zero(Unknown::rotation, Direction::y)}};
+}
+
+assembly::AreaLoad downward(double p) {
+  assembly::AreaLoad load{};
+  load.force = {Expression(0.0), Expression(0.0), Expression(-p)};
+  return load;
+}
+
+// ---- contact -------------------------------------------------------------------------------------------------------
+
+Constants constants_of(const ordered_json& geometry) {
+  Constants constants;
+  for (const auto& [name, value] : geometry.items()) constants.emplace_back(name, value.get<double>());
+  return constants;
+}
+
+geometry::Chart strip_chart(const std::string& profile, const Constants& c) {
+  if (profile == "flat") return {{"x", "y", "z0"}, c};
+  if (profile == "incline") return {{"x*cos(al)", "y", "z0 + x*sin(al)"}, c};
+  if (profile == "bowl") return {{"R*sin(x)", "y", "z0 - R*cos(x)"}, c};
+  throw std::logic_error("no strip of profile " + profile);
+}
+
+geometry::Chart disk_chart(const std::string& profile, const Constants& c) {
+  if (profile == "flat") return {{"x", "y", "z0"}, c};
+  if (profile == "bowl") return {{"x", "y", "z0 - sqrt(R^2 - x^2 - y^2)"}, c};
+  if (profile == "hat") return {{"x", "y", "z0 + hh*((x^2 + y^2)/r0^2 - 1)^2"}, c};
+  throw std::logic_error("no disk of profile " + profile);
+}
+
+/// Distance from the axis at the profile's parameter t.
+double radius_at(const ordered_json& entry, double t) {
+  return entry["profile"] == "bowl" ? entry["params"]["geometry"]["R"].get<double>() * std::sin(t) : t;
+}
+
+study::Problem pressed_shell(const ordered_json& params) {
+  study::Problem problem;
+  problem.thickness = Expression(params["e"].get<double>());
+  problem.material = shell::Material::from_young_poisson(params["E"], params["nu"], params["ks"]);
+  problem.area_loads = {downward(params["p"])};
+  problem.obstacle = study::Obstacle{};
+  return problem;
+}
+
+void make_strip(const ordered_json& entry, ContactReference& reference) {
+  const auto& params = entry["params"];
+  const double from = params["t0"], to = params["t1"];
+  const double width = (to - from) / 8;
+  study::Problem& problem = reference.problem;
+  problem.domain = fem::Rectangle{.from = {from, 0}, .to = {to, width}, .cells = {8, 1}};
+  problem.charts.emplace("", strip_chart(entry["profile"], constants_of(params["geometry"])));
+  problem.supports = {params["bc0"] == "sym" ? symmetry("left") : clamped("left"), clamped("right"), in_plane("bottom"),
+                      in_plane("top")};
+  reference.factor = 1 / width;
+}
+
+void make_disk(const ordered_json& entry, ContactReference& reference) {
+  study::Problem& problem = reference.problem;
+  problem.domain = fem::Disk{.radius = radius_at(entry, entry["params"]["t1"])};
+  problem.charts.emplace("", disk_chart(entry["profile"], constants_of(entry["params"]["geometry"])));
+  problem.supports = {clamped("rim")};
+}
+
+std::vector<ReferenceRow> rows_of(const ordered_json& entry, bool axisymmetric) {
+  std::map<std::string, std::size_t> column;
+  for (const auto& name : entry["field_names"]) column.emplace(name.get<std::string>(), column.size());
+  std::vector<ReferenceRow> rows;
+  for (const auto& row : entry["fields"]) {
+    const auto value = [&](const char* name) { return row[column.at(name)].get<double>(); };
+    rows.push_back({.at = axisymmetric ? radius_at(entry, value("t")) : value("t"),
+                    .u_x = value("ux"),
+                    .u_z = value("uz"),
+                    .r_x = value("r_x"),
+                    .r_z = value("r_z"),
+                    .gap = value("gap"),
+                    .eta = value("eta"),
+                    .touching = row[column.at("zone")] != "F"});
+  }
+  return rows;
+}
+
+// ---- linear shells -------------------------------------------------------------------------------------------------
+
+double factor_of(ShearCorrection k) { return k == ShearCorrection::one ? 1 : 5.0 / 6; }
+double pick(ShearCorrection k, double five_sixths, double one) { return k == ShearCorrection::one ? one : five_sixths; }
+
+study::Problem free_shell(double E, double nu, ShearCorrection k, double thickness, int degree, int refinements) {
+  study::Problem problem;
+  problem.thickness = Expression(thickness);
+  problem.material = shell::Material::from_young_poisson(E, nu, factor_of(k));
+  problem.discretisation = {.degree = degree, .refinements = refinements};
+  return problem;
+}
+
+bool thick(double thickness, double thick_value, double thin_value) {
+  if (thickness != thick_value && thickness != thin_value)
+    throw std::invalid_argument(
+        fmt::format("no reference for thickness {}: {} or {}", thickness, thick_value, thin_value));
+  return thickness == thick_value;
+}
+
+}  // namespace
+
+std::vector<std::string> contact_reference_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : reference_file().items()) names.push_back(name);
+  return names;
+}
+
+ContactReference contact_reference(const std::string& name, int degree, int refinements) {
+  const ordered_json& entry = reference_file().at(name);
+  ContactReference reference{.name = name, .problem = pressed_shell(entry["params"]), .pattern = entry["pattern"]};
+  reference.axisymmetric = entry["kind"] == "axi";
+  reference.axisymmetric ? make_disk(entry, reference) : make_strip(entry, reference);
+  reference.problem.discretisation = {.degree = degree, .refinements = refinements};
+  const auto& scalars = entry["scalars"];
+  reference.energy = scalars["E_total"];
+  reference.membrane = scalars["E_membrane"];
+  reference.bending = scalars["E_bending"];
+  reference.shear = scalars["E_shear"];
+  reference.load_work = scalars["load_work"];
+  reference.reaction = scalars["total_reaction"];
+  for (const double t : entry["contact_boundaries_t"])
+    reference.boundaries.push_back(reference.axisymmetric ? radius_at(entry, t) : t);
+  reference.rows = rows_of(entry, reference.axisymmetric);
+  return reference;
+}
+
+study::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements) {
+  const auto& [E, nu, e, k_s] = exact.shell();
+  study::Problem problem;
+  problem.domain = fem::Rectangle{.cells = {2, 2}};
+  problem.charts.emplace("", geometry::Chart(Manufactured::chart(), {}));
+  problem.thickness = Expression(e);
+  problem.material = shell::Material::from_young_poisson(E, nu, k_s);
+  problem.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  assembly::AreaLoad load{};
+  load.force_function = [exact](double x, double y) { return exact.force(x, y); };
+  load.couple_function = [exact](double x, double y) { return exact.couple(x, y); };
+  problem.area_loads = {load};
+  if (exact.solution() == ManufacturedSolution::contact) problem.obstacle = study::Obstacle{};
+  problem.discretisation = {.degree = degree, .refinements = refinements};
+  return problem;
+}
+
+LinearReference hyperbolic_paraboloid(double thickness, ShearCorrection k, bool half, int degree, int refinements) {
+  LinearReference reference{.name = fmt::format("hyperbolic paraboloid, e = {}", thickness),
+                            .problem = free_shell(2e11, 0.3, k, thickness, degree, refinements),
+                            .direction = -Eigen::Vector3d::UnitZ()};
+  study::Problem& problem = reference.problem;
+  problem.domain = fem::Rectangle{.from = {-0.5, half ? 0 : -0.5}, .to = {0.5, 0.5}, .cells = {2, half ? 1 : 2}};
+  problem.charts.emplace("", geometry::Chart({"x", "y", "x^2 - y^2"}, {}));
+  problem.supports = {clamped("left")};
+  if (half) problem.supports.push_back(symmetry("bottom"));
+  problem.area_loads = {downward(8000 * thickness)};
+  problem.probes = {{"free end", {0.5, 0}}};
+  const bool is_thick = thick(thickness, 1e-2, 1e-3);
+  reference.displacement = is_thick ? pick(k, 9.3535e-5, 9.3490e-5) : pick(k, 6.3995e-3, 6.3992e-3);
+  reference.energy = (is_thick ? pick(k, 1.68250e-3, 1.68167e-3) : pick(k, 1.10234e-2, 1.10230e-2)) / (half ? 2 : 1);
+  return reference;
+}
+
+LinearReference free_hyperboloid(double thickness, ShearCorrection k, int degree, int refinements) {
+  LinearReference reference{.name = fmt::format("free hyperboloid, e = {}", thickness),
+                            .problem = free_shell(2.85e4, 0.3, k, thickness, degree, refinements),
+                            .direction = Eigen::Vector3d::UnitX()};
+  study::Problem& problem = reference.problem;
+  problem.domain = fem::Rectangle{.from = {0, 0}, .to = {std::numbers::pi / 2, 1}, .cells = {2, 2}};
+  problem.charts.emplace("", geometry::Chart({"sqrt(1 + y^2)*cos(x)", "sqrt(1 + y^2)*sin(x)", "y"}, {}));
+  problem.supports = {symmetry("left"), symmetry("right"), symmetry("bottom")};  // y = 0, x = 0, z = 0
+  assembly::AreaLoad load{};
+  load.pressure = Expression("p*cos(2*x)", {{"p", 1e4 * std::pow(thickness, 3)}});  // a_3 points away from the axis
+  problem.area_loads = {load};
+  problem.probes = {{"waist", {0, 0}}};
+  reference.displacement =
+      thick(thickness, 0.1, 0.01) ? pick(k, 0.1895456673, 0.1889675821) : pick(k, 0.1504661764, 0.1504485744);
+  return reference;
+}
+
+LinearReference scordelis_lo(ShearCorrection k, bool hard_diaphragm, int degree, int refinements) {
+  LinearReference reference{
+      .name = hard_diaphragm ? "Scordelis-Lo roof, hard diaphragm" : "Scordelis-Lo roof, soft diaphragm",
+      .problem = free_shell(4.32e8, 0, k, 0.25, degree, refinements),
+      .direction = -Eigen::Vector3d::UnitZ()};
+  study::Problem& problem = reference.problem;
+  const double R = 25, half_arc = R * 40 * std::numbers::pi / 180;  // x is the arc length from the crown, y the axis
+  problem.domain = fem::Rectangle{.from = {0, 0}, .to = {half_arc, 25}, .cells = {2, 3}};
+  problem.charts.emplace("", geometry::Chart({"R*sin(x/R)", "y", "R*cos(x/R)"}, {{"R", R}}));
+  Support diaphragm{
+      .boundary = "top",
+      .components = {zero(Unknown::displacement, Direction::x), zero(Unknown::displacement, Direction::z)}};
+  if (hard_diaphragm) diaphragm.components.push_back(zero(Unknown::rotation, Direction::tangent));
+  problem.supports = {symmetry("left"), symmetry("bottom"), diaphragm};
+  problem.area_loads = {downward(90)};
+  problem.probes = {{"free edge", {half_arc, 0}}};
+  reference.displacement = hard_diaphragm ? pick(k, 0.3014541527, 0.3013764662) : pick(k, 0.302025, 0.301897);
+  return reference;
+}
+
+LinearReference clamped_plate(double thickness, ShearCorrection k, int degree, int refinements) {
+  const double E = 1, nu = 0.3, D = E * std::pow(thickness, 3) / (12 * (1 - nu * nu));
+  LinearReference reference{.name = fmt::format("clamped plate, e = {}", thickness),
+                            .problem = free_shell(E, nu, k, thickness, degree, refinements),
+                            .direction = -Eigen::Vector3d::UnitZ()};
+  study::Problem& problem = reference.problem;
+  problem.domain = fem::Rectangle{.from = {0, 0}, .to = {0.5, 0.5}, .cells = {2, 2}};
+  problem.charts.emplace("", geometry::Chart({"x", "y", "0"}, {}));
+  problem.supports = {clamped("left"), clamped("bottom"), symmetry("right"), symmetry("top")};
+  problem.area_loads = {downward(D)};
+  problem.probes = {{"centre", {0.5, 0.5}}};
+  reference.displacement =
+      thick(thickness, 0.1, 0.01) ? pick(k, 0.0015046257, 0.0014659242) : pick(k, 0.0012678586, 0.0012674363);
+  return reference;
+}
+
+}  // namespace plastron::verification

@@ -1,0 +1,70 @@
+// Problems whose answers are known: plane and axisymmetric contact problems solved to many digits by independent
+// one-dimensional methods (reference/README.md), and the classical linear shells. Each comes as a study::Problem
+// together with the numbers it must reproduce.
+#pragma once
+#include "verification/manufactured.hpp"
+
+#include <plastron/study/problem.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plastron::verification {
+
+/// A point of the reference solution. `at` is the coordinate on Omega: x of a strip, distance from the axis of a disk.
+struct ReferenceRow {
+  double at;
+  double u_x, u_z;  ///< x: along the strip, or radial [m]
+  double r_x, r_z;  ///< [rad]
+  double gap;       ///< [m]
+  double eta;       ///< reaction per unit mid-surface area [Pa]; at the edge of a zone its limit from inside
+  bool touching;    ///< inside the contact zone or at its edge
+};
+
+struct ContactReference {
+  std::string name;
+  study::Problem problem;
+  bool axisymmetric = false;  ///< a disk; otherwise a strip along x
+  /// Multiplies what is computed (energies, work, reaction) to give the numbers below: 1 / width for a strip, whose
+  /// numbers are per unit width of the modelled part, and 1 for a disk.
+  double factor = 1;
+  double energy = 0, membrane = 0, bending = 0, shear = 0;  ///< [J/m] or [J]
+  double load_work = 0;                                     ///< [J/m] or [J]
+  double reaction = 0;                                      ///< total force of the obstacle along +z [N/m] or [N]
+  std::string pattern;               ///< F free, C contact, from the smallest coordinate to the largest
+  std::vector<double> boundaries{};  ///< edges of the contact zones: coordinate on Omega as in ReferenceRow::at
+  std::vector<ReferenceRow> rows{};
+};
+
+/// The names in the order of the file.
+std::vector<std::string> contact_reference_names();
+/// The coarsest mesh of a strip has 8 x 1 square cells, that of a disk is the domain's own.
+ContactReference contact_reference(const std::string& name, int degree, int refinements);
+
+/// The problem a manufactured solution solves: clamped all round, with its loads, and the plane x3 = 0 for the contact
+/// solution.
+study::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements);
+
+/// A linear shell with one point whose displacement is known.
+struct LinearReference {
+  std::string name;
+  study::Problem problem;          ///< its only probe is the reference point
+  Eigen::Vector3d direction;       ///< the displacement is u(probe) . direction
+  double displacement = 0;         ///< [m]
+  std::optional<double> energy{};  ///< of the part that is modelled [J]
+};
+
+enum class ShearCorrection { one, five_sixths };
+
+/// z = x^2 - y^2, clamped at x = -1/2, own weight; thickness 0.01 or 0.001 (for 0.001 the displacement is only known to
+/// five digits). With `half` the part y >= 0 and symmetry.
+LinearReference hyperbolic_paraboloid(double thickness, ShearCorrection k, bool half, int degree, int refinements);
+/// x^2 + y^2 = 1 + z^2 with free ends under a periodic normal load, one eighth of it; thickness 0.1 or 0.01.
+LinearReference free_hyperboloid(double thickness, ShearCorrection k, int degree, int refinements);
+/// The roof on hard or soft diaphragms, one quarter of it.
+LinearReference scordelis_lo(ShearCorrection k, bool hard_diaphragm, int degree, int refinements);
+/// Unit square under uniform load in multiples of q L^4 / D, one quarter of it; thickness 0.1 or 0.01.
+LinearReference clamped_plate(double thickness, ShearCorrection k, int degree, int refinements);
+
+}  // namespace plastron::verification
