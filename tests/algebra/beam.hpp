@@ -1,5 +1,6 @@
 // A beam on n + 2 equidistant nodes, by second differences: A = B'B, (B z)_i = z_{i-1} - 2 z_i + z_{i+1}. Its condition
-// number grows like n^4, and B z can be formed without the cancellation that A z suffers: a small model of a thin shell.
+// number grows like n^4, and B z can be formed without the cancellation that A z suffers: a small model of a thin
+// shell.
 #pragma once
 #include "algebra/chain.hpp"
 
@@ -14,7 +15,9 @@ inline Elements triples(GlobalIndex nodes) {
 
 struct Beam {
   explicit Beam(GlobalIndex nodes, double stiffness_error = 0, MPI_Comm comm = MPI_COMM_WORLD)
-      : elements(triples(nodes)), layout(layout_for(nodes, elements, comm)), own(connectivity(*layout, elements)),
+      : elements(triples(nodes)),
+        layout(layout_for(nodes, elements, comm)),
+        own(connectivity(*layout, elements)),
         matrix(layout, 1, own) {
     const double e = 1 + stiffness_error;
     const std::vector<double> values{e, -2 * e, e, -2 * e, 4 * e, -2 * e, e, -2 * e, e};

@@ -45,7 +45,8 @@ inline bool owns(const Layout& layout, GlobalIndex node) {
 }
 
 /// With the ghosts that the elements of this rank need, and no others.
-inline std::shared_ptr<const Layout> layout_for(GlobalIndex n, const Elements& elements, MPI_Comm comm = MPI_COMM_WORLD) {
+inline std::shared_ptr<const Layout> layout_for(GlobalIndex n, const Elements& elements,
+                                                MPI_Comm comm = MPI_COMM_WORLD) {
   auto layout = std::make_shared<Layout>(pieces(n, comm));
   for (const auto& element : elements)
     if (owns(*layout, element.front()))

@@ -30,7 +30,9 @@ Matrix ladder_matrix(double shift) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (!owns(*layout, elements[e].front())) continue;
     std::vector<double> values(width * width, 0.0);
-    const auto g = [&](std::size_t i, std::size_t k) { return std::sin(static_cast<double>(1 + e + 5 * i + 3 * i * k)); };
+    const auto g = [&](std::size_t i, std::size_t k) {
+      return std::sin(static_cast<double>(1 + e + 5 * i + 3 * i * k));
+    };
     for (std::size_t i = 0; i < width; ++i)
       for (std::size_t j = 0; j < width; ++j) {
         for (std::size_t k = 0; k < 4; ++k) values[i * width + j] += g(i, k) * g(j, k);

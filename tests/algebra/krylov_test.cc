@@ -64,8 +64,7 @@ TEST(ConjugateGradients, are_as_accurate_as_the_operator_where_the_matrix_is_hop
     if (fixed[i]) x.owned()[i] = exact.owned()[i];
   Factorisation F(beam.matrix);
   ASSERT_TRUE(F.factorise(fixed));
-  const auto result =
-      conjugate_gradients(operator_of(exact_beam), solver_of(F), b, fixed, beam.matrix.diagonal(), x);
+  const auto result = conjugate_gradients(operator_of(exact_beam), solver_of(F), b, fixed, beam.matrix.diagonal(), x);
   EXPECT_LT(result.relative_residual, 1e-7);
   EXPECT_LT(error_of(x, exact), 1e-8);
 }
@@ -80,8 +79,7 @@ TEST(ConjugateGradients, leave_fixed_unknowns_alone) {
   for (std::size_t i = 0; i < fixed.size(); ++i)
     if (!fixed[i]) x.owned()[i] = 0;
   const Vector nothing(beam.layout, 1);
-  const auto result =
-      conjugate_gradients(operator_of(beam), solver_of(F), nothing, fixed, beam.matrix.diagonal(), x);
+  const auto result = conjugate_gradients(operator_of(beam), solver_of(F), nothing, fixed, beam.matrix.diagonal(), x);
   EXPECT_TRUE(result.converged);
   EXPECT_LT(error_of(x, line), 1e-12);
 }
@@ -121,8 +119,7 @@ TEST(ConjugateGradients, are_done_at_once_without_a_load) {
   const auto fixed = beam.ends(1);
   ASSERT_TRUE(F.factorise(fixed));
   Vector x(beam.layout, 1);
-  const auto result =
-      conjugate_gradients(operator_of(beam), solver_of(F), Vector(x), fixed, beam.matrix.diagonal(), x);
+  const auto result = conjugate_gradients(operator_of(beam), solver_of(F), Vector(x), fixed, beam.matrix.diagonal(), x);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.steps, 0);
   EXPECT_EQ(result.relative_residual, 0);

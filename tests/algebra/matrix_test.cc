@@ -48,7 +48,9 @@ std::vector<double> dense(const Elements& elements) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const std::size_t width = elements[e].size() * block;
     const auto values = element_matrix(e, width);
-    const auto unknown = [&](std::size_t i) { return static_cast<std::size_t>(elements[e][i / block]) * block + i % block; };
+    const auto unknown = [&](std::size_t i) {
+      return static_cast<std::size_t>(elements[e][i / block]) * block + i % block;
+    };
     for (std::size_t i = 0; i < width; ++i)
       for (std::size_t j = 0; j < width; ++j) A[unknown(i) * size + unknown(j)] += values[i * width + j];
   }

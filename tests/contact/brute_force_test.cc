@@ -18,16 +18,26 @@ void expect_solution(const BoxProblem& problem, const BoxSolution& solution, con
     const double z = solution.z.owned()[i];
     const double multiplier = solution.multiplier.owned()[i];
     switch (solution.activity[i]) {
-      case Activity::free: EXPECT_NEAR(multiplier, 0, slack); break;
-      case Activity::at_lower: EXPECT_EQ(z, problem.lower.owned()[i]); EXPECT_GE(multiplier, -slack); break;
-      case Activity::at_upper: EXPECT_EQ(z, problem.upper.owned()[i]); EXPECT_LE(multiplier, slack); break;
-      case Activity::prescribed: EXPECT_EQ(z, problem.lower.owned()[i]); break;
+      case Activity::free:
+        EXPECT_NEAR(multiplier, 0, slack);
+        break;
+      case Activity::at_lower:
+        EXPECT_EQ(z, problem.lower.owned()[i]);
+        EXPECT_GE(multiplier, -slack);
+        break;
+      case Activity::at_upper:
+        EXPECT_EQ(z, problem.upper.owned()[i]);
+        EXPECT_LE(multiplier, slack);
+        break;
+      case Activity::prescribed:
+        EXPECT_EQ(z, problem.lower.owned()[i]);
+        break;
     }
   }
 }
 
 TEST(EverySolver, agrees_with_brute_force_over_all_active_sets) {
-  const unsigned problems = ranks() == 1 ? 300 : 28;  // MUMPS takes its time on tiny systems
+  const unsigned problems = ranks() == 1 ? 300 : 14;  // MUMPS takes its time on tiny systems
   for (unsigned seed = 1; seed <= problems; ++seed) {
     const Eigen::Index n = 1 + seed % 7;
     const DenseProblem dense = random_problem(n, seed);

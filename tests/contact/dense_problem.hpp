@@ -45,12 +45,11 @@ struct DistributedProblem {
     const auto part = [&](const Eigen::VectorXd& v) {
       return vector_of(matrix.layout(), 1, [&](GlobalIndex i) { return v(i); });
     };
-    box.emplace(contact::BoxProblem{
-        .matrix = matrix,
-        .apply = [this](const Vector& z, Vector& y) { matrix.multiply(z, y); },
-        .load = part(dense.b),
-        .lower = part(dense.lower),
-        .upper = part(dense.upper)});
+    box.emplace(contact::BoxProblem{.matrix = matrix,
+                                    .apply = [this](const Vector& z, Vector& y) { matrix.multiply(z, y); },
+                                    .load = part(dense.b),
+                                    .lower = part(dense.lower),
+                                    .upper = part(dense.upper)});
   }
   DistributedProblem(const DistributedProblem&) = delete;
   DistributedProblem& operator=(const DistributedProblem&) = delete;

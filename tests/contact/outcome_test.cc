@@ -119,8 +119,8 @@ TEST(Observer, sees_every_iteration) {
   const DistributedProblem problem(dense);
   algebra::Factorisation F(problem.matrix);
   std::size_t seen = 0;
-  const auto solution = contact::solve_primal_dual_active_set(*problem.box, {}, F, {},
-                                                              [&](const contact::Iteration&) { ++seen; });
+  const auto solution =
+      contact::solve_primal_dual_active_set(*problem.box, {}, F, {}, [&](const contact::Iteration&) { ++seen; });
   EXPECT_EQ(solution.status, Status::solved);
   EXPECT_EQ(seen, solution.iterations.size());
   EXPECT_EQ(solution.iterations.back().changes, 0);

@@ -10,8 +10,8 @@ namespace {
 
 using contact::Status;
 
-// Two problems z >= 0 on which the primal-dual method, started with nothing active, comes back to a set it has seen. Found by
-// trying random integer matrices; none with three unknowns turned up among three million.
+// Two problems z >= 0 on which the primal-dual method, started with nothing active, comes back to a set it has seen.
+// Found by trying random integer matrices; none with three unknowns turned up among three million.
 DenseProblem four_unknowns() {
   DenseProblem problem{.A = Eigen::MatrixXd{{23, 6, -18, -16}, {6, 14, -1, -10}, {-18, -1, 19, 12}, {-16, -10, 12, 17}},
                        .b = Eigen::VectorXd{{-7, 7, 8, -4}},
@@ -21,11 +21,14 @@ DenseProblem four_unknowns() {
 }
 
 DenseProblem five_unknowns() {
-  DenseProblem problem{
-      .A = Eigen::MatrixXd{{20, 10, -13, -21, 9}, {10, 33, 7, -13, -5}, {-13, 7, 19, 13, -11}, {-21, -13, 13, 25, -12}, {9, -5, -11, -12, 25}},
-      .b = Eigen::VectorXd{{-4, 9, 7, -3, -7}},
-      .lower = Eigen::VectorXd::Zero(5),
-      .upper = Eigen::VectorXd::Constant(5, infinity)};
+  DenseProblem problem{.A = Eigen::MatrixXd{{20, 10, -13, -21, 9},
+                                            {10, 33, 7, -13, -5},
+                                            {-13, 7, 19, 13, -11},
+                                            {-21, -13, 13, 25, -12},
+                                            {9, -5, -11, -12, 25}},
+                       .b = Eigen::VectorXd{{-4, 9, 7, -3, -7}},
+                       .lower = Eigen::VectorXd::Zero(5),
+                       .upper = Eigen::VectorXd::Constant(5, infinity)};
   return problem;
 }
 

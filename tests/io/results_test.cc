@@ -131,8 +131,7 @@ TEST(Results, state_a_unit_for_every_number) {
   for (const char* part : {"settings", "versions", "files", "fields", "units", "title"}) json.erase(part);
   std::map<std::string, bool> paths;
   collect(json, "", paths);
-  for (const auto& [path, is_number] : paths)
-    EXPECT_TRUE(units.contains(path) || !is_number) << path;
+  for (const auto& [path, is_number] : paths) EXPECT_TRUE(units.contains(path) || !is_number) << path;
   for (const auto& [path, unit] : units.items()) EXPECT_TRUE(paths.contains(path)) << path;
 }
 

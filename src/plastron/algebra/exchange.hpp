@@ -23,10 +23,10 @@ class Exchange {
  private:
   MPI_Comm comm_;
   LocalIndex owned_;
-  bool alone_;                           ///< no rank has ghosts
-  std::vector<int> ghosts_of_rank_;      ///< this rank's ghosts, counted by owner
-  std::vector<int> seen_by_rank_;        ///< this rank's nodes, counted by the rank that sees them
-  std::vector<LocalIndex> seen_;         ///< those nodes, rank after rank
+  bool alone_;                       ///< no rank has ghosts
+  std::vector<int> ghosts_of_rank_;  ///< this rank's ghosts, counted by owner
+  std::vector<int> seen_by_rank_;    ///< this rank's nodes, counted by the rank that sees them
+  std::vector<LocalIndex> seen_;     ///< those nodes, rank after rank
 };
 
 }  // namespace plastron::algebra

@@ -30,8 +30,8 @@ class PrivateOptions {
   PetscOptions options_ = nullptr;
 };
 
-constexpr int mumps_extra_memory = 14;     // ICNTL: working space beyond its estimate, in per cent
-constexpr int mumps_negative_pivots = 12;  // INFOG: how many
+constexpr int mumps_extra_memory = 14;      // ICNTL: working space beyond its estimate, in per cent
+constexpr int mumps_negative_pivots = 12;   // INFOG: how many
 constexpr PetscInt mumps_null_pivot = -10;  // values of INFOG(1)
 constexpr PetscInt mumps_negative_pivot_in_root = -40;
 
@@ -116,8 +116,8 @@ struct Factorisation::Storage {
         return false;
       }
       if (!is_short_of_estimated_memory(outcome) || extra_memory > 3000)
-        throw std::runtime_error("MUMPS failed with INFOG(1) = " + std::to_string(outcome) + ", INFOG(2) = " +
-                                 std::to_string(mumps_info(factor, 2)) +
+        throw std::runtime_error("MUMPS failed with INFOG(1) = " + std::to_string(outcome) +
+                                 ", INFOG(2) = " + std::to_string(mumps_info(factor, 2)) +
                                  "; out of memory is the usual reason: use more ranks or a coarser mesh");
     }
   }

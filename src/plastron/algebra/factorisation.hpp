@@ -24,9 +24,9 @@ class Factorisation {
   /// x = F^{-1} b for the factorised F; on pinned unknowns x = b / (their diagonal). Owned values. (collective)
   void solve(const Vector& b, Vector& x) const;
 
-  int factorisations() const;     ///< numeric factorisations so far
+  int factorisations() const;  ///< numeric factorisations so far
   double seconds_symbolic() const;
-  double seconds_numeric() const; ///< all of them together
+  double seconds_numeric() const;  ///< all of them together
 
  private:
   struct Storage;

@@ -135,9 +135,7 @@ CgResult conjugate_gradients(const Operator& apply, const Operator& precondition
   BestIterate best(x, norm);
   Direction direction;
   CgResult result;
-  const auto reached = [&] {
-    return norm <= settings.tolerance * reference || norm <= rounding_floor(diagonal, x);
-  };
+  const auto reached = [&] { return norm <= settings.tolerance * reference || norm <= rounding_floor(diagonal, x); };
   while (!(result.converged = reached()) && result.steps < settings.max_steps && !best.has_stagnated()) {
     const Vector& p = direction.next(r, z, norm);
     apply(p, Ap);

@@ -1,6 +1,6 @@
 // Conjugate gradients for A x = b where A is known better as an operator than as the matrix that was factorised.
-// The factor serves as preconditioner, so one to five steps are usual; each one recomputes the residual b - A x from x itself
-// (iterative refinement with conjugate directions), hence the accuracy is the operator's, not the matrix's.
+// The factor serves as preconditioner, so one to five steps are usual; each one recomputes the residual b - A x from x
+// itself (iterative refinement with conjugate directions), hence the accuracy is the operator's, not the matrix's.
 // Source of the flexible direction update: Golub and Ye, Inexact preconditioned conjugate gradient method (1999).
 #pragma once
 #include <plastron/algebra/vector.hpp>
@@ -27,9 +27,9 @@ struct CgResult {
 };
 
 /// Improves x. Unknowns with fixed[i] != 0 (owned; empty: none) keep their values, and their equations are left out;
-/// `precondition` must map a residual that is zero there to a correction that is zero there. `diagonal` of A (may be empty)
-/// gives the rounding floor sqrt(sum_i A_ii (eps x_i)^2), below which no iterate can get. Ends also when two steps
-/// together do not halve the residual, and returns the best iterate, ghosts up to date. (collective)
+/// `precondition` must map a residual that is zero there to a correction that is zero there. `diagonal` of A (may be
+/// empty) gives the rounding floor sqrt(sum_i A_ii (eps x_i)^2), below which no iterate can get. Ends also when two
+/// steps together do not halve the residual, and returns the best iterate, ghosts up to date. (collective)
 CgResult conjugate_gradients(const Operator& apply, const Operator& precondition, const Vector& b,
                              std::span<const char> fixed, const Vector& diagonal, Vector& x,
                              const CgSettings& settings = {});

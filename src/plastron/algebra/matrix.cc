@@ -12,7 +12,8 @@
 namespace plastron::algebra {
 namespace {
 
-// y = sum over the kept blocks B of B x and, off the diagonal, of the mirrored product; `map` is applied to all factors.
+// y = sum over the kept blocks B of B x and, off the diagonal, of the mirrored product; `map` is applied to all
+// factors.
 template <class Map>
 void multiply_mapped(const Matrix::Storage& A, const Vector& x, Vector& y, Map map) {
   assert(&x != &y && x.block() == A.block && x.owned().size() == y.owned().size());
@@ -75,9 +76,10 @@ std::size_t Matrix::Storage::find(LocalIndex row, GlobalIndex column_global) con
     return global[static_cast<std::size_t>(node)] < wanted;
   });
   if (found == end || global[static_cast<std::size_t>(*found)] != column_global)
-    throw std::out_of_range(fmt::format("the pattern does not couple nodes {} and {}: no element given to the "
-                                        "constructor holds both",
-                                        global[static_cast<std::size_t>(row)], column_global));
+    throw std::out_of_range(
+        fmt::format("the pattern does not couple nodes {} and {}: no element given to the "
+                    "constructor holds both",
+                    global[static_cast<std::size_t>(row)], column_global));
   return static_cast<std::size_t>(found - column.begin());
 }
 

@@ -14,17 +14,20 @@ namespace plastron::algebra {
 struct Connectivity {
   int nodes_per_element = 0;
   std::vector<LocalIndex> nodes{};
-  std::size_t elements() const { return nodes_per_element ? nodes.size() / static_cast<std::size_t>(nodes_per_element) : 0; }
+  std::size_t elements() const {
+    return nodes_per_element ? nodes.size() / static_cast<std::size_t>(nodes_per_element) : 0;
+  }
   std::span<const LocalIndex> element(std::size_t e) const {
-    return {nodes.data() + e * static_cast<std::size_t>(nodes_per_element), static_cast<std::size_t>(nodes_per_element)};
+    return {nodes.data() + e * static_cast<std::size_t>(nodes_per_element),
+            static_cast<std::size_t>(nodes_per_element)};
   }
 };
 
 class Matrix {
  public:
-  /// Zero, with the exact pattern that `elements` gives: every pair of nodes of an element is coupled. `elements` must hold
-  /// every element this rank will add; couplings that other ranks' elements give to nodes owned here are learnt from
-  /// them, even between nodes that this rank sees no element of (collective).
+  /// Zero, with the exact pattern that `elements` gives: every pair of nodes of an element is coupled. `elements` must
+  /// hold every element this rank will add; couplings that other ranks' elements give to nodes owned here are learnt
+  /// from them, even between nodes that this rank sees no element of (collective).
   Matrix(std::shared_ptr<const Layout> layout, int block, const Connectivity& elements);
   Matrix(Matrix&&) noexcept;
   Matrix& operator=(Matrix&&) noexcept;

@@ -12,18 +12,20 @@ namespace plastron::algebra {
 /// Compressed rows of blocks. The rows of ghosts collect what goes to their owners. In each row the columns ascend in
 /// global numbering and begin with the row itself, since lower blocks are not kept.
 struct Matrix::Storage {
-  std::shared_ptr<const Layout> layout{};  ///< of the vectors and of the elements' nodes
-  std::shared_ptr<const Layout> wide{};    ///< the same owned nodes, and as ghosts every column that owned rows have
-  std::vector<LocalIndex> ghost_in_wide{}; ///< index in `wide` of each ghost of `layout`
+  std::shared_ptr<const Layout> layout{};   ///< of the vectors and of the elements' nodes
+  std::shared_ptr<const Layout> wide{};     ///< the same owned nodes, and as ghosts every column that owned rows have
+  std::vector<LocalIndex> ghost_in_wide{};  ///< index in `wide` of each ghost of `layout`
   int block = 0;
-  std::vector<GlobalIndex> global{};       ///< of each node of `wide`
-  std::vector<std::int64_t> row_start{};   ///< in blocks, for every node of `wide`
-  std::vector<LocalIndex> column{};        ///< node of `wide`, for each block
-  std::vector<double> values{};            ///< block after block, row-major inside
-  std::unique_ptr<Exchange> exchange{};    ///< for `wide`
+  std::vector<GlobalIndex> global{};      ///< of each node of `wide`
+  std::vector<std::int64_t> row_start{};  ///< in blocks, for every node of `wide`
+  std::vector<LocalIndex> column{};       ///< node of `wide`, for each block
+  std::vector<double> values{};           ///< block after block, row-major inside
+  std::unique_ptr<Exchange> exchange{};   ///< for `wide`
 
   std::size_t block_area() const { return static_cast<std::size_t>(block) * static_cast<std::size_t>(block); }
-  std::size_t row_begin(LocalIndex row) const { return static_cast<std::size_t>(row_start[static_cast<std::size_t>(row)]); }
+  std::size_t row_begin(LocalIndex row) const {
+    return static_cast<std::size_t>(row_start[static_cast<std::size_t>(row)]);
+  }
   std::size_t row_end(LocalIndex row) const { return row_begin(row + 1); }
   const double* block_at(std::size_t k) const { return values.data() + k * block_area(); }
   double* block_at(std::size_t k) { return values.data() + k * block_area(); }

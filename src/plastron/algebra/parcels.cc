@@ -29,8 +29,7 @@ Parcels deliver(const Parcels& out, int block_area, MPI_Comm comm) {
   in.blocks_of_rank.resize(out.blocks_of_rank.size());
   MPI_Alltoall(out.blocks_of_rank.data(), 1, MPI_INT, in.blocks_of_rank.data(), 1, MPI_INT, comm);
   send(out.places, out.blocks_of_rank, in.places, in.blocks_of_rank, 2, MPI_INT64_T, comm);
-  if (block_area > 0)
-    send(out.values, out.blocks_of_rank, in.values, in.blocks_of_rank, block_area, MPI_DOUBLE, comm);
+  if (block_area > 0) send(out.values, out.blocks_of_rank, in.values, in.blocks_of_rank, block_area, MPI_DOUBLE, comm);
   return in;
 }
 

@@ -23,16 +23,18 @@ void start_mpi(int& argc, char**& argv) {
 // The words PETSc sees in place of our command line: no file, no signal handler that prints, no report at the end.
 void start_petsc() {
   unsetenv("PETSC_OPTIONS");
-  std::array words{const_cast<char*>("plastron"),   const_cast<char*>("-skip_petscrc"), const_cast<char*>("1"),
-                   const_cast<char*>("-no_signal_handler"), const_cast<char*>("1"), const_cast<char*>("-options_left"),
-                   const_cast<char*>("0"), static_cast<char*>(nullptr)};
+  std::array words{const_cast<char*>("plastron"), const_cast<char*>("-skip_petscrc"),
+                   const_cast<char*>("1"),        const_cast<char*>("-no_signal_handler"),
+                   const_cast<char*>("1"),        const_cast<char*>("-options_left"),
+                   const_cast<char*>("0"),        static_cast<char*>(nullptr)};
   int count = static_cast<int>(words.size()) - 1;
   char** arguments = words.data();
   petsc_check(PetscInitialize(&count, &arguments, nullptr, nullptr), "starting");
   petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "silencing its error handler");
 }
 
-// With one process a core, threads of the BLAS would fight each other. Looked up by name: another BLAS has no such switch.
+// With one process a core, threads of the BLAS would fight each other. Looked up by name: another BLAS has no such
+// switch.
 void one_blas_thread_per_rank() {
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);

@@ -19,7 +19,8 @@ struct SoftestMotion {
   bool is_free() const;
 };
 
-/// Two steps of inverse iteration from arbitrary values; costs two solves. `fixed` as given to factorise(). (collective)
+/// Two steps of inverse iteration from arbitrary values; costs two solves. `fixed` as given to factorise().
+/// (collective)
 SoftestMotion softest_motion(const Operator& apply, const Factorisation& factor, std::span<const char> fixed,
                              const Vector& diagonal);
 

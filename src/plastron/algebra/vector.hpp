@@ -1,5 +1,5 @@
-// A distributed vector with a block of values per node, ghosts included: one array, owned values first. Solvers wrap the
-// array in a PETSc vector for the time of a call (factorisation.cc), so nothing of PETSc is kept here.
+// A distributed vector with a block of values per node, ghosts included: one array, owned values first. Solvers wrap
+// the array in a PETSc vector for the time of a call (factorisation.cc), so nothing of PETSc is kept here.
 #pragma once
 #include <plastron/algebra/layout.hpp>
 
@@ -23,14 +23,14 @@ class Vector {
   const std::shared_ptr<const Layout>& layout() const;
   int block() const;
 
-  std::span<double> owned();              ///< values of the owned nodes
+  std::span<double> owned();  ///< values of the owned nodes
   std::span<const double> owned() const;
-  std::span<double> local();              ///< owned values, then the ghosts'
+  std::span<double> local();  ///< owned values, then the ghosts'
   std::span<const double> local() const;
 
-  void fill(double value);                ///< ghosts too
-  void update_ghosts();                   ///< owners' values -> ghosts (collective)
-  void accumulate_ghosts();               ///< ghosts' values are added to their owners', then set to zero (collective)
+  void fill(double value);   ///< ghosts too
+  void update_ghosts();      ///< owners' values -> ghosts (collective)
+  void accumulate_ghosts();  ///< ghosts' values are added to their owners', then set to zero (collective)
 
   struct Storage;
   const Storage& storage() const { return *storage_; }

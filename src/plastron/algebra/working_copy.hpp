@@ -1,5 +1,5 @@
-// The PETSc matrix that is factorised: the upper half of a Matrix with the rows and columns of pinned unknowns replaced by
-// those of a diagonal matrix. Same pattern for every set of pinned unknowns. Includes PETSc: for .cc files only.
+// The PETSc matrix that is factorised: the upper half of a Matrix with the rows and columns of pinned unknowns replaced
+// by those of a diagonal matrix. Same pattern for every set of pinned unknowns. Includes PETSc: for .cc files only.
 #pragma once
 #include <petscmat.h>
 
@@ -32,8 +32,8 @@ class WorkingCopy {
   void replace_pinned(std::size_t row, std::size_t column, std::size_t block, double* values, std::size_t stride) const;
 
   Mat mat_ = nullptr;
-  bool alone_ = true;                    ///< one rank
-  std::vector<PetscInt> row_start_{};    ///< one rank only: the upper half by scalar rows
+  bool alone_ = true;                  ///< one rank
+  std::vector<PetscInt> row_start_{};  ///< one rank only: the upper half by scalar rows
   std::vector<PetscInt> column_{};
   std::vector<double> values_{};
   std::vector<double> pinned_diagonal_{};  ///< of the nodes of `wide`: the diagonal where pinned, 0 where not

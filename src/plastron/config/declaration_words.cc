@@ -20,6 +20,7 @@ std::string Range::text(const std::string& name) const {
 
 std::vector<std::string> names(const std::vector<Key>& keys) {
   std::vector<std::string> all;
+  all.reserve(keys.size());
   for (const Key& key : keys) all.push_back(key.name);
   return all;
 }

@@ -15,13 +15,15 @@ std::optional<std::string> read_formula(Reading& reading, const Item& item) {
   return field ? std::optional(field->text()) : std::nullopt;
 }
 
-// A chart does not say which of its components is wrong: each is tried alone.
+// The formulas are expressions already, so the chart can only fail to differentiate them. It does not say which: each
+// is tried alone.
 void report_chart(Reading& reading, const Item& item, const Formulas& formulas) {
   for (std::size_t i = 0; i < 3; ++i) try {
       const geometry::Chart alone({formulas[i], "0", "0"}, reading.constants);
-    } catch (const geometry::ExpressionError& error) {
-      const toml::value& formula = item.value.as_array()[i];
-      report_expression(reading, Item{formula, fmt::format("entry {} of {}", i + 1, item.name)}, error, true);
+    } catch (const geometry::ExpressionError&) {
+      reading.report(reading.source.value(item.value.as_array()[i]),
+                     fmt::format("entry {} of {} cannot be differentiated twice", i + 1, item.name),
+                     "+ - * / ^ and sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs");
     }
 }
 
@@ -85,7 +87,7 @@ void read_charts(Table& geometry, const fem::Domain& domain, study::Problem& pro
 std::optional<fem::Domain> read_geometry(Table& root, study::Problem& problem) {
   auto geometry = root.table("geometry");
   if (!geometry) return {};
-  const auto domain = read_domain(*geometry);
+  auto domain = read_domain(*geometry);
   if (domain) {
     problem.domain = *domain;
     read_charts(*geometry, *domain, problem);

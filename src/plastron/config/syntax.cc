@@ -109,7 +109,7 @@ toml::value parse_toml(const Source& source) {
   try {
     return toml::parse(stream, source.file_name());
   } catch (const toml::syntax_error& error) {
-    const auto location = error.location();
+    const auto& location = error.location();
     const std::string message = error.what();
     const std::size_t at = last_caret(source, message, source.offset(location.line(), location.column()));
     const Sentence sentence = translate(message, source.text(), at);

@@ -79,7 +79,8 @@ std::int64_t count_changes(const BoxProblem& problem, const ActiveSet& before, c
 
 // A sum of hashes, so that neither order nor ranks matter; it may wrap around.
 std::uint64_t fingerprint(const BoxProblem& problem, const ActiveSet& set) {
-  const auto first = static_cast<std::uint64_t>(problem.load.layout()->first) * static_cast<std::uint64_t>(problem.load.block());
+  const auto first =
+      static_cast<std::uint64_t>(problem.load.layout()->first) * static_cast<std::uint64_t>(problem.load.block());
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < set.size(); ++i)
     if (is_active(set[i])) sum += algebra::scramble(2 * (first + i) + (set[i] == Activity::at_upper));

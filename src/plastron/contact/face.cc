@@ -9,7 +9,8 @@ namespace plastron::contact {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// A linear solve that ends above this relative residual is a failure; below it, rounding may excuse a missed tolerance.
+/// A linear solve that ends above this relative residual is a failure; below it, rounding may excuse a missed
+/// tolerance.
 constexpr double usable_residual = 1e-6;
 
 std::vector<char> held(const ActiveSet& set) {
@@ -53,9 +54,9 @@ FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linea
   return point;
 }
 
-// The larger of the tolerance asked for and what rounding does to A z - b. The latter goes like eps |A| |z|, with a factor
-// that the residuals of the free unknowns show, since they would be zero without rounding; forces and moments are made
-// comparable by the diagonal.
+// The larger of the tolerance asked for and what rounding does to A z - b. The latter goes like eps |A| |z|, with a
+// factor that the residuals of the free unknowns show, since they would be zero without rounding; forces and moments
+// are made comparable by the diagonal.
 algebra::Vector FaceSolver::noise_of_multipliers(const FacePoint& point, const ActiveSet& set) const {
   algebra::Vector noise(point.z.layout(), point.z.block());
   problem_.matrix.multiply_absolute(point.z, noise);

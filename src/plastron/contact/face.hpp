@@ -16,7 +16,7 @@ struct FacePoint {
   algebra::Vector multiplier{};        ///< A z - b
   algebra::Vector multiplier_noise{};  ///< what rounding makes of each multiplier, at least
   double energy = 0;
-  double gap_noise = 0;             ///< violations up to here are no violations
+  double gap_noise = 0;  ///< violations up to here are no violations
   double linear_residual = 0;
   int linear_steps = 0;
 };

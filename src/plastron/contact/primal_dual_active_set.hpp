@@ -1,12 +1,13 @@
-// The primal-dual active set method: a semismooth Newton method for the box-constrained quadratic program. Each step solves
-// on the face of the present active set, then moves every unknown that breaks a condition to the other side at once:
+// The primal-dual active set method: a semismooth Newton method for the box-constrained quadratic program. Each step
+// solves on the face of the present active set, then moves every unknown that breaks a condition to the other side at
+// once:
 //   active   <-  free and beyond its bound
 //   free     <-  active with a multiplier of the wrong sign
-// Fast when it starts near the solution's active set, but in general nothing forbids it to come back to a set it has seen.
-// Source: Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method (2003).
+// Fast when it starts near the solution's active set, but in general nothing forbids it to come back to a set it has
+// seen. Source: Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method (2003).
 //
-// Every set seen is remembered by its fingerprint. When one comes back, or when the number of changes has not fallen for
-// long, the projected search (projected_search.hpp) takes over, which cannot cycle.
+// Every set seen is remembered by its fingerprint. When one comes back, or when the number of changes has not fallen
+// for long, the projected search (projected_search.hpp) takes over, which cannot cycle.
 #pragma once
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/problem.hpp>

@@ -4,12 +4,18 @@ namespace plastron::contact {
 
 std::string_view to_string(Status status) {
   switch (status) {
-    case Status::solved: return "solved";
-    case Status::iteration_limit: return "iteration_limit";
-    case Status::cycling: return "cycling";
-    case Status::infeasible: return "infeasible";
-    case Status::singular: return "singular";
-    case Status::linear_solver_stalled: return "linear_solver_stalled";
+    case Status::solved:
+      return "solved";
+    case Status::iteration_limit:
+      return "iteration_limit";
+    case Status::cycling:
+      return "cycling";
+    case Status::infeasible:
+      return "infeasible";
+    case Status::singular:
+      return "singular";
+    case Status::linear_solver_stalled:
+      return "linear_solver_stalled";
   }
   return "unknown";
 }
@@ -19,10 +25,12 @@ std::string_view explain(Status status) {
     case Status::solved:
       return "All bounds and signs of multipliers hold.";
     case Status::iteration_limit:
-      return "The active set still changed when the iterations ran out; start from a coarser mesh or a smaller load, or "
+      return "The active set still changed when the iterations ran out; start from a coarser mesh or a smaller load, "
+             "or "
              "allow more iterations.";
     case Status::cycling:
-      return "The same active sets came back and the energy could not be lowered beyond rounding; loosen the tolerances "
+      return "The same active sets came back and the energy could not be lowered beyond rounding; loosen the "
+             "tolerances "
              "of gap and multiplier, or start from a coarser mesh.";
     case Status::infeasible:
       return "Some unknown has a lower bound above its upper bound; look for a support that presses the structure into "

@@ -38,13 +38,13 @@ std::string_view to_string(Status status);
 std::string_view explain(Status status);
 
 struct Iteration {
-  std::int64_t active = 0;        ///< unknowns at a bound (prescribed ones not counted)
-  std::int64_t changes = 0;       ///< unknowns that changed sides after this solve
-  double energy = 0;              ///< 1/2 z' A z - b' z
-  double worst_violation = 0;     ///< largest violation of a bound before projection
-  double worst_multiplier = 0;    ///< most negative multiplier (0 if none)
-  int linear_steps = 0;           ///< conjugate-gradient steps
-  bool safeguarded = false;       ///< made by the safeguarded search
+  std::int64_t active = 0;      ///< unknowns at a bound (prescribed ones not counted)
+  std::int64_t changes = 0;     ///< unknowns that changed sides after this solve
+  double energy = 0;            ///< 1/2 z' A z - b' z
+  double worst_violation = 0;   ///< largest violation of a bound before projection
+  double worst_multiplier = 0;  ///< most negative multiplier (0 if none)
+  int linear_steps = 0;         ///< conjugate-gradient steps
+  bool safeguarded = false;     ///< made by the safeguarded search
 };
 
 /// Called after every iteration; may be empty.
@@ -53,10 +53,10 @@ using Observer = std::function<void(const Iteration&)>;
 struct BoxSolution {
   Status status = Status::iteration_limit;
   algebra::Vector z{};
-  algebra::Vector multiplier{};          ///< A z - b: >= 0 at a lower bound, <= 0 at an upper one, 0 where free
-  std::vector<Activity> activity{};      ///< of the owned unknowns
+  algebra::Vector multiplier{};      ///< A z - b: >= 0 at a lower bound, <= 0 at an upper one, 0 where free
+  std::vector<Activity> activity{};  ///< of the owned unknowns
   std::vector<Iteration> iterations{};
-  double linear_residual = 0;            ///< reached by the last linear solve, relative
+  double linear_residual = 0;  ///< reached by the last linear solve, relative
 };
 
 }  // namespace plastron::contact

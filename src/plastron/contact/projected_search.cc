@@ -65,8 +65,8 @@ Step projected_step(const BoxProblem& problem, const Feasible& from, const Vecto
   return step;
 }
 
-/// The lowest of the steps t = 1, 1/2, 1/4, ... around the first that passes Armijo's test. An operator application is cheap
-/// beside a factorisation, so it pays to look one further. Nothing if no step lowers the energy.
+/// The lowest of the steps t = 1, 1/2, 1/4, ... around the first that passes Armijo's test. An operator application is
+/// cheap beside a factorisation, so it pays to look one further. Nothing if no step lowers the energy.
 std::optional<Vector> projected_line_search(const BoxProblem& problem, const Feasible& from, const Vector& target) {
   constexpr double fraction_of_slope = 1e-4;
   constexpr int most_halvings = 50;

@@ -4,11 +4,11 @@
 namespace plastron::contact {
 
 struct Settings {
-  int max_iterations = 200;          ///< active-set changes on one mesh; each costs one factorisation
-  double gap_tolerance = 1e-11;      ///< a bound counts as violated beyond this multiple of the largest unknown
+  int max_iterations = 200;             ///< active-set changes on one mesh; each costs one factorisation
+  double gap_tolerance = 1e-11;         ///< a bound counts as violated beyond this multiple of the largest unknown
   double multiplier_tolerance = 1e-10;  ///< a multiplier counts as negative beyond this multiple of the largest one
-  double linear_tolerance = 1e-12;   ///< relative residual, in the preconditioner's norm, of the linear solves
-  int max_refinement_steps = 30;     ///< conjugate-gradient steps of one linear solve
+  double linear_tolerance = 1e-12;      ///< relative residual, in the preconditioner's norm, of the linear solves
+  int max_refinement_steps = 30;        ///< conjugate-gradient steps of one linear solve
 };
 
 }  // namespace plastron::contact

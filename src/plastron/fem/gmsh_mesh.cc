@@ -207,8 +207,7 @@ void draw(const Polygon& polygon) {
   gmsh::model::geo::synchronize();
   for (std::size_t i = 0; i < lines.size(); ++i)
     gmsh::model::setPhysicalName(1, gmsh::model::addPhysicalGroup(1, {lines[i]}), names[i]);
-  gmsh::model::addPhysicalGroup(2, {surface});
-  gmsh::model::setPhysicalName(2, 1, "polygon");
+  gmsh::model::setPhysicalName(2, gmsh::model::addPhysicalGroup(2, {surface}), "polygon");
 }
 
 }  // namespace

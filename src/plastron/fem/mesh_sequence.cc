@@ -82,7 +82,8 @@ dealii::SubCellData named_edges(const CoarseMesh& coarse) {
 /// and CellId's coarse cell is p4est's.
 Cell dyadic_cell(dealii::TriaIterator<dealii::CellAccessor<2>> cell) {
   Cell result;
-  for (const auto child : cell->id().get_child_indices()) {
+  const dealii::CellId id = cell->id();  // the indices are a view into it
+  for (const auto child : id.get_child_indices()) {
     result.size /= 2;
     result.corner += result.size * Vector2d(child % 2, child / 2);
   }

@@ -1,9 +1,8 @@
 #include <plastron/geometry/chart.hpp>
 
 #include <fmt/format.h>
-#include <ginac/ginac.h>
 
-#include <numbers>
+#include "formula.hpp"
 
 namespace plastron::geometry {
 
@@ -60,12 +59,11 @@ std::string in_muparser_syntax(const GiNaC::ex& e) {
 std::vector<Expression> differentiate(const std::string& text, const Constants& constants) {
   [[maybe_unused]] const Expression checked(text, constants);  // muParser's messages carry positions
   const GiNaC::realsymbol x("x"), y("y");
-  GiNaC::symtab table{{"x", x}, {"y", y}, {"pi", GiNaC::Pi}};
-  // Constants stay symbols while differentiating, so that R - R is exactly zero.
-  for (const auto& [name, value] : constants) table[name] = GiNaC::possymbol(name);
+  std::map<std::string, GiNaC::ex> names{{"x", x}, {"y", y}, {"pi", GiNaC::Pi}};
+  // Constants stay symbols while differentiating, so that R - R is exactly zero. sqrt(R^2) is R for positive R only.
+  for (const auto& [name, value] : constants) names[name] = value > 0 ? GiNaC::ex(GiNaC::realsymbol(name)) : GiNaC::ex(GiNaC::realsymbol(name));
   try {
-    GiNaC::parser read(table, true);
-    const GiNaC::ex f = read(text);
+    const GiNaC::ex f = formula(text, names);
     const GiNaC::ex fx = f.diff(x), fy = f.diff(y);
     std::vector<Expression> all;
     for (const GiNaC::ex& e : {f, fx, fy, fx.diff(x), fx.diff(y), fy.diff(y)})

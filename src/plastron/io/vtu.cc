@@ -111,7 +111,7 @@ std::vector<std::string> write_vtu(const study::Solution& solution, const std::f
   MPI_Comm_size(comm, &ranks);
   const std::vector<Field> present = fields_of(static_cast<bool>(solution.discrete->gap));
   const auto flags = flags_of(present);
-  const std::vector<std::string> files{base_name + ".vtu", base_name + ".pvd"};
+  std::vector<std::string> files{base_name + ".vtu", base_name + ".pvd"};
   const auto vtu_piece = [&] {
     std::ostringstream out;
     if (rank == 0) dealii::DataOutBase::write_vtu_header(out, flags);

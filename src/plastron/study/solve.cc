@@ -36,6 +36,15 @@ std::vector<contact::Activity> first_guess(const assembly::DiscreteShell& discre
   return activity;
 }
 
+/// A support holds the touching face inside of the obstacle: K is empty. No bound says so, for nothing can move there.
+bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  std::int64_t held = 0;
+  for (std::size_t i = 0; i < coordinates.gaps.size(); ++i)
+    if (!coordinates.touchable[i] && coordinates.bound_gap[i] < -1e-12 * (1 + discrete.points[i].phi.norm())) ++held;
+  return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
+}
+
 struct LevelResult {
   Level record;
   Solution solution;
@@ -60,8 +69,9 @@ LevelResult solve_level(std::shared_ptr<const fem::Space> space, std::shared_ptr
   tell("contact");
   const contact::BoxProblem box = assembly::box_problem(*discrete, A);
   const auto guess = touched ? first_guess(*discrete, *touched) : std::vector<contact::Activity>{};
-  const contact::BoxSolution z = contact::solve_primal_dual_active_set(
+  contact::BoxSolution z = contact::solve_primal_dual_active_set(
       box, guess, F, settings, [&](const contact::Iteration& i) { if (observer.iteration) observer.iteration(number, i); });
+  if (held_inside_obstacle(*discrete)) z.status = contact::Status::infeasible;
   seconds.factorisation = F.seconds_numeric();
   seconds.iteration = watch.lap() - F.seconds_numeric();
   tell("certificate");

@@ -1,0 +1,122 @@
+#include "formula.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace plastron::geometry {
+
+namespace {
+
+using GiNaC::ex;
+
+ex call(const std::string& name, const std::vector<ex>& arguments) {
+  static const std::map<std::string, ex (*)(const ex&)> functions{
+      {"sin", [](const ex& a) { return ex(GiNaC::sin(a)); }},   {"cos", [](const ex& a) { return ex(GiNaC::cos(a)); }},
+      {"tan", [](const ex& a) { return ex(GiNaC::tan(a)); }},   {"asin", [](const ex& a) { return ex(GiNaC::asin(a)); }},
+      {"acos", [](const ex& a) { return ex(GiNaC::acos(a)); }}, {"atan", [](const ex& a) { return ex(GiNaC::atan(a)); }},
+      {"sinh", [](const ex& a) { return ex(GiNaC::sinh(a)); }}, {"cosh", [](const ex& a) { return ex(GiNaC::cosh(a)); }},
+      {"tanh", [](const ex& a) { return ex(GiNaC::tanh(a)); }}, {"exp", [](const ex& a) { return ex(GiNaC::exp(a)); }},
+      {"log", [](const ex& a) { return ex(GiNaC::log(a)); }},   {"sqrt", [](const ex& a) { return GiNaC::sqrt(a); }},
+      {"abs", [](const ex& a) { return ex(GiNaC::abs(a)); }}};
+  if (name == "atan2" && arguments.size() == 2) return GiNaC::atan2(arguments[0], arguments[1]);
+  const auto found = functions.find(name);
+  if (found == functions.end() || arguments.size() != 1) throw std::invalid_argument(fmt::format("\"{}\" cannot be differentiated", name));
+  return found->second(arguments[0]);
+}
+
+/// Recursive descent, one function for each precedence.
+class Parser {
+ public:
+  Parser(std::string_view text, const std::map<std::string, ex>& names) : text_(text), names_(names) {}
+
+  ex whole() {
+    ex result = sum();
+    if (next() != 0) throw std::invalid_argument(fmt::format("\"{}\" cannot be differentiated", next()));
+    return result;
+  }
+
+ private:
+  /// The next character that is no blank, 0 at the end.
+  char next() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  bool take(char c) {
+    if (next() != c) return false;
+    ++at_;
+    return true;
+  }
+  void expect(char c) {
+    if (!take(c)) throw std::invalid_argument(fmt::format("\"{}\" cannot be differentiated", next()));
+  }
+
+  ex sum() {
+    ex left = product();
+    for (;;) {
+      if (take('+')) left = left + product();
+      else if (take('-')) left = left - product();
+      else return left;
+    }
+  }
+  ex product() {
+    ex left = signed_power();
+    for (;;) {
+      if (take('*')) left = left * signed_power();
+      else if (take('/')) left = left / signed_power();
+      else return left;
+    }
+  }
+  ex signed_power() {
+    if (take('-')) return -signed_power();
+    if (take('+')) return signed_power();
+    const ex base = operand();
+    return take('^') ? GiNaC::pow(base, signed_power()) : base;
+  }
+  ex operand() {
+    if (take('(')) {
+      const ex inner = sum();
+      expect(')');
+      return inner;
+    }
+    return std::isdigit(static_cast<unsigned char>(next())) || next() == '.' ? number() : named();
+  }
+
+  /// Whole numbers stay exact.
+  ex number() {
+    std::size_t length = 0;
+    const std::string rest(text_.substr(at_));
+    const double value = std::stod(rest, &length);
+    const std::string digits = rest.substr(0, length);
+    at_ += length;
+    const bool whole = digits.find_first_not_of("0123456789") == std::string::npos;
+    return whole ? GiNaC::numeric(digits.c_str()) : GiNaC::numeric(value);
+  }
+  ex named() {
+    std::size_t end = at_;
+    while (end < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[end])) || text_[end] == '_')) ++end;
+    const std::string name(text_.substr(at_, end - at_));
+    at_ = end;
+    if (!take('(')) {
+      if (const auto found = names_.find(name); found != names_.end()) return found->second;
+      throw std::invalid_argument(fmt::format("\"{}\" cannot be differentiated", name.empty() ? std::string(1, next()) : name));
+    }
+    std::vector<ex> arguments{sum()};
+    while (take(',')) arguments.push_back(sum());
+    expect(')');
+    return call(name, arguments);
+  }
+
+  std::string_view text_;
+  const std::map<std::string, ex>& names_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+GiNaC::ex formula(const std::string& text, const std::map<std::string, GiNaC::ex>& names) { return Parser(text, names).whole(); }
+
+}  // namespace plastron::geometry

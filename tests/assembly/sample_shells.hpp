@@ -1,0 +1,56 @@
+// Small shells for the tests of assembly/.
+#pragma once
+#include <plastron/assembly/discrete_shell.hpp>
+#include <plastron/fem/mesh_sequence.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace plastron::test {
+
+inline const std::array<std::string, 3> flat{"x", "y", "0.3"};
+inline const std::array<std::string, 3> saddle{"x", "y", "0.5 + 0.3*(x^2 - y^2) + 0.1*x*y"};
+inline const std::array<std::string, 3> cap{"x", "y", "2 - sqrt(4 - x^2 - y^2)"};
+
+struct MeshedSurface {
+  std::shared_ptr<const fem::Space> space;
+  std::shared_ptr<const fem::Surface> surface;
+};
+
+/// A skew quadrilateral, so that nothing is aligned with the axes.
+inline fem::Polygon skew() { return {{{0, 0}, {1, 0.1}, {0.9, 1.1}, {-0.1, 0.8}}}; }
+
+inline MeshedSurface meshed(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree, int refinements) {
+  fem::MeshSequence meshes(fem::coarse_mesh(domain), degree, MPI_COMM_WORLD);
+  for (int i = 0; i < refinements; ++i) meshes.refine({});
+  std::map<std::string, geometry::Chart> charts;
+  charts.emplace("", geometry::Chart(chart, {}));
+  return {meshes.space(), std::make_shared<const fem::Surface>(meshes.space()->coarse, charts)};
+}
+
+inline shell::Material steel_like() { return shell::Material::from_young_poisson(1.0, 0.3, 5.0 / 6); }
+
+inline assembly::Support clamp(const std::string& boundary) {
+  assembly::Support support{.boundary = boundary, .components = {}};
+  for (const auto unknown : {assembly::Unknown::displacement, assembly::Unknown::rotation})
+    for (const auto direction : {assembly::Direction::x, assembly::Direction::y, assembly::Direction::z})
+      support.components.push_back({unknown, direction, geometry::Expression(0.0)});
+  return support;
+}
+
+/// Nodal values of a rigid motion u = c + w x phi, r = w x a_3.
+inline algebra::Vector rigid_motion(const fem::Space& space, const std::vector<assembly::NodalPoint>& points, const Eigen::Vector3d& c,
+                                    const Eigen::Vector3d& w) {
+  algebra::Vector y(space.layout, 6);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d u = c + w.cross(points[i].phi), r = w.cross(points[i].a3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      y.local()[6 * i + k] = u[static_cast<Eigen::Index>(k)];
+      y.local()[6 * i + 3 + k] = r[static_cast<Eigen::Index>(k)];
+    }
+  }
+  return y;
+}
+
+}  // namespace plastron::test

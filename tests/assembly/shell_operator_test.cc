@@ -1,0 +1,120 @@
+#include "assembly/sample_shells.hpp"
+
+#include <plastron/assembly/stiffness.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace plastron::assembly {
+namespace {
+
+ShellOperator make(const std::array<std::string, 3>& chart, int degree, int refinements, bool tying) {
+  const auto m = test::meshed(test::skew(), chart, degree, refinements);
+  return {m.space, m.surface, geometry::Expression("0.1 + 0.02*x", {}), test::steel_like(), tying};
+}
+
+algebra::Vector random_field(const fem::Space& space, int seed) {
+  algebra::Vector y(space.layout, 6);
+  std::mt19937 generator(static_cast<unsigned>(seed));
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (double& v : y.owned()) v = uniform(generator);
+  y.update_ghosts();
+  return y;
+}
+
+class EveryElement : public testing::TestWithParam<std::tuple<int, bool>> {};
+INSTANTIATE_TEST_SUITE_P(Degrees, EveryElement, testing::Combine(testing::Values(1, 2, 3, 4, 6), testing::Bool()));
+
+TEST_P(EveryElement, TheStrainMatrixTimesAFieldIsItsStrain) {
+  const auto [degree, tying] = GetParam();
+  const ShellOperator shell = make(test::saddle, degree, 1, tying);
+  const algebra::Vector y = random_field(shell.space(), 1);
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const CellField field = shell.gather(c, y);
+    const CellStrain strains = shell.strains(c, field);
+    const Eigen::VectorXd product = shell.strain_matrix(c) * Eigen::Map<const Eigen::VectorXd>(field.data(), field.size());
+    const Eigen::Map<const Eigen::VectorXd> flat(strains.data(), strains.size());
+    EXPECT_LT((product - flat).cwiseAbs().maxCoeff(), 1e-12 * flat.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_P(EveryElement, ForcesAreTheTransposeOfStrains) {
+  const auto [degree, tying] = GetParam();
+  const ShellOperator shell = make(test::saddle, degree, 0, tying);
+  const CellField v = shell.gather(0, random_field(shell.space(), 2));
+  const CellStrain e = shell.strains(0, v);
+  CellStrain s = CellStrain::Random(e.rows(), 8);
+  const double through_strains = (s.array() * e.array()).sum(), through_forces = (shell.forces(0, s).array() * v.array()).sum();
+  EXPECT_NEAR(through_strains, through_forces, 1e-11 * std::abs(s.norm() * e.norm()));
+}
+
+TEST_P(EveryElement, TheElementMatrixIsSymmetricAndMakesTheEnergy) {
+  const auto [degree, tying] = GetParam();
+  const ShellOperator shell = make(test::saddle, degree, 0, tying);
+  const algebra::Vector y = random_field(shell.space(), 3);
+  const CellField field = shell.gather(0, y);
+  const Eigen::Map<const Eigen::VectorXd> v(field.data(), field.size());
+  const RowMatrix k = element_stiffness(shell, 0);
+  EXPECT_EQ((k - k.transpose()).norm(), 0);
+  const double energy = shell.energies(y).total();
+  EXPECT_NEAR(v.dot(k * v) / 2, energy, 1e-11 * energy);
+}
+
+TEST_P(EveryElement, ApplyIsTheDerivativeOfTheEnergy) {
+  const auto [degree, tying] = GetParam();
+  const ShellOperator shell = make(test::saddle, degree, 1, tying);
+  const algebra::Vector y = random_field(shell.space(), 4);
+  algebra::Vector f(shell.space().layout, 6);
+  shell.apply(y, f);
+  // The energy is quadratic: E(y) = 1/2 f(y) . y.
+  const double energy = shell.energies(y).total();
+  EXPECT_NEAR(algebra::dot(f, y) / 2, energy, 1e-11 * energy);
+}
+
+TEST_P(EveryElement, ATranslationHasNoStrainAtAll) {
+  const auto [degree, tying] = GetParam();
+  for (const auto& chart : {test::flat, test::saddle, test::cap}) {
+    const ShellOperator shell = make(chart, degree, 1, tying);
+    const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+    const auto y = test::rigid_motion(shell.space(), points, {1, -2, 0.5}, {0, 0, 0});
+    EXPECT_LT(shell.energies(y).total(), 1e-25);
+  }
+}
+
+TEST_P(EveryElement, ARotationOfAFlatShellHasNoStrain) {
+  const auto [degree, tying] = GetParam();
+  const ShellOperator shell = make(test::flat, degree, 1, tying);
+  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+  const auto y = test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7});
+  EXPECT_LT(shell.energies(y).total(), 1e-25);
+}
+
+// phi and a_3 are no polynomials, so a rotation is only interpolated: strain O(h^k), energy O(h^2k).
+TEST_P(EveryElement, TheEnergyOfARotationFallsLikeTheMeshSizeToTheTwiceDegree) {
+  const auto [degree, tying] = GetParam();
+  if (degree > 4) return;
+  for (const auto& chart : {test::saddle, test::cap}) {
+    double energy[2];
+    for (int i = 0; i < 2; ++i) {
+      const ShellOperator shell = make(chart, degree, i + 2, tying);
+      const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+      energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
+    }
+    EXPECT_GT(std::log2(energy[0] / energy[1]), 2 * degree - 0.3) << chart[2];
+  }
+}
+
+TEST(ShellOperator, TheRateOfARotationsEnergyIsAtMostWhatTheInterpolationGives) {
+  double energy[2];
+  for (int i = 0; i < 2; ++i) {
+    const ShellOperator shell = make(test::cap, 1, i + 3, true);
+    const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+    energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
+  }
+  EXPECT_GT(energy[1], 1e-14);
+}
+
+}  // namespace
+}  // namespace plastron::assembly

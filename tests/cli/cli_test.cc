@@ -1,0 +1,207 @@
+// The command line: exit codes, files, interruptions.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "cli/program.hpp"
+
+namespace plastron::cli {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string strip = R"(title = "Pressed strip"
+[shell]
+E = 1.0
+nu = 0.3
+thickness = 0.05
+[geometry]
+domain = { rectangle = { to = [1, 0.125], cells = [8, 1] } }
+chart = ["x", "y", "0.035"]
+[[support]]
+boundary = "left"
+fix = ["u", "r"]
+[[support]]
+boundary = "right"
+fix = ["u", "r"]
+[[support]]
+boundary = "bottom"
+fix = ["u.y", "r.y"]
+[[support]]
+boundary = "top"
+fix = ["u.y", "r.y"]
+[[load]]
+force = [0, 0, -4e-3]
+[[obstacle]]
+half_space = { point = [0, 0, 0], normal = [0, 0, 1] }
+[[probe]]
+name = "middle"
+at = [0.5, 0.0625]
+)";
+
+std::string case_with(int refinements, const std::string& more = "") {
+  return strip + "[mesh]\ndegree = 2\nrefinements = " + std::to_string(refinements) + "\n" + more;
+}
+
+nlohmann::json results_in(const fs::path& directory) { return nlohmann::json::parse(text_of(directory / "results.json")); }
+
+std::vector<std::string> with_extension(const std::vector<std::string>& files, const std::string& extension) {
+  std::vector<std::string> some;
+  for (const std::string& f : files)
+    if (f.ends_with(extension)) some.push_back(f);
+  return some;
+}
+
+// ---- the command line itself ---------------------------------------------------------------------------------------
+
+TEST(CommandLine, tells_its_version_and_its_help) {
+  const Scratch scratch;
+  const Outcome version = plastron({"--version"}, scratch.path), help = plastron({"--help"}, scratch.path);
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_THAT(version.output, HasSubstr(PLASTRON_BUILD_VERSION));
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_THAT(help.output, AllOf(HasSubstr("run"), HasSubstr("check"), HasSubstr("Exit codes")));
+  EXPECT_EQ(plastron({"run", "--help"}, scratch.path).exit_code, 0);
+}
+
+TEST(CommandLine, that_is_wrong_is_bad_input) {
+  const Scratch scratch;
+  const std::string file = scratch.write("case.toml", case_with(0)).string();
+  const std::vector<std::vector<std::string>> wrong{{},
+                                                    {"solve", file},
+                                                    {"run"},
+                                                    {"run", file},
+                                                    {"run", file, "--output"},
+                                                    {"run", file, "-o", "X", "--fast"},
+                                                    {"check"},
+                                                    {"check", file, "--output", "X"},
+                                                    {"check", file, file},
+                                                    {"--fast"}};
+  for (const auto& arguments : wrong) {
+    const Outcome outcome = plastron(arguments, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments) << "\n" << outcome.output;
+    EXPECT_NE(outcome.output, "");
+  }
+  EXPECT_FALSE(fs::exists(scratch.path / "X"));
+}
+
+TEST(CaseFile, that_cannot_be_read_is_bad_input) {
+  const Scratch scratch;
+  for (const std::string command : {"check", "run"})
+    for (const std::string& file : {std::string("no-such.toml"), scratch.path.string()}) {
+      std::vector<std::string> arguments{command, file};
+      if (command == "run") arguments.insert(arguments.end(), {"-o", "X"});
+      const Outcome outcome = plastron(arguments, scratch.path);
+      EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+      EXPECT_THAT(outcome.output, HasSubstr(file));
+    }
+  EXPECT_TRUE(fs::is_empty(scratch.path));
+}
+
+// ---- a good case ---------------------------------------------------------------------------------------------------
+
+TEST(GoodCase, is_ready_to_run) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(1));
+  const Outcome outcome = plastron({"check", "case.toml"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("Pressed strip"), HasSubstr("no rigid motion"), HasSubstr("ready to run")));
+  EXPECT_THAT(files_below(scratch.path), ElementsAre("case.toml"));
+}
+
+TEST(GoodCase, prints_its_levels_and_writes_its_results) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(1));
+  const Outcome outcome = plastron({"run", "case.toml", "--output", "out"}, scratch.path);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("Pressed strip"), HasSubstr("unknowns"), HasSubstr("certificate"), HasSubstr("probe middle")));
+  const auto files = files_below(scratch.path / "out");
+  EXPECT_THAT(files, Contains("results.json"));
+  EXPECT_FALSE(with_extension(files, ".vtu").empty());
+  EXPECT_FALSE(with_extension(files, ".pvd").empty());
+  const auto results = results_in(scratch.path / "out");
+  EXPECT_EQ(results.at("status"), "solved");
+  EXPECT_EQ(results.at("levels").size(), 2u);
+}
+
+TEST(GoodCase, prints_nothing_when_quiet) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(0));
+  const Outcome outcome = plastron({"run", "case.toml", "-o", "out", "-q"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output, "");
+}
+
+TEST(GoodCase, may_be_run_again_into_the_same_directory_and_a_new_one_deep_down) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(0));
+  for (const std::string output : {"out", "out", "a/b/c"}) {
+    EXPECT_EQ(plastron({"run", "case.toml", "-o", output, "-q"}, scratch.path).exit_code, 0);
+    EXPECT_TRUE(fs::exists(scratch.path / output / "results.json"));
+  }
+}
+
+// ---- outputs that cannot be written --------------------------------------------------------------------------------
+
+TEST(Output, that_is_a_file_is_bad_input_and_leaves_the_file_alone) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(0));
+  scratch.write("out", "precious");
+  for (const std::string output : {"out", "out/below"}) {
+    const Outcome outcome = plastron({"run", "case.toml", "-o", output}, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("cannot be written"));
+  }
+  EXPECT_EQ(text_of(scratch.path / "out"), "precious");
+}
+
+// ---- ends that are no solution -------------------------------------------------------------------------------------
+
+TEST(Run, that_does_not_converge_says_so_in_its_exit_code_its_words_and_its_results) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(1, "[solver]\nmax_iterations = 1\n"));
+  const Outcome outcome = plastron({"run", "case.toml", "-o", "out"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("not converged"));
+  EXPECT_EQ(results_in(scratch.path / "out").at("status"), "iteration_limit");
+}
+
+/// Kills a run when `ready` or after a few seconds; returns whether it was alive then.
+template <class Ready>
+bool kill_when(Running& run, const Ready& ready) {
+  for (int i = 0; i < 2000 && run.is_alive() && !ready(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  const bool alive = run.is_alive();
+  run.kill();
+  return alive;
+}
+
+TEST(Run, that_is_killed_while_it_solves_leaves_no_results) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(5));
+  Running run({"run", "case.toml", "-o", "out"}, scratch.path);
+  int waited = 0;
+  EXPECT_TRUE(kill_when(run, [&] { return ++waited > 250; }));
+  EXPECT_THAT(files_below(scratch.path), ElementsAre("case.toml"));
+}
+
+TEST(Run, that_is_killed_while_it_writes_leaves_whole_files_only) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(4));
+  Running run({"run", "case.toml", "-o", "out"}, scratch.path);
+  kill_when(run, [&] { return !files_below(scratch.path / "out").empty(); });
+  const auto files = files_below(scratch.path / "out");
+  for (const std::string& f : with_extension(files, ".vtu")) EXPECT_THAT(text_of(scratch.path / "out" / f), HasSubstr("</VTKFile>")) << f;
+  for (const std::string& f : with_extension(files, ".pvd")) EXPECT_THAT(text_of(scratch.path / "out" / f), HasSubstr("</VTKFile>")) << f;
+  if (fs::exists(scratch.path / "out/results.json")) EXPECT_NO_THROW(results_in(scratch.path / "out"));
+}
+
+}  // namespace
+}  // namespace plastron::cli

@@ -1,0 +1,62 @@
+// Every wrong case file is refused by `check` and by `run`, in the words of its "# expect:" lines, and leaves nothing behind.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include "cli/program.hpp"
+
+namespace plastron::cli {
+namespace {
+
+constexpr double patience = 20;  // [s]
+
+/// tests/config/wrong and tests/cli/wrong, as far as they are there.
+std::vector<fs::path> wrong_cases() {
+  std::vector<fs::path> all;
+  for (const char* folder : {"tests/config/wrong", "tests/cli/wrong"})
+    if (const fs::path directory = fs::path(PLASTRON_SOURCE_DIR) / folder; fs::exists(directory))
+      for (const auto& entry : fs::directory_iterator(directory))
+        if (entry.path().extension() == ".toml") all.push_back(entry.path());
+  std::ranges::sort(all);
+  return all;
+}
+
+std::vector<std::string> expectations(const fs::path& file) {
+  const std::string mark = "# expect: ";
+  std::vector<std::string> all;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line) && line.starts_with(mark);) all.push_back(line.substr(mark.size()));
+  return all;
+}
+
+class WrongCase : public testing::TestWithParam<fs::path> {
+ protected:
+  void expect_refused(const Outcome& outcome) {
+    EXPECT_FALSE(outcome.timed_out);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+    EXPECT_NE(outcome.output.find("error"), std::string::npos);
+    for (const std::string& words : expectations(GetParam()))
+      EXPECT_NE(outcome.output.find(words), std::string::npos) << "missing: " << words << "\nin:\n" << outcome.output;
+  }
+};
+
+TEST_P(WrongCase, is_refused_in_the_expected_words_and_leaves_nothing_behind) {
+  const Scratch scratch;
+  EXPECT_FALSE(expectations(GetParam()).empty());
+  expect_refused(plastron({"check", GetParam().string()}, scratch.path, patience));
+  expect_refused(plastron({"run", GetParam().string(), "--output", "X"}, scratch.path, patience));
+  EXPECT_TRUE(fs::is_empty(scratch.path));
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, WrongCase, testing::ValuesIn(wrong_cases()), [](const auto& test) {
+  std::string name = test.param.parent_path().parent_path().filename().string() + "_" + test.param.stem().string();
+  std::ranges::replace_if(name, [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
+});
+
+TEST(WrongCases, are_at_least_forty) { EXPECT_GE(wrong_cases().size(), 40u); }
+
+}  // namespace
+}  // namespace plastron::cli

@@ -1,0 +1,165 @@
+// The coarsest meshes of the domains a case can name.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fem/mesh_measure.hpp"
+
+namespace plastron::fem {
+namespace {
+
+using std::numbers::pi;
+using testing::ElementsAre;
+
+/// Straight length of the edges of each boundary.
+std::map<std::string, double> chords(const CoarseMesh& mesh) {
+  std::map<std::string, double> lengths;
+  for (const BoundaryEdge& e : mesh.edges)
+    lengths[mesh.boundaries[static_cast<std::size_t>(e.boundary)]] +=
+        (mesh.vertices[static_cast<std::size_t>(e.vertices[0])] - mesh.vertices[static_cast<std::size_t>(e.vertices[1])]).norm();
+  return lengths;
+}
+
+TEST(Rectangle, is_cut_into_the_cells_asked_for) {
+  const CoarseMesh mesh = coarse_mesh(Rectangle{.from = {-1, 2}, .to = {2, 4}, .cells = {3, 5}});
+  expect_cells_fit(mesh);
+  EXPECT_EQ(mesh.cells.size(), 15u);
+  EXPECT_EQ(mesh.vertices.size(), 24u);
+  EXPECT_NEAR(area(mesh), 6, 1e-14);
+  EXPECT_THAT(mesh.boundaries, ElementsAre("left", "right", "bottom", "top"));
+  auto lengths = chords(mesh);
+  EXPECT_NEAR(lengths["left"], 2, 1e-14);
+  EXPECT_NEAR(lengths["right"], 2, 1e-14);
+  EXPECT_NEAR(lengths["bottom"], 3, 1e-14);
+  EXPECT_NEAR(lengths["top"], 3, 1e-14);
+}
+
+TEST(Rectangle, has_its_boundaries_where_their_names_say) {
+  const CoarseMesh mesh = coarse_mesh(Rectangle{.from = {-1, 2}, .to = {2, 4}, .cells = {3, 5}});
+  const int axis[4] = {0, 0, 1, 1};
+  const double at[4] = {-1, 2, 2, 4};
+  for (const BoundaryEdge& e : mesh.edges)
+    for (const int v : e.vertices) EXPECT_EQ(mesh.vertices[static_cast<std::size_t>(v)][axis[e.boundary]], at[e.boundary]);
+}
+
+TEST(Rectangle, without_cells_gets_square_ones_but_not_too_many) {
+  EXPECT_EQ(coarse_mesh(Rectangle{}).cells.size(), 1u);
+  EXPECT_EQ(coarse_mesh(Rectangle{.to = {3, 1}}).cells.size(), 3u);
+  EXPECT_EQ(coarse_mesh(Rectangle{.to = {1, 4.2}}).cells.size(), 4u);
+  EXPECT_EQ(coarse_mesh(Rectangle{.to = {100, 1}}).cells.size(), 8u);
+}
+
+TEST(Rectangle, of_regions_has_a_line_of_the_mesh_at_every_break) {
+  const Rectangle rectangle{.to = {3, 1}, .cells = {6, 1}, .breaks = {0.7, 1.9}, .regions = {"a", "b", "c"}};
+  const CoarseMesh mesh = coarse_mesh(rectangle);
+  expect_cells_fit(mesh);
+  EXPECT_THAT(mesh.regions, ElementsAre("a", "b", "c"));
+  EXPECT_NEAR(area(mesh), 3, 1e-14);
+  const double ends[4] = {0, 0.7, 1.9, 3};
+  for (const CoarseCell& cell : mesh.cells) {
+    EXPECT_GE(cell.map({0, 0}).value[0], ends[cell.region]);
+    EXPECT_LE(cell.map({1, 0}).value[0], ends[cell.region + 1]);
+  }
+}
+
+TEST(Disk, has_its_exact_area_and_its_rim_is_round) {
+  const Disk disk{.centre = {1, -2}, .radius = 0.7};
+  const CoarseMesh mesh = coarse_mesh(disk);
+  expect_cells_fit(mesh);
+  EXPECT_NEAR(area(mesh), pi * 0.49, 1e-13);
+  EXPECT_THAT(mesh.boundaries, ElementsAre("rim"));
+  EXPECT_EQ(mesh.edges.size(), 4u);
+  for (std::size_t c = 1; c < mesh.cells.size(); ++c)
+    for (const double t : {0.0, 0.1, 0.5, 0.8, 1.0})
+      EXPECT_NEAR((mesh.cells[c].map({1, t}).value - disk.centre).norm(), disk.radius, 1e-15);
+}
+
+TEST(Annulus, has_its_exact_area_and_both_its_boundaries_are_round) {
+  for (const double inner : {0.05, 0.5, 0.97}) {
+    const Annulus annulus{.centre = {1, -2}, .inner = inner, .outer = 1};
+    const CoarseMesh mesh = coarse_mesh(annulus);
+    expect_cells_fit(mesh);
+    EXPECT_NEAR(area(mesh), pi * (1 - inner * inner), 1e-13);
+    EXPECT_THAT(mesh.boundaries, ElementsAre("inner", "outer"));
+    EXPECT_EQ(mesh.edges.size(), 2 * mesh.cells.size());
+    for (const CoarseCell& cell : mesh.cells)
+      for (const double t : {0.0, 0.3, 1.0}) {
+        EXPECT_NEAR((cell.map({0, t}).value - annulus.centre).norm(), inner, 1e-15);
+        EXPECT_NEAR((cell.map({1, t}).value - annulus.centre).norm(), 1, 1e-15);
+      }
+    for (const BoundaryEdge& e : mesh.edges)
+      for (const int v : e.vertices)
+        EXPECT_NEAR((mesh.vertices[static_cast<std::size_t>(v)] - annulus.centre).norm(), e.boundary == 0 ? inner : 1, 1e-15);
+  }
+}
+
+struct NamedPolygon {
+  std::string name;
+  std::vector<Vector2d> corners;
+  double area;
+};
+
+std::vector<NamedPolygon> polygons() {
+  return {{"convex quadrilateral", {{0, 0}, {2, 0.2}, {1.5, 1.4}, {-0.3, 1}}, 2.21},
+          {"triangle", {{0, 0}, {2, 0}, {0.5, 1.5}}, 1.5},
+          {"L", {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 3},
+          {"arrow", {{0, 0}, {2, -1}, {1, 0}, {2, 1}}, 1},
+          {"quadrilateral with a straight corner", {{0, 0}, {1, 0}, {2, 0}, {1, 1}}, 1},
+          {"hexagon", {{1, 0}, {0.5, 0.866}, {-0.5, 0.866}, {-1, 0}, {-0.5, -0.866}, {0.5, -0.866}}, 2.598}};
+}
+
+void expect_polygon(const std::vector<Vector2d>& corners, double expected_area) {
+  const CoarseMesh mesh = coarse_mesh(Polygon{corners});
+  expect_cells_fit(mesh);
+  EXPECT_NEAR(area(mesh), expected_area, 1e-13);
+  EXPECT_THAT(mesh.regions, ElementsAre(""));
+  ASSERT_EQ(mesh.boundaries.size(), corners.size());
+  auto lengths = chords(mesh);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::string name = "edge" + std::to_string(i + 1);
+    const Vector2d a = corners[i], b = corners[(i + 1) % corners.size()];
+    EXPECT_EQ(mesh.boundaries[i], name);
+    EXPECT_NEAR(lengths[name], (b - a).norm(), 1e-12) << name;
+    for (const BoundaryEdge& e : mesh.edges)
+      if (e.boundary == static_cast<int>(i))
+        for (const int v : e.vertices) {
+          const Vector2d d = mesh.vertices[static_cast<std::size_t>(v)] - a;
+          EXPECT_NEAR(d[0] * (b - a)[1] - d[1] * (b - a)[0], 0, 1e-12) << name;
+        }
+  }
+}
+
+TEST(Polygon, has_its_area_and_its_edges_in_the_order_of_its_corners) {
+  for (const auto& [name, corners, area] : polygons()) {
+    SCOPED_TRACE(name);
+    expect_polygon(corners, area);
+  }
+}
+
+TEST(Polygon, may_be_drawn_clockwise) {
+  for (const auto& [name, corners, area] : polygons()) {
+    SCOPED_TRACE(name);
+    expect_polygon({corners.rbegin(), corners.rend()}, area);
+  }
+}
+
+TEST(Polygon, that_is_a_convex_quadrilateral_is_one_cell) {
+  EXPECT_EQ(coarse_mesh(Polygon{polygons()[0].corners}).cells.size(), 1u);
+  EXPECT_GT(coarse_mesh(Polygon{polygons()[3].corners}).cells.size(), 1u);
+}
+
+TEST(Polygon, that_is_small_is_meshed_like_a_large_one) {
+  const auto scaled = [](double factor) {
+    std::vector<Vector2d> corners = polygons()[2].corners;
+    for (Vector2d& c : corners) c *= factor;
+    return coarse_mesh(Polygon{corners});
+  };
+  const std::size_t cells = scaled(1).cells.size();
+  EXPECT_EQ(scaled(1e-3).cells.size(), cells);
+  EXPECT_EQ(scaled(1e3).cells.size(), cells);
+}
+
+}  // namespace
+}  // namespace plastron::fem

@@ -1,0 +1,148 @@
+// Meshes from Gmsh files: what is read, and what is refused in which words.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "fem/mesh_measure.hpp"
+
+namespace plastron::fem {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+CoarseMesh read(const std::string& name) { return coarse_mesh(MeshFile{std::string(PLASTRON_MESH_DIR "/") + name}); }
+
+const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+const std::string names = "$PhysicalNames\n2\n1 1 \"edge\"\n2 2 \"plate\"\n$EndPhysicalNames\n";
+const std::string square = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n";
+const std::string edges = "1 1 2 1 1 1 2\n2 1 2 1 2 2 3\n3 1 2 1 3 3 4\n4 1 2 1 4 4 1\n";
+const std::string cell = "$Elements\n5\n" + edges + "5 3 2 2 1 1 2 3 4\n$EndElements\n";
+
+CoarseMesh read_text(const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() / ("plastron-" + std::to_string(getpid()) + ".msh");
+  std::ofstream(path) << text;
+  struct Removed {
+    std::filesystem::path path;
+    ~Removed() { std::filesystem::remove(path); }
+  } const removed{path};
+  return coarse_mesh(MeshFile{path.string()});
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    read_text(text);
+  } catch (const DomainError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "accepted";
+  return "";
+}
+
+TEST(MeshFile, of_either_version_gives_the_same_mesh) {
+  const CoarseMesh old_mesh = read("quarter-annulus-2.2.msh"), new_mesh = read("quarter-annulus-4.1.msh");
+  for (const CoarseMesh& mesh : {old_mesh, new_mesh}) {
+    expect_cells_fit(mesh);
+    EXPECT_EQ(mesh.cells.size(), 4u);
+    EXPECT_EQ(mesh.vertices.size(), 9u);
+    EXPECT_EQ(mesh.edges.size(), 8u);
+    EXPECT_THAT(mesh.boundaries, UnorderedElementsAre("flat sides", "outer", "inner"));
+    EXPECT_THAT(mesh.regions, ElementsAre("sector"));
+  }
+  EXPECT_NEAR(area(old_mesh), area(new_mesh), 1e-14);
+}
+
+TEST(MeshFile, of_second_order_has_curved_cells) {
+  const CoarseMesh mesh = read("quarter-annulus-2.2.msh");
+  EXPECT_NEAR(area(mesh), 0.75 * std::numbers::pi, 3e-3);  // straight sides would miss 0.23 of it
+  EXPECT_GT(std::abs(area(mesh) - 0.75 * std::numbers::pi), 1e-7);
+  double outermost = 0;
+  for (const CoarseCell& c : mesh.cells)
+    for (const double t : {0.0, 0.5, 1.0})
+      for (int side = 0; side < 4; ++side) outermost = std::max(outermost, c.map(side_point(side, t)).value.norm());
+  EXPECT_NEAR(outermost, 2, 1e-8);
+}
+
+TEST(MeshFile, names_regions_by_physical_surfaces_and_boundaries_by_physical_curves) {
+  const CoarseMesh mesh = read("two-regions-4.1.msh");
+  expect_cells_fit(mesh);
+  EXPECT_THAT(mesh.regions, UnorderedElementsAre("plate", "wing"));
+  EXPECT_THAT(mesh.boundaries, UnorderedElementsAre("clamped", "junction", "free"));
+  for (const CoarseCell& c : mesh.cells)
+    EXPECT_EQ(mesh.regions[static_cast<std::size_t>(c.region)], c.map({0.5, 0.5}).value[0] < 1 ? "plate" : "wing");
+  EXPECT_NEAR(area(mesh), 3, 1e-13);
+}
+
+TEST(MeshFile, may_hold_cells_drawn_clockwise) {
+  const CoarseMesh mesh = read("clockwise-2.2.msh");
+  expect_cells_fit(mesh);  // every cell positive
+  EXPECT_NEAR(area(mesh), 2.75, 1e-14);
+}
+
+TEST(MeshFile, of_one_square_is_read) {
+  const CoarseMesh mesh = read_text(header + names + square + cell);
+  expect_cells_fit(mesh);
+  EXPECT_EQ(mesh.cells.size(), 1u);
+  EXPECT_THAT(mesh.boundaries, ElementsAre("edge"));
+}
+
+TEST(MeshFile, without_physical_surfaces_has_one_unnamed_region) {
+  const CoarseMesh mesh = read_text(header + "$PhysicalNames\n1\n1 1 \"edge\"\n$EndPhysicalNames\n" + square + "$Elements\n5\n" + edges +
+                                    "5 3 2 0 1 1 2 3 4\n$EndElements\n");
+  EXPECT_THAT(mesh.regions, ElementsAre(""));
+  EXPECT_EQ(mesh.cells.size(), 1u);
+}
+
+TEST(WrongMeshFile, that_is_not_there_is_named) {
+  try {
+    coarse_mesh(MeshFile{"/no/such/plate.msh"});
+    FAIL();
+  } catch (const DomainError& error) {
+    EXPECT_STREQ(error.what(), "/no/such/plate.msh: there is no such mesh file");
+  }
+  EXPECT_THROW(coarse_mesh(MeshFile{std::filesystem::temp_directory_path().string()}), DomainError);
+}
+
+TEST(WrongMeshFile, that_is_no_mesh_is_refused) {
+  refusal("");
+  refusal("hello\n");
+  refusal(header + square + "$Elements\n1\n1 3 2 2 1 1 2 3");
+  refusal(header + names + square + "$Elements\n1\n5 3 2 2 1 1 2 3 9\n$EndElements\n");
+}
+
+TEST(WrongMeshFile, of_triangles_is_told_to_recombine) {
+  const std::string message = refusal(header + names + square + "$Elements\n2\n1 2 2 2 1 1 2 3\n2 2 2 2 1 1 3 4\n$EndElements\n");
+  EXPECT_THAT(message, HasSubstr("Triangle"));
+  EXPECT_THAT(message, HasSubstr("Recombine"));
+}
+
+TEST(WrongMeshFile, of_incomplete_quadrilaterals_is_told_to_complete_them) {
+  const std::string eight_nodes = "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 .5 0 0\n6 1 .5 0\n7 .5 1 0\n8 0 .5 0\n$EndNodes\n";
+  EXPECT_THAT(refusal(header + names + eight_nodes + "$Elements\n1\n1 16 2 2 1 1 2 3 4 5 6 7 8\n$EndElements\n"),
+              HasSubstr("SecondOrderIncomplete"));
+}
+
+TEST(WrongMeshFile, that_leaves_the_parameter_plane_names_the_node) {
+  std::string raised = square;
+  raised.replace(raised.find("3 1 1 0"), 7, "3 1 1 .1");
+  const std::string message = refusal(header + names + raised + cell);
+  EXPECT_THAT(message, HasSubstr("node 3"));
+  EXPECT_THAT(message, HasSubstr("z = 0.1"));
+}
+
+TEST(WrongMeshFile, with_unnamed_groups_is_told_to_name_them) {
+  EXPECT_THAT(refusal(header + square + cell), HasSubstr("physical surface 2 has no name"));
+  EXPECT_THAT(refusal(header + "$PhysicalNames\n1\n2 2 \"plate\"\n$EndPhysicalNames\n" + square + cell), HasSubstr("physical curve 1 has no name"));
+}
+
+TEST(WrongMeshFile, without_cells_is_refused) {
+  EXPECT_THAT(refusal(header + names + square + "$Elements\n4\n" + edges + "$EndElements\n"), HasSubstr("no quadrilaterals"));
+}
+
+}  // namespace
+}  // namespace plastron::fem

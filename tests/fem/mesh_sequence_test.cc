@@ -1,0 +1,257 @@
+// The nested meshes, on 1, 2 and 3 ranks: what is counted and measured must not depend on how they are spread.
+#include <gtest/gtest.h>
+#include <plastron/fem/basis.hpp>
+#include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/fem/surface.hpp>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "fem/mesh_measure.hpp"
+
+namespace plastron::fem {
+namespace {
+
+using std::numbers::pi;
+
+struct Sample {
+  std::string name;
+  Domain domain;
+  double area;
+  std::map<std::string, double> lengths;
+};
+
+std::vector<Sample> samples() {
+  return {{"one cell", Rectangle{}, 1, {{"left", 1}, {"right", 1}, {"bottom", 1}, {"top", 1}}},
+          {"rectangle", Rectangle{.from = {-1, 0}, .to = {2, 1}, .cells = {3, 2}}, 3, {{"left", 1}, {"right", 1}, {"bottom", 3}, {"top", 3}}},
+          {"disk", Disk{.centre = {1, 2}, .radius = 0.5}, pi / 4, {{"rim", pi}}},
+          {"annulus", Annulus{.inner = 0.5, .outer = 1}, 0.75 * pi, {{"inner", pi}, {"outer", 2 * pi}}},
+          {"quadrilateral", Polygon{{{0, 0}, {0, 1}, {2, 2}, {1, 0}}}, 2,
+           {{"edge1", 1}, {"edge2", std::sqrt(5.0)}, {"edge3", std::sqrt(5.0)}, {"edge4", 1}}},
+          {"L", Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, 3,
+           {{"edge1", 2}, {"edge2", 1}, {"edge3", 1}, {"edge4", 1}, {"edge5", 1}, {"edge6", 2}}},
+          {"clockwise cells", MeshFile{PLASTRON_MESH_DIR "/clockwise-2.2.msh"}, 2.75,
+           {{"edge", 3.5 + std::sqrt(1.25) + std::sqrt(0.8125) + std::sqrt(1.8125)}}},
+          {"two regions", MeshFile{PLASTRON_MESH_DIR "/two-regions-4.1.msh"}, 3, {{"clamped", 1}, {"free", 1}, {"", 6}}}};
+}
+
+template <class Check>
+void for_every_sample(const Check& check) {
+  for (const Sample& s : samples()) {
+    SCOPED_TRACE(s.name);
+    check(s);
+  }
+}
+
+double over_ranks(double value) { return algebra::sum_over_ranks(value, MPI_COMM_WORLD); }
+std::int64_t over_ranks(std::int64_t value) { return algebra::sum_over_ranks(value, MPI_COMM_WORLD); }
+
+struct Counts {
+  std::int64_t vertices, edges, cells;
+  Counts refined() const { return {vertices + edges + cells, 2 * edges + 4 * cells, 4 * cells}; }
+  std::int64_t nodes(int k) const { return vertices + (k - 1) * edges + (k - 1) * (k - 1) * cells; }
+};
+
+Counts counts_of(const CoarseMesh& mesh) {
+  std::set<std::pair<int, int>> edges;
+  constexpr int ends[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
+  for (const CoarseCell& cell : mesh.cells)
+    for (const auto& e : ends) edges.insert(std::minmax(cell.vertices[e[0]], cell.vertices[e[1]]));
+  std::set<int> used;
+  for (const CoarseCell& cell : mesh.cells) used.insert(cell.vertices.begin(), cell.vertices.end());
+  return {static_cast<std::int64_t>(used.size()), static_cast<std::int64_t>(edges.size()), static_cast<std::int64_t>(mesh.cells.size())};
+}
+
+std::vector<Vector2d> nodes_of_cell(int degree) {
+  std::vector<Vector2d> xi;
+  const auto line = gauss_lobatto(degree + 1).points;
+  for (const double t : line)
+    for (const double s : line) xi.emplace_back(s, t);
+  return xi;
+}
+
+/// Positions of all local nodes, given by owners to ghosts; expects that all cells of this rank agree on them.
+algebra::Vector node_positions(const Space& space) {
+  algebra::Vector positions(space.layout, 2);
+  std::vector<char> known(static_cast<std::size_t>(space.layout->local_size()));
+  const auto xi = nodes_of_cell(space.degree);
+  for (const bool checking : {false, true}) {
+    for (std::size_t c = 0; c < space.cells.size(); ++c)
+      for (std::size_t i = 0; i < xi.size(); ++i) {
+        const auto node = static_cast<std::size_t>(space.nodes(c)[i]);
+        const Vector2d p = position(space, space.cells[c], xi[i]);
+        if (!checking) Eigen::Map<Vector2d>(positions.local().data() + 2 * node) = p;
+        else EXPECT_LT((Eigen::Map<const Vector2d>(positions.local().data() + 2 * node) - p).norm(), 1e-13);
+        known[node] = 1;
+      }
+    positions.update_ghosts();
+  }
+  for (const char k : known) EXPECT_TRUE(k);
+  return positions;
+}
+
+TEST(MeshSequence, has_as_many_cells_and_nodes_as_euler_counts) {
+  for_every_sample([](const Sample& s) {
+    const CoarseMesh coarse = coarse_mesh(s.domain);
+    for (const int k : {1, 2, 5}) {
+      MeshSequence meshes(coarse, k, MPI_COMM_WORLD);
+      Counts counts = counts_of(coarse);
+      for (int level = 0; level < 3; ++level) {
+        const Space& space = *meshes.space();
+        EXPECT_EQ(space.global_cells, counts.cells);
+        EXPECT_EQ(over_ranks(static_cast<std::int64_t>(space.owned_cells)), counts.cells);
+        EXPECT_EQ(space.layout->global_size, counts.nodes(k));
+        EXPECT_EQ(over_ranks(static_cast<std::int64_t>(space.layout->owned)), counts.nodes(k));
+        counts = counts.refined();
+        meshes.refine({});
+      }
+    }
+  });
+}
+
+TEST(MeshSequence, covers_the_domain_on_every_level) {
+  for_every_sample([](const Sample& s) {
+    MeshSequence meshes(coarse_mesh(s.domain), 1, MPI_COMM_WORLD);
+    for (int level = 0; level < 3; ++level) {
+      EXPECT_NEAR(over_ranks(owned_area(*meshes.space())), s.area, 1e-12);
+      meshes.refine({});
+    }
+  });
+}
+
+TEST(MeshSequence, names_boundary_faces_after_their_boundary) {
+  for_every_sample([](const Sample& s) {
+    MeshSequence meshes(coarse_mesh(s.domain), 2, MPI_COMM_WORLD);
+    for (int level = 0; level < 3; ++level) {
+      auto lengths = owned_boundary_lengths(*meshes.space());
+      for (const auto& [name, length] : s.lengths) EXPECT_NEAR(over_ranks(lengths[name]), length, 1e-11) << name;
+      for (const auto& [name, length] : lengths) EXPECT_TRUE(s.lengths.contains(name) || length == 0) << name;
+      meshes.refine({});
+    }
+  });
+}
+
+TEST(MeshSequence, gives_every_node_one_position_in_all_its_cells) {
+  for_every_sample([](const Sample& s) {
+    for (int k = 1; k <= 5; ++k) {
+      MeshSequence meshes(coarse_mesh(s.domain), k, MPI_COMM_WORLD);
+      for (int level = 0; level < 3; ++level) {
+        node_positions(*meshes.space());
+        meshes.refine({});
+      }
+    }
+  });
+}
+
+TEST(MeshSequence, gives_different_nodes_different_positions) {
+  for_every_sample([](const Sample& s) {
+    MeshSequence meshes(coarse_mesh(s.domain), 3, MPI_COMM_WORLD);
+    meshes.refine({});
+    const algebra::Vector positions = node_positions(*meshes.space());
+    std::set<std::pair<std::int64_t, std::int64_t>> seen;
+    for (std::size_t i = 0; i < positions.local().size(); i += 2)
+      seen.emplace(std::llround(positions.local()[i] * 1e7), std::llround(positions.local()[i + 1] * 1e7));
+    EXPECT_EQ(2 * seen.size(), positions.local().size());
+  });
+}
+
+TEST(MeshSequence, lists_owned_cells_first_and_orients_all_cells_alike) {
+  for_every_sample([](const Sample& s) {
+    MeshSequence meshes(coarse_mesh(s.domain), 2, MPI_COMM_WORLD);
+    meshes.refine({});
+    const Space& space = *meshes.space();
+    ASSERT_LE(space.owned_cells, space.cells.size());
+    ASSERT_EQ(space.connectivity.elements(), space.cells.size());
+    for (const Cell& cell : space.cells) {
+      EXPECT_EQ(cell.size, 0.5);
+      const PlaneJet f = space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * Vector2d(0.5, 0.5));
+      EXPECT_NE(f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0], 0);
+      EXPECT_GT(f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0], 0);  // every a_3 on the same side
+    }
+  });
+}
+
+/// A polynomial of degree k in x and in y.
+double polynomial(int k, double x, double y) { return std::pow(x - 0.3, k) * (1 + std::pow(y + 0.2, k)) - 2 * x * y + 1; }
+
+TEST(Refinement, carries_polynomials_of_the_elements_degree_exactly) {
+  for (int k = 1; k <= 5; ++k) {
+    MeshSequence meshes(coarse_mesh(Rectangle{.to = {1.5, 1}, .cells = {3, 2}}), k, MPI_COMM_WORLD);
+    std::vector<algebra::Vector> fields;
+    fields.emplace_back(meshes.space()->layout, 1);
+    fields.emplace_back(meshes.space()->layout, 3);
+    for (int level = 0; level < 3; ++level) {
+      const algebra::Vector x = node_positions(*meshes.space());
+      for (std::size_t i = 0; i < x.local().size() / 2; ++i) {
+        const double exact = polynomial(k, x.local()[2 * i], x.local()[2 * i + 1]);
+        for (int field = 0; field < 2; ++field)
+          for (std::size_t c = 0; c < (field == 0 ? 1u : 3u); ++c) {
+            double& value = fields[static_cast<std::size_t>(field)].local()[(field == 0 ? 1u : 3u) * i + c];
+            const double expected = exact * (1.0 + static_cast<double>(c)) + field;
+            if (level == 0) value = expected;
+            EXPECT_NEAR(value, expected, 1e-12);
+          }
+      }
+      meshes.refine(fields);
+      EXPECT_EQ(fields[0].layout(), meshes.space()->layout);
+      EXPECT_EQ(fields[1].block(), 3);
+    }
+  }
+}
+
+TEST(Refinement, leaves_spaces_that_are_still_held_alone) {
+  MeshSequence meshes(coarse_mesh(Disk{}), 2, MPI_COMM_WORLD);
+  const auto before = meshes.space();
+  const auto cells = before->cells.size();
+  meshes.refine({});
+  EXPECT_EQ(before->cells.size(), cells);
+  EXPECT_NE(before, meshes.space());
+}
+
+TEST(Point, is_found_in_the_cell_that_holds_it) {
+  for_every_sample([](const Sample& s) {
+    MeshSequence meshes(coarse_mesh(s.domain), 2, MPI_COMM_WORLD);
+    meshes.refine({});
+    meshes.refine({});
+    const Space& space = *meshes.space();
+    const CoarseMesh& coarse = *space.coarse;
+    for (const CoarseCell& cell : coarse.cells)
+      for (const Vector2d& xi : {Vector2d(0.3, 0.6), Vector2d(0.5, 0.5), Vector2d(0, 0), Vector2d(1, 0.25), Vector2d(0.9, 1)}) {
+        const Vector2d point = cell.map(xi).value;
+        const auto location = locate(coarse, point);
+        ASSERT_TRUE(location) << point.transpose();
+        EXPECT_LT((coarse.cells[static_cast<std::size_t>(location->coarse)].map(location->xi).value - point).norm(), 1e-8);
+        std::int64_t holders = 0;
+        for (std::size_t c = 0; c < space.owned_cells; ++c)
+          if (const auto local = local_coordinates(space.cells[c], *location)) {
+            ++holders;
+            EXPECT_LT((position(space, space.cells[c], *local) - point).norm(), 1e-8);
+          }
+        EXPECT_GE(over_ranks(holders), 1);
+      }
+  });
+}
+
+TEST(Point, outside_of_the_domain_is_nowhere) {
+  EXPECT_FALSE(locate(coarse_mesh(Rectangle{}), {1.001, 0.5}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {0.8, 0.8}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {0, 1.00001}));
+  EXPECT_FALSE(locate(coarse_mesh(Annulus{}), {0, 0}));
+  EXPECT_FALSE(locate(coarse_mesh(Annulus{}), {0.49, 0}));
+  EXPECT_FALSE(locate(coarse_mesh(Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}), {1.5, 1.5}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {1e6, -1e6}));
+}
+
+TEST(Point, on_the_boundary_is_inside) {
+  for (int k = 0; k < 16; ++k) {
+    const Vector2d direction(std::cos(k * pi / 8 + 0.1), std::sin(k * pi / 8 + 0.1));
+    EXPECT_TRUE(locate(coarse_mesh(Disk{}), direction));
+    EXPECT_TRUE(locate(coarse_mesh(Annulus{}), direction));
+    EXPECT_TRUE(locate(coarse_mesh(Annulus{}), direction / 2));
+  }
+}
+
+}  // namespace
+}  // namespace plastron::fem

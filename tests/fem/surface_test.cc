@@ -1,0 +1,105 @@
+// The mid-surface over a mesh: charts seen from the cells.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <plastron/fem/basis.hpp>
+#include <plastron/fem/surface.hpp>
+
+#include "fem/mesh_measure.hpp"
+#include "geometry/finite_differences.hpp"
+#include "geometry/surfaces.hpp"
+
+namespace plastron::fem {
+namespace {
+
+using geometry::Chart;
+using testing::HasSubstr;
+
+std::shared_ptr<const CoarseMesh> shared(const Domain& domain) { return std::make_shared<const CoarseMesh>(coarse_mesh(domain)); }
+
+/// Some cells of a mesh: whole coarse cells and a dyadic part of each.
+std::vector<Cell> some_cells(const CoarseMesh& mesh) {
+  std::vector<Cell> cells;
+  for (int c = 0; c < static_cast<int>(mesh.cells.size()); ++c) {
+    cells.push_back({.coarse = c});
+    cells.push_back({.coarse = c, .corner = {0.5, 0.25}, .size = 0.25});
+  }
+  return cells;
+}
+
+const std::vector<Vector2d> xi{{0.2, 0.3}, {0.5, 0.5}, {0.9, 0.7}};
+
+TEST(Surface, has_jets_in_the_cells_own_coordinates) {
+  const auto mesh = shared(Disk{.radius = 0.5});
+  const Surface surface(mesh, {{"", geometry::surfaces().back().chart}});
+  for (const Cell& cell : some_cells(*mesh)) {
+    std::vector<geometry::SurfaceJet> jets(xi.size()), one(1);
+    surface.jets(cell, xi, jets);
+    for (std::size_t p = 0; p < xi.size(); ++p) {
+      const auto value = [&](double s, double t) -> geometry::Vector3d {
+        const Vector2d at(s, t);
+        surface.jets(cell, {&at, 1}, one);
+        return one[0].value;
+      };
+      EXPECT_LT(geometry::distance(jets[p], geometry::jet_by_differences<geometry::Vector3d>(value, xi[p])), 1e-8);
+    }
+  }
+}
+
+TEST(Surface, has_jets_in_the_parameters_that_are_the_charts_own) {
+  const auto mesh = shared(Annulus{.inner = 0.2, .outer = 0.6});
+  const Chart chart = geometry::surfaces().back().chart;
+  const Surface surface(mesh, {{"", chart}});
+  for (const Cell& cell : some_cells(*mesh)) {
+    std::vector<geometry::SurfaceJet> jets(xi.size());
+    std::vector<double> x(xi.size()), y(xi.size());
+    surface.parameter_jets(cell, xi, jets);
+    surface.positions(cell, xi, x, y);
+    for (std::size_t p = 0; p < xi.size(); ++p) EXPECT_EQ(geometry::distance(jets[p], chart(x[p], y[p])), 0);
+  }
+}
+
+TEST(Surface, uses_the_chart_of_each_region) {
+  const auto mesh = shared(Rectangle{.to = {2, 1}, .cells = {2, 1}, .breaks = {1}, .regions = {"low", "high"}});
+  const Surface surface(mesh, {{"low", Chart({"x", "y", "0"}, {})}, {"high", Chart({"x", "y", "1"}, {})}});
+  for (const Cell& cell : some_cells(*mesh)) {
+    std::vector<geometry::SurfaceJet> jets(xi.size());
+    surface.jets(cell, xi, jets);
+    for (const auto& jet : jets) EXPECT_EQ(jet.value[2], jet.value[0] < 1 ? 0 : 1);
+  }
+}
+
+std::string refusal(const std::map<std::string, Chart>& charts) {
+  try {
+    const Surface surface(shared(Rectangle{.to = {2, 1}, .breaks = {1}, .regions = {"low", "high"}}), charts);
+  } catch (const DomainError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Surface, takes_one_unnamed_chart_for_all_regions) { EXPECT_EQ(refusal({{"", geometry::surfaces()[0].chart}}), ""); }
+
+TEST(Surface, wants_a_chart_for_every_region_and_a_region_for_every_chart) {
+  const Chart flat = geometry::surfaces()[0].chart;
+  EXPECT_THAT(refusal({{"low", flat}}), HasSubstr("the region \"high\" has no chart"));
+  const std::string unknown = refusal({{"low", flat}, {"high", flat}, {"middle", flat}});
+  EXPECT_THAT(unknown, HasSubstr("\"middle\""));
+  EXPECT_THAT(unknown, HasSubstr("low, high"));
+}
+
+TEST(Sides, list_the_nodes_that_lie_on_them_in_their_direction) {
+  for (const int k : {1, 2, 5}) {
+    const auto line = gauss_lobatto(k + 1).points;
+    for (int side = 0; side < 4; ++side) {
+      const auto nodes = side_nodes(k, side);
+      for (int i = 0; i <= k; ++i) {
+        const int node = nodes[static_cast<std::size_t>(i)];
+        const Vector2d at(line[static_cast<std::size_t>(node % (k + 1))], line[static_cast<std::size_t>(node / (k + 1))]);
+        EXPECT_EQ(at, side_point(side, line[static_cast<std::size_t>(i)]));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plastron::fem

@@ -1,0 +1,82 @@
+// On any number of ranks the same: the world's result against that of each rank alone.
+#include <gtest/gtest.h>
+#include <plastron/study/examine.hpp>
+#include <plastron/study/solve.hpp>
+
+#include "study/problems.hpp"
+
+namespace plastron::study {
+namespace {
+
+void expect_near(double a, double b) { EXPECT_NEAR(a, b, 1e-9 * std::abs(b)); }
+void expect_near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double scale) { EXPECT_LT((a - b).norm(), 1e-9 * scale); }
+
+void expect_same_alone_and_together(Problem p) {
+  p.discretisation.refinements = 2;
+  const Result alone = solve(p, MPI_COMM_SELF), together = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(alone.ranks, 1);
+  ASSERT_EQ(alone.status, contact::Status::solved);
+  ASSERT_EQ(together.status, contact::Status::solved);
+  const auto &a = alone.summary, &b = together.summary;
+  expect_near(b.energy.membrane, a.energy.membrane);
+  expect_near(b.energy.bending, a.energy.bending);
+  expect_near(b.energy.shear, a.energy.shear);
+  expect_near(b.load_work, a.load_work);
+  expect_near(b.reaction.force, a.reaction.force, a.loads.force.norm());
+  expect_near(b.support_reaction.force, a.support_reaction.force, a.loads.force.norm());
+  expect_near(b.contact_area, a.contact_area);
+  expect_near(b.max_pressure, a.max_pressure);
+  EXPECT_EQ(b.touching_nodes, a.touching_nodes);
+  ASSERT_EQ(alone.levels.size(), together.levels.size());
+  for (std::size_t l = 0; l < alone.levels.size(); ++l) {
+    EXPECT_EQ(together.levels[l].nodes, alone.levels[l].nodes);
+    EXPECT_EQ(together.levels[l].cells, alone.levels[l].cells);
+    EXPECT_EQ(together.levels[l].active, alone.levels[l].active);
+    EXPECT_EQ(together.levels[l].iterations, alone.levels[l].iterations);
+    expect_near(together.levels[l].energy, alone.levels[l].energy);
+  }
+  for (std::size_t i = 0; i < alone.probes.size(); ++i) {
+    expect_near(together.probes[i].values.u, alone.probes[i].values.u, 1e-2);
+    expect_near(together.probes[i].values.r, alone.probes[i].values.r, 1e-1);
+    EXPECT_NEAR(together.probes[i].values.pressure, alone.probes[i].values.pressure, 1e-8 * a.max_pressure);
+  }
+}
+
+TEST(Ranks, do_not_change_a_pressed_strip) {
+  Problem p = pressed_strip();
+  p.probes = {{.name = "middle", .at = {0.5, 0.06}}, {.name = "quarter", .at = {0.26, 0.03}}};
+  expect_same_alone_and_together(p);
+}
+
+TEST(Ranks, do_not_change_a_pressed_bowl) {
+  Problem p = pressed_bowl();
+  p.probes = {{.name = "middle", .at = {0, 0}}, {.name = "flank", .at = {0.2, 0.1}}};
+  expect_same_alone_and_together(p);
+}
+
+TEST(Ranks, find_the_same_when_they_examine) {
+  for (const Problem& p : {pressed_strip(), free_plate()}) {
+    std::int64_t found = static_cast<std::int64_t>(examine(p).size());
+    const std::int64_t here = found;
+    MPI_Bcast(&found, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+    EXPECT_EQ(found, here);
+  }
+}
+
+TEST(Ranks, all_say_that_a_problem_has_no_solution) {
+  Problem p = free_plate();
+  p.area_loads = {force(0, 0, -1)};
+  EXPECT_EQ(solve(p, MPI_COMM_WORLD).status, contact::Status::singular);
+  p = pressed_strip();
+  p.obstacle->half_space.point[2] = 0.02;
+  EXPECT_EQ(solve(p, MPI_COMM_WORLD).status, contact::Status::infeasible);
+}
+
+TEST(Ranks, all_throw_for_a_probe_outside) {
+  Problem p = cantilever_plate();
+  p.probes = {{.name = "out", .at = {2, 0}}};
+  EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
+}
+
+}  // namespace
+}  // namespace plastron::study

@@ -1,0 +1,105 @@
+#include "verification/error_norm.hpp"
+
+#include <plastron/fem/basis.hpp>
+
+#include <cmath>
+#include <numeric>
+
+namespace plastron::verification {
+
+namespace {
+
+using assembly::CellStrain;
+
+struct FinePoints {
+  std::vector<Eigen::Vector2d> xi;
+  std::vector<double> weights;
+};
+
+FinePoints fine_points(int degree) {
+  const fem::Rule rule = fem::gauss(degree + 3);
+  FinePoints points;
+  for (std::size_t j = 0; j < rule.points.size(); ++j)
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
+      points.xi.emplace_back(rule.points[i], rule.points[j]);
+      points.weights.push_back(rule.weights[i] * rule.weights[j]);
+    }
+  return points;
+}
+
+/// Exact strain in the cell's own coordinates, from derivatives along x and y. The chart is (x, y, height), so the first two
+/// components of a_alpha are dx/dxi_alpha and dy/dxi_alpha.
+shell::Strain<double> exact_strain(const Manufactured& exact, const geometry::Frame& frame, double x, double y) {
+  const ExactField u = exact.u(x, y), r = exact.r(x, y);
+  const auto along = [&](const ExactField& f, int a) -> Vector3d { return f.d[0] * frame.a_cov[a][0] + f.d[1] * frame.a_cov[a][1]; };
+  return shell::strain<double>({{along(u, 0), along(u, 1)}, r.value, {along(r, 0), along(r, 1)}}, frame);
+}
+
+double density(const shell::SectionStiffness& c, const shell::Strain<double>& s) {
+  return 2 * shell::total_energy_density(c, s);
+}
+
+struct Squares {
+  double error = 0, exact = 0;
+  double relative() const { return std::sqrt(error / exact); }
+};
+
+}  // namespace
+
+double energy_error(const study::Solution& solution, const Manufactured& exact) {
+  const assembly::DiscreteShell& discrete = *solution.discrete;
+  const assembly::ShellOperator& shell = discrete.shell;
+  const FinePoints fine = fine_points(shell.space().degree);
+  const auto basis = assembly::basis_at(shell.space().degree, fine.xi);
+  const auto tied = assembly::tied_interpolation(shell.tables(), fine.xi);
+  Squares sum;
+  std::vector<geometry::SurfaceJet> jets(fine.xi.size());
+  std::vector<double> x(jets.size()), y(jets.size());
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const fem::Cell& cell = shell.space().cells[c];
+    shell.surface().jets(cell, fine.xi, jets);
+    shell.surface().positions(cell, fine.xi, x, y);
+    const CellStrain computed = shell.strains_at(c, shell.gather(c, solution.nodal.y), basis, tied, jets);
+    for (std::size_t q = 0; q < jets.size(); ++q) {
+      const geometry::Frame frame = geometry::frame_at(jets[q]);
+      const auto stiffness = shell::section_stiffness(shell.material(), discrete.thickness(x[q], y[q]), frame.metric_con);
+      const auto row = computed.row(static_cast<Eigen::Index>(q));
+      const shell::Strain<double> e = exact_strain(exact, frame, x[q], y[q]);
+      const shell::Strain<double> difference{row.head<3>().transpose() - e.membrane, row.segment<3>(3).transpose() - e.bending,
+                                             row.tail<2>().transpose() - e.shear};
+      const double area = frame.sqrt_a * fine.weights[q];
+      sum.error += area * density(stiffness, difference);
+      sum.exact += area * density(stiffness, e);
+    }
+  }
+  return sum.relative();
+}
+
+double l2_error(const study::Solution& solution, const Manufactured& exact) {
+  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const FinePoints fine = fine_points(shell.space().degree);
+  const auto basis = assembly::basis_at(shell.space().degree, fine.xi);
+  Squares sum;
+  std::vector<double> x(fine.xi.size()), y(fine.xi.size());
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const fem::Cell& cell = shell.space().cells[c];
+    shell.surface().positions(cell, fine.xi, x, y);
+    const assembly::CellField values = basis.value * shell.gather(c, solution.nodal.y);
+    for (std::size_t q = 0; q < x.size(); ++q) {
+      Eigen::Matrix<double, 1, 6> e;
+      e << exact.u(x[q], y[q]).value.transpose(), exact.r(x[q], y[q]).value.transpose();
+      const double area = cell.size * cell.size * fine.weights[q];
+      sum.error += area * (values.row(static_cast<Eigen::Index>(q)) - e).squaredNorm();
+      sum.exact += area * e.squaredNorm();
+    }
+  }
+  return sum.relative();
+}
+
+std::vector<double> rates(const std::vector<double>& errors) {
+  std::vector<double> all;
+  for (std::size_t i = 1; i < errors.size(); ++i) all.push_back(std::log2(errors[i - 1] / errors[i]));
+  return all;
+}
+
+}  // namespace plastron::verification
