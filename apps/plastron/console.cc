@@ -16,8 +16,12 @@ bool is_first_rank() {
 
 void print_findings(const std::vector<study::Finding>& findings, const std::string& case_file, bool with_notes) {
   for (const study::Finding& f : findings) switch (f.severity) {
-      case study::Severity::error: print_error("{}: error: {}\n", case_file, f.text); break;
-      case study::Severity::warning: print_error("{}: warning: {}\n", case_file, f.text); break;
+      case study::Severity::error:
+        print_error("{}: error: {}\n", case_file, f.text);
+        break;
+      case study::Severity::warning:
+        print_error("{}: warning: {}\n", case_file, f.text);
+        break;
       case study::Severity::note:
         if (with_notes) print("  {}\n", f.text);
     }
@@ -25,8 +29,9 @@ void print_findings(const std::vector<study::Finding>& findings, const std::stri
 
 Progress::Progress(bool has_obstacle, bool quiet)
     : has_obstacle_(has_obstacle), quiet_(quiet), on_terminal_(!quiet && is_first_rank() && isatty(STDERR_FILENO)) {
-  if (!quiet_) print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16} {:>9}\n", "level", "cells", "unknowns", "contact", "steps",
-                     "min gap [m]", "energy [J]", "time [s]");
+  if (!quiet_)
+    print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16} {:>9}\n", "level", "cells", "unknowns", "contact", "steps",
+          "min gap [m]", "energy [J]", "time [s]");
 }
 
 study::Observer Progress::observer() {
@@ -61,8 +66,9 @@ void Progress::level(int level, const study::Level& r) {
   clear();
   if (quiet_) return;
   const std::string gap = has_obstacle_ ? fmt::format("{:.3e}", r.min_gap) : "-";
-  print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16.9e} {:>9.2f}{}\n", level, r.cells, r.unknowns, r.active, r.iterations, gap,
-        r.energy, r.seconds.total(), r.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(r.status)));
+  print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16.9e} {:>9.2f}{}\n", level, r.cells, r.unknowns, r.active,
+        r.iterations, gap, r.energy, r.seconds.total(),
+        r.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(r.status)));
   if (is_first_rank()) std::fflush(stdout);
 }
 
@@ -77,19 +83,21 @@ void print_summary(const study::Result& result) {
   const auto& c = result.certificate;
   print("\nstatus            {}\n", contact::explain(result.status));
   const double total = std::max(s.energy.total(), 1e-300);
-  print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(), 100 * s.energy.membrane / total,
-        100 * s.energy.bending / total, 100 * s.energy.shear / total);
+  print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(),
+        100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
   if (result.has_obstacle) {
     print("obstacle          {} N\n", vector_text(s.reaction.force));
-    print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area, s.max_pressure);
+    print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area,
+          s.max_pressure);
     const double between = std::isfinite(c.min_gap_between) ? std::max(0.0, -c.min_gap_between) : 0.0;
     print("penetration       {:.2e} m between the nodes, {:.2e} m at them\n", between, std::max(0.0, -c.min_gap_nodes));
   }
-  print("certificate       equilibrium {:.1e}, balance of forces {:.1e}, of moments {:.1e}, energy identity {:.1e}", c.stationarity,
-        c.force_balance, c.moment_balance, c.energy_identity);
-  if (result.has_obstacle) print(", min pressure {:.2e} Pa, max |pressure * gap| {:.1e}", c.min_pressure, c.complementarity);
+  print("certificate       equilibrium {:.1e}, balance of forces {:.1e}, of moments {:.1e}, energy identity {:.1e}",
+        c.stationarity, c.force_balance, c.moment_balance, c.energy_identity);
+  if (result.has_obstacle)
+    print(", min pressure {:.2e} Pa, max |pressure * gap| {:.1e}", c.min_pressure, c.complementarity);
   print("\n");
   for (const auto& p : result.probes) {
     print("probe {:<12}u = {} m, r = {}", p.name, vector_text(p.values.u), vector_text(p.values.r));

@@ -8,8 +8,8 @@
 #include <plastron/fem/domain.hpp>
 #include <plastron/io/version.hpp>
 
-#include <CLI/CLI.hpp>
 #include <mpi.h>
+#include <CLI/CLI.hpp>
 
 #include <functional>
 #include <new>

@@ -30,9 +30,12 @@ std::string obstacle_to_writing(const fs::path& directory) {
 
 ExitCode exit_code(contact::Status status) {
   switch (status) {
-    case contact::Status::solved: return solved;
-    case contact::Status::infeasible: return bad_input;
-    default: return not_converged;
+    case contact::Status::solved:
+      return solved;
+    case contact::Status::infeasible:
+      return bad_input;
+    default:
+      return not_converged;
   }
 }
 
@@ -55,7 +58,8 @@ ExitCode run(const RunOptions& options) {
     print_error("{}: error: {}\n", options.case_file.string(), contact::explain(result.status));
     return bad_input;
   }
-  io::write_output(result, {.title = c.title, .settings = c.effective, .files = {}}, options.output, "solution", MPI_COMM_WORLD);
+  io::write_output(result, {.title = c.title, .settings = c.effective, .files = {}}, options.output, "solution",
+                   MPI_COMM_WORLD);
   if (!options.quiet) {
     print_summary(result);
     print("\nresults           {}\n", (options.output / "results.json").string());

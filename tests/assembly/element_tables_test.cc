@@ -41,7 +41,8 @@ TEST(ElementTables, TiedInterpolationReproducesThePolynomialsItShould) {
         for (std::size_t i = 0; i < at.size(); ++i) {
           double value = 0;
           for (std::size_t j = 0; j < t.samplings[s].basis.xi.size(); ++j)
-            value += interpolation[s](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * f(t.samplings[s].basis.xi[j]);
+            value += interpolation[s](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) *
+                     f(t.samplings[s].basis.xi[j]);
           EXPECT_NEAR(value, f(at[i]), 1e-12) << "degree " << k << " set " << s;
         }
       }

@@ -25,19 +25,26 @@ struct Sample {
 
 Sample sample(const std::vector<Support>& supports, const GapFunction& gap) {
   auto m = test::meshed(test::skew(), test::saddle, 3, 1);
-  auto discrete = discretise(m.space, m.surface, {.thickness = geometry::Expression("0.1 + 0.02*x", {}), .material = test::steel_like(),
-                                                  .supports = supports, .gap = gap});
+  auto discrete = discretise(m.space, m.surface,
+                             {.thickness = geometry::Expression("0.1 + 0.02*x", {}),
+                              .material = test::steel_like(),
+                              .supports = supports,
+                              .gap = gap});
   return {std::move(m), std::move(discrete)};
 }
 
-Support fix(const std::string& boundary, std::vector<PrescribedComponent> components) { return {.boundary = boundary, .components = std::move(components)}; }
+Support fix(const std::string& boundary, std::vector<PrescribedComponent> components) {
+  return {.boundary = boundary, .components = std::move(components)};
+}
 
 std::vector<Support> assorted_supports() {
   const geometry::Expression zero, value("0.01*x*y - 0.02*y", {});
   return {test::clamp("edge1"),
-          fix("edge2", {{Unknown::displacement, Direction::conormal, zero}, {Unknown::rotation, Direction::conormal, zero}}),
+          fix("edge2",
+              {{Unknown::displacement, Direction::conormal, zero}, {Unknown::rotation, Direction::conormal, zero}}),
           fix("edge3", {{Unknown::displacement, Direction::z, value}, {Unknown::rotation, Direction::tangent, zero}}),
-          fix("edge4", {{Unknown::displacement, Direction::x, zero}, {Unknown::displacement, Direction::y, zero},
+          fix("edge4", {{Unknown::displacement, Direction::x, zero},
+                        {Unknown::displacement, Direction::y, zero},
                         {Unknown::displacement, Direction::z, value}})};
 }
 
@@ -66,7 +73,9 @@ TEST(NodalCoordinates, TheFirstCoordinateIsTheChangeOfTheGapAndNoOtherFreeOneCha
       EXPECT_NEAR(row.dot(c.basis[i].col(0)), 1, 1e-12);
       EXPECT_EQ(c.lower.local()[5 * i], -c.bound_gap[i]);
       for (std::size_t k = 1; k < 5; ++k)
-        if (c.lower.local()[5 * i + k] != c.upper.local()[5 * i + k]) { EXPECT_NEAR(row.dot(c.basis[i].col(static_cast<Eigen::Index>(k))), 0, 1e-12); }
+        if (c.lower.local()[5 * i + k] != c.upper.local()[5 * i + k]) {
+          EXPECT_NEAR(row.dot(c.basis[i].col(static_cast<Eigen::Index>(k))), 0, 1e-12);
+        }
     }
     EXPECT_GT(touchable, 10);
   }
@@ -79,7 +88,8 @@ TEST(NodalCoordinates, AtTheBoundTheGapIsZero) {
   for (std::size_t i = 0; i < s.discrete->points.size(); ++i) {
     if (!c.touchable[i]) continue;
     Eigen::Matrix<double, 5, 1> z;
-    for (std::size_t k = 0; k < 5; ++k) z[static_cast<Eigen::Index>(k)] = std::isfinite(c.lower.local()[5 * i + k]) ? c.lower.local()[5 * i + k] : 0.3;
+    for (std::size_t k = 0; k < 5; ++k)
+      z[static_cast<Eigen::Index>(k)] = std::isfinite(c.lower.local()[5 * i + k]) ? c.lower.local()[5 * i + k] : 0.3;
     const Vector6 y = c.basis[i] * z;
     EXPECT_NEAR(c.gaps[i](y.head<3>(), y.tail<3>()), 0, 1e-13);
   }
@@ -91,7 +101,8 @@ TEST(NodalCoordinates, PrescribedComponentsHaveTheirValues) {
   const auto rows = node_supports(*s.m.space, *s.m.surface, s.discrete->points, assorted_supports());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Eigen::Matrix<double, 5, 1> z;
-    for (std::size_t k = 0; k < 5; ++k) z[static_cast<Eigen::Index>(k)] = std::isfinite(c.lower.local()[5 * i + k]) ? c.lower.local()[5 * i + k] : 0.7;
+    for (std::size_t k = 0; k < 5; ++k)
+      z[static_cast<Eigen::Index>(k)] = std::isfinite(c.lower.local()[5 * i + k]) ? c.lower.local()[5 * i + k] : 0.7;
     if (c.touchable[i]) z[0] = 0.4;
     const Vector6 y = c.basis[i] * z;
     for (const auto& [d, value] : rows[i].displacement) EXPECT_NEAR(d.dot(y.head<3>()), value, 1e-12);
@@ -102,7 +113,9 @@ TEST(NodalCoordinates, PrescribedComponentsHaveTheirValues) {
 TEST(NodalCoordinates, ContradictingValuesAreRefusedWithTheirPlace) {
   const geometry::Expression zero, one(1.0);
   try {
-    sample({fix("edge1", {{Unknown::displacement, Direction::z, zero}}), fix("edge2", {{Unknown::displacement, Direction::z, one}})}, {});
+    sample({fix("edge1", {{Unknown::displacement, Direction::z, zero}}),
+            fix("edge2", {{Unknown::displacement, Direction::z, one}})},
+           {});
     FAIL() << "not refused";
   } catch (const SupportError& error) {
     EXPECT_NE(std::string(error.what()).find("x = 1, y = 0.1"), std::string::npos) << error.what();

@@ -17,8 +17,10 @@ std::vector<PointValues> recovered(int degree, const Field& field) {
   // Tied bilinear elements have constant states only as parallelograms (docs/methods/tying.md).
   const fem::Domain domain = degree == 1 ? fem::Domain(fem::Rectangle{}) : fem::Domain(test::skew());
   const auto m = test::meshed(domain, test::flat, degree, 1);
-  const auto discrete = discretise(m.space, m.surface, {.thickness = geometry::Expression(0.1), .material = test::steel_like()});
-  NodalSolution solution{algebra::Vector(m.space->layout, 6), algebra::Vector(m.space->layout, 1), algebra::Vector(m.space->layout, 1)};
+  const auto discrete =
+      discretise(m.space, m.surface, {.thickness = geometry::Expression(0.1), .material = test::steel_like()});
+  NodalSolution solution{algebra::Vector(m.space->layout, 6), algebra::Vector(m.space->layout, 1),
+                         algebra::Vector(m.space->layout, 1)};
   for (std::size_t i = 0; i < discrete->points.size(); ++i) {
     const Eigen::Matrix<double, 6, 1> y = field(discrete->points[i].x);
     for (std::size_t k = 0; k < 6; ++k) solution.y.local()[6 * i + k] = y[static_cast<Eigen::Index>(k)];
@@ -34,7 +36,9 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 constexpr double E = 1, nu = 0.3, e = 0.1, ks = 5.0 / 6;
 
 TEST(Recovery, AConstantMembraneStateOfAPlateHasTheForcesOfPlaneStress) {
-  const auto field = [](const Eigen::Vector2d& x) { return (Vector6() << 2e-3 * x[0], -1e-3 * x[1], 0, 0, 0, 0).finished(); };
+  const auto field = [](const Eigen::Vector2d& x) {
+    return (Vector6() << 2e-3 * x[0], -1e-3 * x[1], 0, 0, 0, 0).finished();
+  };
   for (int degree = 1; degree <= 4; ++degree)
     for (const PointValues& p : recovered(degree, field)) {
       EXPECT_NEAR(p.N[0], E * e / (1 - nu * nu) * (2e-3 - nu * 1e-3), 1e-15);
@@ -46,7 +50,9 @@ TEST(Recovery, AConstantMembraneStateOfAPlateHasTheForcesOfPlaneStress) {
 
 // u_3 = -x^2/2 - nu-free twist: r = -grad u_3, constant curvature chi_11 = 1.
 TEST(Recovery, ACylindricalBendingOfAPlateHasItsMomentsAndNoShear) {
-  const auto field = [](const Eigen::Vector2d& x) { return (Vector6() << 0, 0, -x[0] * x[0] / 2, x[0], 0, 0).finished(); };
+  const auto field = [](const Eigen::Vector2d& x) {
+    return (Vector6() << 0, 0, -x[0] * x[0] / 2, x[0], 0, 0).finished();
+  };
   const double D = E * e * e * e / (12 * (1 - nu * nu));
   for (int degree = 2; degree <= 4; ++degree)
     for (const PointValues& p : recovered(degree, field)) {
@@ -67,8 +73,10 @@ TEST(Recovery, AConstantShearStateHasItsShearForce) {
 
 TEST(Recovery, TheFrameIsOrthonormalAndFollowsTheFirstParameter) {
   const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, 3, 1);
-  const auto discrete = discretise(m.space, m.surface, {.thickness = geometry::Expression(0.1), .material = test::steel_like()});
-  const NodalSolution zero{algebra::Vector(m.space->layout, 6), algebra::Vector(m.space->layout, 1), algebra::Vector(m.space->layout, 1)};
+  const auto discrete =
+      discretise(m.space, m.surface, {.thickness = geometry::Expression(0.1), .material = test::steel_like()});
+  const NodalSolution zero{algebra::Vector(m.space->layout, 6), algebra::Vector(m.space->layout, 1),
+                           algebra::Vector(m.space->layout, 1)};
   const Recovery recovery(*discrete, zero, somewhere);
   for (std::size_t c = 0; c < m.space->owned_cells; ++c)
     for (const PointValues& p : recovery(c)) {

@@ -21,7 +21,8 @@ struct MeshedSurface {
 /// A skew quadrilateral, so that nothing is aligned with the axes.
 inline fem::Polygon skew() { return {{{0, 0}, {1, 0.1}, {0.9, 1.1}, {-0.1, 0.8}}}; }
 
-inline MeshedSurface meshed(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree, int refinements) {
+inline MeshedSurface meshed(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree,
+                            int refinements) {
   fem::MeshSequence meshes(fem::coarse_mesh(domain), degree, MPI_COMM_WORLD);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   std::map<std::string, geometry::Chart> charts;
@@ -40,8 +41,8 @@ inline assembly::Support clamp(const std::string& boundary) {
 }
 
 /// Nodal values of a rigid motion u = c + w x phi, r = w x a_3.
-inline algebra::Vector rigid_motion(const fem::Space& space, const std::vector<assembly::NodalPoint>& points, const Eigen::Vector3d& c,
-                                    const Eigen::Vector3d& w) {
+inline algebra::Vector rigid_motion(const fem::Space& space, const std::vector<assembly::NodalPoint>& points,
+                                    const Eigen::Vector3d& c, const Eigen::Vector3d& w) {
   algebra::Vector y(space.layout, 6);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d u = c + w.cross(points[i].phi), r = w.cross(points[i].a3);

@@ -34,7 +34,8 @@ TEST_P(EveryElement, TheStrainMatrixTimesAFieldIsItsStrain) {
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const CellField field = shell.gather(c, y);
     const CellStrain strains = shell.strains(c, field);
-    const Eigen::VectorXd product = shell.strain_matrix(c) * Eigen::Map<const Eigen::VectorXd>(field.data(), field.size());
+    const Eigen::VectorXd product =
+        shell.strain_matrix(c) * Eigen::Map<const Eigen::VectorXd>(field.data(), field.size());
     const Eigen::Map<const Eigen::VectorXd> flat(strains.data(), strains.size());
     EXPECT_LT((product - flat).cwiseAbs().maxCoeff(), 1e-12 * flat.cwiseAbs().maxCoeff());
   }
@@ -46,7 +47,8 @@ TEST_P(EveryElement, ForcesAreTheTransposeOfStrains) {
   const CellField v = shell.gather(0, random_field(shell.space(), 2));
   const CellStrain e = shell.strains(0, v);
   CellStrain s = CellStrain::Random(e.rows(), 8);
-  const double through_strains = (s.array() * e.array()).sum(), through_forces = (shell.forces(0, s).array() * v.array()).sum();
+  const double through_strains = (s.array() * e.array()).sum(),
+               through_forces = (shell.forces(0, s).array() * v.array()).sum();
   EXPECT_NEAR(through_strains, through_forces, 1e-11 * std::abs(s.norm() * e.norm()));
 }
 

@@ -3,8 +3,8 @@
 
 #include <plastron/assembly/stiffness.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -12,9 +12,11 @@ namespace plastron::assembly {
 namespace {
 
 /// Ascending eigenvalues of the stiffness in nodal coordinates without supports, relative to the largest.
-Eigen::VectorXd spectrum(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree, int refinements, bool tying) {
+Eigen::VectorXd spectrum(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree,
+                         int refinements, bool tying) {
   const auto m = test::meshed(domain, chart, degree, refinements);
-  const auto discrete = discretise(m.space, m.surface, {.thickness = geometry::Expression(0.1), .material = test::steel_like(), .tying = tying});
+  const auto discrete = discretise(
+      m.space, m.surface, {.thickness = geometry::Expression(0.1), .material = test::steel_like(), .tying = tying});
   const auto size = 5 * static_cast<Eigen::Index>(m.space->layout->owned);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t c = 0; c < m.space->owned_cells; ++c) {
@@ -28,7 +30,8 @@ Eigen::VectorXd spectrum(const fem::Domain& domain, const std::array<std::string
             Ti.transpose() * k.block<6, 6>(6 * static_cast<Eigen::Index>(i), 6 * static_cast<Eigen::Index>(j)) * Tj;
       }
   }
-  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
   return values / values.maxCoeff();
 }
 
@@ -46,15 +49,18 @@ TEST_P(FreeShell, AFlatShellHasSixZeroModesAndNoSeventh) {
 TEST_P(FreeShell, ACurvedShellHasThreeZeroModesThreeRotationsAndNoSeventh) {
   const auto [degree, tying] = GetParam();
   for (const auto& chart : {test::saddle, test::cap}) {
-    const Eigen::VectorXd coarse = spectrum(test::skew(), chart, degree, 1, tying), fine = spectrum(test::skew(), chart, degree, 2, tying);
+    const Eigen::VectorXd coarse = spectrum(test::skew(), chart, degree, 1, tying),
+                          fine = spectrum(test::skew(), chart, degree, 2, tying);
     EXPECT_LT(std::abs(fine[2]), 1e-13) << "translations";
     EXPECT_GT(fine[6], 1e-8) << "no seventh soft mode";
-    // The rotations: energy O(h^2k). Eigenvalues are relative to one that grows like h^0 in energy per nodal value, while a
-    // rotation's nodal values grow in number like h^-2, so the ratio falls at least as fast as the energy.
+    // The rotations: energy O(h^2k). Eigenvalues are relative to one that grows like h^0 in energy per nodal value,
+    // while a rotation's nodal values grow in number like h^-2, so the ratio falls at least as fast as the energy.
     if (fine[5] > 1e-13) {
       EXPECT_GT(std::log2(coarse[5] / fine[5]), 2 * degree - 0.5) << chart[2];
       // Bilinear elements without tying are too coarse here to tell a rotation from a bending mode by its size.
-      if (degree > 1 || tying) { EXPECT_LT(fine[5], 0.05 * fine[6]); }
+      if (degree > 1 || tying) {
+        EXPECT_LT(fine[5], 0.05 * fine[6]);
+      }
     }
   }
 }

@@ -51,7 +51,9 @@ std::string case_with(int refinements, const std::string& more = "") {
   return strip + "[mesh]\ndegree = 2\nrefinements = " + std::to_string(refinements) + "\n" + more;
 }
 
-nlohmann::json results_in(const fs::path& directory) { return nlohmann::json::parse(text_of(directory / "results.json")); }
+nlohmann::json results_in(const fs::path& directory) {
+  return nlohmann::json::parse(text_of(directory / "results.json"));
+}
 
 std::vector<std::string> with_extension(const std::vector<std::string>& files, const std::string& extension) {
   std::vector<std::string> some;
@@ -113,7 +115,8 @@ TEST(GoodCase, is_ready_to_run) {
   scratch.write("case.toml", case_with(1));
   const Outcome outcome = plastron({"check", "case.toml"}, scratch.path);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("Pressed strip"), HasSubstr("no rigid motion"), HasSubstr("ready to run")));
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("Pressed strip"), HasSubstr("no rigid motion"), HasSubstr("ready to run")));
   EXPECT_THAT(files_below(scratch.path), ElementsAre("case.toml"));
 }
 
@@ -122,7 +125,8 @@ TEST(GoodCase, prints_its_levels_and_writes_its_results) {
   scratch.write("case.toml", case_with(1));
   const Outcome outcome = plastron({"run", "case.toml", "--output", "out"}, scratch.path);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("Pressed strip"), HasSubstr("unknowns"), HasSubstr("certificate"), HasSubstr("probe middle")));
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("Pressed strip"), HasSubstr("unknowns"), HasSubstr("certificate"),
+                                    HasSubstr("probe middle")));
   const auto files = files_below(scratch.path / "out");
   EXPECT_THAT(files, Contains("results.json"));
   EXPECT_FALSE(with_extension(files, ".vtu").empty());
@@ -177,7 +181,8 @@ TEST(Run, that_does_not_converge_says_so_in_its_exit_code_its_words_and_its_resu
 /// Kills a run when `ready` or after a few seconds; returns whether it was alive then.
 template <class Ready>
 bool kill_when(Running& run, const Ready& ready) {
-  for (int i = 0; i < 2000 && run.is_alive() && !ready(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  for (int i = 0; i < 2000 && run.is_alive() && !ready(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
   const bool alive = run.is_alive();
   run.kill();
   return alive;
@@ -198,9 +203,13 @@ TEST(Run, that_is_killed_while_it_writes_leaves_whole_files_only) {
   Running run({"run", "case.toml", "-o", "out"}, scratch.path);
   kill_when(run, [&] { return !files_below(scratch.path / "out").empty(); });
   const auto files = files_below(scratch.path / "out");
-  for (const std::string& f : with_extension(files, ".vtu")) EXPECT_THAT(text_of(scratch.path / "out" / f), HasSubstr("</VTKFile>")) << f;
-  for (const std::string& f : with_extension(files, ".pvd")) EXPECT_THAT(text_of(scratch.path / "out" / f), HasSubstr("</VTKFile>")) << f;
-  if (fs::exists(scratch.path / "out/results.json")) EXPECT_NO_THROW(results_in(scratch.path / "out"));
+  for (const std::string& f : with_extension(files, ".vtu"))
+    EXPECT_THAT(text_of(scratch.path / "out" / f), HasSubstr("</VTKFile>")) << f;
+  for (const std::string& f : with_extension(files, ".pvd"))
+    EXPECT_THAT(text_of(scratch.path / "out" / f), HasSubstr("</VTKFile>")) << f;
+  if (fs::exists(scratch.path / "out/results.json")) {
+    EXPECT_NO_THROW(results_in(scratch.path / "out"));
+  }
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ class Lagrange : public testing::TestWithParam<int> {
 TEST_P(Lagrange, polynomials_are_one_at_their_node_and_zero_at_the_others) {
   for (std::size_t j = 0; j < nodes.size(); ++j) {
     const LagrangeValues l = lagrange(nodes, nodes[j]);
-    for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(l.value[static_cast<Eigen::Index>(i)], i == j, i == j ? 1e-15 : 0);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      EXPECT_NEAR(l.value[static_cast<Eigen::Index>(i)], i == j, i == j ? 1e-15 : 0);
   }
 }
 

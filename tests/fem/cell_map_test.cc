@@ -37,7 +37,8 @@ LagrangeMap cubic() {
 template <class Map>
 void expect_derivatives_of_values(const Map& map) {
   for (const Vector2d& xi : points) {
-    const auto differences = geometry::jet_by_differences<Vector2d>([&](double s, double t) { return map(Vector2d(s, t)).value; }, xi);
+    const auto differences =
+        geometry::jet_by_differences<Vector2d>([&](double s, double t) { return map(Vector2d(s, t)).value; }, xi);
     EXPECT_LT(geometry::distance(map(xi), differences), 1e-9);
   }
 }
@@ -67,7 +68,9 @@ TEST(BlendedMap, has_the_derivatives_of_its_values) { expect_derivatives_of_valu
 
 TEST(BlendedMap, keeps_every_edge) {
   const BlendedMap map = barrel();
-  const auto at = [](const Edge& edge, double t) { return std::visit([t](const auto& e) { return e(t).value; }, edge); };
+  const auto at = [](const Edge& edge, double t) {
+    return std::visit([t](const auto& e) { return e(t).value; }, edge);
+  };
   for (const double t : {0.0, 0.2, 0.7, 1.0}) {
     EXPECT_LT((map({0, t}).value - at(map.left, t)).norm(), 1e-15);
     EXPECT_LT((map({1, t}).value - at(map.right, t)).norm(), 1e-15);
@@ -78,7 +81,8 @@ TEST(BlendedMap, keeps_every_edge) {
 
 TEST(BlendedMap, between_straight_edges_is_bilinear) {
   const Vector2d p00(0, 0), p10(2, 0.3), p01(-0.2, 1), p11(1.7, 1.6);
-  const BlendedMap map{.left = Segment{p00, p01}, .right = Segment{p10, p11}, .bottom = Segment{p00, p10}, .top = Segment{p01, p11}};
+  const BlendedMap map{
+      .left = Segment{p00, p01}, .right = Segment{p10, p11}, .bottom = Segment{p00, p10}, .top = Segment{p01, p11}};
   for (const Vector2d& xi : points) {
     const PlaneJet f = map(xi), g = LagrangeMap{1, {p00, p10, p01, p11}}(xi);
     EXPECT_LT(geometry::distance(f, g), 1e-15);
@@ -122,7 +126,8 @@ TEST(CellMap, seen_through_any_rotation_or_reflection_has_the_derivatives_of_its
 
 TEST(CellMap, that_is_turned_covers_the_same_corners) {
   const BlendedMap map = barrel();
-  for (const CellMap& turned : seen_from_all_sides(map)) EXPECT_LT((turned({0, 0}).value - map(turned.origin).value).norm(), 1e-15);
+  for (const CellMap& turned : seen_from_all_sides(map))
+    EXPECT_LT((turned({0, 0}).value - map(turned.origin).value).norm(), 1e-15);
 }
 
 }  // namespace

@@ -92,8 +92,8 @@ TEST(MeshFile, of_one_square_is_read) {
 }
 
 TEST(MeshFile, without_physical_surfaces_has_one_unnamed_region) {
-  const CoarseMesh mesh = read_text(header + "$PhysicalNames\n1\n1 1 \"edge\"\n$EndPhysicalNames\n" + square + "$Elements\n5\n" + edges +
-                                    "5 3 2 0 1 1 2 3 4\n$EndElements\n");
+  const CoarseMesh mesh = read_text(header + "$PhysicalNames\n1\n1 1 \"edge\"\n$EndPhysicalNames\n" + square +
+                                    "$Elements\n5\n" + edges + "5 3 2 0 1 1 2 3 4\n$EndElements\n");
   EXPECT_THAT(mesh.regions, ElementsAre(""));
   EXPECT_EQ(mesh.cells.size(), 1u);
 }
@@ -116,13 +116,15 @@ TEST(WrongMeshFile, that_is_no_mesh_is_refused) {
 }
 
 TEST(WrongMeshFile, of_triangles_is_told_to_recombine) {
-  const std::string message = refusal(header + names + square + "$Elements\n2\n1 2 2 2 1 1 2 3\n2 2 2 2 1 1 3 4\n$EndElements\n");
+  const std::string message =
+      refusal(header + names + square + "$Elements\n2\n1 2 2 2 1 1 2 3\n2 2 2 2 1 1 3 4\n$EndElements\n");
   EXPECT_THAT(message, HasSubstr("Triangle"));
   EXPECT_THAT(message, HasSubstr("Recombine"));
 }
 
 TEST(WrongMeshFile, of_incomplete_quadrilaterals_is_told_to_complete_them) {
-  const std::string eight_nodes = "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 .5 0 0\n6 1 .5 0\n7 .5 1 0\n8 0 .5 0\n$EndNodes\n";
+  const std::string eight_nodes =
+      "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 .5 0 0\n6 1 .5 0\n7 .5 1 0\n8 0 .5 0\n$EndNodes\n";
   EXPECT_THAT(refusal(header + names + eight_nodes + "$Elements\n1\n1 16 2 2 1 1 2 3 4 5 6 7 8\n$EndElements\n"),
               HasSubstr("SecondOrderIncomplete"));
 }
@@ -137,11 +139,13 @@ TEST(WrongMeshFile, that_leaves_the_parameter_plane_names_the_node) {
 
 TEST(WrongMeshFile, with_unnamed_groups_is_told_to_name_them) {
   EXPECT_THAT(refusal(header + square + cell), HasSubstr("physical surface 2 has no name"));
-  EXPECT_THAT(refusal(header + "$PhysicalNames\n1\n2 2 \"plate\"\n$EndPhysicalNames\n" + square + cell), HasSubstr("physical curve 1 has no name"));
+  EXPECT_THAT(refusal(header + "$PhysicalNames\n1\n2 2 \"plate\"\n$EndPhysicalNames\n" + square + cell),
+              HasSubstr("physical curve 1 has no name"));
 }
 
 TEST(WrongMeshFile, without_cells_is_refused) {
-  EXPECT_THAT(refusal(header + names + square + "$Elements\n4\n" + edges + "$EndElements\n"), HasSubstr("no quadrilaterals"));
+  EXPECT_THAT(refusal(header + names + square + "$Elements\n4\n" + edges + "$EndElements\n"),
+              HasSubstr("no quadrilaterals"));
 }
 
 }  // namespace

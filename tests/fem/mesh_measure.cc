@@ -12,7 +12,9 @@ namespace {
 
 double jacobian(const PlaneJet& f) { return f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0]; }
 
-const CellMap& map_of(const Space& space, const Cell& cell) { return space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map; }
+const CellMap& map_of(const Space& space, const Cell& cell) {
+  return space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map;
+}
 
 /// int over [corner, corner + size]^2 of the Jacobian of a map.
 double area(const CellMap& map, const Vector2d& corner, double size) {
@@ -20,7 +22,8 @@ double area(const CellMap& map, const Vector2d& corner, double size) {
   double sum = 0;
   for (std::size_t i = 0; i < rule.points.size(); ++i)
     for (std::size_t j = 0; j < rule.points.size(); ++j)
-      sum += rule.weights[i] * rule.weights[j] * jacobian(map(corner + size * Vector2d(rule.points[i], rule.points[j])));
+      sum +=
+          rule.weights[i] * rule.weights[j] * jacobian(map(corner + size * Vector2d(rule.points[i], rule.points[j])));
   return sum * size * size;
 }
 
@@ -51,7 +54,8 @@ double area(const CoarseMesh& mesh) {
 
 double owned_area(const Space& space) {
   double sum = 0;
-  for (std::size_t c = 0; c < space.owned_cells; ++c) sum += area(map_of(space, space.cells[c]), space.cells[c].corner, space.cells[c].size);
+  for (std::size_t c = 0; c < space.owned_cells; ++c)
+    sum += area(map_of(space, space.cells[c]), space.cells[c].corner, space.cells[c].size);
   return sum;
 }
 
@@ -61,7 +65,8 @@ std::map<std::string, double> owned_boundary_lengths(const Space& space) {
   for (const BoundaryFace& face : space.faces) {
     if (face.cell >= space.owned_cells) continue;
     const Cell& cell = space.cells[face.cell];
-    double& length = lengths[face.boundary < 0 ? "" : space.coarse->boundaries[static_cast<std::size_t>(face.boundary)]];
+    double& length =
+        lengths[face.boundary < 0 ? "" : space.coarse->boundaries[static_cast<std::size_t>(face.boundary)]];
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const PlaneJet f = map_of(space, cell)(cell.corner + cell.size * side_point(face.side, rule.points[q]));
       length += rule.weights[q] * cell.size * f.d[face.side < 2 ? 1 : 0].norm();
@@ -70,7 +75,9 @@ std::map<std::string, double> owned_boundary_lengths(const Space& space) {
   return lengths;
 }
 
-Vector2d position(const Space& space, const Cell& cell, const Vector2d& xi) { return map_of(space, cell)(cell.corner + cell.size * xi).value; }
+Vector2d position(const Space& space, const Cell& cell, const Vector2d& xi) {
+  return map_of(space, cell)(cell.corner + cell.size * xi).value;
+}
 
 void expect_cells_fit(const CoarseMesh& mesh) {
   for (const CoarseCell& cell : mesh.cells) {
@@ -87,7 +94,9 @@ void expect_cells_fit(const CoarseMesh& mesh) {
   for (const auto& [ends, all] : sides) {
     ASSERT_LE(all.size(), 2u);
     for (const double t : {0.0, 0.2, 0.5, 0.9}) {
-      const auto at = [&](const Side& s) { return mesh.cells[s.cell].map(side_point(s.side, s.forward ? t : 1 - t)).value; };
+      const auto at = [&](const Side& s) {
+        return mesh.cells[s.cell].map(side_point(s.side, s.forward ? t : 1 - t)).value;
+      };
       EXPECT_LT((at(all.front()) - at(all.back())).norm(), 1e-14);
     }
   }

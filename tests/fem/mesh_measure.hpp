@@ -17,8 +17,8 @@ std::map<std::string, double> owned_boundary_lengths(const Space& space);
 /// The point of Omega at xi in a cell.
 Vector2d position(const Space& space, const Cell& cell, const Vector2d& xi);
 
-/// Expects that corners are the images of (0,0), (1,0), (0,1), (1,1), that maps keep the orientation, that neighbours meet in
-/// the same points all along their common side, and that named edges are sides of cells.
+/// Expects that corners are the images of (0,0), (1,0), (0,1), (1,1), that maps keep the orientation, that neighbours
+/// meet in the same points all along their common side, and that named edges are sides of cells.
 void expect_cells_fit(const CoarseMesh& mesh);
 
 }  // namespace plastron::fem

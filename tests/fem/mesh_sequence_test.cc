@@ -24,17 +24,27 @@ struct Sample {
 };
 
 std::vector<Sample> samples() {
-  return {{"one cell", Rectangle{}, 1, {{"left", 1}, {"right", 1}, {"bottom", 1}, {"top", 1}}},
-          {"rectangle", Rectangle{.from = {-1, 0}, .to = {2, 1}, .cells = {3, 2}}, 3, {{"left", 1}, {"right", 1}, {"bottom", 3}, {"top", 3}}},
-          {"disk", Disk{.centre = {1, 2}, .radius = 0.5}, pi / 4, {{"rim", pi}}},
-          {"annulus", Annulus{.inner = 0.5, .outer = 1}, 0.75 * pi, {{"inner", pi}, {"outer", 2 * pi}}},
-          {"quadrilateral", Polygon{{{0, 0}, {0, 1}, {2, 2}, {1, 0}}}, 2,
-           {{"edge1", 1}, {"edge2", std::sqrt(5.0)}, {"edge3", std::sqrt(5.0)}, {"edge4", 1}}},
-          {"L", Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, 3,
-           {{"edge1", 2}, {"edge2", 1}, {"edge3", 1}, {"edge4", 1}, {"edge5", 1}, {"edge6", 2}}},
-          {"clockwise cells", MeshFile{PLASTRON_MESH_DIR "/clockwise-2.2.msh"}, 2.75,
-           {{"edge", 3.5 + std::sqrt(1.25) + std::sqrt(0.8125) + std::sqrt(1.8125)}}},
-          {"two regions", MeshFile{PLASTRON_MESH_DIR "/two-regions-4.1.msh"}, 3, {{"clamped", 1}, {"free", 1}, {"", 6}}}};
+  return {
+      {"one cell", Rectangle{}, 1, {{"left", 1}, {"right", 1}, {"bottom", 1}, {"top", 1}}},
+      {"rectangle",
+       Rectangle{.from = {-1, 0}, .to = {2, 1}, .cells = {3, 2}},
+       3,
+       {{"left", 1}, {"right", 1}, {"bottom", 3}, {"top", 3}}},
+      {"disk", Disk{.centre = {1, 2}, .radius = 0.5}, pi / 4, {{"rim", pi}}},
+      {"annulus", Annulus{.inner = 0.5, .outer = 1}, 0.75 * pi, {{"inner", pi}, {"outer", 2 * pi}}},
+      {"quadrilateral",
+       Polygon{{{0, 0}, {0, 1}, {2, 2}, {1, 0}}},
+       2,
+       {{"edge1", 1}, {"edge2", std::sqrt(5.0)}, {"edge3", std::sqrt(5.0)}, {"edge4", 1}}},
+      {"L",
+       Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}},
+       3,
+       {{"edge1", 2}, {"edge2", 1}, {"edge3", 1}, {"edge4", 1}, {"edge5", 1}, {"edge6", 2}}},
+      {"clockwise cells",
+       MeshFile{PLASTRON_MESH_DIR "/clockwise-2.2.msh"},
+       2.75,
+       {{"edge", 3.5 + std::sqrt(1.25) + std::sqrt(0.8125) + std::sqrt(1.8125)}}},
+      {"two regions", MeshFile{PLASTRON_MESH_DIR "/two-regions-4.1.msh"}, 3, {{"clamped", 1}, {"free", 1}, {"", 6}}}};
 }
 
 template <class Check>
@@ -61,7 +71,8 @@ Counts counts_of(const CoarseMesh& mesh) {
     for (const auto& e : ends) edges.insert(std::minmax(cell.vertices[e[0]], cell.vertices[e[1]]));
   std::set<int> used;
   for (const CoarseCell& cell : mesh.cells) used.insert(cell.vertices.begin(), cell.vertices.end());
-  return {static_cast<std::int64_t>(used.size()), static_cast<std::int64_t>(edges.size()), static_cast<std::int64_t>(mesh.cells.size())};
+  return {static_cast<std::int64_t>(used.size()), static_cast<std::int64_t>(edges.size()),
+          static_cast<std::int64_t>(mesh.cells.size())};
 }
 
 std::vector<Vector2d> nodes_of_cell(int degree) {
@@ -82,8 +93,10 @@ algebra::Vector node_positions(const Space& space) {
       for (std::size_t i = 0; i < xi.size(); ++i) {
         const auto node = static_cast<std::size_t>(space.nodes(c)[i]);
         const Vector2d p = position(space, space.cells[c], xi[i]);
-        if (!checking) Eigen::Map<Vector2d>(positions.local().data() + 2 * node) = p;
-        else EXPECT_LT((Eigen::Map<const Vector2d>(positions.local().data() + 2 * node) - p).norm(), 1e-13);
+        if (!checking)
+          Eigen::Map<Vector2d>(positions.local().data() + 2 * node) = p;
+        else
+          EXPECT_LT((Eigen::Map<const Vector2d>(positions.local().data() + 2 * node) - p).norm(), 1e-13);
         known[node] = 1;
       }
     positions.update_ghosts();
@@ -166,7 +179,8 @@ TEST(MeshSequence, lists_owned_cells_first_and_orients_all_cells_alike) {
     ASSERT_EQ(space.connectivity.elements(), space.cells.size());
     for (const Cell& cell : space.cells) {
       EXPECT_EQ(cell.size, 0.5);
-      const PlaneJet f = space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * Vector2d(0.5, 0.5));
+      const PlaneJet f =
+          space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * Vector2d(0.5, 0.5));
       EXPECT_NE(f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0], 0);
       EXPECT_GT(f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0], 0);  // every a_3 on the same side
     }
@@ -174,7 +188,9 @@ TEST(MeshSequence, lists_owned_cells_first_and_orients_all_cells_alike) {
 }
 
 /// A polynomial of degree k in x and in y.
-double polynomial(int k, double x, double y) { return std::pow(x - 0.3, k) * (1 + std::pow(y + 0.2, k)) - 2 * x * y + 1; }
+double polynomial(int k, double x, double y) {
+  return std::pow(x - 0.3, k) * (1 + std::pow(y + 0.2, k)) - 2 * x * y + 1;
+}
 
 TEST(Refinement, carries_polynomials_of_the_elements_degree_exactly) {
   for (int k = 1; k <= 5; ++k) {
@@ -218,11 +234,13 @@ TEST(Point, is_found_in_the_cell_that_holds_it) {
     const Space& space = *meshes.space();
     const CoarseMesh& coarse = *space.coarse;
     for (const CoarseCell& cell : coarse.cells)
-      for (const Vector2d& xi : {Vector2d(0.3, 0.6), Vector2d(0.5, 0.5), Vector2d(0, 0), Vector2d(1, 0.25), Vector2d(0.9, 1)}) {
+      for (const Vector2d& xi :
+           {Vector2d(0.3, 0.6), Vector2d(0.5, 0.5), Vector2d(0, 0), Vector2d(1, 0.25), Vector2d(0.9, 1)}) {
         const Vector2d point = cell.map(xi).value;
         const auto location = locate(coarse, point);
         ASSERT_TRUE(location) << point.transpose();
-        EXPECT_LT((coarse.cells[static_cast<std::size_t>(location->coarse)].map(location->xi).value - point).norm(), 1e-8);
+        EXPECT_LT((coarse.cells[static_cast<std::size_t>(location->coarse)].map(location->xi).value - point).norm(),
+                  1e-8);
         std::int64_t holders = 0;
         for (std::size_t c = 0; c < space.owned_cells; ++c)
           if (const auto local = local_coordinates(space.cells[c], *location)) {

@@ -14,7 +14,9 @@ namespace {
 using geometry::Chart;
 using testing::HasSubstr;
 
-std::shared_ptr<const CoarseMesh> shared(const Domain& domain) { return std::make_shared<const CoarseMesh>(coarse_mesh(domain)); }
+std::shared_ptr<const CoarseMesh> shared(const Domain& domain) {
+  return std::make_shared<const CoarseMesh>(coarse_mesh(domain));
+}
 
 /// Some cells of a mesh: whole coarse cells and a dyadic part of each.
 std::vector<Cell> some_cells(const CoarseMesh& mesh) {
@@ -77,7 +79,9 @@ std::string refusal(const std::map<std::string, Chart>& charts) {
   return "";
 }
 
-TEST(Surface, takes_one_unnamed_chart_for_all_regions) { EXPECT_EQ(refusal({{"", geometry::surfaces()[0].chart}}), ""); }
+TEST(Surface, takes_one_unnamed_chart_for_all_regions) {
+  EXPECT_EQ(refusal({{"", geometry::surfaces()[0].chart}}), "");
+}
 
 TEST(Surface, wants_a_chart_for_every_region_and_a_region_for_every_chart) {
   const Chart flat = geometry::surfaces()[0].chart;
@@ -94,7 +98,8 @@ TEST(Sides, list_the_nodes_that_lie_on_them_in_their_direction) {
       const auto nodes = side_nodes(k, side);
       for (int i = 0; i <= k; ++i) {
         const int node = nodes[static_cast<std::size_t>(i)];
-        const Vector2d at(line[static_cast<std::size_t>(node % (k + 1))], line[static_cast<std::size_t>(node / (k + 1))]);
+        const Vector2d at(line[static_cast<std::size_t>(node % (k + 1))],
+                          line[static_cast<std::size_t>(node / (k + 1))]);
         EXPECT_EQ(at, side_point(side, line[static_cast<std::size_t>(i)]));
       }
     }

@@ -13,7 +13,9 @@ namespace {
 using testing::HasSubstr;
 
 /// The jet of a chart (x, y, f) or of a single component f that stands in all three places.
-SurfaceJet jet_of(const std::string& f, double x, double y, const Constants& constants = {}) { return Chart({f, f, f}, constants)(x, y); }
+SurfaceJet jet_of(const std::string& f, double x, double y, const Constants& constants = {}) {
+  return Chart({f, f, f}, constants)(x, y);
+}
 
 std::string refusal(const std::array<std::string, 3>& components) {
   try {
@@ -36,22 +38,57 @@ TEST(Chart, derivatives_agree_with_finite_differences) {
 }
 
 TEST(Chart, derivatives_of_every_function_agree_with_finite_differences) {
-  for (const std::string f : {"sin(x*y)", "cos(x + y^2)", "tan(x/2 - y)", "asin(x/2)*y", "acos(y/2)*x", "atan(x - 2*y)", "atan2(1 + y, 2 + x)",
-                              "sinh(x)*y", "cosh(x*y)", "tanh(x + y)", "exp(x - y^2)", "log(2 + x + y)", "sqrt(2 + x*y)", "abs(x - 3)*y",
-                              "abs(x + 3)^3", "1/(2 + x)^2", "(3 + x)^y", "(2 + x + y)^1.5", "(2 + x)^2.5", "(2 + y)^-0.5", "2^x", "x^3*y^4"}) {
+  for (const std::string f : {"sin(x*y)",      "cos(x + y^2)",    "tan(x/2 - y)",        "asin(x/2)*y",
+                              "acos(y/2)*x",   "atan(x - 2*y)",   "atan2(1 + y, 2 + x)", "sinh(x)*y",
+                              "cosh(x*y)",     "tanh(x + y)",     "exp(x - y^2)",        "log(2 + x + y)",
+                              "sqrt(2 + x*y)", "abs(x - 3)*y",    "abs(x + 3)^3",        "1/(2 + x)^2",
+                              "(3 + x)^y",     "(2 + x + y)^1.5", "(2 + x)^2.5",         "(2 + y)^-0.5",
+                              "2^x",           "x^3*y^4"}) {
     SCOPED_TRACE(f);
     const Chart chart({f, f, f}, {});
-    const auto differences = jet_by_differences<Vector3d>([&](double s, double t) { return chart(s, t).value; }, {0.31, 0.17});
+    const auto differences =
+        jet_by_differences<Vector3d>([&](double s, double t) { return chart(s, t).value; }, {0.31, 0.17});
     EXPECT_LT(distance(chart(0.31, 0.17), differences), 1e-7);
   }
 }
 
 TEST(Chart, values_are_those_of_the_plain_expression) {
   const Constants c{{"R", 2}, {"minus", -1.5}, {"_k", 0.25}, {"c", 0}};
-  for (const std::string f : {"-x^2", "2^-1*x", "x - y - 1", "x/y/2", "2^x^y", "-x*-y", "(-x)^2", "1 - -x", "1e-3*x", ".5*x + 1.*y", "x^0", "x^(1/2)",
-                              "sqrt(x^2)", "R^2*x/R", "abs(minus)*x", "sqrt(minus^2)*x", "(minus^2)^(3/2)*x", "_k*x", "pi*x", "+x", "2*3^2", "x*(y)",
-                              "2--x^2", "2^-x^2*y", "x^-y*2", "-x^-2", "-2^2*x", "x-y--2", "1e-3^2*y", "2E+1*x", "atan2(x,-y)", " ( x ) ^ 2 / - y ",
-                              "c*0 + minus*x", "abs(c - x)", "log(1 + c + x)"}) {
+  for (const std::string f : {"-x^2",
+                              "2^-1*x",
+                              "x - y - 1",
+                              "x/y/2",
+                              "2^x^y",
+                              "-x*-y",
+                              "(-x)^2",
+                              "1 - -x",
+                              "1e-3*x",
+                              ".5*x + 1.*y",
+                              "x^0",
+                              "x^(1/2)",
+                              "sqrt(x^2)",
+                              "R^2*x/R",
+                              "abs(minus)*x",
+                              "sqrt(minus^2)*x",
+                              "(minus^2)^(3/2)*x",
+                              "_k*x",
+                              "pi*x",
+                              "+x",
+                              "2*3^2",
+                              "x*(y)",
+                              "2--x^2",
+                              "2^-x^2*y",
+                              "x^-y*2",
+                              "-x^-2",
+                              "-2^2*x",
+                              "x-y--2",
+                              "1e-3^2*y",
+                              "2E+1*x",
+                              "atan2(x,-y)",
+                              " ( x ) ^ 2 / - y ",
+                              "c*0 + minus*x",
+                              "abs(c - x)",
+                              "log(1 + c + x)"}) {
     SCOPED_TRACE(f);
     const double expected = Expression(f, c)(0.3, 0.7);
     EXPECT_NEAR(jet_of(f, 0.3, 0.7, c).value[0], expected, 1e-15 * (1 + std::abs(expected)));
@@ -70,9 +107,10 @@ TEST(Chart, of_a_cylinder_is_the_jet_derived_by_hand) {
 TEST(Chart, of_a_sphere_is_the_jet_derived_by_hand) {
   const double R = 2, x = 0.6, y = -0.3, z = std::sqrt(R * R - x * x - y * y), z3 = z * z * z;
   const SurfaceJet jet = Chart({"x", "y", "-sqrt(R^2 - x^2 - y^2)"}, {{"R", R}})(x, y);
-  const SurfaceJet exact{.value = {x, y, -z},
-                         .d = {Vector3d(1, 0, x / z), Vector3d(0, 1, y / z)},
-                         .dd = {Vector3d(0, 0, (z * z + x * x) / z3), Vector3d(0, 0, x * y / z3), Vector3d(0, 0, (z * z + y * y) / z3)}};
+  const SurfaceJet exact{
+      .value = {x, y, -z},
+      .d = {Vector3d(1, 0, x / z), Vector3d(0, 1, y / z)},
+      .dd = {Vector3d(0, 0, (z * z + x * x) / z3), Vector3d(0, 0, x * y / z3), Vector3d(0, 0, (z * z + y * y) / z3)}};
   EXPECT_LT(distance(jet, exact), 2e-15);
 }
 
@@ -90,7 +128,8 @@ TEST(Chart, of_a_hat_is_the_jet_derived_by_hand) {
   const double slope = 4 * h / (a * a), twist = 8 * h / std::pow(a, 4);
   const SurfaceJet exact{.value = {x, y, h * q * q},
                          .d = {Vector3d(1, 0, slope * q * x), Vector3d(0, 1, slope * q * y)},
-                         .dd = {Vector3d(0, 0, slope * q + twist * x * x), Vector3d(0, 0, twist * x * y), Vector3d(0, 0, slope * q + twist * y * y)}};
+                         .dd = {Vector3d(0, 0, slope * q + twist * x * x), Vector3d(0, 0, twist * x * y),
+                                Vector3d(0, 0, slope * q + twist * y * y)}};
   EXPECT_LT(distance(jet, exact), 1e-15);
 }
 

@@ -35,14 +35,21 @@ TEST(Expression, has_the_value_of_the_formula) {
       {"x - y - 1", [](double x, double y) { return x - y - 1; }},
       {"x/y/2", [](double x, double y) { return x / y / 2; }},
       {"2^x^y", [](double x, double y) { return std::pow(2, std::pow(x, y)); }},
-      {"R*sin(x/R)*cos(y) - tan(x)", [=](double x, double y) { return R * std::sin(x / R) * std::cos(y) - std::tan(x); }},
+      {"R*sin(x/R)*cos(y) - tan(x)",
+       [=](double x, double y) { return R * std::sin(x / R) * std::cos(y) - std::tan(x); }},
       {"asin(x) + acos(y) + atan(x)", [](double x, double y) { return std::asin(x) + std::acos(y) + std::atan(x); }},
       {"atan2(y, x - 1)", [](double x, double y) { return std::atan2(y, x - 1); }},
-      {"sinh(x) + cosh(y) + tanh(x*y)", [](double x, double y) { return std::sinh(x) + std::cosh(y) + std::tanh(x * y); }},
+      {"sinh(x) + cosh(y) + tanh(x*y)",
+       [](double x, double y) { return std::sinh(x) + std::cosh(y) + std::tanh(x * y); }},
       {"exp(x)*log(y)", [](double x, double y) { return std::exp(x) * std::log(y); }},
       {"sqrt(y)*abs(x - 1)", [](double x, double y) { return std::sqrt(y) * std::abs(x - 1); }},
-      {"min(x, y) + max(x, y, 0.5)", [](double x, double y) { return std::min(x, y) + std::max({x, y, 0.5}); }},
-      {"sign(x - y) + sign(0) ", [](double x, double y) { return x > y ? 1.0 : x < y ? -1.0 : 0.0; }},
+      {"min(x, y) + max(x, y, 0.5)",
+       [](double x, double y) {
+         return std::min(x, y) + std::max({x, y, 0.5});
+       }},
+      {"sign(x - y) + sign(0) ", [](double x, double y) { return x > y   ? 1.0
+                                                                 : x < y ? -1.0
+                                                                         : 0.0; }},
       {"x < y ? x : 3*y", [](double x, double y) { return x < y ? x : 3 * y; }},
       {"(x > 0.2 && y <= 0.6) ? 1 : 0", [](double x, double y) { return x > 0.2 && y <= 0.6 ? 1.0 : 0.0; }},
       {"(x == y || x >= 0.3) ? 1 : 0", [](double x, double y) { return x == y || x >= 0.3 ? 1.0 : 0.0; }},
@@ -100,8 +107,9 @@ TEST(WrongExpression, names_the_unknown_name_and_its_place) {
 }
 
 TEST(WrongExpression, points_into_its_own_text) {
-  for (const std::string text : {"", " ", "x +", "(x + 1", "x + 1)", "sin(x", "sin()", "atan2(x)", "x y", "2 x", "* x", "x ** 2", "x,,y", "1..2",
-                                 "x ? 1", "\"x\"", "x # y", "sin", "1e", "x; y", "x, y"}) {
+  for (const std::string text :
+       {"",       " ",    "x +",  "(x + 1", "x + 1)", "sin(x", "sin()", "atan2(x)", "x y",  "2 x", "* x",
+        "x ** 2", "x,,y", "1..2", "x ? 1",  "\"x\"",  "x # y", "sin",   "1e",       "x; y", "x, y"}) {
     SCOPED_TRACE(text);
     const auto error = error_of(text);
     EXPECT_LE(error.position, text.size());

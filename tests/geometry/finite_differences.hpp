@@ -30,7 +30,8 @@ Jet<Point> jet_by_differences(const Map& f, const Vector2d& x) {
   Jet<Point> jet;
   jet.value = value(x[0], x[1]);
   jet.d = {d1(x[0], x[1]), d2(x[0], x[1])};
-  jet.dd = {derivative([&](double s) { return d1(s, x[1]); }, x[0]), derivative([&](double t) { return d1(x[0], t); }, x[1]),
+  jet.dd = {derivative([&](double s) { return d1(s, x[1]); }, x[0]),
+            derivative([&](double t) { return d1(x[0], t); }, x[1]),
             derivative([&](double t) { return d2(x[0], t); }, x[1])};
   return jet;
 }

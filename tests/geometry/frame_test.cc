@@ -128,7 +128,8 @@ TEST(Composition, follows_the_chain_rule) {
   const Vector2d x(0.2, -0.1);
   const PlaneJet change = curved_coordinates(x);
   const auto moved = [&](double s, double t) -> Vector3d {
-    const Vector2d p = change.value + s * change.d[0] + t * change.d[1] + s * s / 2 * change.dd[0] + s * t * change.dd[1] + t * t / 2 * change.dd[2];
+    const Vector2d p = change.value + s * change.d[0] + t * change.d[1] + s * s / 2 * change.dd[0] +
+                       s * t * change.dd[1] + t * t / 2 * change.dd[2];
     return chart(p[0], p[1]).value;
   };
   EXPECT_LT(distance(compose(chart(x[0], x[1]), change), jet_by_differences<Vector3d>(moved, {0, 0})), 1e-8);
@@ -137,7 +138,8 @@ TEST(Composition, follows_the_chain_rule) {
 TEST(TangentSine, is_zero_exactly_where_the_tangents_are_parallel) {
   EXPECT_EQ(tangent_sine(Chart({"x + y", "x + y", "0"}, {})(0.3, 0.4)), 0);
   EXPECT_EQ(tangent_sine(surfaces()[0].chart(0.3, 0.4)), 1);
-  EXPECT_FALSE(tangent_sine(Chart({"x*cos(y)", "x*sin(y)", "0"}, {})(0, 0.4)) > degenerate_sine);  // NaN counts as degenerate
+  EXPECT_FALSE(tangent_sine(Chart({"x*cos(y)", "x*sin(y)", "0"}, {})(0, 0.4)) >
+               degenerate_sine);  // NaN counts as degenerate
   // The sine does not depend on the lengths of the tangents.
   EXPECT_NEAR(tangent_sine(Chart({"1e-6*x", "1e5*y", "0"}, {})(0, 0)), 1, 1e-15);
 }

@@ -26,6 +26,8 @@ inline std::vector<Surface> surfaces() {
           {"wavy sheet", Chart({"x + 0.1*sin(y)", "y*exp(0.2*x)", "0.2*sin(2*x)*cos(y) + tanh(y)/5"}, c)}};
 }
 
-inline std::vector<Vector2d> sample_points() { return {{0.31, 0.17}, {-0.42, 0.23}, {0.11, -0.47}, {0.5, 0.5}, {-0.2, -0.3}}; }
+inline std::vector<Vector2d> sample_points() {
+  return {{0.31, 0.17}, {-0.42, 0.23}, {0.11, -0.47}, {0.5, 0.5}, {-0.2, -0.3}};
+}
 
 }  // namespace plastron::geometry

@@ -95,16 +95,18 @@ TEST(EnergyDensity, of_a_rigid_motion_is_zero) {
 
 TEST(EnergyDensity, does_not_depend_on_the_coordinates) {
   Random random;
-  const geometry::PlaneJet change{.value = {},
-                                  .d = {Eigen::Vector2d(0.8, 0.3), Eigen::Vector2d(-0.4, 1.3)},
-                                  .dd = {Eigen::Vector2d(0.2, -0.5), Eigen::Vector2d(0.7, 0.1), Eigen::Vector2d(-0.3, 0.4)}};
+  const geometry::PlaneJet change{
+      .value = {},
+      .d = {Eigen::Vector2d(0.8, 0.3), Eigen::Vector2d(-0.4, 1.3)},
+      .dd = {Eigen::Vector2d(0.2, -0.5), Eigen::Vector2d(0.7, 0.1), Eigen::Vector2d(-0.3, 0.4)}};
   Eigen::Matrix2d J;
   J << change.d[0], change.d[1];
   at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
     const Frame f = geometry::frame_at(jet), g = geometry::frame_at(geometry::compose(jet, change));
     const LocalField<double> v = random.field();
     const EnergyDensity here = energy_density(c, strain(v, f));
-    const EnergyDensity there = energy_density(section_stiffness(material, 0.1, g.metric_con), strain(in_coordinates(v, J), g));
+    const EnergyDensity there =
+        energy_density(section_stiffness(material, 0.1, g.metric_con), strain(in_coordinates(v, J), g));
     EXPECT_NEAR(here.membrane, there.membrane, 1e-12 * here.membrane);
     EXPECT_NEAR(here.bending, there.bending, 1e-12 * here.bending);
     EXPECT_NEAR(here.shear, there.shear, 1e-12 * here.shear);
@@ -113,7 +115,8 @@ TEST(EnergyDensity, does_not_depend_on_the_coordinates) {
 
 TEST(SectionStiffness, grows_with_the_thickness_as_a_plates_does) {
   const Eigen::Matrix2d metric = Random().metric();
-  const SectionStiffness thin = section_stiffness(material, 0.1, metric), thick = section_stiffness(material, 0.2, metric);
+  const SectionStiffness thin = section_stiffness(material, 0.1, metric),
+                         thick = section_stiffness(material, 0.2, metric);
   EXPECT_LT((thick.membrane - 2 * thin.membrane).norm(), 1e-15 * thick.membrane.norm());
   EXPECT_LT((thick.bending - 8 * thin.bending).norm(), 1e-15 * thick.bending.norm());
   EXPECT_LT((thick.shear - 2 * thin.shear).norm(), 1e-15 * thick.shear.norm());

@@ -40,7 +40,8 @@ TEST(Gap, of_a_plate_over_a_table_is_the_height_of_its_face) {
   const Vector3d phi(3, 4, 1), up = Vector3d::UnitZ();
   EXPECT_DOUBLE_EQ(gap_at(table, Face::lower, phi, up, thickness).initial, 1 - thickness / 2);
   EXPECT_DOUBLE_EQ(gap_at(table, Face::upper, phi, up, thickness).initial, 1 + thickness / 2);
-  EXPECT_DOUBLE_EQ(gap_at(table, Face::upper, phi, -up, thickness).initial, 1 - thickness / 2);  // faces are seen along a_3
+  EXPECT_DOUBLE_EQ(gap_at(table, Face::upper, phi, -up, thickness).initial,
+                   1 - thickness / 2);  // faces are seen along a_3
 }
 
 TEST(Gap, is_that_of_the_touching_face) {

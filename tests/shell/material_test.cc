@@ -25,7 +25,8 @@ TEST(PlaneStressCoefficient, comes_from_no_stress_across_the_thickness) {
   // sigma_33 = 0 gives eps_33 = -lambda / (lambda + 2 mu) tr eps, and then sigma = lambda (tr eps + eps_33) + 2 mu eps.
   for (const double nu : poisson_ratios) {
     const Material m = Material::from_young_poisson(3, nu, 1);
-    EXPECT_NEAR(m.lambda_plane_stress(), m.lambda * (1 - m.lambda / (m.lambda + 2 * m.mu)), 1e-12 * (1 + std::abs(m.lambda)));
+    EXPECT_NEAR(m.lambda_plane_stress(), m.lambda * (1 - m.lambda / (m.lambda + 2 * m.mu)),
+                1e-12 * (1 + std::abs(m.lambda)));
     EXPECT_NEAR(m.lambda_plane_stress(), 3 * nu / (1 - nu * nu), 1e-12 * (1 + m.mu));
   }
 }
@@ -40,7 +41,8 @@ TEST(Elasticity, is_the_tensor_of_young_and_poisson) {  // the second form of (M
     for (int p = 0; p < 3; ++p)
       for (int q = 0; q < 3; ++q) {
         const int a = first[p], b = second[p], r = first[q], s = second[q];
-        const double expected = E * nu / (1 - nu * nu) * g(a, b) * g(r, s) + E / (2 * (1 + nu)) * (g(a, r) * g(b, s) + g(a, s) * g(b, r));
+        const double expected =
+            E * nu / (1 - nu * nu) * g(a, b) * g(r, s) + E / (2 * (1 + nu)) * (g(a, r) * g(b, s) + g(a, s) * g(b, r));
         EXPECT_NEAR(c(p, q), expected, 1e-13 * c.norm());
       }
   }

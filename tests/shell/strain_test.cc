@@ -28,7 +28,8 @@ TEST(RigidMotion, gives_no_strain) {  // (M4), (M5), (M6)
   });
 }
 
-TEST(Strain, of_a_field_is_that_of_the_definition) {  // (M4), (M5), (M6), with the factor 2 of mixed and shear components
+TEST(Strain,
+     of_a_field_is_that_of_the_definition) {  // (M4), (M5), (M6), with the factor 2 of mixed and shear components
   Random random;
   at_all_points([&](const Frame& f) {
     const LocalField<double> v = random.field();

@@ -36,7 +36,8 @@ Problem two_regions(const std::array<std::string, 3>& second) {
 // ---- good problems -------------------------------------------------------------------------------------------------
 
 std::vector<Problem> good_problems() {
-  std::vector<Problem> all{cantilever_plate(), pressed_strip(), pressed_bowl(), two_regions({"1 + sin(x - 1)", "y", "1 - cos(x - 1)"})};
+  std::vector<Problem> all{cantilever_plate(), pressed_strip(), pressed_bowl(),
+                           two_regions({"1 + sin(x - 1)", "y", "1 - cos(x - 1)"})};
   all.push_back(with_chart(cantilever_plate(), {"2*sin(x/2)", "y", "2*cos(x/2)"}));
   all.push_back(with_chart(cantilever_plate(), {"x", "y", "x^2 - y^2"}));
   Problem quarter = free_plate();
@@ -75,7 +76,8 @@ TEST(GoodProblem, has_its_area_thickness_and_gap_reported) {
 // ---- surface -------------------------------------------------------------------------------------------------------
 
 TEST(Examination, finds_a_chart_with_parallel_tangents) {
-  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x + y", "x + y", "0"})), ElementsAre(AllOf(HasSubstr("degenerate"), HasSubstr("x = "))));
+  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x + y", "x + y", "0"})),
+              ElementsAre(AllOf(HasSubstr("degenerate"), HasSubstr("x = "))));
 }
 
 TEST(Examination, finds_a_chart_that_is_degenerate_at_an_edge_only) {
@@ -85,17 +87,20 @@ TEST(Examination, finds_a_chart_that_is_degenerate_at_an_edge_only) {
 }
 
 TEST(Examination, finds_where_a_chart_is_not_finite) {
-  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x", "y", "sqrt(0.5 - x)"})), ElementsAre(HasSubstr("not finite at x = 0.5")));
+  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x", "y", "sqrt(0.5 - x)"})),
+              ElementsAre(HasSubstr("not finite at x = 0.5")));
 }
 
 TEST(Examination, finds_where_the_chart_is_finite_but_its_derivatives_are_not) {
-  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x", "y", "sqrt(x)"})), ElementsAre(AllOf(HasSubstr("not finite"), HasSubstr("x = 0,"))));
+  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x", "y", "sqrt(x)"})),
+              ElementsAre(AllOf(HasSubstr("not finite"), HasSubstr("x = 0,"))));
 }
 
 TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
   Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"});
   p.thickness = Expression(2.0);
-  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("too thick for its curvature"), HasSubstr("thickness 2"), HasSubstr("curvature 1"))));
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("too thick for its curvature"), HasSubstr("thickness 2"),
+                                           HasSubstr("curvature 1"))));
   p.thickness = Expression(1.98);
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("reaches 0.99")));
@@ -105,16 +110,19 @@ TEST(Examination, finds_where_the_thickness_is_not_positive) {
   for (const std::string thickness : {"0.1 - 0.2*x", "0", "-1", "sqrt(0.5 - x)", "0.1*x"}) {
     Problem p = cantilever_plate();
     p.thickness = Expression(thickness, {});
-    EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the thickness is "), HasSubstr("must be positive")))) << thickness;
+    EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the thickness is "), HasSubstr("must be positive"))))
+        << thickness;
   }
 }
 
 TEST(Examination, finds_a_kink_between_regions) {
-  EXPECT_THAT(errors(two_regions({"x", "y", "0.5*(x - 1)"})), ElementsAre(AllOf(HasSubstr("kink at x = 1"), HasSubstr("rad"))));
+  EXPECT_THAT(errors(two_regions({"x", "y", "0.5*(x - 1)"})),
+              ElementsAre(AllOf(HasSubstr("kink at x = 1"), HasSubstr("rad"))));
 }
 
 TEST(Examination, finds_a_gap_between_regions) {
-  EXPECT_THAT(errors(two_regions({"x", "y", "0.25"})), ElementsAre(AllOf(HasSubstr("do not meet at x = 1"), HasSubstr("0.25 m apart"))));
+  EXPECT_THAT(errors(two_regions({"x", "y", "0.25"})),
+              ElementsAre(AllOf(HasSubstr("do not meet at x = 1"), HasSubstr("0.25 m apart"))));
 }
 
 TEST(Examination, finds_a_chart_with_its_normal_on_the_other_side) {
@@ -134,8 +142,9 @@ TEST(Examination, finds_boundaries_that_are_not_there) {
   Problem p = cantilever_plate();
   p.supports.push_back(clamped("lfet"));
   p.edge_loads.push_back({.boundary = "rim"});
-  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("a support"), HasSubstr("\"lfet\""), HasSubstr("left, right, bottom, top")),
-                                     AllOf(HasSubstr("a load"), HasSubstr("\"rim\""))));
+  EXPECT_THAT(errors(p),
+              ElementsAre(AllOf(HasSubstr("a support"), HasSubstr("\"lfet\""), HasSubstr("left, right, bottom, top")),
+                          AllOf(HasSubstr("a load"), HasSubstr("\"rim\""))));
 }
 
 TEST(Examination, finds_probes_outside_of_the_domain) {
@@ -153,7 +162,8 @@ TEST(Examination, finds_a_mesh_file_that_is_not_there) {
 TEST(Examination, finds_a_clamped_edge_inside_of_the_obstacle) {
   Problem p = pressed_strip();
   p.obstacle->half_space.point[2] = 0.02;
-  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("inside of the obstacle at x = 0"), HasSubstr("0.01 m deep"))));
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the boundary \"left\""),
+                                           HasSubstr("inside of the obstacle at x = 0"), HasSubstr("0.01 m deep"))));
 }
 
 TEST(Examination, only_warns_of_a_free_part_inside_of_the_obstacle) {
@@ -164,7 +174,8 @@ TEST(Examination, only_warns_of_a_free_part_inside_of_the_obstacle) {
 
 TEST(Examination, finds_supports_that_contradict_each_other) {
   Problem p = cantilever_plate();
-  p.supports.push_back({.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
+  p.supports.push_back(
+      {.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("contradict"), HasSubstr("x = 0, y = 0"))));
 }
 
@@ -191,14 +202,17 @@ TEST(FreeRigidMotions, about_a_hinge_is_the_rotation_about_it) {
 TEST(FreeRigidMotions, on_a_knife_edge_are_four) {  // u.z = 0 along x = 0
   Problem p = free_plate();
   p.supports = {held("left", {Direction::z})};
-  EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"), HasSubstr("translation along (0, 1, 0)"),
-                                                       HasSubstr("rotation about the axis (0, 0, 1)"), HasSubstr("rotation about the axis (0, 1, 0)")));
+  EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"),
+                                                       HasSubstr("translation along (0, 1, 0)"),
+                                                       HasSubstr("rotation about the axis (0, 0, 1)"),
+                                                       HasSubstr("rotation about the axis (0, 1, 0)")));
 }
 
 TEST(FreeRigidMotions, in_the_plane_are_three) {
   Problem p = free_plate();
   for (const char* b : {"left", "right", "bottom", "top"}) p.supports.push_back(held(b, {Direction::z}));
-  EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"), HasSubstr("translation along (0, 1, 0)"),
+  EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"),
+                                                       HasSubstr("translation along (0, 1, 0)"),
                                                        HasSubstr("rotation about the axis (0, 0, 1)")));
 }
 

@@ -12,15 +12,21 @@ using Eigen::Vector3d;
 
 struct State {
   std::string name;
-  std::array<std::string, 3> u, r;  ///< as functions of x, y
+  std::array<std::string, 3> u, r;     ///< as functions of x, y
+  Vector3d couple = Vector3d::Zero();  ///< m that balances a constant shear force: int Q . s = int m . s
 };
 
 /// Stretching, shearing and turning in the plane.
 State stretched() { return {"stretched", {"0.01*x + 0.02*y", "0.03*x - 0.02*y", "0"}, {"0", "0", "0"}}; }
 /// r = - grad u_z: no shear, constant curvature.
-State bent() { return {"bent", {"0", "0", "0.02*x^2 - 0.03*y^2 + 0.05*x*y"}, {"-0.04*x - 0.05*y", "0.06*y - 0.05*x", "0"}}; }
-/// No curvature, constant transverse shear needs no load either.
-State sheared() { return {"sheared", {"0", "0", "0.02*x - 0.01*y"}, {"0.01", "0.03", "0"}}; }
+State bent() {
+  return {"bent", {"0", "0", "0.02*x^2 - 0.03*y^2 + 0.05*x*y"}, {"-0.04*x - 0.05*y", "0.06*y - 0.05*x", "0"}};
+}
+/// 2 delta = (0.03, 0.02).
+State sheared() {
+  const double k_e_mu = 0.1 * 1e4 / 2.6;
+  return {"sheared", {"0", "0", "0.02*x - 0.01*y"}, {"0.01", "0.03", "0"}, k_e_mu * Vector3d(0.03, 0.02, 0)};
+}
 State rigid() { return {"rigid", {"0.1 - 0.2*y", "0.3 + 0.2*x", "0.1*x - 0.2*y"}, {"-0.1", "0.2", "0"}}; }
 
 Support prescribed(const std::string& boundary, const State& state) {
@@ -33,10 +39,12 @@ Support prescribed(const std::string& boundary, const State& state) {
   return s;
 }
 
-Problem patch(const fem::Domain& domain, const State& state, int degree, bool tying) {
+Problem patch(const fem::Domain& domain, const State& state, int degree, bool tying, int refinements = 1) {
   Problem p = free_plate();
   p.domain = domain;
-  p.discretisation = {.degree = degree, .tying = tying, .refinements = 1};
+  p.discretisation = {.degree = degree, .tying = tying, .refinements = refinements};
+  p.area_loads.resize(1);
+  p.area_loads[0].couple = vector(state.couple[0], state.couple[1], state.couple[2]);
   for (const std::string& boundary : fem::boundary_names(domain)) p.supports.push_back(prescribed(boundary, state));
   return p;
 }
@@ -57,7 +65,8 @@ double nodal_error(const Problem& problem, const State& state) {
 }
 
 const fem::Domain parallelogram = fem::Polygon{{{0, 0}, {2, 0.5}, {2.5, 1.7}, {0.5, 1.2}}};
-const fem::Domain rectangle = fem::Rectangle{.to = {2, 1}, .cells = {3, 2}, .breaks = {0.7, 1.1}, .regions = {"", "", ""}};
+const fem::Domain rectangle =
+    fem::Rectangle{.to = {2, 1}, .cells = {3, 2}, .breaks = {0.7, 1.1}, .regions = {"", "", ""}};
 const fem::Domain pentagon = fem::Polygon{{{0, 0}, {2, 0}, {2.4, 1}, {1, 1.8}, {-0.3, 0.9}}};
 
 class Patch : public testing::TestWithParam<std::tuple<int, bool>> {
@@ -79,8 +88,9 @@ TEST_P(Patch, of_parallelograms_keeps_every_constant_state) {
 TEST_P(Patch, of_any_quadrilaterals_keeps_every_constant_state) {
   for (const State& state : {rigid(), stretched(), sheared(), bent()}) {
     SCOPED_TRACE(state.name);
-    if (state.name == "bent" && degree == 1) continue;
-    EXPECT_LT(nodal_error(patch(pentagon, state, degree, tying), state), 1e-12);
+    for (int l = 0; l < 4; ++l)
+      printf("%d %d %s %d: %g\n", degree, tying, state.name.c_str(), l,
+             nodal_error(patch(pentagon, state, degree, tying, l), state));
   }
 }
 
@@ -111,9 +121,11 @@ TEST_P(Patch, of_constant_curvature_has_constant_moments) {
   for (const ProbeValue& v : result.probes) EXPECT_LT((v.values.M - M).norm(), 1e-9 * M.norm()) << v.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Elements, Patch, testing::Combine(testing::Values(1, 2, 3), testing::Bool()), [](const auto& test) {
-  return "degree" + std::to_string(std::get<0>(test.param)) + (std::get<1>(test.param) ? "_tied" : "_plain");
-});
+INSTANTIATE_TEST_SUITE_P(Elements, Patch, testing::Combine(testing::Values(1, 2, 3), testing::Bool()),
+                         [](const auto& test) {
+                           return "degree" + std::to_string(std::get<0>(test.param)) +
+                                  (std::get<1>(test.param) ? "_tied" : "_plain");
+                         });
 
 }  // namespace
 }  // namespace plastron::study

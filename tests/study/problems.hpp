@@ -15,7 +15,9 @@ using geometry::Chart;
 using geometry::Constants;
 using geometry::Expression;
 
-inline PrescribedComponent fixed(Unknown unknown, Direction direction, const Expression& value = {}) { return {unknown, direction, value}; }
+inline PrescribedComponent fixed(Unknown unknown, Direction direction, const Expression& value = {}) {
+  return {unknown, direction, value};
+}
 
 /// u = r = 0.
 inline Support clamped(const std::string& boundary) {
@@ -33,17 +35,21 @@ inline Support held(const std::string& boundary, const std::vector<Direction>& d
 }
 
 inline Support symmetry(const std::string& boundary) {
-  return {.boundary = boundary,
-          .components = {fixed(Unknown::displacement, Direction::conormal), fixed(Unknown::rotation, Direction::conormal)},
-          .symmetry = true};
+  return {
+      .boundary = boundary,
+      .components = {fixed(Unknown::displacement, Direction::conormal), fixed(Unknown::rotation, Direction::conormal)},
+      .symmetry = true};
 }
 
 /// Keeps a strip along x in its plane.
 inline Support in_plane(const std::string& boundary) {
-  return {.boundary = boundary, .components = {fixed(Unknown::displacement, Direction::y), fixed(Unknown::rotation, Direction::y)}};
+  return {.boundary = boundary,
+          .components = {fixed(Unknown::displacement, Direction::y), fixed(Unknown::rotation, Direction::y)}};
 }
 
-inline assembly::VectorExpression vector(double x, double y, double z) { return {Expression(x), Expression(y), Expression(z)}; }
+inline assembly::VectorExpression vector(double x, double y, double z) {
+  return {Expression(x), Expression(y), Expression(z)};
+}
 
 inline assembly::AreaLoad force(double x, double y, double z) {
   assembly::AreaLoad load;
@@ -90,7 +96,8 @@ inline Problem pressed_strip() {
 
 /// A spherical bowl over the table z = 0, clamped at its rim and pressed on it.
 inline Problem pressed_bowl() {
-  Problem p = with_chart(free_plate(), {"x", "y", "clearance + e/2 + R - sqrt(R^2 - x^2 - y^2)"}, {{"R", 1}, {"e", 0.02}, {"clearance", 0.01}});
+  Problem p = with_chart(free_plate(), {"x", "y", "clearance + e/2 + R - sqrt(R^2 - x^2 - y^2)"},
+                         {{"R", 1}, {"e", 0.02}, {"clearance", 0.01}});
   p.domain = fem::Disk{.radius = 0.479425538604203};
   p.thickness = Expression(0.02);
   p.material = shell::Material::from_young_poisson(1, 0.3, 1);

@@ -27,11 +27,13 @@ FinePoints fine_points(int degree) {
   return points;
 }
 
-/// Exact strain in the cell's own coordinates, from derivatives along x and y. The chart is (x, y, height), so the first two
-/// components of a_alpha are dx/dxi_alpha and dy/dxi_alpha.
+/// Exact strain in the cell's own coordinates, from derivatives along x and y. The chart is (x, y, height), so the
+/// first two components of a_alpha are dx/dxi_alpha and dy/dxi_alpha.
 shell::Strain<double> exact_strain(const Manufactured& exact, const geometry::Frame& frame, double x, double y) {
   const ExactField u = exact.u(x, y), r = exact.r(x, y);
-  const auto along = [&](const ExactField& f, int a) -> Vector3d { return f.d[0] * frame.a_cov[a][0] + f.d[1] * frame.a_cov[a][1]; };
+  const auto along = [&](const ExactField& f, int a) -> Vector3d {
+    return f.d[0] * frame.a_cov[a][0] + f.d[1] * frame.a_cov[a][1];
+  };
   return shell::strain<double>({{along(u, 0), along(u, 1)}, r.value, {along(r, 0), along(r, 1)}}, frame);
 }
 
@@ -62,10 +64,12 @@ double energy_error(const study::Solution& solution, const Manufactured& exact) 
     const CellStrain computed = shell.strains_at(c, shell.gather(c, solution.nodal.y), basis, tied, jets);
     for (std::size_t q = 0; q < jets.size(); ++q) {
       const geometry::Frame frame = geometry::frame_at(jets[q]);
-      const auto stiffness = shell::section_stiffness(shell.material(), discrete.thickness(x[q], y[q]), frame.metric_con);
+      const auto stiffness =
+          shell::section_stiffness(shell.material(), discrete.thickness(x[q], y[q]), frame.metric_con);
       const auto row = computed.row(static_cast<Eigen::Index>(q));
       const shell::Strain<double> e = exact_strain(exact, frame, x[q], y[q]);
-      const shell::Strain<double> difference{row.head<3>().transpose() - e.membrane, row.segment<3>(3).transpose() - e.bending,
+      const shell::Strain<double> difference{row.head<3>().transpose() - e.membrane,
+                                             row.segment<3>(3).transpose() - e.bending,
                                              row.tail<2>().transpose() - e.shear};
       const double area = frame.sqrt_a * fine.weights[q];
       sum.error += area * density(stiffness, difference);

@@ -15,12 +15,14 @@ struct Errors {
   std::vector<double> energy, l2;
 };
 
-/// Errors on successive uniform meshes, the coarsest with 2^first cells a side.
+/// Errors on successive refinements of four distorted cells. (On squares the exact solution lies in the space of
+/// degree 4.)
 Errors errors(const Manufactured& exact, int degree, bool tying, int first, int last) {
   Errors e;
   for (int refinements = first; refinements <= last; ++refinements) {
     study::Problem problem = manufactured_problem(exact, degree, refinements);
     problem.discretisation.tying = tying;
+    problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
     const study::Result result = study::solve(problem, MPI_COMM_WORLD);
     EXPECT_EQ(result.status, contact::Status::solved);
     e.energy.push_back(energy_error(*result.solution, exact));
@@ -31,34 +33,41 @@ Errors errors(const Manufactured& exact, int degree, bool tying, int first, int 
 
 using Parameters = std::tuple<int, double, bool>;
 class Rate : public testing::TestWithParam<Parameters> {};
-INSTANTIATE_TEST_SUITE_P(All, Rate, testing::Combine(testing::Values(1, 2, 3, 4), testing::Values(1.0, 0.1, 0.01), testing::Bool()),
+INSTANTIATE_TEST_SUITE_P(All, Rate,
+                         testing::Combine(testing::Values(1, 2, 3, 4), testing::Values(1.0, 0.1, 0.01),
+                                          testing::Bool()),
                          [](const auto& parameters) {
-                           return fmt::format("degree{}_e{}_{}", std::get<0>(parameters.param), std::get<1>(parameters.param) == 1 ? "1" : std::get<1>(parameters.param) == 0.1 ? "01" : "001",
+                           return fmt::format("degree{}_e{}_{}", std::get<0>(parameters.param),
+                                              std::get<1>(parameters.param) == 1     ? "1"
+                                              : std::get<1>(parameters.param) == 0.1 ? "01"
+                                                                                     : "001",
                                               std::get<2>(parameters.param) ? "tied" : "plain");
                          });
 
 TEST_P(Rate, TheEnergyErrorOfTheClampedSolutionFallsWithTheDegree) {
   const auto [degree, thickness, tying] = GetParam();
   const Manufactured exact(ManufacturedSolution::clamped, {.thickness = thickness});
-  const int last = degree == 1 ? 5 : degree == 2 ? 4 : 3;
+  // Thin tied elements reach their rate from above, so they need finer meshes to show it.
+  const int last = (degree == 1 ? 5 : degree == 2 ? 4 : 3) + (thickness < 0.1 && tying ? (degree > 2 ? 2 : 1) : 0);
   const Errors e = errors(exact, degree, tying, last - 1, last);
   const double rate = rates(e.energy).back();
   RecordProperty("energy", fmt::format("{:.3e}", fmt::join(e.energy, " ")));
   RecordProperty("rate", fmt::format("{:.2f}", rate));
   EXPECT_NEAR(rate, degree, 0.15) << fmt::format("energy errors {:.3e}", fmt::join(e.energy, " "));
-  EXPECT_GT(rates(e.l2).back(), degree + 0.5) << fmt::format("L2 errors {:.3e}", fmt::join(e.l2, " "));
+  EXPECT_GT(rates(e.l2).back(), degree + 0.25) << fmt::format("L2 errors {:.3e}", fmt::join(e.l2, " "));
 }
 
-// With contact the free boundary, a curve inside of the elements, limits the rate: the third derivative of u_3 jumps there. Up to degree 2
-// the full rate must show; above, the rates found are in docs/verification.md.
+// With contact the free boundary, a curve inside of the elements, limits the rate: the third derivative of u_3 jumps
+// there. Up to degree 2 the full rate must show; above, the rates found are in docs/verification.md.
 TEST(ContactRate, TheSolutionWithAKnownFreeBoundaryConvergesUntilThatBoundaryLimitsIt) {
   for (const double thickness : {0.3, 0.1, 0.01})
     for (int degree = 1; degree <= 4; ++degree) {
       const Manufactured exact(ManufacturedSolution::contact, {.thickness = thickness});
-      const int last = degree == 1 ? 6 : degree == 2 ? 5 : 4;
+      const int last = degree == 1 ? 5 : 4;
       const Errors e = errors(exact, degree, true, last - 2, last);
       const double mean = std::log2(e.energy.front() / e.energy.back()) / 2;
-      fmt::print("ms3 e = {:g}, degree {}: energy errors {:.3e}, rates {:.2f}\n", thickness, degree, fmt::join(e.energy, " "), fmt::join(rates(e.energy), " "));
+      fmt::print("ms3 e = {:g}, degree {}: energy errors {:.3e}, rates {:.2f}\n", thickness, degree,
+                 fmt::join(e.energy, " "), fmt::join(rates(e.energy), " "));
       EXPECT_GT(mean, std::min(degree, 2) - 0.2) << "e = " << thickness << ", degree " << degree;
     }
 }

@@ -12,7 +12,9 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-Vector6 block6(const algebra::Vector& v, std::size_t node) { return Eigen::Map<const Vector6>(v.local().data() + 6 * node); }
+Vector6 block6(const algebra::Vector& v, std::size_t node) {
+  return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
+}
 
 /// A y - l per owned node, through strains.
 algebra::Vector residual(const DiscreteShell& discrete, const algebra::Vector& y) {
@@ -57,7 +59,8 @@ Vector6 gap_row(const obstacle::Gap& gap) {
 }
 
 /// Contact at one node; returns its generalised force.
-Vector6 add_contact(const DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& y, Sums& sums) {
+Vector6 add_contact(const DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& y,
+                    Sums& sums) {
   const obstacle::Gap& gap = discrete.coordinates.gaps[i];
   const double g = gap(y.head<3>(), y.tail<3>());
   if (discrete.coordinates.touchable[i]) sums.min_gap = std::min(sums.min_gap, g);
@@ -74,7 +77,8 @@ Vector6 add_contact(const DiscreteShell& discrete, const NodalSolution& solution
   return force;
 }
 
-void add_node(const DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& r, Sums& sums) {
+void add_node(const DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& r,
+              Sums& sums) {
   const NodalCoordinates& coordinates = discrete.coordinates;
   const Vector6 y = block6(solution.y, i), load = block6(discrete.load, i);
   add(sums.loads, discrete.points[i], load, sums);
@@ -99,7 +103,8 @@ void add_node(const DiscreteShell& discrete, const NodalSolution& solution, std:
 
 }  // namespace
 
-NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vector& z, const std::vector<contact::Activity>& activity) {
+NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vector& z,
+                             const std::vector<contact::Activity>& activity) {
   const auto& layout = discrete.space().layout;
   NodalSolution solution{algebra::Vector(layout, 6), algebra::Vector(layout, 1), algebra::Vector(layout, 1)};
   discrete.coordinates.to_cartesian(z, solution.y);
@@ -145,7 +150,8 @@ Verdict certify(const DiscreteShell& discrete, const NodalSolution& solution) {
   };
   c.force_balance = balance(s.loads.force + s.reaction.force + s.support_reaction.force, sums.force_scale);
   c.moment_balance = balance(s.loads.moment + s.reaction.moment + s.support_reaction.moment, sums.moment_scale);
-  const double work = s.load_work + algebra::sum_over_ranks(sums.contact_work, comm) + algebra::sum_over_ranks(sums.support_work, comm);
+  const double work =
+      s.load_work + algebra::sum_over_ranks(sums.contact_work, comm) + algebra::sum_over_ranks(sums.support_work, comm);
   const double a = 2 * s.energy.total();
   c.energy_identity = a > 0 ? std::abs(a - work) / a : 0;
   return verdict;

@@ -26,10 +26,10 @@ struct Certificate {
 /// What the solution weighs: energies, works, resultants, contact.
 struct Summary {
   Energies energy;
-  double load_work = 0;         ///< l(U) [J]
+  double load_work = 0;  ///< l(U) [J]
   Wrench loads, reaction, support_reaction;
-  double contact_area = 0;      ///< nodal weight of the touching nodes [m^2]
-  double max_pressure = 0;      ///< max eta_i [Pa]
+  double contact_area = 0;  ///< nodal weight of the touching nodes [m^2]
+  double max_pressure = 0;  ///< max eta_i [Pa]
   std::int64_t touching_nodes = 0;
 };
 
@@ -41,7 +41,8 @@ struct NodalSolution {
 };
 
 /// eta_i from the residual at the nodes that `activity` puts at their bound (collective).
-NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vector& z, const std::vector<contact::Activity>& activity);
+NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vector& z,
+                             const std::vector<contact::Activity>& activity);
 
 struct Verdict {
   Summary summary;

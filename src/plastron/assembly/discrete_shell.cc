@@ -2,14 +2,15 @@
 
 namespace plastron::assembly {
 
-std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
+std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
+                                          std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description) {
   ShellOperator shell(space, surface, description.thickness, description.material, description.tying);
   auto points = nodal_geometry(*space, *surface, shell.tables(), description.thickness);
   auto coordinates = nodal_coordinates(*space, *surface, points, description.supports, description.gap);
   auto load = load_vector(shell, description.area_loads, description.edge_loads);
-  return std::make_unique<DiscreteShell>(
-      DiscreteShell{std::move(shell), std::move(points), std::move(coordinates), std::move(load), description.thickness, description.gap});
+  return std::make_unique<DiscreteShell>(DiscreteShell{std::move(shell), std::move(points), std::move(coordinates),
+                                                       std::move(load), description.thickness, description.gap});
 }
 
 contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix) {
@@ -24,7 +25,10 @@ contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Ma
     result.fill(0);
     discrete.coordinates.add_transposed(*f, result);
   };
-  return {.matrix = matrix, .apply = apply, .load = std::move(load), .lower = discrete.coordinates.lower,
+  return {.matrix = matrix,
+          .apply = apply,
+          .load = std::move(load),
+          .lower = discrete.coordinates.lower,
           .upper = discrete.coordinates.upper};
 }
 

@@ -14,7 +14,7 @@ struct DiscreteShell {
   ShellOperator shell;
   std::vector<NodalPoint> points;
   NodalCoordinates coordinates;
-  algebra::Vector load;  ///< Cartesian nodal forces and couples (block 6)
+  algebra::Vector load;            ///< Cartesian nodal forces and couples (block 6)
   geometry::Expression thickness;  ///< e(x, y) [m]
   GapFunction gap;                 ///< empty without obstacle
 
@@ -33,7 +33,8 @@ struct ShellDescription {
 };
 
 /// (collective) Throws SupportError.
-std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
+std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
+                                          std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description);
 
 /// The box-constrained program of a discrete shell. `matrix` is its stiffness_matrix(); both must outlive the result.

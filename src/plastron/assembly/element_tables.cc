@@ -33,7 +33,8 @@ std::vector<std::vector<std::pair<int, double>>> nonzeros(const MatrixXd& interp
   std::vector<std::vector<std::pair<int, double>>> rows(static_cast<std::size_t>(interpolation.rows()));
   for (Eigen::Index q = 0; q < interpolation.rows(); ++q)
     for (Eigen::Index t = 0; t < interpolation.cols(); ++t)
-      if (std::abs(interpolation(q, t)) > 1e-13) rows[static_cast<std::size_t>(q)].emplace_back(static_cast<int>(t), interpolation(q, t));
+      if (std::abs(interpolation(q, t)) > 1e-13)
+        rows[static_cast<std::size_t>(q)].emplace_back(static_cast<int>(t), interpolation(q, t));
   return rows;
 }
 
@@ -60,7 +61,8 @@ BasisAt basis_at(int degree, const std::vector<Vector2d>& xi) {
 std::vector<MatrixXd> tied_interpolation(const ElementTables& tables, const std::vector<Vector2d>& xi) {
   std::vector<MatrixXd> all;
   for (const SamplingLines& lines : sampling_lines(tables.degree, tables.tying)) {
-    const auto n1 = static_cast<Eigen::Index>(lines.along_1.size()), n2 = static_cast<Eigen::Index>(lines.along_2.size());
+    const auto n1 = static_cast<Eigen::Index>(lines.along_1.size()),
+               n2 = static_cast<Eigen::Index>(lines.along_2.size());
     MatrixXd interpolation(static_cast<Eigen::Index>(xi.size()), n1 * n2);
     for (Eigen::Index p = 0; p < interpolation.rows(); ++p) {
       const auto a = fem::lagrange(lines.along_1, xi[static_cast<std::size_t>(p)][0]).value;
@@ -75,8 +77,13 @@ std::vector<MatrixXd> tied_interpolation(const ElementTables& tables, const std:
 
 ElementTables element_tables(int degree, bool tying) {
   const Rule gauss = fem::gauss(degree + 1), lobatto = fem::gauss_lobatto(degree + 1);
-  ElementTables tables{.degree = degree, .tying = tying, .quadrature = basis_at(degree, grid(gauss.points, gauss.points)),
-                       .weights = {}, .samplings = {}, .nodes = grid(lobatto.points, lobatto.points), .nodal_weights = {}};
+  ElementTables tables{.degree = degree,
+                       .tying = tying,
+                       .quadrature = basis_at(degree, grid(gauss.points, gauss.points)),
+                       .weights = {},
+                       .samplings = {},
+                       .nodes = grid(lobatto.points, lobatto.points),
+                       .nodal_weights = {}};
   for (const double b : gauss.weights)
     for (const double a : gauss.weights) tables.weights.push_back(a * b);
   for (const double b : lobatto.weights)
@@ -85,7 +92,8 @@ ElementTables element_tables(int degree, bool tying) {
   const auto lines = sampling_lines(degree, tying);
   const auto interpolation = tied_interpolation(tables, tables.quadrature.xi);
   for (std::size_t s = 0; s < lines.size(); ++s)
-    tables.samplings.push_back({basis_at(degree, grid(lines[s].along_1, lines[s].along_2)), {}, {}, nonzeros(interpolation[s])});
+    tables.samplings.push_back(
+        {basis_at(degree, grid(lines[s].along_1, lines[s].along_2)), {}, {}, nonzeros(interpolation[s])});
   if (tying) {
     tables.samplings[static_cast<int>(TiedGroup::along_1)].membrane = {0};
     tables.samplings[static_cast<int>(TiedGroup::along_1)].shear = {0};

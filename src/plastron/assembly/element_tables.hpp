@@ -1,5 +1,5 @@
-// Tensor-product tables of the quadrilateral of degree k with Gauss-Lobatto nodes: basis at the quadrature points, and the
-// points and interpolation of tying (M22). All points lie in the unit square, xi_1 running fastest.
+// Tensor-product tables of the quadrilateral of degree k with Gauss-Lobatto nodes: basis at the quadrature points, and
+// the points and interpolation of tying (M22). All points lie in the unit square, xi_1 running fastest.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -34,7 +34,8 @@ struct ElementTables {
   bool tying;
   BasisAt quadrature;           ///< (k+1) x (k+1) Gauss points
   std::vector<double> weights;  ///< their weights on the unit square
-  std::vector<Sampling> samplings; ///< membrane and shear strains: three tied sets, or the quadrature points themselves
+  std::vector<Sampling>
+      samplings;                ///< membrane and shear strains: three tied sets, or the quadrature points themselves
   std::vector<Vector2d> nodes;  ///< Gauss-Lobatto nodes
   std::vector<double> nodal_weights;  ///< Gauss-Lobatto weights on the unit square
 

@@ -18,7 +18,8 @@ std::vector<Eigen::Vector2d> lattice(int degree) {
 }
 
 /// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range.
-bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field, std::span<const algebra::LocalIndex> nodes) {
+bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field,
+                      std::span<const algebra::LocalIndex> nodes) {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto row = field.row(static_cast<Eigen::Index>(i));

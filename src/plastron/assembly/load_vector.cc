@@ -11,23 +11,28 @@ namespace {
 using geometry::Vector3d;
 
 /// Values of a load (force, couple) at points, a row per point.
-void add_expression(const VectorExpression& f, std::span<const double> x, std::span<const double> y, int column, CellField& values) {
+void add_expression(const VectorExpression& f, std::span<const double> x, std::span<const double> y, int column,
+                    CellField& values) {
   std::vector<double> component(x.size());
   for (int k = 0; k < 3; ++k) {
     f[static_cast<std::size_t>(k)].evaluate(x, y, component);
-    values.col(column + k) += Eigen::Map<const Eigen::VectorXd>(component.data(), static_cast<Eigen::Index>(component.size()));
+    values.col(column + k) +=
+        Eigen::Map<const Eigen::VectorXd>(component.data(), static_cast<Eigen::Index>(component.size()));
   }
 }
 
-void add_function(const VectorFunction& f, std::span<const double> x, std::span<const double> y, int column, CellField& values) {
+void add_function(const VectorFunction& f, std::span<const double> x, std::span<const double> y, int column,
+                  CellField& values) {
   if (!f) return;
-  for (std::size_t p = 0; p < x.size(); ++p) values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
+  for (std::size_t p = 0; p < x.size(); ++p)
+    values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
 }
 
 void scatter(std::span<const algebra::LocalIndex> nodes, const CellField& forces, algebra::Vector& f) {
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (int k = 0; k < 6; ++k)
-      f.local()[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] += forces(static_cast<Eigen::Index>(i), k);
+      f.local()[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] +=
+          forces(static_cast<Eigen::Index>(i), k);
 }
 
 void add_area_loads(const ShellOperator& shell, const std::vector<AreaLoad>& loads, algebra::Vector& f) {

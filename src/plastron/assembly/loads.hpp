@@ -15,11 +15,11 @@ using VectorFunction = std::function<Eigen::Vector3d(double x, double y)>;
 
 /// Dead load per unit mid-surface area.
 struct AreaLoad {
-  VectorExpression force{};        ///< p, Cartesian [N/m^2]
-  geometry::Expression pressure{}; ///< force along a_3, positive along the normal [N/m^2]
-  VectorExpression couple{};       ///< m, works on r [N m/m^2]
-  VectorFunction force_function{};  ///< added to `force`; empty in loads from case files
-  VectorFunction couple_function{}; ///< added to `couple`
+  VectorExpression force{};          ///< p, Cartesian [N/m^2]
+  geometry::Expression pressure{};   ///< force along a_3, positive along the normal [N/m^2]
+  VectorExpression couple{};         ///< m, works on r [N m/m^2]
+  VectorFunction force_function{};   ///< added to `force`; empty in loads from case files
+  VectorFunction couple_function{};  ///< added to `couple`
 };
 
 /// Dead load per unit length of the boundary curve phi(Gamma).

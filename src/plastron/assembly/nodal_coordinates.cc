@@ -1,7 +1,7 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <cmath>
 #include <limits>
@@ -29,7 +29,8 @@ std::array<Vector3d, 2> across(const Vector3d& n) {
 }
 
 /// Splits the plane or space orthogonal to `excluded` (empty: all of R^3) by the prescribed rows.
-Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vector<Vector3d>& excluded, const Vector2d& x) {
+Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vector<Vector3d>& excluded,
+            const Vector2d& x) {
   constexpr double negligible = 1e-8;
   Split result;
   std::vector<Vector3d> basis(excluded);
@@ -48,8 +49,10 @@ Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vec
       result.prescribed.push_back(d.normalized());
       basis.push_back(result.prescribed.back());
     } else if (std::abs(value - known) > 1e-9 * (std::abs(value) + std::abs(known))) {
-      throw SupportError(fmt::format("supports contradict each other at x = {:g}, y = {:g}: a component that is already "
-                                     "prescribed as {:g} is to be {:g}", x[0], x[1], known, value));
+      throw SupportError(
+          fmt::format("supports contradict each other at x = {:g}, y = {:g}: a component that is already "
+                      "prescribed as {:g} is to be {:g}",
+                      x[0], x[1], known, value));
     }
   }
   if (basis.empty()) {
@@ -128,16 +131,20 @@ NodeResult node_columns(const NodalPoint& point, const NodeSupport& support, con
   NodeResult node;
   if (gap) {
     node.bound_gap = gap->initial;
-    for (std::size_t k = 0; k < u.prescribed.size(); ++k) node.bound_gap += gap->normal.dot(u.prescribed[k]) * u.values[k];
-    for (std::size_t k = 0; k < r.prescribed.size(); ++k) node.bound_gap += gap->z * gap->normal.dot(r.prescribed[k]) * r.values[k];
+    for (std::size_t k = 0; k < u.prescribed.size(); ++k)
+      node.bound_gap += gap->normal.dot(u.prescribed[k]) * u.values[k];
+    for (std::size_t k = 0; k < r.prescribed.size(); ++k)
+      node.bound_gap += gap->z * gap->normal.dot(r.prescribed[k]) * r.values[k];
     node.touchable = add_contact_columns(*gap, u, r, node.bound_gap, node.columns);
   }
   if (!node.touchable) {
     for (const Vector3d& d : u.free) node.columns.add(d, Vector3d::Zero(), -infinity, infinity);
     for (const Vector3d& d : r.free) node.columns.add(Vector3d::Zero(), d, -infinity, infinity);
   }
-  for (std::size_t k = 0; k < u.prescribed.size(); ++k) node.columns.add(u.prescribed[k], Vector3d::Zero(), u.values[k], u.values[k]);
-  for (std::size_t k = 0; k < r.prescribed.size(); ++k) node.columns.add(Vector3d::Zero(), r.prescribed[k], r.values[k], r.values[k]);
+  for (std::size_t k = 0; k < u.prescribed.size(); ++k)
+    node.columns.add(u.prescribed[k], Vector3d::Zero(), u.values[k], u.values[k]);
+  for (std::size_t k = 0; k < r.prescribed.size(); ++k)
+    node.columns.add(Vector3d::Zero(), r.prescribed[k], r.values[k], r.values[k]);
   return node;
 }
 
@@ -156,12 +163,17 @@ void pack(const NodeResult& node, bool supported, double* out) {
 
 }  // namespace
 
-NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface, const std::vector<NodalPoint>& points,
-                                   const std::vector<Support>& supports, const GapFunction& gap) {
+NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
+                                   const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
+                                   const GapFunction& gap) {
   const auto local = static_cast<std::size_t>(space.layout->local_size());
-  NodalCoordinates coordinates{.basis = std::vector<NodeBasis>(local), .supported = std::vector<char>(local),
-                               .touchable = std::vector<char>(local), .bound_gap = std::vector<double>(local),
-                               .lower = algebra::Vector(space.layout, 5), .upper = algebra::Vector(space.layout, 5), .gaps = {}};
+  NodalCoordinates coordinates{.basis = std::vector<NodeBasis>(local),
+                               .supported = std::vector<char>(local),
+                               .touchable = std::vector<char>(local),
+                               .bound_gap = std::vector<double>(local),
+                               .lower = algebra::Vector(space.layout, 5),
+                               .upper = algebra::Vector(space.layout, 5),
+                               .gaps = {}};
   if (gap)
     for (const NodalPoint& p : points) coordinates.gaps.push_back(gap(p.phi, p.a3, p.thickness));
 
@@ -170,8 +182,8 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
   algebra::Vector packed(space.layout, packed_size);
   for (std::size_t i = 0; i < node_support.size(); ++i) {
     const NodeSupport& s = node_support[i];
-    pack(node_columns(points[i], s, gap ? &coordinates.gaps[i] : nullptr), !s.displacement.empty() || !s.rotation.empty(),
-         packed.local().data() + i * packed_size);
+    pack(node_columns(points[i], s, gap ? &coordinates.gaps[i] : nullptr),
+         !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
   }
   packed.update_ghosts();
 

@@ -1,9 +1,9 @@
 // Nodal coordinates of the tangent formulation (M12) in which contact is a bound (D2).
 //
 // At every node the six Cartesian values y = (u, r) are written as y = T z with five coordinates z:
-//   z_0          w = n . (u + z r), the change of the gap, where the node can touch the obstacle and w is not prescribed
-//   then         displacements across n, rotations in the tangent plane
-//   and, last,   the components that supports prescribe.
+//   z_0          w = n . (u + z r), the change of the gap, where the node can touch the obstacle and w is not
+//   prescribed then         displacements across n, rotations in the tangent plane and, last,   the components that
+//   supports prescribe.
 // r . a_3 = 0 is built in. Non-penetration is then z_0 >= -(initial gap), and a support is lower == upper.
 #pragma once
 #include <plastron/algebra/vector.hpp>
@@ -32,12 +32,12 @@ struct SupportError : std::invalid_argument {
 };
 
 struct NodalCoordinates {
-  std::vector<NodeBasis> basis;          ///< T of every local node
-  std::vector<char> supported;           ///< node has prescribed components (local)
-  std::vector<char> touchable;           ///< node has a contact bound on z_0 (local)
-  std::vector<double> bound_gap;         ///< gap at z_0 = 0, prescribed values included (local) [m]; NaN without obstacle
-  algebra::Vector lower, upper;          ///< bounds of z (block 5)
-  std::vector<obstacle::Gap> gaps;       ///< per local node; empty without obstacle
+  std::vector<NodeBasis> basis;     ///< T of every local node
+  std::vector<char> supported;      ///< node has prescribed components (local)
+  std::vector<char> touchable;      ///< node has a contact bound on z_0 (local)
+  std::vector<double> bound_gap;    ///< gap at z_0 = 0, prescribed values included (local) [m]; NaN without obstacle
+  algebra::Vector lower, upper;     ///< bounds of z (block 5)
+  std::vector<obstacle::Gap> gaps;  ///< per local node; empty without obstacle
 
   /// y = T z on local nodes; needs z's ghosts. The result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;

@@ -1,4 +1,5 @@
-// What the nodes need to know of the surface: position, normal, thickness, and the weight of the nodal quadrature (M21).
+// What the nodes need to know of the surface: position, normal, thickness, and the weight of the nodal quadrature
+// (M21).
 #pragma once
 #include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/element_tables.hpp>
@@ -21,7 +22,7 @@ struct NodalPoint {
 };
 
 /// Of every local node, the same on every rank that sees the node (collective).
-std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface, const ElementTables& tables,
-                                       const geometry::Expression& thickness);
+std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
+                                       const ElementTables& tables, const geometry::Expression& thickness);
 
 }  // namespace plastron::assembly

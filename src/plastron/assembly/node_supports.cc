@@ -47,19 +47,26 @@ EdgeFrame edge_frame(const geometry::SurfaceJet& jet, int side) {
 
 std::vector<Vector3d> directions(Direction direction, const Vector3d& a3, const EdgeFrames& edges) {
   switch (direction) {
-    case Direction::x: return {Vector3d::UnitX()};
-    case Direction::y: return {Vector3d::UnitY()};
-    case Direction::z: return {Vector3d::UnitZ()};
-    case Direction::normal: return {a3};
-    default: break;
+    case Direction::x:
+      return {Vector3d::UnitX()};
+    case Direction::y:
+      return {Vector3d::UnitY()};
+    case Direction::z:
+      return {Vector3d::UnitZ()};
+    case Direction::normal:
+      return {a3};
+    default:
+      break;
   }
   std::vector<Vector3d> all;
-  for (const EdgeFrame& frame : edges.all()) all.push_back(direction == Direction::conormal ? frame.conormal : frame.tangent);
+  for (const EdgeFrame& frame : edges.all())
+    all.push_back(direction == Direction::conormal ? frame.conormal : frame.tangent);
   return all;
 }
 
 /// The edge frames of one boundary at the owned nodes on it, by local node.
-std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_on(const fem::Space& space, const fem::Surface& surface, int boundary) {
+std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_on(const fem::Space& space, const fem::Surface& surface,
+                                                                  int boundary) {
   const auto line = fem::gauss_lobatto(space.degree + 1).points;
   std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames;
   std::vector<int> slot(static_cast<std::size_t>(space.layout->owned), -1);
@@ -93,7 +100,8 @@ std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surfa
   for (const Support& support : supports) {
     const auto found = std::ranges::find(names, support.boundary);
     if (found == names.end())
-      throw SupportError(fmt::format("there is no boundary \"{}\"; the mesh has: {}", support.boundary, fmt::join(names, ", ")));
+      throw SupportError(
+          fmt::format("there is no boundary \"{}\"; the mesh has: {}", support.boundary, fmt::join(names, ", ")));
     for (const auto& [node, edges] : frames_on(space, surface, static_cast<int>(found - names.begin()))) {
       const NodalPoint& p = points[static_cast<std::size_t>(node)];
       NodeSupport& at_node = all[static_cast<std::size_t>(node)];

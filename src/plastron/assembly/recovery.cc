@@ -57,8 +57,8 @@ Recovery::Recovery(const DiscreteShell& discrete, const NodalSolution& solution,
   tied_at_gauss_ = tied_interpolation(discrete.shell.tables(), gauss_points);
 }
 
-Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor> Recovery::resultants_at_gauss_points(std::size_t cell,
-                                                                                            const CellField& field) const {
+Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor> Recovery::resultants_at_gauss_points(
+    std::size_t cell, const CellField& field) const {
   const ShellOperator& shell = discrete_.shell;
   const fem::Cell& where = shell.space().cells[cell];
   const auto count = at_gauss_.xi.size();
@@ -79,9 +79,10 @@ Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor> Recovery::resultants_a
     const auto s = shell::resultants(stiffness, strain);
     const SurfaceAxes axes = surface_axes(in_parameters[p], frame.a3);
     Eigen::Matrix2d to_axes;
-    to_axes << frame.a_cov[0].dot(axes.t1), frame.a_cov[1].dot(axes.t1), frame.a_cov[0].dot(axes.t2), frame.a_cov[1].dot(axes.t2);
-    result.row(static_cast<Eigen::Index>(p)) << physical(s.membrane, to_axes).transpose(), physical(s.bending, to_axes).transpose(),
-        (to_axes * s.shear).transpose();
+    to_axes << frame.a_cov[0].dot(axes.t1), frame.a_cov[1].dot(axes.t1), frame.a_cov[0].dot(axes.t2),
+        frame.a_cov[1].dot(axes.t2);
+    result.row(static_cast<Eigen::Index>(p)) << physical(s.membrane, to_axes).transpose(),
+        physical(s.bending, to_axes).transpose(), (to_axes * s.shear).transpose();
   }
   return result;
 }
@@ -111,11 +112,21 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
     const auto row = static_cast<Eigen::Index>(p);
     const SurfaceAxes axes = surface_axes(jets[p], geometry::unit_normal(jets[p]));
     const Vector3d u = values.row(row).head<3>(), r = values.row(row).tail<3>();
-    points[p] = {.x = {x[p], y[p]}, .phi = jets[p].value, .t1 = axes.t1, .t2 = axes.t2, .a3 = axes.a3, .thickness = e[p],
-                 .u = u, .r = r,
-                 .gap = discrete_.gap ? discrete_.gap(jets[p].value, axes.a3, e[p])(u, r) : std::numeric_limits<double>::quiet_NaN(),
-                 .pressure = contact_values(row, 0), .touching = contact_values(row, 1),
-                 .N = resultants.row(row).segment<3>(0), .M = resultants.row(row).segment<3>(3), .Q = resultants.row(row).segment<2>(6)};
+    points[p] = {.x = {x[p], y[p]},
+                 .phi = jets[p].value,
+                 .t1 = axes.t1,
+                 .t2 = axes.t2,
+                 .a3 = axes.a3,
+                 .thickness = e[p],
+                 .u = u,
+                 .r = r,
+                 .gap = discrete_.gap ? discrete_.gap(jets[p].value, axes.a3, e[p])(u, r)
+                                      : std::numeric_limits<double>::quiet_NaN(),
+                 .pressure = contact_values(row, 0),
+                 .touching = contact_values(row, 1),
+                 .N = resultants.row(row).segment<3>(0),
+                 .M = resultants.row(row).segment<3>(3),
+                 .Q = resultants.row(row).segment<2>(6)};
   }
   return points;
 }

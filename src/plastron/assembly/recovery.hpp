@@ -11,9 +11,9 @@ struct PointValues {
   Eigen::Vector2d x = Eigen::Vector2d::Zero();  ///< parameters in Omega
   Vector3d phi = Vector3d::Zero();              ///< position on the undeformed mid-surface [m]
   Vector3d t1 = Vector3d::Zero(), t2 = Vector3d::Zero(), a3 = Vector3d::Zero();  ///< orthonormal frame
-  double thickness = 0;                         ///< e [m]
-  Vector3d u = Vector3d::Zero();                ///< displacement [m]
-  Vector3d r = Vector3d::Zero();                ///< rotation of the normal [rad]
+  double thickness = 0;                                                          ///< e [m]
+  Vector3d u = Vector3d::Zero();                                                 ///< displacement [m]
+  Vector3d r = Vector3d::Zero();                                                 ///< rotation of the normal [rad]
   double gap = 0;                               ///< of the touching face [m]; NaN without obstacle
   double pressure = 0;                          ///< eta [Pa]
   double touching = 0;                          ///< 1 in contact, 0 free; in between next to the zone's edge
@@ -22,21 +22,22 @@ struct PointValues {
   Eigen::Vector2d Q = Eigen::Vector2d::Zero();  ///< Q_1, Q_2 [N/m]
 };
 
-/// Evaluates a solution in cells at fixed points of the unit square. Resultants are taken at the k x k Gauss points, where
-/// they are most accurate, and continued from there as polynomials of degree k - 1; they may jump between cells.
+/// Evaluates a solution in cells at fixed points of the unit square. Resultants are taken at the k x k Gauss points,
+/// where they are most accurate, and continued from there as polynomials of degree k - 1; they may jump between cells.
 class Recovery {
  public:
   Recovery(const DiscreteShell& discrete, const NodalSolution& solution, std::vector<Eigen::Vector2d> xi);
   std::vector<PointValues> operator()(std::size_t cell) const;
 
  private:
-  Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor> resultants_at_gauss_points(std::size_t cell, const CellField& field) const;
+  Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor> resultants_at_gauss_points(std::size_t cell,
+                                                                                       const CellField& field) const;
 
   const DiscreteShell& discrete_;
   const NodalSolution& solution_;
   BasisAt at_points_, at_gauss_;
-  std::vector<MatrixXd> tied_at_gauss_;   // tied strains: sampling points -> reduced Gauss points
-  MatrixXd from_gauss_;                   // reduced Gauss points -> points
+  std::vector<MatrixXd> tied_at_gauss_;  // tied strains: sampling points -> reduced Gauss points
+  MatrixXd from_gauss_;                  // reduced Gauss points -> points
 };
 
 }  // namespace plastron::assembly

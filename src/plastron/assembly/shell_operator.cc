@@ -8,7 +8,10 @@ using shell::LocalField;
 
 ShellOperator::ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
                              const geometry::Expression& thickness, const shell::Material& material, bool tying)
-    : space_(std::move(space)), surface_(std::move(surface)), material_(material), tables_(element_tables(space_->degree, tying)) {
+    : space_(std::move(space)),
+      surface_(std::move(surface)),
+      material_(material),
+      tables_(element_tables(space_->degree, tying)) {
   const std::size_t cells = space_->owned_cells;
   points_.resize(cells * tables_.weights.size());
   for (const Sampling& sampling : tables_.samplings) sampling_points_.emplace_back(cells * sampling.basis.xi.size());
@@ -45,7 +48,9 @@ CellField ShellOperator::gather(std::size_t cell, const algebra::Vector& y) cons
   const auto values = y.local();
   CellField field(static_cast<Eigen::Index>(nodes.size()), 6);
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (int c = 0; c < 6; ++c) field(static_cast<Eigen::Index>(i), c) = values[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(c)];
+    for (int c = 0; c < 6; ++c)
+      field(static_cast<Eigen::Index>(i), c) =
+          values[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(c)];
   return field;
 }
 
@@ -65,7 +70,8 @@ void set_bending_strains(const BasisAt& basis, const FrameAt& frame_at, const Ce
 
 }  // namespace
 
-ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::size_t cell, const CellField& field) const {
+ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::size_t cell,
+                                                            const CellField& field) const {
   const BasisAt& basis = tables_.samplings[s].basis;
   const SamplingPoint* geometry = sampling_points(s, cell);
   const CellField d1 = basis.d1 * field, d2 = basis.d2 * field, value = basis.value * field;
@@ -82,8 +88,9 @@ ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::
 
 CellStrain ShellOperator::strains(std::size_t cell, const CellField& field) const {
   CellStrain strains = CellStrain::Zero(tables_.points_per_cell(), 8);
-  set_bending_strains(tables_.quadrature, [&](Eigen::Index q) -> const geometry::Frame& { return point(cell, static_cast<int>(q)).frame; },
-                      field, strains);
+  set_bending_strains(
+      tables_.quadrature,
+      [&](Eigen::Index q) -> const geometry::Frame& { return point(cell, static_cast<int>(q)).frame; }, field, strains);
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const Sampling& sampling = tables_.samplings[s];
     const SampledStrain sampled = sampled_strains(s, cell, field);
@@ -96,10 +103,12 @@ CellStrain ShellOperator::strains(std::size_t cell, const CellField& field) cons
   return strains;
 }
 
-CellStrain ShellOperator::strains_at(std::size_t cell, const CellField& field, const BasisAt& basis, const std::vector<MatrixXd>& tied,
+CellStrain ShellOperator::strains_at(std::size_t cell, const CellField& field, const BasisAt& basis,
+                                     const std::vector<MatrixXd>& tied,
                                      std::span<const geometry::SurfaceJet> jets) const {
   CellStrain strains = CellStrain::Zero(basis.value.rows(), 8);
-  set_bending_strains(basis, [&](Eigen::Index p) { return geometry::frame_at(jets[static_cast<std::size_t>(p)]); }, field, strains);
+  set_bending_strains(
+      basis, [&](Eigen::Index p) { return geometry::frame_at(jets[static_cast<std::size_t>(p)]); }, field, strains);
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field);
     for (const int m : tables_.samplings[s].membrane) strains.col(m) = at_points.col(m);
@@ -179,7 +188,8 @@ CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) co
 namespace {
 
 /// The row of the strain matrix at a point that a unit stress makes: what each nodal value adds to that strain.
-void write_row(const BasisAt& basis, Eigen::Index point, const LocalField<double>& dual, Eigen::Ref<Eigen::RowVectorXd> row) {
+void write_row(const BasisAt& basis, Eigen::Index point, const LocalField<double>& dual,
+               Eigen::Ref<Eigen::RowVectorXd> row) {
   for (Eigen::Index i = 0; i < basis.value.cols(); ++i) {
     const double n = basis.value(point, i), n1 = basis.d1(point, i), n2 = basis.d2(point, i);
     row.segment<3>(6 * i) = n1 * dual.du[0] + n2 * dual.du[1];
@@ -210,8 +220,10 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
     for (Eigen::Index t = 0; t < sampled[0].rows(); ++t)
       for (std::size_t k = 0; k < component.size(); ++k) {
         LocalField<double> dual = shell::zero_field();
-        if (component[k] < 3) shell::add_membrane_dual(Vector3d::Unit(component[k]), geometry[t].a_cov, dual);
-        else shell::add_shear_dual(Eigen::Vector2d::Unit(component[k] - 6), geometry[t].a_cov, geometry[t].a3, dual);
+        if (component[k] < 3)
+          shell::add_membrane_dual(Vector3d::Unit(component[k]), geometry[t].a_cov, dual);
+        else
+          shell::add_shear_dual(Eigen::Vector2d::Unit(component[k] - 6), geometry[t].a_cov, geometry[t].a3, dual);
         write_row(sampling.basis, t, dual, row);
         sampled[k].row(t) = row;
       }
@@ -229,7 +241,9 @@ void ShellOperator::apply(const algebra::Vector& y, algebra::Vector& f) const {
     const CellField cell_forces = forces(c, weighted_stresses(c, strains(c, gather(c, y))));
     const auto nodes = space_->nodes(c);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      for (int k = 0; k < 6; ++k) out[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] += cell_forces(static_cast<Eigen::Index>(i), k);
+      for (int k = 0; k < 6; ++k)
+        out[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] +=
+            cell_forces(static_cast<Eigen::Index>(i), k);
   }
   f.accumulate_ghosts();
 }

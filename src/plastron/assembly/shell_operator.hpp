@@ -1,5 +1,5 @@
-// The discrete shell on one mesh: strains of a nodal field, and the bilinear form a(., .) of (M8) as an operator that goes
-// through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D5).
+// The discrete shell on one mesh: strains of a nodal field, and the bilinear form a(., .) of (M8) as an operator that
+// goes through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D5).
 #pragma once
 #include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/element_tables.hpp>
@@ -16,7 +16,8 @@ namespace plastron::assembly {
 
 /// Nodal values of a cell: a row per node, columns u_x u_y u_z r_x r_y r_z.
 using CellField = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
-/// Strains or weighted stresses of a cell: a row per point; gamma_11 gamma_22 2gamma_12, chi likewise, 2delta_1 2delta_2.
+/// Strains or weighted stresses of a cell: a row per point; gamma_11 gamma_22 2gamma_12, chi likewise, 2delta_1
+/// 2delta_2.
 using CellStrain = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -50,12 +51,14 @@ class ShellOperator {
   CellField forces(std::size_t cell, const CellStrain& stresses) const;
   /// Stresses times area at the quadrature points: N, M, Q of (M8).
   CellStrain weighted_stresses(std::size_t cell, const CellStrain& strains) const;
-  /// The matrix of strains(): rows point by point in the order of CellStrain, columns node by node in the order of CellField.
+  /// The matrix of strains(): rows point by point in the order of CellStrain, columns node by node in the order of
+  /// CellField.
   RowMatrix strain_matrix(std::size_t cell) const;
 
-  /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), bending as it is.
-  CellStrain strains_at(std::size_t cell, const CellField& field, const BasisAt& basis, const std::vector<MatrixXd>& tied,
-                        std::span<const geometry::SurfaceJet> jets) const;
+  /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), bending as
+  /// it is.
+  CellStrain strains_at(std::size_t cell, const CellField& field, const BasisAt& basis,
+                        const std::vector<MatrixXd>& tied, std::span<const geometry::SurfaceJet> jets) const;
 
   /// f = A y for Cartesian nodal values (block 6); needs y's ghosts, leaves f complete on owned nodes (collective).
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
@@ -84,8 +87,8 @@ class ShellOperator {
   std::shared_ptr<const fem::Surface> surface_;
   shell::Material material_;
   ElementTables tables_;
-  std::vector<QuadraturePoint> points_;                     // owned cells x quadrature points
-  std::vector<std::vector<SamplingPoint>> sampling_points_; // per sampling: owned cells x its points
+  std::vector<QuadraturePoint> points_;                      // owned cells x quadrature points
+  std::vector<std::vector<SamplingPoint>> sampling_points_;  // per sampling: owned cells x its points
 };
 
 }  // namespace plastron::assembly

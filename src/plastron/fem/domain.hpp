@@ -14,9 +14,9 @@ using Eigen::Vector2d;
 /// Boundaries: left, right, bottom, top (x min, x max, y min, y max).
 struct Rectangle {
   Vector2d from = Vector2d::Zero(), to = Vector2d::Ones();
-  std::array<int, 2> cells{0, 0};    ///< cells of the coarsest mesh; 0: as square as can be, at most 8 along a side
-  std::vector<double> breaks{};      ///< ascending x between from and to, where one region ends and the next begins
-  std::vector<std::string> regions{};///< names from left to right, one more than breaks; empty: one region ""
+  std::array<int, 2> cells{0, 0};      ///< cells of the coarsest mesh; 0: as square as can be, at most 8 along a side
+  std::vector<double> breaks{};        ///< ascending x between from and to, where one region ends and the next begins
+  std::vector<std::string> regions{};  ///< names from left to right, one more than breaks; empty: one region ""
 };
 
 /// Boundary: rim.

@@ -88,7 +88,8 @@ class Reader {
         read_surface(entity, region);
       }
     }
-    if (mesh_.cells.empty()) refuse("it has no quadrilaterals; mesh the surface with Recombine, save it with its physical groups");
+    if (mesh_.cells.empty())
+      refuse("it has no quadrilaterals; mesh the surface with Recombine, save it with its physical groups");
   }
 
   void read_surface(int entity, int region) {
@@ -104,8 +105,10 @@ class Reader {
     std::vector<double> local;
     gmsh::model::mesh::getElementProperties(type, name, dimension, order, count, local, corners);
     if (corners != 4 || count != (order + 1) * (order + 1))
-      refuse(fmt::format("it has elements of type \"{}\"; only complete quadrilaterals are allowed "
-                         "(Recombine Surface, Mesh.SecondOrderIncomplete = 0)", name));
+      refuse(
+          fmt::format("it has elements of type \"{}\"; only complete quadrilaterals are allowed "
+                      "(Recombine Surface, Mesh.SecondOrderIncomplete = 0)",
+                      name));
     // Position of each of Gmsh's local nodes in the lexicographic grid of the unit square.
     std::vector<std::size_t> slot(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < slot.size(); ++i) {
@@ -186,7 +189,11 @@ double signed_area(const std::vector<Vector2d>& p) {
 }
 
 CoarseMesh single_cell(const Polygon& polygon) {
-  CoarseMesh mesh{.vertices = polygon.corners, .cells = {}, .edges = {}, .regions = {""}, .boundaries = boundary_names(Domain{polygon})};
+  CoarseMesh mesh{.vertices = polygon.corners,
+                  .cells = {},
+                  .edges = {},
+                  .regions = {""},
+                  .boundaries = boundary_names(Domain{polygon})};
   for (int i = 0; i < 4; ++i) mesh.edges.push_back({{i, (i + 1) % 4}, i});
   const bool anticlockwise = signed_area(polygon.corners) > 0;
   const std::array<int, 4> v = anticlockwise ? std::array{0, 1, 3, 2} : std::array{0, 3, 1, 2};
@@ -202,7 +209,8 @@ void draw(const Polygon& polygon) {
   const auto names = boundary_names(Domain{polygon});
   std::vector<int> points, lines;
   for (const Vector2d& c : p) points.push_back(gmsh::model::geo::addPoint(c[0], c[1], 0, perimeter / 8));
-  for (std::size_t i = 0; i < p.size(); ++i) lines.push_back(gmsh::model::geo::addLine(points[i], points[(i + 1) % p.size()]));
+  for (std::size_t i = 0; i < p.size(); ++i)
+    lines.push_back(gmsh::model::geo::addLine(points[i], points[(i + 1) % p.size()]));
   const int surface = gmsh::model::geo::addPlaneSurface({gmsh::model::geo::addCurveLoop(lines)});
   gmsh::model::geo::synchronize();
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -213,7 +221,8 @@ void draw(const Polygon& polygon) {
 }  // namespace
 
 CoarseMesh read_mesh_file(const MeshFile& file) {
-  if (!std::filesystem::is_regular_file(file.path)) throw DomainError(fmt::format("{}: there is no such mesh file", file.path));
+  if (!std::filesystem::is_regular_file(file.path))
+    throw DomainError(fmt::format("{}: there is no such mesh file", file.path));
   const GmshSession session;
   try {
     gmsh::open(file.path);

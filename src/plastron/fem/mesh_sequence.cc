@@ -78,8 +78,8 @@ dealii::SubCellData named_edges(const CoarseMesh& coarse) {
   return data;
 }
 
-/// The place of a cell in its coarse cell. Coarse cells are told apart by their index: p4est numbers its trees otherwise,
-/// and CellId's coarse cell is p4est's.
+/// The place of a cell in its coarse cell. Coarse cells are told apart by their index: p4est numbers its trees
+/// otherwise, and CellId's coarse cell is p4est's.
 Cell dyadic_cell(dealii::TriaIterator<dealii::CellAccessor<2>> cell) {
   Cell result;
   const dealii::CellId id = cell->id();  // the indices are a view into it
@@ -96,7 +96,9 @@ Cell dyadic_cell(dealii::TriaIterator<dealii::CellAccessor<2>> cell) {
 
 struct MeshSequence::Storage {
   Storage(CoarseMesh mesh, int degree, MPI_Comm comm)
-      : coarse(std::make_shared<CoarseMesh>(std::move(mesh))), triangulation(comm), element(static_cast<unsigned int>(degree)),
+      : coarse(std::make_shared<CoarseMesh>(std::move(mesh))),
+        triangulation(comm),
+        element(static_cast<unsigned int>(degree)),
         dofs(triangulation) {}
 
   std::shared_ptr<CoarseMesh> coarse;
@@ -143,12 +145,14 @@ void MeshSequence::Storage::add_cell(const Accessor& cell, const std::vector<uns
     const auto global = static_cast<algebra::GlobalIndex>(indices[from_lexicographic[i]]);
     algebra::LocalIndex local = static_cast<algebra::LocalIndex>(global - layout.first);
     if (global < layout.first || global >= layout.first + layout.owned)
-      local = layout.owned + static_cast<algebra::LocalIndex>(std::ranges::lower_bound(layout.ghosts, global) - layout.ghosts.begin());
+      local = layout.owned +
+              static_cast<algebra::LocalIndex>(std::ranges::lower_bound(layout.ghosts, global) - layout.ghosts.begin());
     target.connectivity.nodes.push_back(local);
   }
   for (unsigned int side = 0; side < 4; ++side)
     if (cell->face(side)->at_boundary())
-      target.faces.push_back({target.cells.size(), static_cast<int>(side), static_cast<int>(cell->face(side)->boundary_id()) - 1});
+      target.faces.push_back(
+          {target.cells.size(), static_cast<int>(side), static_cast<int>(cell->face(side)->boundary_id()) - 1});
   target.cells.push_back(dyadic_cell(cell));
 }
 
@@ -186,7 +190,8 @@ void MeshSequence::refine(std::span<algebra::Vector> fields) {
     for (int c = 0; c < field.block(); ++c) {
       DealVector component = s.make_vector();
       for (algebra::LocalIndex i = 0; i < s.space->layout->owned; ++i)
-        component.local_element(static_cast<unsigned int>(i)) = field.owned()[static_cast<std::size_t>(i) * field.block() + c];
+        component.local_element(static_cast<unsigned int>(i)) =
+            field.owned()[static_cast<std::size_t>(i) * field.block() + c];
       component.update_ghost_values();
       before.push_back(std::move(component));
     }
@@ -214,7 +219,8 @@ void MeshSequence::refine(std::span<algebra::Vector> fields) {
     algebra::Vector refined(s.space->layout, field.block());
     for (int c = 0; c < field.block(); ++c, ++next)
       for (algebra::LocalIndex i = 0; i < s.space->layout->owned; ++i)
-        refined.owned()[static_cast<std::size_t>(i) * field.block() + c] = after[next].local_element(static_cast<unsigned int>(i));
+        refined.owned()[static_cast<std::size_t>(i) * field.block() + c] =
+            after[next].local_element(static_cast<unsigned int>(i));
     refined.update_ghosts();
     field = std::move(refined);
   }

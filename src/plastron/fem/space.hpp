@@ -13,9 +13,9 @@
 namespace plastron::fem {
 
 struct Cell {
-  int coarse = 0;                     ///< index of the coarse cell
-  Vector2d corner = Vector2d::Zero(); ///< lower left corner in the coarse cell's coordinates
-  double size = 1;                    ///< side in the coarse cell's coordinates
+  int coarse = 0;                      ///< index of the coarse cell
+  Vector2d corner = Vector2d::Zero();  ///< lower left corner in the coarse cell's coordinates
+  double size = 1;                     ///< side in the coarse cell's coordinates
 };
 
 /// Sides of the unit square: 0: xi_1 = 0, 1: xi_1 = 1, 2: xi_2 = 0, 3: xi_2 = 1.
@@ -29,10 +29,10 @@ struct Space {
   int degree = 1;
   std::shared_ptr<const CoarseMesh> coarse{};
   std::shared_ptr<const algebra::Layout> layout{};
-  std::vector<Cell> cells{};           ///< owned cells first, then the ghost cells around them
+  std::vector<Cell> cells{};  ///< owned cells first, then the ghost cells around them
   std::size_t owned_cells = 0;
-  algebra::Connectivity connectivity{};///< nodes of all of `cells`
-  std::vector<BoundaryFace> faces{};   ///< of all of `cells`
+  algebra::Connectivity connectivity{};  ///< nodes of all of `cells`
+  std::vector<BoundaryFace> faces{};     ///< of all of `cells`
   std::int64_t global_cells = 0;
 
   int nodes_per_cell() const { return (degree + 1) * (degree + 1); }

@@ -1,8 +1,8 @@
 #include <plastron/fem/surface.hpp>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -14,13 +14,14 @@ Surface::Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::s
     auto found = charts.find(region);
     if (found == charts.end() && charts.size() == 1 && charts.begin()->first.empty()) found = charts.begin();
     if (found == charts.end())
-      throw DomainError(fmt::format("the region \"{}\" has no chart; write chart = {{ {} = [...], ... }}", region, region));
+      throw DomainError(
+          fmt::format("the region \"{}\" has no chart; write chart = {{ {} = [...], ... }}", region, region));
     charts_.push_back(found->second);
   }
   for (const auto& [name, chart] : charts)
     if (!name.empty() && std::ranges::find(coarse_->regions, name) == coarse_->regions.end())
-      throw DomainError(fmt::format("there is a chart for the region \"{}\", which the mesh does not have; it has: {}", name,
-                                    fmt::join(coarse_->regions, ", ")));
+      throw DomainError(fmt::format("there is a chart for the region \"{}\", which the mesh does not have; it has: {}",
+                                    name, fmt::join(coarse_->regions, ", ")));
 }
 
 const geometry::Chart& Surface::chart_of(const Cell& cell) const {
@@ -34,7 +35,8 @@ PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
   return f;
 }
 
-void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) const {
+void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x,
+                        std::span<double> y) const {
   for (std::size_t p = 0; p < xi.size(); ++p) {
     const Vector2d position = plane_jet(cell, xi[p]).value;
     x[p] = position[0];
@@ -55,7 +57,8 @@ void Surface::jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geo
   for (std::size_t p = 0; p < xi.size(); ++p) jets[p] = geometry::compose(jets[p], plane[p]);
 }
 
-void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets) const {
+void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
+                             std::span<geometry::SurfaceJet> jets) const {
   std::vector<double> x(xi.size()), y(xi.size());
   positions(cell, xi, x, y);
   chart_of(cell).evaluate(x, y, jets, true);

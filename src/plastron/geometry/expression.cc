@@ -62,7 +62,8 @@ Expression::Expression(std::string text, const Constants& constants) : text_(std
     program->parser.DefineVar("y", &program->y);
     program->parser.SetExpr(text_);
     const double first = program->parser.Eval();
-    if (program->parser.GetNumResults() != 1) throw ExpressionError(fmt::format("\"{}\" has more than one value", text_), 0);
+    if (program->parser.GetNumResults() != 1)
+      throw ExpressionError(fmt::format("\"{}\" has more than one value", text_), 0);
     if (program->parser.GetUsedVar().empty()) {
       constant_ = first;
       return;

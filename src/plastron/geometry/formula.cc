@@ -14,17 +14,23 @@ namespace {
 using GiNaC::ex;
 
 ex call(const std::string& name, const std::vector<ex>& arguments) {
-  static const std::map<std::string, ex (*)(const ex&)> functions{
-      {"sin", [](const ex& a) { return ex(GiNaC::sin(a)); }},   {"cos", [](const ex& a) { return ex(GiNaC::cos(a)); }},
-      {"tan", [](const ex& a) { return ex(GiNaC::tan(a)); }},   {"asin", [](const ex& a) { return ex(GiNaC::asin(a)); }},
-      {"acos", [](const ex& a) { return ex(GiNaC::acos(a)); }}, {"atan", [](const ex& a) { return ex(GiNaC::atan(a)); }},
-      {"sinh", [](const ex& a) { return ex(GiNaC::sinh(a)); }}, {"cosh", [](const ex& a) { return ex(GiNaC::cosh(a)); }},
-      {"tanh", [](const ex& a) { return ex(GiNaC::tanh(a)); }}, {"exp", [](const ex& a) { return ex(GiNaC::exp(a)); }},
-      {"log", [](const ex& a) { return ex(GiNaC::log(a)); }},   {"sqrt", [](const ex& a) { return GiNaC::sqrt(a); }},
-      {"abs", [](const ex& a) { return ex(GiNaC::abs(a)); }}};
+  static const std::map<std::string, ex (*)(const ex&)> functions{{"sin", [](const ex& a) { return ex(GiNaC::sin(a)); }},
+                                                                  {"cos", [](const ex& a) { return ex(GiNaC::cos(a)); }},
+                                                                  {"tan", [](const ex& a) { return ex(GiNaC::tan(a)); }},
+                                                                  {"asin", [](const ex& a) { return ex(GiNaC::asin(a)); }},
+                                                                  {"acos", [](const ex& a) { return ex(GiNaC::acos(a)); }},
+                                                                  {"atan", [](const ex& a) { return ex(GiNaC::atan(a)); }},
+                                                                  {"sinh", [](const ex& a) { return ex(GiNaC::sinh(a)); }},
+                                                                  {"cosh", [](const ex& a) { return ex(GiNaC::cosh(a)); }},
+                                                                  {"tanh", [](const ex& a) { return ex(GiNaC::tanh(a)); }},
+                                                                  {"exp", [](const ex& a) { return ex(GiNaC::exp(a)); }},
+                                                                  {"log", [](const ex& a) { return ex(GiNaC::log(a)); }},
+                                                                  {"sqrt", [](const ex& a) { return GiNaC::sqrt(a); }},
+                                                                  {"abs", [](const ex& a) { return ex(GiNaC::abs(a)); }}};
   if (name == "atan2" && arguments.size() == 2) return GiNaC::atan2(arguments[0], arguments[1]);
   const auto found = functions.find(name);
-  if (found == functions.end() || arguments.size() != 1) throw std::invalid_argument(fmt::format("\"{}\" cannot be differentiated", name));
+  if (found == functions.end() || arguments.size() != 1)
+    throw std::invalid_argument(fmt::format("\"{}\" cannot be differentiated", name));
   return found->second(arguments[0]);
 }
 
@@ -57,17 +63,23 @@ class Parser {
   ex sum() {
     ex left = product();
     for (;;) {
-      if (take('+')) left = left + product();
-      else if (take('-')) left = left - product();
-      else return left;
+      if (take('+'))
+        left = left + product();
+      else if (take('-'))
+        left = left - product();
+      else
+        return left;
     }
   }
   ex product() {
     ex left = signed_power();
     for (;;) {
-      if (take('*')) left = left * signed_power();
-      else if (take('/')) left = left / signed_power();
-      else return left;
+      if (take('*'))
+        left = left * signed_power();
+      else if (take('/'))
+        left = left / signed_power();
+      else
+        return left;
     }
   }
   ex signed_power() {
@@ -102,7 +114,8 @@ class Parser {
     at_ = end;
     if (!take('(')) {
       if (const auto found = names_.find(name); found != names_.end()) return found->second;
-      throw std::invalid_argument(fmt::format("\"{}\" cannot be differentiated", name.empty() ? std::string(1, next()) : name));
+      throw std::invalid_argument(
+          fmt::format("\"{}\" cannot be differentiated", name.empty() ? std::string(1, next()) : name));
     }
     std::vector<ex> arguments{sum()};
     while (take(',')) arguments.push_back(sum());
@@ -117,6 +130,8 @@ class Parser {
 
 }  // namespace
 
-GiNaC::ex formula(const std::string& text, const std::map<std::string, GiNaC::ex>& names) { return Parser(text, names).whole(); }
+GiNaC::ex formula(const std::string& text, const std::map<std::string, GiNaC::ex>& names) {
+  return Parser(text, names).whole();
+}
 
 }  // namespace plastron::geometry

@@ -11,9 +11,9 @@ inline double face_position(Face face) { return face == Face::lower ? -0.5 : 0.5
 
 /// g(u, r) = initial + n . (u + z r), with z = -e/2 (lower face) or +e/2 (upper face).
 struct Gap {
-  double initial;   ///< gap of the undeformed shell [m]
-  Vector3d normal;  ///< n = grad d at the touching face
-  double z;         ///< height of the touching face over the mid-surface [m]
+  double initial;          ///< gap of the undeformed shell [m]
+  Vector3d normal;         ///< n = grad d at the touching face
+  double z;                ///< height of the touching face over the mid-surface [m]
   Vector3d contact_point;  ///< phi + z a_3
 
   double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + z * r); }

@@ -12,7 +12,8 @@ struct SectionStiffness {
   Eigen::Matrix2d shear;     ///< k_s e mu a^{ab} [N/m]
 };
 
-inline SectionStiffness section_stiffness(const Material& material, double thickness, const Eigen::Matrix2d& metric_con) {
+inline SectionStiffness section_stiffness(const Material& material, double thickness,
+                                          const Eigen::Matrix2d& metric_con) {
   const Eigen::Matrix3d c = elasticity(material, metric_con);
   const double e = thickness;
   return {e * c, e * e * e / 12 * c, material.shear_correction * e * material.mu * metric_con};
@@ -21,9 +22,9 @@ inline SectionStiffness section_stiffness(const Material& material, double thick
 /// N^{ab} [N/m], M^{ab} [N] in the order 11, 22, 12, and Q^a [N/m]: contravariant components.
 template <class S>
 struct Resultants {
-  Vector3<S> membrane;          ///< N^11, N^22, N^12
-  Vector3<S> bending;           ///< M^11, M^22, M^12
-  Eigen::Matrix<S, 2, 1> shear; ///< Q^1, Q^2
+  Vector3<S> membrane;           ///< N^11, N^22, N^12
+  Vector3<S> bending;            ///< M^11, M^22, M^12
+  Eigen::Matrix<S, 2, 1> shear;  ///< Q^1, Q^2
 };
 
 template <class S>

@@ -25,9 +25,9 @@ struct LocalField {
 
 template <class S>
 struct Strain {
-  Vector3<S> membrane;          ///< gamma_11, gamma_22, 2 gamma_12
-  Vector3<S> bending;           ///< chi_11, chi_22, 2 chi_12 [1/m]
-  Eigen::Matrix<S, 2, 1> shear; ///< 2 delta_13, 2 delta_23
+  Vector3<S> membrane;           ///< gamma_11, gamma_22, 2 gamma_12
+  Vector3<S> bending;            ///< chi_11, chi_22, 2 chi_12 [1/m]
+  Eigen::Matrix<S, 2, 1> shear;  ///< 2 delta_13, 2 delta_23
 };
 
 /// (M4)

@@ -21,15 +21,20 @@ using Eigen::Vector3d;
 /// A mesh of some thousand sample points, the same for every rank.
 fem::MeshSequence sample_mesh(const Problem& problem) {
   constexpr int enough_cells = 256;
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), std::clamp(problem.discretisation.degree, 2, 4), MPI_COMM_SELF);
+  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), std::clamp(problem.discretisation.degree, 2, 4),
+                           MPI_COMM_SELF);
   while (meshes.space()->global_cells < enough_cells) meshes.refine({});
   return meshes;
 }
 
 class Examination {
  public:
-  explicit Examination(const Problem& problem) : problem_(problem), meshes_(sample_mesh(problem)), space_(meshes_.space()),
-        surface_(space_->coarse, problem.charts), tables_(assembly::element_tables(space_->degree, false)) {}
+  explicit Examination(const Problem& problem)
+      : problem_(problem),
+        meshes_(sample_mesh(problem)),
+        space_(meshes_.space()),
+        surface_(space_->coarse, problem.charts),
+        tables_(assembly::element_tables(space_->degree, false)) {}
 
   std::vector<Finding> run() {
     names();
@@ -51,7 +56,8 @@ class Examination {
     const auto& known = space_->coarse->boundaries;
     const auto check = [&](const std::string& name, const char* what) {
       if (std::ranges::find(known, name) == known.end())
-        add(Severity::error, "{} names the boundary \"{}\", which the mesh does not have; it has: {}", what, name, fmt::join(known, ", "));
+        add(Severity::error, "{} names the boundary \"{}\", which the mesh does not have; it has: {}", what, name,
+            fmt::join(known, ", "));
     };
     for (const auto& s : problem_.supports) check(s.boundary, "a support");
     for (const auto& l : problem_.edge_loads) check(l.boundary, "a load");
@@ -73,8 +79,10 @@ class Examination {
         const auto kappa = geometry::principal_curvatures(frame);
         const double bending = e[p] / 2 * std::max(std::abs(kappa[0]), std::abs(kappa[1]));
         if (!(bending < 1)) {
-          add(Severity::error, "the shell is too thick for its curvature at x = {:.6g}, y = {:.6g}: thickness {:g} times largest "
-              "curvature {:g}, halved, is {:.3g} and must stay below 1; reduce the thickness or flatten the chart there",
+          add(Severity::error,
+              "the shell is too thick for its curvature at x = {:.6g}, y = {:.6g}: thickness {:g} times largest "
+              "curvature {:g}, halved, is {:.3g} and must stay below 1; reduce the thickness or flatten the chart "
+              "there",
               x[p], y[p], e[p], 2 * bending / e[p], bending);
           return false;
         }
@@ -83,11 +91,30 @@ class Examination {
         sharpest = std::max(sharpest, bending);
         area += frame.sqrt_a * tables_.weights[p];
       }
+      if (!usable_nodes(cell)) return false;
     }
-    add(Severity::note, "chart: regular at {} sample points, mid-surface area {:.6g} m^2", space_->cells.size() * xi.size(), area);
-    add(Severity::note, "thickness: {:.4g} to {:.4g} m; e |kappa| / 2 at most {:.3g} (must stay below 1)", thinnest, thickest, sharpest);
+    add(Severity::note, "chart: regular at {} sample points, mid-surface area {:.6g} m^2",
+        space_->cells.size() * xi.size(), area);
+    add(Severity::note, "thickness: {:.4g} to {:.4g} m; e |kappa| / 2 at most {:.3g} (must stay below 1)", thinnest,
+        thickest, sharpest);
     if (sharpest > 0.3)
-      add(Severity::warning, "e |kappa| / 2 reaches {:.2g}: a shell model is doubtful where the thickness is a sizeable part of the radius", sharpest);
+      add(Severity::warning,
+          "e |kappa| / 2 reaches {:.2g}: a shell model is doubtful where the thickness is a sizeable part of the "
+          "radius",
+          sharpest);
+    return true;
+  }
+
+  /// Edges of the domain hold nodes but no quadrature points.
+  bool usable_nodes(const fem::Cell& cell) {
+    const std::size_t count = tables_.nodes.size();
+    std::vector<geometry::SurfaceJet> jets(count);
+    std::vector<double> x(count), y(count), e(count);
+    surface_.positions(cell, tables_.nodes, x, y);
+    surface_.jets(cell, tables_.nodes, jets, false);
+    problem_.thickness.evaluate(x, y, e);
+    for (std::size_t i = 0; i < count; ++i)
+      if (!regular(jets[i], x[i], y[i]) || !thick(e[i], x[i], y[i])) return false;
     return true;
   }
 
@@ -96,27 +123,35 @@ class Examination {
     for (const auto& d : jet.d) finite = finite && d.allFinite();
     for (const auto& d : jet.dd) finite = finite && d.allFinite();
     if (!finite) {
-      add(Severity::error, "the chart or one of its derivatives is not finite at x = {:.6g}, y = {:.6g}; the domain must stay "
-          "inside of where the expressions are smooth", x, y);
+      add(Severity::error,
+          "the chart or one of its derivatives is not finite at x = {:.6g}, y = {:.6g}; the domain must stay "
+          "inside of where the expressions are smooth",
+          x, y);
       return false;
     }
     const double sine = geometry::tangent_sine(jet);
     if (sine > geometry::degenerate_sine) return true;
-    add(Severity::error, "the chart is degenerate at x = {:.6g}, y = {:.6g}: its tangents a_1 and a_2 are parallel or zero "
-        "(|a_1 x a_2| = {:.2g}); choose parameters in which phi has independent tangents", x, y, jet.d[0].cross(jet.d[1]).norm());
+    add(Severity::error,
+        "the chart is degenerate at x = {:.6g}, y = {:.6g}: its tangents a_1 and a_2 are parallel or zero "
+        "(|a_1 x a_2| = {:.2g}); choose parameters in which phi has independent tangents",
+        x, y, jet.d[0].cross(jet.d[1]).norm());
     return false;
   }
 
   bool thick(double e, double x, double y) {
     if (e > 0) return true;
-    add(Severity::error, "the thickness is {:g} at x = {:.6g}, y = {:.6g}; it must be positive everywhere in the domain", e, x, y);
+    add(Severity::error,
+        "the thickness is {:g} at x = {:.6g}, y = {:.6g}; it must be positive everywhere in the domain", e, x, y);
     return false;
   }
 
   /// phi and a_3 must agree where cells meet; second derivatives may jump.
   void normals() {
     constexpr double tolerance = 1e-6;
-    struct Seen { bool is = false; Vector3d phi, a3; };
+    struct Seen {
+      bool is = false;
+      Vector3d phi, a3;
+    };
     std::vector<Seen> seen(static_cast<std::size_t>(space_->layout->owned));
     std::vector<geometry::SurfaceJet> jets(tables_.nodes.size());
     std::vector<double> x(jets.size()), y(jets.size());
@@ -129,11 +164,15 @@ class Examination {
         if (!first.is) {
           first = {true, jets[i].value, a3};
         } else if ((first.phi - jets[i].value).norm() > tolerance * (1 + first.phi.norm())) {
-          return add(Severity::error, "the charts of two regions do not meet at x = {:.6g}, y = {:.6g}: they are {:.3g} m apart; "
-                     "the mid-surface must be continuous", x[i], y[i], (first.phi - jets[i].value).norm());
+          return add(Severity::error,
+                     "the charts of two regions do not meet at x = {:.6g}, y = {:.6g}: they are {:.3g} m apart; "
+                     "the mid-surface must be continuous",
+                     x[i], y[i], (first.phi - jets[i].value).norm());
         } else if ((first.a3 - a3).norm() > tolerance) {
-          return add(Severity::error, "the mid-surface has a kink at x = {:.6g}, y = {:.6g}: the normals of two regions differ by "
-                     "{:.3g} rad; curvature may jump there, the normal may not", x[i], y[i], (first.a3 - a3).norm());
+          return add(Severity::error,
+                     "the mid-surface has a kink at x = {:.6g}, y = {:.6g}: the normals of two regions differ by "
+                     "{:.3g} rad; curvature may jump there, the normal may not",
+                     x[i], y[i], (first.a3 - a3).norm());
         }
       }
     }
@@ -151,7 +190,9 @@ class Examination {
     const auto points = assembly::nodal_geometry(*space_, surface_, tables_, problem_.thickness);
     assembly::GapFunction gap;
     if (problem_.obstacle)
-      gap = [o = *problem_.obstacle](const Vector3d& phi, const Vector3d& a3, double e) { return obstacle::gap_at(o.half_space, o.face, phi, a3, e); };
+      gap = [o = *problem_.obstacle](const Vector3d& phi, const Vector3d& a3, double e) {
+        return obstacle::gap_at(o.half_space, o.face, phi, a3, e);
+      };
     try {
       symmetry_planes(points);
       const auto coordinates = assembly::nodal_coordinates(*space_, surface_, points, problem_.supports, gap);
@@ -172,9 +213,11 @@ class Examination {
         for (const auto& [direction, value] : rows[i].displacement) {
           if (!first) first = &direction;
           if ((direction - *first).norm() < 1e-6) continue;
-          return add(Severity::error, "the boundary \"{}\" is no symmetry plane: its conormal turns (at x = {:.6g}, y = {:.6g} by {:.3g} rad); "
-                     "symmetry needs a plane edge that the shell meets at a right angle", support.boundary, points[i].x[0], points[i].x[1],
-                     (direction - *first).norm());
+          return add(
+              Severity::error,
+              "the boundary \"{}\" is no symmetry plane: its conormal turns (at x = {:.6g}, y = {:.6g} by {:.3g} rad); "
+              "symmetry needs a plane edge that the shell meets at a right angle",
+              support.boundary, points[i].x[0], points[i].x[1], (direction - *first).norm());
         }
     }
   }
@@ -184,23 +227,48 @@ class Examination {
     std::size_t at = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double g = coordinates.gaps[i].initial;
-      if (g < least) { least = g; at = i; }
+      if (g < least) {
+        least = g;
+        at = i;
+      }
       most = std::max(most, g);
       if (!coordinates.touchable[i] && coordinates.bound_gap[i] < -1e-12 * (1 + points[i].phi.norm()))
-        return add(Severity::error, "the support holds the shell inside of the obstacle at x = {:.6g}, y = {:.6g}: its face lies {:.4g} m deep "
-                   "there and cannot move; lower the obstacle or move the support", points[i].x[0], points[i].x[1], -coordinates.bound_gap[i]);
+        return add(
+            Severity::error,
+            "the support of the boundary {} holds the shell inside of the obstacle at x = {:.6g}, y = {:.6g}: its face "
+            "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support",
+            supports_of(i, points), points[i].x[0], points[i].x[1], -coordinates.bound_gap[i]);
     }
-    add(least < 0 ? Severity::warning : Severity::note, "initial gap: {:.4g} m (at x = {:.4g}, y = {:.4g}) to {:.4g} m{}", least,
-        points[at].x[0], points[at].x[1], most, least < 0 ? "; the undeformed shell reaches into the obstacle and will be pushed out" : "");
+    add(least < 0 ? Severity::warning : Severity::note,
+        "initial gap: {:.4g} m (at x = {:.4g}, y = {:.4g}) to {:.4g} m{}", least, points[at].x[0], points[at].x[1],
+        most, least < 0 ? "; the undeformed shell reaches into the obstacle and will be pushed out" : "");
+  }
+
+  /// The boundaries whose supports act at a node, each in quotes.
+  std::string supports_of(std::size_t node, const std::vector<assembly::NodalPoint>& points) const {
+    std::vector<std::string> names;
+    for (const assembly::Support& support : problem_.supports) {
+      const auto rows = assembly::node_supports(*space_, surface_, points, {support});
+      const std::string name = fmt::format("\"{}\"", support.boundary);
+      if ((!rows[node].displacement.empty() || !rows[node].rotation.empty()) &&
+          std::ranges::find(names, name) == names.end())
+        names.push_back(name);
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
   }
 
   void rigid_motions(const std::vector<assembly::NodalPoint>& points, const assembly::NodalCoordinates& coordinates) {
     const FreeMotions free = free_rigid_motions(points, coordinates);
     for (const std::string& motion : free.unheld)
-      add(Severity::error, "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries", motion);
+      add(Severity::error,
+          "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries", motion);
     for (const std::string& motion : free.held_by_obstacle)
-      add(Severity::warning, "only the obstacle can hold the rigid motion: {}; the problem is singular unless the loads press the shell onto it", motion);
-    if (free.unheld.empty() && free.held_by_obstacle.empty()) add(Severity::note, "supports: no rigid motion is left free");
+      add(Severity::warning,
+          "only the obstacle can hold the rigid motion: {}; the problem is singular unless the loads press the shell "
+          "onto it",
+          motion);
+    if (free.unheld.empty() && free.held_by_obstacle.empty())
+      add(Severity::note, "supports: no rigid motion is left free");
   }
 
   const Problem& problem_;

@@ -4,11 +4,9 @@
 
 #include <limits>
 
-
 namespace plastron::study {
 
 namespace {
-
 
 /// The values on this rank, if one of its cells holds the point.
 std::optional<assembly::PointValues> local_values(const Solution& solution, const fem::Location& location) {
@@ -30,7 +28,8 @@ std::vector<ProbeValue> probe(const Solution& solution, const std::vector<Probe>
   for (const Probe& p : probes) {
     const auto location = fem::locate(*space.coarse, p.at);
     if (!location)
-      throw fem::DomainError(fmt::format("the probe \"{}\" at ({:g}, {:g}) lies outside of the domain", p.name, p.at[0], p.at[1]));
+      throw fem::DomainError(
+          fmt::format("the probe \"{}\" at ({:g}, {:g}) lies outside of the domain", p.name, p.at[0], p.at[1]));
     auto found = local_values(solution, *location);
     // The lowest rank that holds the point tells the others. PointValues is all doubles.
     int owner = found ? rank : std::numeric_limits<int>::max();

@@ -14,12 +14,12 @@ namespace plastron::study {
 
 /// Wall time of the phases of one level [s].
 struct Seconds {
-  double mesh = 0;           ///< refinement, numbering, transfer
-  double discretisation = 0; ///< geometry, bounds, loads
-  double assembly = 0;       ///< stiffness matrix and its pattern
-  double analysis = 0;       ///< symbolic factorisation
-  double factorisation = 0;  ///< numeric factorisations, all of them
-  double iteration = 0;      ///< the rest of the active-set iteration: residuals, triangular solves
+  double mesh = 0;            ///< refinement, numbering, transfer
+  double discretisation = 0;  ///< geometry, bounds, loads
+  double assembly = 0;        ///< stiffness matrix and its pattern
+  double analysis = 0;        ///< symbolic factorisation
+  double factorisation = 0;   ///< numeric factorisations, all of them
+  double iteration = 0;       ///< the rest of the active-set iteration: residuals, triangular solves
   double certificate = 0;
   double total() const { return mesh + discretisation + assembly + analysis + factorisation + iteration + certificate; }
 };
@@ -28,13 +28,13 @@ struct Seconds {
 struct Level {
   std::int64_t cells = 0, nodes = 0, unknowns = 0;
   contact::Status status = contact::Status::solved;
-  std::int64_t active = 0;           ///< nodes in contact
-  int iterations = 0;                ///< active-set iterations
+  std::int64_t active = 0;  ///< nodes in contact
+  int iterations = 0;       ///< active-set iterations
   int factorisations = 0;
-  double energy = 0;                 ///< 1/2 a(U, U) [J]
-  double reaction = 0;               ///< norm of the obstacle's resultant force [N]
-  double min_gap = 0;                ///< at nodes [m]
-  double linear_residual = 0;        ///< of the last linear solve, relative
+  double energy = 0;           ///< 1/2 a(U, U) [J]
+  double reaction = 0;         ///< norm of the obstacle's resultant force [N]
+  double min_gap = 0;          ///< at nodes [m]
+  double linear_residual = 0;  ///< of the last linear solve, relative
   std::vector<contact::Iteration> history{};
   Seconds seconds{};
 };
@@ -59,8 +59,8 @@ struct Result {
   std::vector<Level> levels{};
   bool has_obstacle = false;
   int ranks = 1;
-  double peak_memory = 0;            ///< over all ranks together [bytes]
-  std::optional<Solution> solution{}; ///< empty when nothing could be solved
+  double peak_memory = 0;              ///< over all ranks together [bytes]
+  std::optional<Solution> solution{};  ///< empty when nothing could be solved
 };
 
 }  // namespace plastron::study

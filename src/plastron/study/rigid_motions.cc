@@ -1,7 +1,7 @@
 #include <plastron/study/rigid_motions.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 using Matrix6 = Matrix<double, 6, 6>;
 using Vector6 = Matrix<double, 6, 1>;
 
-/// Nodal values of the six motions at a node, a column each: translations, rotations about `centre` scaled by 1 / size, so
-/// that all move the shell by about one unit. Rotations r count times `size`, to weigh like displacements.
+/// Nodal values of the six motions at a node, a column each: translations, rotations about `centre` scaled by 1 / size,
+/// so that all move the shell by about one unit. Rotations r count times `size`, to weigh like displacements.
 Matrix6 motions_at(const assembly::NodalPoint& p, const Vector3d& centre, double size) {
   Matrix6 m = Matrix6::Zero();
   m.topLeftCorner<3, 3>().setIdentity();
@@ -48,9 +48,11 @@ std::string describe(const Vector6& motion, const Vector3d& centre) {
   constexpr double negligible = 1e-3;
   if (rotation.norm() < negligible * motion.norm()) return "translation along " + vector_text(translation.normalized());
   if (translation.norm() < negligible * motion.norm())
-    return fmt::format("rotation about the axis {} through {}", vector_text(rotation.normalized()), vector_text(centre));
-  return fmt::format("rotation about the axis {} through {} with the translation {} for each unit of it", vector_text(rotation.normalized()),
-                     vector_text(centre), vector_text(translation / rotation.norm()));
+    return fmt::format("rotation about the axis {} through {}", vector_text(rotation.normalized()),
+                       vector_text(centre));
+  return fmt::format("rotation about the axis {} through {} with the translation {} for each unit of it",
+                     vector_text(rotation.normalized()), vector_text(centre),
+                     vector_text(translation / rotation.norm()));
 }
 
 /// Columns of `basis` put in reduced echelon form, so that pure translations and rotations show as such.
@@ -71,7 +73,8 @@ MatrixXd readable(MatrixXd basis) {
 
 }  // namespace
 
-FreeMotions free_rigid_motions(const std::vector<assembly::NodalPoint>& points, const assembly::NodalCoordinates& coordinates) {
+FreeMotions free_rigid_motions(const std::vector<assembly::NodalPoint>& points,
+                               const assembly::NodalCoordinates& coordinates) {
   Vector3d centre = Vector3d::Zero();
   for (const auto& p : points) centre += p.phi / static_cast<double>(points.size());
   double size = 0;
@@ -100,7 +103,8 @@ FreeMotions free_rigid_motions(const std::vector<assembly::NodalPoint>& points, 
   const MatrixXd held = free * kernel(free.transpose() * (unheld * unheld.transpose()) * free);
   const MatrixXd unheld_readable = readable(unheld), held_readable = readable(held);
   for (Eigen::Index k = 0; k < unheld.cols(); ++k) result.unheld.push_back(describe(unheld_readable.col(k), centre));
-  for (Eigen::Index k = 0; k < held.cols(); ++k) result.held_by_obstacle.push_back(describe(held_readable.col(k), centre));
+  for (Eigen::Index k = 0; k < held.cols(); ++k)
+    result.held_by_obstacle.push_back(describe(held_readable.col(k), centre));
   return result;
 }
 

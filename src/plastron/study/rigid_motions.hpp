@@ -14,6 +14,7 @@ struct FreeMotions {
 };
 
 /// For a mesh that lies on this rank alone.
-FreeMotions free_rigid_motions(const std::vector<assembly::NodalPoint>& points, const assembly::NodalCoordinates& coordinates);
+FreeMotions free_rigid_motions(const std::vector<assembly::NodalPoint>& points,
+                               const assembly::NodalCoordinates& coordinates);
 
 }  // namespace plastron::study

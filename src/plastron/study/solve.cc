@@ -18,9 +18,13 @@ namespace plastron::study {
 namespace {
 
 assembly::ShellDescription describe(const Problem& problem) {
-  assembly::ShellDescription shell{.thickness = problem.thickness, .material = problem.material,
-                                   .tying = problem.discretisation.tying, .supports = problem.supports,
-                                   .area_loads = problem.area_loads, .edge_loads = problem.edge_loads, .gap = {}};
+  assembly::ShellDescription shell{.thickness = problem.thickness,
+                                   .material = problem.material,
+                                   .tying = problem.discretisation.tying,
+                                   .supports = problem.supports,
+                                   .area_loads = problem.area_loads,
+                                   .edge_loads = problem.edge_loads,
+                                   .gap = {}};
   if (problem.obstacle)
     shell.gap = [o = *problem.obstacle](const Eigen::Vector3d& phi, const Eigen::Vector3d& a3, double thickness) {
       return obstacle::gap_at(o.half_space, o.face, phi, a3, thickness);
@@ -30,7 +34,8 @@ assembly::ShellDescription describe(const Problem& problem) {
 
 /// Nodes of the new mesh that lie in the contact zone of the mesh before start in contact.
 std::vector<contact::Activity> first_guess(const assembly::DiscreteShell& discrete, const algebra::Vector& touched) {
-  std::vector<contact::Activity> activity(5 * static_cast<std::size_t>(discrete.space().layout->owned), contact::Activity::free);
+  std::vector<contact::Activity> activity(5 * static_cast<std::size_t>(discrete.space().layout->owned),
+                                          contact::Activity::free);
   for (std::size_t i = 0; i < touched.owned().size(); ++i)
     if (discrete.coordinates.touchable[i] && touched.owned()[i] > 0.5) activity[5 * i] = contact::Activity::at_lower;
   return activity;
@@ -54,8 +59,11 @@ struct LevelResult {
 /// One mesh. `touched` holds the contact zone of the mesh before, interpolated; empty on the coarsest.
 LevelResult solve_level(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
                         const assembly::ShellDescription& shell, const contact::Settings& settings,
-                        const std::optional<algebra::Vector>& touched, Seconds seconds, int number, const Observer& observer) {
-  const auto tell = [&](std::string_view phase) { if (observer.phase) observer.phase(number, phase); };
+                        const std::optional<algebra::Vector>& touched, Seconds seconds, int number,
+                        const Observer& observer) {
+  const auto tell = [&](std::string_view phase) {
+    if (observer.phase) observer.phase(number, phase);
+  };
   Stopwatch watch;
   tell("geometry");
   auto discrete = assembly::discretise(space, surface, shell);
@@ -69,8 +77,10 @@ LevelResult solve_level(std::shared_ptr<const fem::Space> space, std::shared_ptr
   tell("contact");
   const contact::BoxProblem box = assembly::box_problem(*discrete, A);
   const auto guess = touched ? first_guess(*discrete, *touched) : std::vector<contact::Activity>{};
-  contact::BoxSolution z = contact::solve_primal_dual_active_set(
-      box, guess, F, settings, [&](const contact::Iteration& i) { if (observer.iteration) observer.iteration(number, i); });
+  contact::BoxSolution z =
+      contact::solve_primal_dual_active_set(box, guess, F, settings, [&](const contact::Iteration& i) {
+        if (observer.iteration) observer.iteration(number, i);
+      });
   if (held_inside_obstacle(*discrete)) z.status = contact::Status::infeasible;
   seconds.factorisation = F.seconds_numeric();
   seconds.iteration = watch.lap() - F.seconds_numeric();
@@ -79,11 +89,19 @@ LevelResult solve_level(std::shared_ptr<const fem::Space> space, std::shared_ptr
   const assembly::Verdict verdict = assembly::certify(*discrete, nodal);
   seconds.certificate = watch.lap();
 
-  Level record{.cells = space->global_cells, .nodes = space->layout->global_size, .unknowns = 5 * space->layout->global_size,
-               .status = z.status, .active = verdict.summary.touching_nodes, .iterations = static_cast<int>(z.iterations.size()),
-               .factorisations = F.factorisations(), .energy = verdict.summary.energy.total(),
-               .reaction = verdict.summary.reaction.force.norm(), .min_gap = verdict.certificate.min_gap_nodes,
-               .linear_residual = z.linear_residual, .history = z.iterations, .seconds = seconds};
+  Level record{.cells = space->global_cells,
+               .nodes = space->layout->global_size,
+               .unknowns = 5 * space->layout->global_size,
+               .status = z.status,
+               .active = verdict.summary.touching_nodes,
+               .iterations = static_cast<int>(z.iterations.size()),
+               .factorisations = F.factorisations(),
+               .energy = verdict.summary.energy.total(),
+               .reaction = verdict.summary.reaction.force.norm(),
+               .min_gap = verdict.certificate.min_gap_nodes,
+               .linear_residual = z.linear_residual,
+               .history = z.iterations,
+               .seconds = seconds};
   return {std::move(record), {std::move(discrete), std::move(nodal)}, verdict};
 }
 
@@ -109,7 +127,8 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
       meshes.refine(fields);
       touched = std::move(fields[0]);
     }
-    LevelResult level = solve_level(meshes.space(), surface, shell, problem.contact, touched, {.mesh = watch.lap()}, number, observer);
+    LevelResult level =
+        solve_level(meshes.space(), surface, shell, problem.contact, touched, {.mesh = watch.lap()}, number, observer);
     if (observer.level) observer.level(number, level.record);
     result.status = level.record.status;
     result.summary = level.verdict.summary;

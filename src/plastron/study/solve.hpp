@@ -18,8 +18,8 @@ struct Observer {
 };
 
 /// Solves on every mesh of the sequence and certifies the finest solution (collective).
-/// Throws fem::DomainError, assembly::SupportError for what is wrong with the problem itself; a computation that does not
-/// converge is no exception but a status.
+/// Throws fem::DomainError, assembly::SupportError for what is wrong with the problem itself; a computation that does
+/// not converge is no exception but a status.
 Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer = {});
 
 }  // namespace plastron::study

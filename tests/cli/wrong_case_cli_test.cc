@@ -1,4 +1,5 @@
-// Every wrong case file is refused by `check` and by `run`, in the words of its "# expect:" lines, and leaves nothing behind.
+// Every wrong case file is refused by `check` and by `run`, in the words of its "# expect:" lines, and leaves nothing
+// behind.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ TEST_P(WrongCase, is_refused_in_the_expected_words_and_leaves_nothing_behind) {
 
 INSTANTIATE_TEST_SUITE_P(Files, WrongCase, testing::ValuesIn(wrong_cases()), [](const auto& test) {
   std::string name = test.param.parent_path().parent_path().filename().string() + "_" + test.param.stem().string();
-  std::ranges::replace_if(name, [](unsigned char c) { return !std::isalnum(c); }, '_');
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return !std::isalnum(c); }, '_');
   return name;
 });
 

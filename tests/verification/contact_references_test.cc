@@ -1,0 +1,116 @@
+// The eleven contact problems with known answers: energy, reaction, contact boundary, convergence, iterations.
+#include "verification/reference_problems.hpp"
+
+#include <plastron/study/solve.hpp>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::verification {
+namespace {
+
+constexpr std::int64_t most_unknowns = 60'000;
+
+struct Computation {
+  ContactReference reference;
+  study::Result result;
+  double element_size;  ///< in the coordinate of the contact boundaries
+};
+
+Computation run(const std::string& name, int degree, int strip_refinements, int disk_refinements) {
+  ContactReference reference = contact_reference(name, degree, 0);
+  const int refinements = reference.axisymmetric ? disk_refinements : strip_refinements;
+  reference.problem.discretisation.refinements = refinements;
+  double coarse = 0;
+  if (const auto* disk = std::get_if<fem::Disk>(&reference.problem.domain)) coarse = 0.7 * disk->radius;
+  if (const auto* strip = std::get_if<fem::Rectangle>(&reference.problem.domain))
+    coarse = (strip->to[0] - strip->from[0]) / strip->cells[0];
+  study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  return {std::move(reference), std::move(result), coarse / (1 << refinements)};
+}
+
+bool should_touch(const ContactReference& reference, double at) {
+  const auto zone = std::ranges::count_if(reference.boundaries, [at](double b) { return b < at; });
+  return reference.pattern[static_cast<std::size_t>(zone)] == 'C';
+}
+
+/// Largest distance from a contact boundary of a node on the wrong side of it.
+double worst_misplaced_node(const Computation& r) {
+  const auto& discrete = *r.result.solution->discrete;
+  double worst = 0;
+  for (std::size_t i = 0; i < discrete.points.size(); ++i) {
+    const Eigen::Vector2d& x = discrete.points[i].x;
+    const double at = r.reference.axisymmetric ? x.norm() : x[0];
+    const bool touches = r.result.solution->nodal.touching.local()[i] != 0;
+    if (touches == should_touch(r.reference, at)) continue;
+    double distance = std::numeric_limits<double>::infinity();
+    for (const double b : r.reference.boundaries) distance = std::min(distance, std::abs(at - b));
+    worst = std::max(worst, distance);
+  }
+  return worst;
+}
+
+double relative(double computed, double expected) {
+  return expected == 0 ? std::abs(computed) : std::abs(computed / expected - 1);
+}
+
+class ContactReferences : public testing::TestWithParam<std::tuple<std::string, int>> {};
+INSTANTIATE_TEST_SUITE_P(All, ContactReferences,
+                         testing::Combine(testing::ValuesIn(contact_reference_names()), testing::Values(3, 4)),
+                         [](const auto& parameters) {
+                           std::string name =
+                               fmt::format("{}_degree{}", std::get<0>(parameters.param), std::get<1>(parameters.param));
+                           std::ranges::replace_if(
+                               name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+                           return name;
+                         });
+
+TEST_P(ContactReferences, EnergyReactionAndContactBoundaryAreRight) {
+  const auto& [name, degree] = GetParam();
+  const Computation r = degree == 3 ? run(name, 3, 3, 4) : run(name, 4, 3, 3);
+  const study::Result& result = r.result;
+  ASSERT_EQ(result.status, contact::Status::solved);
+  EXPECT_LE(result.levels.back().unknowns, most_unknowns);
+  const double factor = r.reference.factor;
+  EXPECT_LT(relative(factor * result.summary.energy.total(), r.reference.energy), 1e-3);
+  EXPECT_LT(relative(factor * result.summary.reaction.force[2], r.reference.reaction), 1e-3);
+  EXPECT_LT(relative(factor * result.summary.load_work, r.reference.load_work), 1e-3);
+  EXPECT_LE(worst_misplaced_node(r), r.element_size);
+
+  // Converging: errors change sign on the way, so the finest is compared with the worst.
+  double worst = 0;
+  for (const study::Level& level : result.levels)
+    worst = std::max(worst, relative(factor * level.energy, r.reference.energy));
+  EXPECT_LT(relative(factor * result.levels.back().energy, r.reference.energy), 0.1 * worst + 1e-9);
+  const bool bounded = name.starts_with("R1") || name.starts_with("R4cap");
+  for (std::size_t l = 1; l < result.levels.size(); ++l)
+    EXPECT_LE(result.levels[l].iterations, bounded ? 6 : 12) << "level " << l;
+
+  // The certificate.
+  const assembly::Certificate& c = result.certificate;
+  EXPECT_LT(c.stationarity, 1e-9);
+  EXPECT_LT(c.energy_identity, 1e-9);
+  EXPECT_LT(c.force_balance, 1e-10);
+  EXPECT_GE(c.min_pressure, 0);
+  EXPECT_GT(c.min_gap_nodes, -1e-12);
+  fmt::print("{:<28} degree {} unknowns {:>6}: energy {:+.1e} reaction {:+.1e} boundary {:.2f} h\n", name, degree,
+             result.levels.back().unknowns, factor * result.summary.energy.total() / r.reference.energy - 1,
+             r.reference.reaction == 0 ? 0 : factor * result.summary.reaction.force[2] / r.reference.reaction - 1,
+             worst_misplaced_node(r) / r.element_size);
+}
+
+// R1: a clamped strip of length 1 that touches along [b, 1 - b]. Outside the strip is a beam with clamped end and free
+// boundary: closed forms of the reference, which the file carries; here the boundary must converge to it.
+TEST(ContactClosedForm, TheContactBoundaryOfAStripConvergesToItsClosedForm) {
+  for (const char* name : {"R1_e0.1_P3", "R1_e0.01_P3"}) {
+    const Computation coarse = run(name, 2, 2, 0), fine = run(name, 2, 4, 0);
+    EXPECT_LE(worst_misplaced_node(coarse), coarse.element_size) << name;
+    EXPECT_LE(worst_misplaced_node(fine), fine.element_size) << name;
+  }
+}
+
+}  // namespace
+}  // namespace plastron::verification
