@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <plastron/study/solve.hpp>
 
+#include <cmath>
+
 #include "study/problems.hpp"
 
 namespace plastron::study {
@@ -85,12 +87,16 @@ TEST_P(Patch, of_parallelograms_keeps_every_constant_state) {
     }
 }
 
-TEST_P(Patch, of_any_quadrilaterals_keeps_every_constant_state) {
+// Tying interpolates along the cell's own coordinates. Where a_1 and a_2 vary, a constant Cartesian state is then in
+// equilibrium only up to an error of higher order: gamma at every degree, the others at degree 1.
+TEST_P(Patch, of_any_quadrilaterals_keeps_every_constant_state_up_to_what_tying_costs) {
   for (const State& state : {rigid(), stretched(), sheared(), bent()}) {
     SCOPED_TRACE(state.name);
-    for (int l = 0; l < 4; ++l)
-      printf("%d %d %s %d: %g\n", degree, tying, state.name.c_str(), l,
-             nodal_error(patch(pentagon, state, degree, tying, l), state));
+    const auto error = [&](int refinements) { return nodal_error(patch(pentagon, state, degree, tying, refinements), state); };
+    const bool beyond_degree = state.name == "bent" && degree == 1;
+    const bool costs = tying && state.name != "rigid" && (state.name == "stretched" || degree == 1);
+    const bool exact = !costs && !beyond_degree;
+    EXPECT_LT(error(exact ? 1 : 2), exact ? 1e-12 : error(0) / std::pow(1.9, 2 * degree));
   }
 }
 

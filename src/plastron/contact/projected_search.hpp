@@ -3,8 +3,7 @@
 //   1. Hold the unknowns at bounds; let z* minimise E on this face.
 //   2. If z* leaves the box, search along the projection P(z + t (z* - z)), t = 1, 1/2, ..., for the lowest energy that
 //      is less than E(z) by a fraction of the slope; hold in addition what has come to a bound, and go to 1.
-//   3. If z* is feasible, take it. If no multiplier has the wrong sign, it is the solution. Otherwise let go of all
-//   held
+//   3. If z* is feasible, take it. If no multiplier has the wrong sign, it is the solution. Otherwise let go of all held
 //      unknowns with wrong signs and go to 1 with the face so enlarged.
 // Why it ends: repeating 1-2 only adds held unknowns, so after finitely many steps z* is feasible and 3 is reached: z
 // is then the minimiser of a face. After 3 the direction z* - z lowers the energy to first order even where a released
