@@ -16,8 +16,8 @@ namespace {
 
 int report(const char* name, double e, const study::Problem& problem) {
   const study::Result result = study::solve(problem, MPI_COMM_WORLD);
-  fmt::print("{:<6} e = {:<6g} {:<8} up to {:>7} unknowns, contact area {:.4f}: iterations", name, e, contact::to_string(result.status),
-             result.levels.back().unknowns, result.summary.contact_area);
+  fmt::print("{:<6} e = {:<6g} {:<8} up to {:>7} unknowns, contact area {:.4f}: iterations", name, e,
+             contact::to_string(result.status), result.levels.back().unknowns, result.summary.contact_area);
   int most = 0;
   for (std::size_t l = 0; l < result.levels.size(); ++l) {
     fmt::print(" {}", result.levels[l].iterations);
@@ -34,7 +34,8 @@ int report(const char* name, double e, const study::Problem& problem) {
 int main(int argc, char** argv) {
   using namespace plastron::benchmarks;
   const plastron::algebra::Session session(argc, argv);
-  const int degree = argc == 4 ? std::atoi(argv[1]) : 2, caps = argc == 4 ? std::atoi(argv[2]) : 6, strips = argc == 4 ? std::atoi(argv[3]) : 6;
+  const int degree = argc == 4 ? std::atoi(argv[1]) : 2, caps = argc == 4 ? std::atoi(argv[2]) : 6,
+            strips = argc == 4 ? std::atoi(argv[3]) : 6;
   int most = 0;
   for (const double e : {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001}) {
     most = std::max(most, report("cap", e, cap(e, degree, caps)));

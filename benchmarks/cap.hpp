@@ -7,7 +7,9 @@
 
 namespace plastron::benchmarks {
 
-inline assembly::PrescribedComponent fixed(assembly::Unknown unknown, assembly::Direction direction) { return {unknown, direction, {}}; }
+inline assembly::PrescribedComponent fixed(assembly::Unknown unknown, assembly::Direction direction) {
+  return {unknown, direction, {}};
+}
 
 inline assembly::Support clamped(const std::string& boundary) {
   assembly::Support support{.boundary = boundary, .components = {}};

@@ -28,17 +28,20 @@ void report(int degree, int refinements) {
   if (rank != 0) return;
   std::filesystem::remove_all(directory);
 
-  fmt::print("\ncap, e = 0.02, degree {}, {} rank(s), status {}\n", degree, result.ranks, contact::to_string(result.status));
-  fmt::print("{:>9} {:>5} | {:>6} {:>6} {:>6} {:>8} {:>8} {:>8} {:>6} {:>7}\n", "unknowns", "steps", "mesh", "geom", "assem", "analysis",
-             "factor", "iterate", "certif", "total");
+  fmt::print("\ncap, e = 0.02, degree {}, {} rank(s), status {}\n", degree, result.ranks,
+             contact::to_string(result.status));
+  fmt::print("{:>9} {:>5} | {:>6} {:>6} {:>6} {:>8} {:>8} {:>8} {:>6} {:>7}\n", "unknowns", "steps", "mesh", "geom",
+             "assem", "analysis", "factor", "iterate", "certif", "total");
   for (const study::Level& l : result.levels)
-    fmt::print("{:>9} {:>5} | {:>6.2f} {:>6.2f} {:>6.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} {:>7.2f}\n", l.unknowns, l.iterations, l.seconds.mesh,
-               l.seconds.discretisation, l.seconds.assembly, l.seconds.analysis, l.seconds.factorisation, l.seconds.iteration,
-               l.seconds.certificate, l.seconds.total());
+    fmt::print("{:>9} {:>5} | {:>6.2f} {:>6.2f} {:>6.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} {:>7.2f}\n", l.unknowns,
+               l.iterations, l.seconds.mesh, l.seconds.discretisation, l.seconds.assembly, l.seconds.analysis,
+               l.seconds.factorisation, l.seconds.iteration, l.seconds.certificate, l.seconds.total());
   const study::Level& finest = result.levels.back();
   const double one = finest.seconds.factorisation / finest.factorisations;
-  const double beside = finest.seconds.mesh + finest.seconds.discretisation + finest.seconds.assembly + finest.seconds.certificate + output;
-  fmt::print("output {:.2f} s, peak memory {:.2f} GB, one factorisation {:.2f} s\n", output, result.peak_memory / 1e9, one);
+  const double beside = finest.seconds.mesh + finest.seconds.discretisation + finest.seconds.assembly +
+                        finest.seconds.certificate + output;
+  fmt::print("output {:.2f} s, peak memory {:.2f} GB, one factorisation {:.2f} s\n", output, result.peak_memory / 1e9,
+             one);
   fmt::print("finest level, mesh + geometry + assembly + certificate + output: {:.2f} factorisations\n", beside / one);
   fmt::print("whole run: {:.2f} factorisations\n", (solving + output) / one);
 }

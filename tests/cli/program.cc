@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstring>
 #include <fstream>
@@ -65,7 +66,7 @@ pid_t start(const std::vector<std::string>& arguments, const fs::path& directory
 }  // namespace
 
 Outcome plastron(const std::vector<std::string>& arguments, const fs::path& directory, double patience) {
-  static int number = 0;
+  static std::atomic<int> number = 0;
   const fs::path log = fs::temp_directory_path() /
                        ("plastron-cli-" + std::to_string(getpid()) + "-" + std::to_string(++number) + ".log");
   Outcome outcome;

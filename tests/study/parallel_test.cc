@@ -56,6 +56,17 @@ TEST(Ranks, do_not_change_a_pressed_bowl) {
   expect_same_alone_and_together(p);
 }
 
+// Some ranks then own no cells on the coarsest meshes, or cells but no nodes.
+TEST(Ranks, may_outnumber_the_cells) {
+  for (const int cells : {1, 2})
+    for (const int degree : {1, 2}) {
+      Problem p = pressed_strip();
+      std::get<fem::Rectangle>(p.domain).cells = {cells, 1};
+      p.discretisation.degree = degree;
+      expect_same_alone_and_together(p);
+    }
+}
+
 TEST(Ranks, find_the_same_when_they_examine) {
   for (const Problem& p : {pressed_strip(), free_plate()}) {
     std::int64_t found = static_cast<std::int64_t>(examine(p).size());

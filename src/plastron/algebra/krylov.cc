@@ -22,13 +22,13 @@ struct RestrictedSystem {
   const Vector& b;
   std::span<const char> fixed;
 
-  void residual(Vector& x, Vector& r) const {
+  // b - A x, the equations of the fixed unknowns included.
+  void full_residual(Vector& x, Vector& r) const {
     x.update_ghosts();
     apply(x, r);
     const auto load = b.owned();
     const auto values = r.owned();
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = load[i] - values[i];
-    set_zero_where(fixed, r);
   }
 
   // z = M^{-1} r; returns sqrt(r' z), or NaN if M is not positive definite.
@@ -54,7 +54,8 @@ double reference_norm(const RestrictedSystem& system, const Vector& x) {
     if (system.fixed[i]) start.owned()[i] = x.owned()[i];
   Vector r(x.layout(), x.block());
   Vector z(x.layout(), x.block());
-  system.residual(start, r);
+  system.full_residual(start, r);
+  set_zero_where(system.fixed, r);
   return system.preconditioned(r, z);
 }
 
@@ -71,26 +72,30 @@ double rounding_floor(const Vector& diagonal, const Vector& x) {
 // The iterate with the smallest residual so far, and whether the residual still falls.
 class BestIterate {
  public:
-  BestIterate(const Vector& x, double residual) : x_(x), residual_(residual), halved_(residual) {}
+  BestIterate(const Vector& x, const Vector& residual, double norm)
+      : x_(x), residual_(residual), norm_(norm), halved_(norm) {}
 
-  void look_at(const Vector& x, double residual) {
+  void look_at(const Vector& x, const Vector& residual, double norm) {
     ++steps_since_halved_;
-    if (residual < 0.5 * halved_) {
-      halved_ = residual;
+    if (norm < 0.5 * halved_) {
+      halved_ = norm;
       steps_since_halved_ = 0;
     }
-    if (residual < residual_) {
-      residual_ = residual;
+    if (norm < norm_) {
+      norm_ = norm;
       x_ = x;
+      residual_ = residual;
     }
   }
   bool has_stagnated() const { return steps_since_halved_ >= 2; }
-  double residual() const { return residual_; }
+  double norm() const { return norm_; }
   const Vector& x() const { return x_; }
+  const Vector& residual() const { return residual_; }
 
  private:
   Vector x_;
-  double residual_;
+  Vector residual_;
+  double norm_;
   double halved_;
   int steps_since_halved_ = 0;
 };
@@ -126,13 +131,15 @@ CgResult conjugate_gradients(const Operator& apply, const Operator& precondition
                              std::span<const char> fixed, const Vector& diagonal, Vector& x,
                              const CgSettings& settings) {
   const RestrictedSystem system{apply, precondition, b, fixed};
-  Vector r(x.layout(), x.block());
+  Vector full(x.layout(), x.block());
   Vector z(x.layout(), x.block());
   Vector Ap(x.layout(), x.block());
-  system.residual(x, r);
+  system.full_residual(x, full);
+  Vector r = full;
+  set_zero_where(fixed, r);
   double norm = system.preconditioned(r, z);
   const double reference = is_zero_except_where(fixed, x) ? norm : reference_norm(system, x);
-  BestIterate best(x, norm);
+  BestIterate best(x, full, norm);
   Direction direction;
   CgResult result;
   const auto reached = [&] { return norm <= settings.tolerance * reference || norm <= rounding_floor(diagonal, x); };
@@ -143,16 +150,20 @@ CgResult conjugate_gradients(const Operator& apply, const Operator& precondition
     const double step = dot(p, r) / curvature;
     if (!(curvature > 0) || !std::isfinite(step)) break;
     axpy(step, p, x);
-    system.residual(x, r);
+    system.full_residual(x, full);
+    r = full;
+    set_zero_where(fixed, r);
     norm = system.preconditioned(r, z);
     ++result.steps;
-    best.look_at(x, norm);
+    best.look_at(x, full, norm);
   }
   if (!result.converged) {
     x = best.x();
-    norm = best.residual();
+    full = best.residual();
+    norm = best.norm();
   }
   x.update_ghosts();
+  result.residual = std::move(full);
   result.relative_residual = reference > 0 ? norm / reference : norm;
   return result;
 }

@@ -24,6 +24,8 @@ struct CgResult {
   double relative_residual = 0;
   /// The tolerance is met, or the residual is as small as x rounded to double precision permits.
   bool converged = false;
+  /// b - A x of the x that is returned, the equations of fixed unknowns included.
+  Vector residual{};
 };
 
 /// Improves x. Unknowns with fixed[i] != 0 (owned; empty: none) keep their values, and their equations are left out;

@@ -28,7 +28,9 @@ std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
   const auto fixed = held(set);
   failure_ = Status::singular;
   if (!factorisation_.factorise(fixed)) return {};
-  if (algebra::softest_motion(problem_.apply, factorisation_, fixed, diagonal_).is_free()) return {};
+  if (settings_.detect_free_motions &&
+      algebra::softest_motion(problem_.apply, factorisation_, fixed, diagonal_).is_free())
+    return {};
 
   algebra::Vector z(problem_.load.layout(), problem_.load.block());
   for (std::size_t i = 0; i < set.size(); ++i)
@@ -43,9 +45,8 @@ std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
 }
 
 FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) const {
-  FacePoint point{.z = std::move(z), .multiplier = algebra::Vector(problem_.load.layout(), problem_.load.block())};
-  problem_.apply(point.z, point.multiplier);
-  algebra::axpy(-1, problem_.load, point.multiplier);
+  FacePoint point{.z = std::move(z), .multiplier = linear.residual};
+  for (double& value : point.multiplier.owned()) value = -value;
   point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));
   point.linear_residual = linear.relative_residual;
   point.linear_steps = linear.steps;

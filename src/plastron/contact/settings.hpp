@@ -8,7 +8,10 @@ struct Settings {
   double gap_tolerance = 1e-11;         ///< a bound counts as violated beyond this multiple of the largest unknown
   double multiplier_tolerance = 1e-10;  ///< a multiplier counts as negative beyond this multiple of the largest one
   double linear_tolerance = 1e-12;      ///< relative residual, in the preconditioner's norm, of the linear solves
-  int max_refinement_steps = 30;        ///< conjugate-gradient steps of one linear solve
+  /// Look for motions that only rounding holds, at the cost of two solves a step. Needless once the bounds that never move are
+  /// known to hold the structure.
+  bool detect_free_motions = true;
+  int max_refinement_steps = 30;  ///< conjugate-gradient steps of one linear solve
 };
 
 }  // namespace plastron::contact

@@ -126,9 +126,12 @@ void MeshSequence::Storage::create() {
 std::shared_ptr<const algebra::Layout> MeshSequence::Storage::make_layout() {
   dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
   const dealii::IndexSet& owned = dofs.locally_owned_dofs();
+  const auto count = static_cast<algebra::GlobalIndex>(owned.n_elements());
+  algebra::GlobalIndex end = 0;  // a rank without nodes begins and ends where the one before ends
+  MPI_Scan(&count, &end, 1, MPI_INT64_T, MPI_SUM, triangulation.get_communicator());
   algebra::Layout layout{.comm = triangulation.get_communicator(),
-                         .first = owned.n_elements() ? static_cast<algebra::GlobalIndex>(*owned.begin()) : 0,
-                         .owned = static_cast<algebra::LocalIndex>(owned.n_elements()),
+                         .first = end - count,
+                         .owned = static_cast<algebra::LocalIndex>(count),
                          .global_size = static_cast<algebra::GlobalIndex>(dofs.n_dofs())};
   for (const auto i : relevant)
     if (!owned.is_element(i)) layout.ghosts.push_back(static_cast<algebra::GlobalIndex>(i));
@@ -192,11 +195,13 @@ void MeshSequence::refine(std::span<algebra::Vector> fields) {
       for (algebra::LocalIndex i = 0; i < s.space->layout->owned; ++i)
         component.local_element(static_cast<unsigned int>(i)) =
             field.owned()[static_cast<std::size_t>(i) * field.block() + c];
-      component.update_ghost_values();
       before.push_back(std::move(component));
     }
   std::vector<const DealVector*> inputs;
-  for (const DealVector& v : before) inputs.push_back(&v);
+  for (DealVector& v : before) {
+    v.update_ghost_values();  // only now: the copies that a growing std::vector makes lose their ghosts' values
+    inputs.push_back(&v);
+  }
 
   dealii::parallel::distributed::SolutionTransfer<2, DealVector> transfer(s.dofs);
   s.triangulation.set_all_refine_flags();

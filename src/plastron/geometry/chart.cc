@@ -60,9 +60,8 @@ std::vector<Expression> differentiate(const std::string& text, const Constants& 
   [[maybe_unused]] const Expression checked(text, constants);  // muParser's messages carry positions
   const GiNaC::realsymbol x("x"), y("y");
   std::map<std::string, GiNaC::ex> names{{"x", x}, {"y", y}, {"pi", GiNaC::Pi}};
-  // Constants stay symbols while differentiating, so that R - R is exactly zero. sqrt(R^2) is R for positive R only.
-  for (const auto& [name, value] : constants)
-    names[name] = value > 0 ? GiNaC::ex(GiNaC::realsymbol(name)) : GiNaC::ex(GiNaC::realsymbol(name));
+  // Constants stay symbols while differentiating, so that R - R is exactly zero; of either sign, so that sqrt(R^2) is not R.
+  for (const auto& [name, value] : constants) names[name] = GiNaC::realsymbol(name);
   try {
     const GiNaC::ex f = formula(text, names);
     const GiNaC::ex fx = f.diff(x), fy = f.diff(y);

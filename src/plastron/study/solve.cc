@@ -105,6 +105,9 @@ LevelResult solve_level(std::shared_ptr<const fem::Space> space, std::shared_ptr
   return {std::move(record), {std::move(discrete), std::move(nodal)}, verdict};
 }
 
+/// Whether the supports alone hold the shell: then the first step of the coarsest mesh went through with nothing in contact.
+bool supports_hold(const Level& coarsest) { return !coarsest.history.empty() && coarsest.history.front().active == 0; }
+
 bool nothing_to_refine(contact::Status status) {
   return status == contact::Status::infeasible || status == contact::Status::singular;
 }
@@ -127,8 +130,10 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
       meshes.refine(fields);
       touched = std::move(fields[0]);
     }
+    contact::Settings contact = problem.contact;
+    if (number > 0 && supports_hold(result.levels.front())) contact.detect_free_motions = false;
     LevelResult level =
-        solve_level(meshes.space(), surface, shell, problem.contact, touched, {.mesh = watch.lap()}, number, observer);
+        solve_level(meshes.space(), surface, shell, contact, touched, {.mesh = watch.lap()}, number, observer);
     if (observer.level) observer.level(number, level.record);
     result.status = level.record.status;
     result.summary = level.verdict.summary;
