@@ -25,7 +25,10 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 /// The program must not think that it belongs to the MPI job of the test program; alone, it needs none of MPI's
 /// helpers, whose start takes longer than the reading of a case.
-std::vector<std::string> environment() {
+///
+/// Open MPI removes its session directory when it ends, even while another process is just making its own in it: so each
+/// process gets a place of its own.
+std::vector<std::string> environment(const fs::path& session) {
   std::vector<std::string> all;
   for (char** entry = environ; *entry; ++entry) {
     const std::string text = *entry;
@@ -33,6 +36,7 @@ std::vector<std::string> environment() {
     if (!begins("OMPI_") && !begins("PMIX_") && !begins("OMP_NUM_THREADS=")) all.push_back(text);
   }
   all.emplace_back("OMP_NUM_THREADS=1");
+  all.emplace_back("OMPI_MCA_orte_tmpdir_base=" + session.string());
   for (const char* setting : {"OMPI_MCA_ess_singleton_isolated=1", "OMPI_MCA_pml=ob1", "OMPI_MCA_btl=self",
                               "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"})
     all.emplace_back(setting);
@@ -46,8 +50,17 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
-pid_t start(const std::vector<std::string>& arguments, const fs::path& directory, const fs::path& log) {
-  std::vector<std::string> words{PLASTRON_PROGRAM}, variables = environment();
+/// A name in the system's temporary directory that no other process and no other call has.
+fs::path fresh_path(const char* ending) {
+  static std::atomic<int> number = 0;
+  return fs::temp_directory_path() /
+         ("plastron-cli-" + std::to_string(getpid()) + "-" + std::to_string(++number) + ending);
+}
+
+pid_t start(const std::vector<std::string>& arguments, const fs::path& directory, const fs::path& log,
+            const fs::path& session) {
+  fs::create_directories(session);
+  std::vector<std::string> words{PLASTRON_PROGRAM}, variables = environment(session);
   words.insert(words.end(), arguments.begin(), arguments.end());
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -66,12 +79,10 @@ pid_t start(const std::vector<std::string>& arguments, const fs::path& directory
 }  // namespace
 
 Outcome plastron(const std::vector<std::string>& arguments, const fs::path& directory, double patience) {
-  static std::atomic<int> number = 0;
-  const fs::path log = fs::temp_directory_path() /
-                       ("plastron-cli-" + std::to_string(getpid()) + "-" + std::to_string(++number) + ".log");
+  const fs::path log = fresh_path(".log"), session = fresh_path(".mpi");
   Outcome outcome;
   const auto begin = Clock::now();
-  const pid_t process = start(arguments, directory, log);
+  const pid_t process = start(arguments, directory, log, session);
   int status = 0;
   while (waitpid(process, &status, WNOHANG) == 0) {
     if (!outcome.timed_out && seconds_since(begin) > patience) {
@@ -84,11 +95,12 @@ Outcome plastron(const std::vector<std::string>& arguments, const fs::path& dire
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
   outcome.output = text_of(log);
   fs::remove(log);
+  fs::remove_all(session);
   return outcome;
 }
 
 Running::Running(const std::vector<std::string>& arguments, const fs::path& directory)
-    : process_(start(arguments, directory, "/dev/null")) {}
+    : session_(fresh_path(".mpi")), process_(start(arguments, directory, "/dev/null", session_)) {}
 
 bool Running::is_alive() {
   if (process_ > 0 && waitpid(process_, nullptr, WNOHANG) != 0) process_ = -1;
@@ -100,6 +112,8 @@ void Running::kill() {
   ::kill(process_, SIGKILL);
   waitpid(process_, nullptr, 0);
   process_ = -1;
+  std::error_code ignored;
+  fs::remove_all(session_, ignored);
 }
 
 Scratch::Scratch() {

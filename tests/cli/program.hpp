@@ -32,6 +32,7 @@ class Running {
   void kill();  ///< SIGKILL, and waits for the end
 
  private:
+  fs::path session_;  // where its MPI keeps its files
   pid_t process_ = -1;
 };
 

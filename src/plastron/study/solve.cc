@@ -4,9 +4,8 @@
 // is the first guess, and the finest solution is certified from its strains and bounds.
 #include <plastron/study/solve.hpp>
 
-#include <plastron/assembly/stiffness.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/study/level.hpp>
 #include <plastron/study/memory.hpp>
 #include <plastron/study/probes.hpp>
 #include <plastron/study/stopwatch.hpp>
@@ -30,79 +29,6 @@ assembly::ShellDescription describe(const Problem& problem) {
       return obstacle::gap_at(o.half_space, o.face, phi, a3, thickness);
     };
   return shell;
-}
-
-/// Nodes of the new mesh that lie in the contact zone of the mesh before start in contact.
-std::vector<contact::Activity> first_guess(const assembly::DiscreteShell& discrete, const algebra::Vector& touched) {
-  std::vector<contact::Activity> activity(5 * static_cast<std::size_t>(discrete.space().layout->owned),
-                                          contact::Activity::free);
-  for (std::size_t i = 0; i < touched.owned().size(); ++i)
-    if (discrete.coordinates.touchable[i] && touched.owned()[i] > 0.5) activity[5 * i] = contact::Activity::at_lower;
-  return activity;
-}
-
-/// A support holds the touching face inside of the obstacle: K is empty. No bound says so, for nothing can move there.
-bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
-  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  std::int64_t held = 0;
-  for (std::size_t i = 0; i < coordinates.gaps.size(); ++i)
-    if (!coordinates.touchable[i] && coordinates.bound_gap[i] < -1e-12 * (1 + discrete.points[i].phi.norm())) ++held;
-  return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
-}
-
-struct LevelResult {
-  Level record;
-  Solution solution;
-  assembly::Verdict verdict;
-};
-
-/// One mesh. `touched` holds the contact zone of the mesh before, interpolated; empty on the coarsest.
-LevelResult solve_level(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
-                        const assembly::ShellDescription& shell, const contact::Settings& settings,
-                        const std::optional<algebra::Vector>& touched, Seconds seconds, int number,
-                        const Observer& observer) {
-  const auto tell = [&](std::string_view phase) {
-    if (observer.phase) observer.phase(number, phase);
-  };
-  Stopwatch watch;
-  tell("geometry");
-  auto discrete = assembly::discretise(space, surface, shell);
-  seconds.discretisation = watch.lap();
-  tell("assembly");
-  const algebra::Matrix A = assembly::stiffness_matrix(discrete->shell, discrete->coordinates);
-  seconds.assembly = watch.lap();
-  tell("analysis");
-  algebra::Factorisation F(A);
-  seconds.analysis = watch.lap();
-  tell("contact");
-  const contact::BoxProblem box = assembly::box_problem(*discrete, A);
-  const auto guess = touched ? first_guess(*discrete, *touched) : std::vector<contact::Activity>{};
-  contact::BoxSolution z =
-      contact::solve_primal_dual_active_set(box, guess, F, settings, [&](const contact::Iteration& i) {
-        if (observer.iteration) observer.iteration(number, i);
-      });
-  if (held_inside_obstacle(*discrete)) z.status = contact::Status::infeasible;
-  seconds.factorisation = F.seconds_numeric();
-  seconds.iteration = watch.lap() - F.seconds_numeric();
-  tell("certificate");
-  assembly::NodalSolution nodal = assembly::nodal_solution(*discrete, z.z, z.activity);
-  const assembly::Verdict verdict = assembly::certify(*discrete, nodal);
-  seconds.certificate = watch.lap();
-
-  Level record{.cells = space->global_cells,
-               .nodes = space->layout->global_size,
-               .unknowns = 5 * space->layout->global_size,
-               .status = z.status,
-               .active = verdict.summary.touching_nodes,
-               .iterations = static_cast<int>(z.iterations.size()),
-               .factorisations = F.factorisations(),
-               .energy = verdict.summary.energy.total(),
-               .reaction = verdict.summary.reaction.force.norm(),
-               .min_gap = verdict.certificate.min_gap_nodes,
-               .linear_residual = z.linear_residual,
-               .history = z.iterations,
-               .seconds = seconds};
-  return {std::move(record), {std::move(discrete), std::move(nodal)}, verdict};
 }
 
 /// Whether the supports alone hold the shell: then the first step of the coarsest mesh went through with nothing in contact.
@@ -130,10 +56,11 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
       meshes.refine(fields);
       touched = std::move(fields[0]);
     }
-    contact::Settings contact = problem.contact;
-    if (number > 0 && supports_hold(result.levels.front())) contact.detect_free_motions = false;
-    LevelResult level =
-        solve_level(meshes.space(), surface, shell, contact, touched, {.mesh = watch.lap()}, number, observer);
+    LevelTask task{
+        .number = number, .space = meshes.space(), .settings = problem.contact, .touched = std::move(touched)};
+    if (number > 0 && supports_hold(result.levels.front())) task.settings.detect_free_motions = false;
+    task.seconds_for_mesh = watch.lap();
+    LevelResult level = solve_level(task, shell, surface, observer);
     if (observer.level) observer.level(number, level.record);
     result.status = level.record.status;
     result.summary = level.verdict.summary;
