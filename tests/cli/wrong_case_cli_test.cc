@@ -8,6 +8,7 @@
 #include <future>
 
 #include "cli/program.hpp"
+#include "config/expectations.hpp"
 
 namespace plastron::cli {
 namespace {
@@ -25,13 +26,7 @@ std::vector<fs::path> wrong_cases() {
   return all;
 }
 
-std::vector<std::string> expectations(const fs::path& file) {
-  const std::string mark = "# expect: ";
-  std::vector<std::string> all;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line) && line.starts_with(mark);) all.push_back(line.substr(mark.size()));
-  return all;
-}
+using test::expectations;
 
 class WrongCase : public testing::TestWithParam<fs::path> {
  protected:

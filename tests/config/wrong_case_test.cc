@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "config/expectations.hpp"
+
 namespace plastron::config {
 namespace {
 
@@ -23,13 +25,7 @@ std::vector<std::string> wrong_cases() {
   return names;
 }
 
-std::vector<std::string> expectations(const fs::path& file) {
-  const std::string mark = "# expect: ";
-  std::vector<std::string> all;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line) && line.starts_with(mark);) all.push_back(line.substr(mark.size()));
-  return all;
-}
+using test::expectations;
 
 std::string errors_of(const fs::path& file) {
   try {

@@ -3,6 +3,7 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/study/gap.hpp>
 #include <plastron/study/rigid_motions.hpp>
 
 #include <fmt/format.h>
@@ -188,11 +189,7 @@ class Examination {
 
   void nodes() {
     const auto points = assembly::nodal_geometry(*space_, surface_, tables_, problem_.thickness);
-    assembly::GapFunction gap;
-    if (problem_.obstacle)
-      gap = [o = *problem_.obstacle](const Vector3d& phi, const Vector3d& a3, double e) {
-        return obstacle::gap_at(o.half_space, o.face, phi, a3, e);
-      };
+    const assembly::GapFunction gap = gap_function(problem_);
     try {
       symmetry_planes(points);
       const auto coordinates = assembly::nodal_coordinates(*space_, surface_, points, problem_.supports, gap);
@@ -232,7 +229,7 @@ class Examination {
         at = i;
       }
       most = std::max(most, g);
-      if (!coordinates.touchable[i] && coordinates.bound_gap[i] < -1e-12 * (1 + points[i].phi.norm()))
+      if (is_held_inside(coordinates, points[i], i))
         return add(
             Severity::error,
             "the support of the boundary {} holds the shell inside of the obstacle at x = {:.6g}, y = {:.6g}: its face "

@@ -2,6 +2,7 @@
 
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/study/gap.hpp>
 #include <plastron/study/stopwatch.hpp>
 
 namespace plastron::study {
@@ -22,7 +23,7 @@ bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   std::int64_t held = 0;
   for (std::size_t i = 0; i < coordinates.gaps.size(); ++i)
-    if (!coordinates.touchable[i] && coordinates.bound_gap[i] < -1e-12 * (1 + discrete.points[i].phi.norm())) ++held;
+    if (is_held_inside(coordinates, discrete.points[i], i)) ++held;
   return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
 }
 

@@ -5,6 +5,7 @@
 #include <plastron/study/solve.hpp>
 
 #include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/study/gap.hpp>
 #include <plastron/study/level.hpp>
 #include <plastron/study/memory.hpp>
 #include <plastron/study/probes.hpp>
@@ -17,18 +18,13 @@ namespace plastron::study {
 namespace {
 
 assembly::ShellDescription describe(const Problem& problem) {
-  assembly::ShellDescription shell{.thickness = problem.thickness,
-                                   .material = problem.material,
-                                   .tying = problem.discretisation.tying,
-                                   .supports = problem.supports,
-                                   .area_loads = problem.area_loads,
-                                   .edge_loads = problem.edge_loads,
-                                   .gap = {}};
-  if (problem.obstacle)
-    shell.gap = [o = *problem.obstacle](const Eigen::Vector3d& phi, const Eigen::Vector3d& a3, double thickness) {
-      return obstacle::gap_at(o.half_space, o.face, phi, a3, thickness);
-    };
-  return shell;
+  return {.thickness = problem.thickness,
+          .material = problem.material,
+          .tying = problem.discretisation.tying,
+          .supports = problem.supports,
+          .area_loads = problem.area_loads,
+          .edge_loads = problem.edge_loads,
+          .gap = gap_function(problem)};
 }
 
 /// Whether the supports alone hold the shell: then the first step of the coarsest mesh went through with nothing in contact.

@@ -1,0 +1,22 @@
+// The gap of a problem's shell against its obstacle.
+#pragma once
+#include <plastron/assembly/nodal_coordinates.hpp>
+#include <plastron/study/problem.hpp>
+
+namespace plastron::study {
+
+/// (M16) for the problem's obstacle and face; empty without obstacle.
+inline assembly::GapFunction gap_function(const Problem& problem) {
+  if (!problem.obstacle) return {};
+  return [o = *problem.obstacle](const Eigen::Vector3d& phi, const Eigen::Vector3d& a3, double thickness) {
+    return obstacle::gap_at(o.half_space, o.face, phi, a3, thickness);
+  };
+}
+
+/// The supports hold the touching face inside of the obstacle at a node, and no bound can move it out.
+inline bool is_held_inside(const assembly::NodalCoordinates& coordinates, const assembly::NodalPoint& point,
+                           std::size_t node) {
+  return !coordinates.touchable[node] && coordinates.bound_gap[node] < -1e-12 * (1 + point.phi.norm());
+}
+
+}  // namespace plastron::study
