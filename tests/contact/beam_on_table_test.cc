@@ -69,6 +69,22 @@ TEST(BeamOnTable, is_checked_by_one_solve_from_its_own_active_set) {
   EXPECT_EQ(gather(warm.z), gather(cold.z));
 }
 
+TEST(BeamOnTable, keeps_its_factor_while_few_unknowns_change) {
+  BeamOnTable table(61);
+  const auto afresh = contact::solve_primal_dual_active_set(table.problem, {}, table.factorisation);
+  const int factorisations = table.factorisation.factorisations();
+  EXPECT_EQ(factorisations, static_cast<int>(afresh.iterations.size()));
+  const auto kept =
+      contact::solve_primal_dual_active_set(table.problem, {}, table.factorisation, {.detect_free_motions = false});
+  EXPECT_LT(table.factorisation.factorisations() - factorisations, factorisations / 2);
+  ASSERT_EQ(kept.status, Status::solved);
+  EXPECT_EQ(kept.activity, afresh.activity);
+  EXPECT_EQ(kept.iterations.size(), afresh.iterations.size());
+  const auto a = gather(kept.z);
+  const auto b = gather(afresh.z);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-10);
+}
+
 TEST(BeamOnTable, takes_few_steps_from_the_active_set_of_half_as_many_nodes) {
   const GlobalIndex coarse_nodes = 51;
   BeamOnTable coarse(coarse_nodes);

@@ -72,8 +72,8 @@ double rounding_floor(const Vector& diagonal, const Vector& x) {
 // The iterate with the smallest residual so far, and whether the residual still falls.
 class BestIterate {
  public:
-  BestIterate(const Vector& x, const Vector& residual, double norm)
-      : x_(x), residual_(residual), norm_(norm), halved_(norm) {}
+  BestIterate(const Vector& x, const Vector& residual, double norm, int patience)
+      : x_(x), residual_(residual), norm_(norm), halved_(norm), patience_(patience) {}
 
   void look_at(const Vector& x, const Vector& residual, double norm) {
     ++steps_since_halved_;
@@ -87,7 +87,7 @@ class BestIterate {
       residual_ = residual;
     }
   }
-  bool has_stagnated() const { return steps_since_halved_ >= 2; }
+  bool has_stagnated() const { return steps_since_halved_ >= patience_; }
   double norm() const { return norm_; }
   const Vector& x() const { return x_; }
   const Vector& residual() const { return residual_; }
@@ -97,6 +97,7 @@ class BestIterate {
   Vector residual_;
   double norm_;
   double halved_;
+  int patience_;
   int steps_since_halved_ = 0;
 };
 
@@ -139,7 +140,7 @@ CgResult conjugate_gradients(const Operator& apply, const Operator& precondition
   set_zero_where(fixed, r);
   double norm = system.preconditioned(r, z);
   const double reference = is_zero_except_where(fixed, x) ? norm : reference_norm(system, x);
-  BestIterate best(x, full, norm);
+  BestIterate best(x, full, norm, settings.patience);
   Direction direction;
   CgResult result;
   const auto reached = [&] { return norm <= settings.tolerance * reference || norm <= rounding_floor(diagonal, x); };

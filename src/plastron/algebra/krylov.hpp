@@ -16,6 +16,7 @@ using Operator = std::function<void(const Vector& x, Vector& y)>;
 struct CgSettings {
   double tolerance = 1e-12;  ///< of the residual in the preconditioner's norm, relative to that of x = 0 (see below)
   int max_steps = 30;
+  int patience = 2;  ///< ends when so many steps together do not halve the residual
 };
 
 struct CgResult {
@@ -30,8 +31,8 @@ struct CgResult {
 
 /// Improves x. Unknowns with fixed[i] != 0 (owned; empty: none) keep their values, and their equations are left out;
 /// `precondition` must map a residual that is zero there to a correction that is zero there. `diagonal` of A (may be
-/// empty) gives the rounding floor sqrt(sum_i A_ii (eps x_i)^2), below which no iterate can get. Ends also when two
-/// steps together do not halve the residual, and returns the best iterate, ghosts up to date. (collective)
+/// empty) gives the rounding floor sqrt(sum_i A_ii (eps x_i)^2), below which no iterate can get. Ends also when
+/// `patience` steps together do not halve the residual, and returns the best iterate, ghosts up to date. (collective)
 CgResult conjugate_gradients(const Operator& apply, const Operator& precondition, const Vector& b,
                              std::span<const char> fixed, const Vector& diagonal, Vector& x,
                              const CgSettings& settings = {});

@@ -25,26 +25,52 @@ FaceSolver::FaceSolver(const BoxProblem& problem, algebra::Factorisation& factor
     : problem_(problem), factorisation_(factorisation), settings_(settings), diagonal_(problem.matrix.diagonal()) {}
 
 std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
-  const auto fixed = held(set);
+  if (auto point = solve_with_old_factor(set)) return point;
   failure_ = Status::singular;
-  if (!factorisation_.factorise(fixed)) return {};
-  if (settings_.detect_free_motions &&
-      algebra::softest_motion(problem_.apply, factorisation_, fixed, diagonal_).is_free())
-    return {};
-
+  if (!factorise(set)) return {};
   algebra::Vector z(problem_.load.layout(), problem_.load.block());
-  for (std::size_t i = 0; i < set.size(); ++i)
-    if (set[i] != Activity::free) z.owned()[i] = held_at(problem_, i, set[i]);
-  const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { factorisation_.solve(r, x); };
-  const auto linear = algebra::conjugate_gradients(
-      problem_.apply, precondition, problem_.load, fixed, diagonal_, z,
-      {.tolerance = settings_.linear_tolerance, .max_steps = settings_.max_refinement_steps});
+  const auto linear =
+      solve_linear(set, {.tolerance = settings_.linear_tolerance, .max_steps = settings_.max_refinement_steps}, z);
   failure_ = Status::linear_solver_stalled;
   if (!linear.converged && !(linear.relative_residual <= usable_residual)) return {};
   return complete(std::move(z), linear, set);
 }
 
-FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) const {
+bool FaceSolver::factorise(const ActiveSet& set) {
+  const auto fixed = held(set);
+  factorised_.reset();
+  if (!factorisation_.factorise(fixed)) return false;
+  if (settings_.detect_free_motions &&
+      algebra::softest_motion(problem_.apply, factorisation_, fixed, diagonal_).is_free())
+    return false;
+  factorised_ = set;
+  return true;
+}
+
+/// A face that differs from the factorised one in a few unknowns: the factor is a preconditioner that is exact up to
+/// that rank, and each step costs a twentieth of a factorisation on a fine mesh. Nothing if that does not converge soon.
+std::optional<FacePoint> FaceSolver::solve_with_old_factor(const ActiveSet& set) {
+  constexpr std::int64_t most_changes = 64;
+  constexpr int most_steps = 16;
+  if (settings_.detect_free_motions || !factorised_ || count_changes(problem_, *factorised_, set) > most_changes)
+    return {};
+  algebra::Vector z = nearby_;
+  const auto linear =
+      solve_linear(set, {.tolerance = settings_.linear_tolerance, .max_steps = most_steps, .patience = most_steps}, z);
+  if (!linear.converged) return {};
+  return complete(std::move(z), linear, set);
+}
+
+algebra::CgResult FaceSolver::solve_linear(const ActiveSet& set, const algebra::CgSettings& settings,
+                                           algebra::Vector& z) const {
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if (set[i] != Activity::free) z.owned()[i] = held_at(problem_, i, set[i]);
+  const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { factorisation_.solve(r, x); };
+  return algebra::conjugate_gradients(problem_.apply, precondition, problem_.load, held(set), diagonal_, z, settings);
+}
+
+FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) {
+  nearby_ = z;
   FacePoint point{.z = std::move(z), .multiplier = linear.residual};
   for (double& value : point.multiplier.owned()) value = -value;
   point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));

@@ -32,13 +32,18 @@ class FaceSolver {
   const algebra::Vector& diagonal() const { return diagonal_; }
 
  private:
-  FacePoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) const;
+  bool factorise(const ActiveSet& set);
+  std::optional<FacePoint> solve_with_old_factor(const ActiveSet& set);
+  algebra::CgResult solve_linear(const ActiveSet& set, const algebra::CgSettings& settings, algebra::Vector& z) const;
+  FacePoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set);
   algebra::Vector noise_of_multipliers(const FacePoint& point, const ActiveSet& set) const;
 
   const BoxProblem& problem_;
   algebra::Factorisation& factorisation_;
   const Settings& settings_;
   algebra::Vector diagonal_;
+  std::optional<ActiveSet> factorised_{};  ///< the face of the factor at hand
+  algebra::Vector nearby_{};               ///< minimiser of the face before
   Status failure_ = Status::singular;
 };
 
