@@ -54,7 +54,7 @@ TEST(NodalCoordinates, EveryBasisSpansTheTangentFormulation) {
       const Sample s = sample(supports, gap);
       for (std::size_t i = 0; i < s.discrete->points.size(); ++i) {
         const NodeBasis& T = s.discrete->coordinates.basis[i];
-        EXPECT_EQ(T.fullPivLu().rank(), 5);
+        EXPECT_EQ(T.fullPivLu().rank(), 6);
         for (int k = 0; k < 5; ++k) EXPECT_NEAR(T.col(k).tail<3>().dot(s.discrete->points[i].a3), 0, 1e-13);
       }
     }
@@ -81,6 +81,28 @@ TEST(NodalCoordinates, TheFirstCoordinateIsTheChangeOfTheGapAndNoOtherFreeOneCha
   }
 }
 
+// The relaxed formulations (M13, M14): r . a_3 is a coordinate of its own that leaves the gap alone, since that sees the
+// tangential part of r; any prescribed rotation prescribes it, too.
+TEST(NodalCoordinates, RelaxedFormulationsAddTheNormalRotation) {
+  auto m = test::meshed(test::skew(), test::saddle, 3, 1);
+  for (const auto formulation : {Formulation::penalised, Formulation::mixed}) {
+    const auto discrete = discretise(m.space, m.surface,
+                                     {.thickness = geometry::Expression(0.1),
+                                      .material = test::steel_like(),
+                                      .tangency = {.formulation = formulation},
+                                      .supports = assorted_supports(),
+                                      .gap = table()});
+    const auto& c = discrete->coordinates;
+    EXPECT_EQ(c.width, 6);
+    const auto rows = node_supports(*m.space, *m.surface, discrete->points, assorted_supports());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_EQ(c.basis[i].col(5).head<3>().norm(), 0);
+      EXPECT_NEAR((c.basis[i].col(5).tail<3>() - discrete->points[i].a3).norm(), 0, 1e-15);
+      EXPECT_EQ(c.is_prescribed(i, 5), !rows[i].rotation.empty());
+    }
+  }
+}
+
 // At the bound z_0 = lower, and with the prescribed values, the gap is zero.
 TEST(NodalCoordinates, AtTheBoundTheGapIsZero) {
   const Sample s = sample(assorted_supports(), table());
@@ -90,7 +112,7 @@ TEST(NodalCoordinates, AtTheBoundTheGapIsZero) {
     Eigen::Matrix<double, 5, 1> z;
     for (std::size_t k = 0; k < 5; ++k)
       z[static_cast<Eigen::Index>(k)] = std::isfinite(c.lower.local()[5 * i + k]) ? c.lower.local()[5 * i + k] : 0.3;
-    const Vector6 y = c.basis[i] * z;
+    const Vector6 y = c.basis[i].leftCols<5>() * z;
     EXPECT_NEAR(c.gaps[i](y.head<3>(), y.tail<3>()), 0, 1e-13);
   }
 }
@@ -104,7 +126,7 @@ TEST(NodalCoordinates, PrescribedComponentsHaveTheirValues) {
     for (std::size_t k = 0; k < 5; ++k)
       z[static_cast<Eigen::Index>(k)] = std::isfinite(c.lower.local()[5 * i + k]) ? c.lower.local()[5 * i + k] : 0.7;
     if (c.touchable[i]) z[0] = 0.4;
-    const Vector6 y = c.basis[i] * z;
+    const Vector6 y = c.basis[i].leftCols<5>() * z;
     for (const auto& [d, value] : rows[i].displacement) EXPECT_NEAR(d.dot(y.head<3>()), value, 1e-12);
     for (const auto& [d, value] : rows[i].rotation) EXPECT_NEAR(d.dot(y.tail<3>()), value, 1e-12);
   }

@@ -24,8 +24,10 @@ Eigen::VectorXd spectrum(const fem::Domain& domain, const std::array<std::string
     const auto nodes = m.space->nodes(c);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       for (std::size_t j = 0; j < nodes.size(); ++j) {
-        const auto& Ti = discrete->coordinates.basis[static_cast<std::size_t>(nodes[i])];
-        const auto& Tj = discrete->coordinates.basis[static_cast<std::size_t>(nodes[j])];
+        const Eigen::Matrix<double, 6, 5> Ti =
+            discrete->coordinates.basis[static_cast<std::size_t>(nodes[i])].leftCols<5>();
+        const Eigen::Matrix<double, 6, 5> Tj =
+            discrete->coordinates.basis[static_cast<std::size_t>(nodes[j])].leftCols<5>();
         dense.block<5, 5>(5 * nodes[i], 5 * nodes[j]) +=
             Ti.transpose() * k.block<6, 6>(6 * static_cast<Eigen::Index>(i), 6 * static_cast<Eigen::Index>(j)) * Tj;
       }

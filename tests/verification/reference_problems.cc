@@ -263,4 +263,19 @@ LinearReference clamped_plate(double thickness, ShearCorrection k, int degree, i
   return reference;
 }
 
+LinearReference clamped_saddle(int degree, int refinements) {
+  LinearReference reference{.name = "clamped saddle over a diamond",
+                            .problem = free_shell(2.85e4, 0.4, ShearCorrection::one, 0.8, degree, refinements),
+                            .direction = -Eigen::Vector3d::UnitZ()};
+  study::Problem& problem = reference.problem;
+  const double corner = 50 * std::numbers::sqrt2;
+  problem.domain = fem::Polygon{{{corner, 0}, {0, corner}, {-corner, 0}, {0, -corner}}};
+  problem.charts.emplace("", geometry::Chart({"x", "y", "c*(x^2 - y^2)/(2*b^2)"}, {{"b", 50}, {"c", 10}}));
+  for (const char* edge : {"edge1", "edge2", "edge3", "edge4"}) problem.supports.push_back(clamped(edge));
+  problem.area_loads = {downward(0.01)};
+  problem.probes = {{"centre", {0, 0}}};
+  reference.displacement = 0.0248389;
+  return reference;
+}
+
 }  // namespace plastron::verification

@@ -67,4 +67,9 @@ LinearReference scordelis_lo(ShearCorrection k, bool hard_diaphragm, int degree,
 /// Unit square under uniform load in multiples of q L^4 / D, one quarter of it; thickness 0.1 or 0.01.
 LinearReference clamped_plate(double thickness, ShearCorrection k, int degree, int refinements);
 
+/// z = c (x^2 - y^2) / (2 b^2) on |x| + |y| < b sqrt(2), clamped all round, vertical load 0.01 per unit mid-surface area, e = 0.8,
+/// k_s = 1. Source: Blouza, Hecht and Le Dret, Two finite element approximations of Naghdi's shell model in Cartesian
+/// coordinates (2006); the value at the centre was computed to six digits with exact geometry.
+LinearReference clamped_saddle(int degree, int refinements);
+
 }  // namespace plastron::verification

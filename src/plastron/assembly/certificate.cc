@@ -1,6 +1,7 @@
 #include <plastron/assembly/certificate.hpp>
 
 #include <plastron/assembly/gap_between.hpp>
+#include <plastron/assembly/multiplier.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +17,15 @@ Vector6 block6(const algebra::Vector& v, std::size_t node) {
   return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
 }
 
-/// A y - l per owned node, through strains.
-algebra::Vector residual(const DiscreteShell& discrete, const algebra::Vector& y) {
+/// A y + B' lambda - l per owned node, through strains.
+algebra::Vector residual(const DiscreteShell& discrete, const NodalSolution& solution) {
   algebra::Vector r(discrete.space().layout, 6);
-  discrete.shell.apply(y, r);
+  discrete.apply(solution.y, r);
+  if (solution.lambda.layout()) {
+    algebra::Vector f(discrete.space().layout, 6);
+    apply_coupling_transposed(discrete.shell, solution.lambda, f);
+    algebra::axpy(1, f, r);
+  }
   for (std::size_t i = 0; i < r.owned().size(); ++i) r.owned()[i] -= discrete.load.owned()[i];
   return r;
 }
@@ -52,9 +58,10 @@ void add(Wrench& wrench, const NodalPoint& p, const Vector6& f, Sums& sums) {
   sums.moment_scale += moment.norm();
 }
 
-Vector6 gap_row(const obstacle::Gap& gap) {
+/// What the gap feels of (u, r): the tangential part of r only (D2).
+Vector6 gap_row(const obstacle::Gap& gap, const Vector3d& a3) {
   Vector6 row;
-  row << gap.normal, gap.z * gap.normal;
+  row << gap.normal, gap.z * geometry::tangential(gap.normal, a3);
   return row;
 }
 
@@ -62,7 +69,8 @@ Vector6 gap_row(const obstacle::Gap& gap) {
 Vector6 add_contact(const DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& y,
                     Sums& sums) {
   const obstacle::Gap& gap = discrete.coordinates.gaps[i];
-  const double g = gap(y.head<3>(), y.tail<3>());
+  const Vector3d& a3 = discrete.points[i].a3;
+  const double g = gap(y.head<3>(), geometry::tangential(y.tail<3>(), a3));
   if (discrete.coordinates.touchable[i]) sums.min_gap = std::min(sums.min_gap, g);
   if (solution.touching.local()[i] == 0) return Vector6::Zero();
   const double pressure = solution.pressure.local()[i], weight = discrete.points[i].weight;
@@ -71,7 +79,7 @@ Vector6 add_contact(const DiscreteShell& discrete, const NodalSolution& solution
   sums.max_pressure = std::max(sums.max_pressure, pressure);
   sums.min_pressure = std::min(sums.min_pressure, pressure);
   sums.complementarity = std::max(sums.complementarity, std::abs(pressure * g));
-  const Vector6 force = pressure * weight * gap_row(gap);
+  const Vector6 force = pressure * weight * gap_row(gap, a3);
   sums.contact_work += force.dot(y);
   add(sums.obstacle, discrete.points[i], force, sums);
   return force;
@@ -86,12 +94,11 @@ void add_node(const DiscreteShell& discrete, const NodalSolution& solution, std:
   Vector6 contact = Vector6::Zero();
   if (!coordinates.gaps.empty()) contact = add_contact(discrete, solution, i, y, sums);
   const Vector6 rest = r - contact;
-  for (int k = 0; k < 5; ++k) {
-    const std::size_t at = 5 * i + static_cast<std::size_t>(k);
+  for (int k = 0; k < coordinates.width; ++k) {
     const Vector6 direction = coordinates.basis[i].col(k);
     const double component = direction.dot(rest);
     sums.all_forces += std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2);
-    if (coordinates.lower.local()[at] == coordinates.upper.local()[at]) {
+    if (coordinates.is_prescribed(i, k)) {
       add(sums.supports, discrete.points[i], component * direction, sums);
       sums.support_work += component * direction.dot(y);
       sums.all_forces += component * component;
@@ -101,16 +108,35 @@ void add_node(const DiscreteShell& discrete, const NodalSolution& solution, std:
   }
 }
 
+double max_tilt(const DiscreteShell& discrete, const algebra::Vector& y) {
+  const ShellOperator& shell = discrete.shell;
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(shell.space().layout->owned); ++i)
+    most = std::max(most, std::abs(block6(y, i).tail<3>().dot(discrete.points[i].a3)));
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const FieldRows rows =
+        shell.interpolation().fields(c, shell.tables().quadrature, shell.quadrature_bases(c), shell.gather(c, y));
+    for (int q = 0; q < shell.tables().points_per_cell(); ++q)
+      most = std::max(most, std::abs(rows.at(q).r.dot(shell.point(c, q).frame.a3)));
+  }
+  return algebra::max_over_ranks(most, shell.space().layout->comm);
+}
+
 }  // namespace
 
-NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vector& z,
-                             const std::vector<contact::Activity>& activity) {
+NodalSolution nodal_solution(const DiscreteShell& discrete, const contact::BoxSolution& box) {
   const auto& layout = discrete.space().layout;
-  NodalSolution solution{algebra::Vector(layout, 6), algebra::Vector(layout, 1), algebra::Vector(layout, 1)};
-  discrete.coordinates.to_cartesian(z, solution.y);
-  const algebra::Vector r = residual(discrete, solution.y);
+  NodalSolution solution{.y = algebra::Vector(layout, 6),
+                         .pressure = algebra::Vector(layout, 1),
+                         .touching = algebra::Vector(layout, 1),
+                         .lambda = box.equation_multiplier};
+  discrete.coordinates.to_cartesian(box.z, solution.y);
+  if (solution.lambda.layout()) solution.lambda.update_ghosts();
+  const algebra::Vector r = residual(discrete, solution);
   for (std::size_t i = 0; i < static_cast<std::size_t>(layout->owned); ++i) {
-    if (!discrete.coordinates.touchable[i] || activity[5 * i] != contact::Activity::at_lower) continue;
+    if (!discrete.coordinates.touchable[i] ||
+        box.activity[discrete.coordinates.at(i, 0)] != contact::Activity::at_lower)
+      continue;
     solution.touching.local()[i] = 1;
     solution.pressure.local()[i] = discrete.coordinates.basis[i].col(0).dot(block6(r, i)) / discrete.points[i].weight;
   }
@@ -121,7 +147,7 @@ NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vecto
 
 Verdict certify(const DiscreteShell& discrete, const NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  const algebra::Vector r = residual(discrete, solution.y);
+  const algebra::Vector r = residual(discrete, solution);
   Sums sums;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
     add_node(discrete, solution, i, block6(r, i), sums);
@@ -152,7 +178,10 @@ Verdict certify(const DiscreteShell& discrete, const NodalSolution& solution) {
   c.moment_balance = balance(s.loads.moment + s.reaction.moment + s.support_reaction.moment, sums.moment_scale);
   const double work =
       s.load_work + algebra::sum_over_ranks(sums.contact_work, comm) + algebra::sum_over_ranks(sums.support_work, comm);
-  const double a = 2 * s.energy.total();
+  s.tilt_energy = tilt_energy(discrete.shell, discrete.tilt_factor(), solution.y);
+  s.max_tilt = max_tilt(discrete, solution.y);
+  if (solution.lambda.layout()) s.multiplier_norm = gradient_norm(discrete.shell, solution.lambda);
+  const double a = 2 * (s.energy.total() + s.tilt_energy);
   c.energy_identity = a > 0 ? std::abs(a - work) / a : 0;
   return verdict;
 }

@@ -28,8 +28,11 @@ struct Summary {
   Energies energy;
   double load_work = 0;  ///< l(U) [J]
   Wrench loads, reaction, support_reaction;
-  double contact_area = 0;  ///< nodal weight of the touching nodes [m^2]
-  double max_pressure = 0;  ///< max eta_i [Pa]
+  double contact_area = 0;     ///< nodal weight of the touching nodes [m^2]
+  double max_pressure = 0;     ///< max eta_i [Pa]
+  double max_tilt = 0;         ///< max |r . a_3| over nodes and quadrature points
+  double tilt_energy = 0;      ///< energy of the penalty or stabilisation [J]
+  double multiplier_norm = 0;  ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
 };
 
@@ -38,11 +41,11 @@ struct NodalSolution {
   algebra::Vector y;         ///< (u, r), block 6
   algebra::Vector pressure;  ///< eta_i [Pa], block 1
   algebra::Vector touching;  ///< 1 where the node is in contact, else 0
+  algebra::Vector lambda{};  ///< multiplier of (M14) [N m], block 1; without layout in the other formulations
 };
 
-/// eta_i from the residual at the nodes that `activity` puts at their bound (collective).
-NodalSolution nodal_solution(const DiscreteShell& discrete, const algebra::Vector& z,
-                             const std::vector<contact::Activity>& activity);
+/// eta_i from the residual at the nodes that the solution's activity puts at their bound (collective).
+NodalSolution nodal_solution(const DiscreteShell& discrete, const contact::BoxSolution& solution);
 
 struct Verdict {
   Summary summary;

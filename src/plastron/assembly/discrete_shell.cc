@@ -1,35 +1,95 @@
 #include <plastron/assembly/discrete_shell.hpp>
 
+#include <plastron/algebra/factorisation.hpp>
+#include <plastron/assembly/multiplier.hpp>
+#include <plastron/assembly/stiffness.hpp>
+
 namespace plastron::assembly {
 
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description) {
-  ShellOperator shell(space, surface, description.thickness, description.material, description.tying);
+  const Formulation formulation = description.tangency.formulation;
+  ShellOperator shell(space, surface, description.thickness, description.material, description.tying,
+                      formulation == Formulation::classical);
   auto points = nodal_geometry(*space, *surface, shell.tables(), description.thickness);
-  auto coordinates = nodal_coordinates(*space, *surface, points, description.supports, description.gap);
+  auto coordinates = nodal_coordinates(*space, *surface, points, description.supports, description.gap, formulation);
   auto load = load_vector(shell, description.area_loads, description.edge_loads);
   return std::make_unique<DiscreteShell>(DiscreteShell{std::move(shell), std::move(points), std::move(coordinates),
-                                                       std::move(load), description.thickness, description.gap});
+                                                       std::move(load), description.thickness, description.gap,
+                                                       description.tangency});
 }
+
+double DiscreteShell::tilt_factor() const {
+  if (tangency.formulation == Formulation::penalised) return 1 / tangency.penalty;
+  return tangency.formulation == Formulation::mixed ? tangency.stabilisation : 0;
+}
+
+void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
+  shell.apply(y, f);
+  if (tilt_factor() > 0) add_tilt_form(shell, tilt_factor(), y, f);
+}
+
+algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
+  return stiffness_matrix(discrete.shell, discrete.coordinates, discrete.tilt_factor());
+}
+
+namespace {
+
+/// b(U, q) = 0 in nodal coordinates. The Schur complement of the multiplier is spectrally close to the matrix of
+/// int a^{ab} d_a p d_b q, for s = q a_3 makes b(s, q) exactly that and costs little else.
+contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete) {
+  const auto& layout = discrete.space().layout;
+  const auto zeros = std::make_shared<const std::vector<char>>(multiplier_zeros(discrete.coordinates, *layout));
+  const auto clear = [zeros](algebra::Vector& q) {
+    for (std::size_t i = 0; i < zeros->size(); ++i)
+      if ((*zeros)[i]) q.owned()[i] = 0;
+  };
+  struct Gradients {
+    algebra::Matrix matrix;
+    algebra::Factorisation factor{matrix};
+  };
+  const auto gradients = std::make_shared<Gradients>(gradient_matrix(discrete.shell));
+  if (!gradients->factor.factorise(*zeros))
+    throw SupportError("the mixed formulation needs r . a_3 = 0 somewhere: fix a component of r on a boundary");
+  const auto y = std::make_shared<algebra::Vector>(layout, 6);
+  return {.multipliers = algebra::Vector(layout, 1),
+          .apply =
+              [&discrete, y, clear](const algebra::Vector& z, algebra::Vector& q) {
+                discrete.coordinates.to_cartesian(z, *y);
+                apply_coupling(discrete.shell, *y, q);
+                clear(q);
+              },
+          .apply_transposed =
+              [&discrete, y](const algebra::Vector& q, algebra::Vector& z) {
+                apply_coupling_transposed(discrete.shell, q, *y);
+                z.fill(0);
+                discrete.coordinates.add_transposed(*y, z);
+              },
+          .precondition = [gradients](const algebra::Vector& q, algebra::Vector& p) { gradients->factor.solve(q, p); }};
+}
+
+}  // namespace
 
 contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix) {
   const auto& layout = discrete.space().layout;
-  algebra::Vector load(layout, 5);
+  algebra::Vector load(layout, discrete.coordinates.width);
   discrete.coordinates.add_transposed(discrete.load, load);
   // Scratch vectors live as long as the operator: it is applied many times.
   const auto y = std::make_shared<algebra::Vector>(layout, 6), f = std::make_shared<algebra::Vector>(layout, 6);
   const auto apply = [&discrete, y, f](const algebra::Vector& z, algebra::Vector& result) {
     discrete.coordinates.to_cartesian(z, *y);
-    discrete.shell.apply(*y, *f);
+    discrete.apply(*y, *f);
     result.fill(0);
     discrete.coordinates.add_transposed(*f, result);
   };
-  return {.matrix = matrix,
-          .apply = apply,
-          .load = std::move(load),
-          .lower = discrete.coordinates.lower,
-          .upper = discrete.coordinates.upper};
+  contact::BoxProblem problem{.matrix = matrix,
+                              .apply = apply,
+                              .load = std::move(load),
+                              .lower = discrete.coordinates.lower,
+                              .upper = discrete.coordinates.upper};
+  if (discrete.tangency.formulation == Formulation::mixed) problem.equations = tangency_constraints(discrete);
+  return problem;
 }
 
 }  // namespace plastron::assembly

@@ -17,8 +17,13 @@ struct DiscreteShell {
   algebra::Vector load;            ///< Cartesian nodal forces and couples (block 6)
   geometry::Expression thickness;  ///< e(x, y) [m]
   GapFunction gap;                 ///< empty without obstacle
+  Tangency tangency;
 
   const fem::Space& space() const { return shell.space(); }
+  /// What multiplies the form of tilt.hpp: 1/p (M13), rho (M14) or nothing.
+  double tilt_factor() const;
+  /// f = A y through strains, the form of tilt.hpp included; needs y's ghosts (collective).
+  void apply(const algebra::Vector& y, algebra::Vector& f) const;
 };
 
 /// All that discretises a shell, independent of the mesh.
@@ -26,6 +31,7 @@ struct ShellDescription {
   geometry::Expression thickness{1.0};
   shell::Material material{};
   bool tying = true;
+  Tangency tangency{};
   std::vector<Support> supports{};
   std::vector<AreaLoad> area_loads{};
   std::vector<EdgeLoad> edge_loads{};
@@ -37,7 +43,11 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description);
 
-/// The box-constrained program of a discrete shell. `matrix` is its stiffness_matrix(); both must outlive the result.
+/// Its stiffness matrix in nodal coordinates, the form of tilt.hpp included (collective).
+algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);
+
+/// The box-constrained program of a discrete shell, with b(U, q) = 0 as equations in the mixed formulation. `matrix` is its
+/// stiffness_matrix(); both must outlive the result (collective).
 contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix);
 
 }  // namespace plastron::assembly

@@ -23,7 +23,9 @@ bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field,
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto row = field.row(static_cast<Eigen::Index>(i));
-    const double g = discrete.coordinates.gaps[static_cast<std::size_t>(nodes[i])](row.head<3>(), row.tail<3>());
+    const auto node = static_cast<std::size_t>(nodes[i]);
+    const double g =
+        discrete.coordinates.gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), discrete.points[node].a3));
     lowest = std::min(lowest, g);
     highest = std::max(highest, g);
   }
@@ -45,11 +47,12 @@ double min_gap_between_nodes(const DiscreteShell& discrete, const algebra::Vecto
       discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
       discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
       discrete.thickness.evaluate(px, py, e);
-      const CellField values = basis.value * field;
+      const CellField values = discrete.shell.interpolation().values(c, basis, field);
       for (std::size_t p = 0; p < jets.size(); ++p) {
         const auto row = values.row(static_cast<Eigen::Index>(p));
-        const obstacle::Gap gap = discrete.gap(jets[p].value, geometry::unit_normal(jets[p]), e[p]);
-        smallest = std::min(smallest, gap(row.head<3>(), row.tail<3>()));
+        const Vector3d a3 = geometry::unit_normal(jets[p]);
+        const obstacle::Gap gap = discrete.gap(jets[p].value, a3, e[p]);
+        smallest = std::min(smallest, gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3)));
       }
     }
   }

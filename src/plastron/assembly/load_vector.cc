@@ -28,13 +28,6 @@ void add_function(const VectorFunction& f, std::span<const double> x, std::span<
     values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
 }
 
-void scatter(std::span<const algebra::LocalIndex> nodes, const CellField& forces, algebra::Vector& f) {
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (int k = 0; k < 6; ++k)
-      f.local()[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] +=
-          forces(static_cast<Eigen::Index>(i), k);
-}
-
 void add_area_loads(const ShellOperator& shell, const std::vector<AreaLoad>& loads, algebra::Vector& f) {
   const fem::Space& space = shell.space();
   const auto& xi = shell.tables().quadrature.xi;
@@ -53,7 +46,7 @@ void add_area_loads(const ShellOperator& shell, const std::vector<AreaLoad>& loa
         values.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * shell.point(c, q).frame.a3;
     }
     for (int q = 0; q < values.rows(); ++q) values.row(q) *= shell.point(c, q).area;
-    scatter(space.nodes(c), shell.tables().quadrature.value.transpose() * values, f);
+    shell.scatter(c, shell.interpolation().forces_of(c, shell.tables().quadrature, values), f);
   }
 }
 
@@ -75,7 +68,7 @@ void add_edge_load(const ShellOperator& shell, const EdgeLoad& load, algebra::Ve
     add_expression(load.couple, x, y, 3, values);
     for (std::size_t q = 0; q < xi.size(); ++q)
       values.row(static_cast<Eigen::Index>(q)) *= rule.weights[q] * jets[q].d[face.side < 2 ? 1 : 0].norm();
-    scatter(space.nodes(face.cell), basis_at(space.degree, xi).value.transpose() * values, f);
+    shell.scatter(face.cell, shell.interpolation().forces_of(face.cell, basis_at(space.degree, xi), values), f);
   }
 }
 

@@ -90,7 +90,7 @@ class Columns {
     bounds[static_cast<std::size_t>(next++)] = {lower, upper};
   }
   NodeBasis basis = NodeBasis::Zero();
-  std::array<std::pair<double, double>, 5> bounds{};
+  std::array<std::pair<double, double>, 6> bounds{};
 
  private:
   int next = 0;
@@ -145,34 +145,38 @@ NodeResult node_columns(const NodalPoint& point, const NodeSupport& support, con
     node.columns.add(u.prescribed[k], Vector3d::Zero(), u.values[k], u.values[k]);
   for (std::size_t k = 0; k < r.prescribed.size(); ++k)
     node.columns.add(Vector3d::Zero(), r.prescribed[k], r.values[k], r.values[k]);
+  const double most = support.rotation.empty() ? infinity : 0;
+  node.columns.add(Vector3d::Zero(), point.a3, -most, most);
   return node;
 }
 
-constexpr int packed_size = 30 + 5 + 5 + 3;
+constexpr int packed_size = 36 + 6 + 6 + 3;
 
 void pack(const NodeResult& node, bool supported, double* out) {
-  Eigen::Map<NodeBasis>(out, 6, 5) = node.columns.basis;
-  for (std::size_t k = 0; k < 5; ++k) {
-    out[30 + k] = node.columns.bounds[k].first;
-    out[35 + k] = node.columns.bounds[k].second;
+  Eigen::Map<NodeBasis>{out} = node.columns.basis;
+  for (std::size_t k = 0; k < 6; ++k) {
+    out[36 + k] = node.columns.bounds[k].first;
+    out[42 + k] = node.columns.bounds[k].second;
   }
-  out[40] = node.touchable;
-  out[41] = node.bound_gap;
-  out[42] = supported;
+  out[48] = node.touchable;
+  out[49] = node.bound_gap;
+  out[50] = supported;
 }
 
 }  // namespace
 
 NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const GapFunction& gap) {
+                                   const GapFunction& gap, Formulation formulation) {
   const auto local = static_cast<std::size_t>(space.layout->local_size());
-  NodalCoordinates coordinates{.basis = std::vector<NodeBasis>(local),
+  const int width = is_relaxed(formulation) ? 6 : 5;
+  NodalCoordinates coordinates{.width = width,
+                               .basis = std::vector<NodeBasis>(local),
                                .supported = std::vector<char>(local),
                                .touchable = std::vector<char>(local),
                                .bound_gap = std::vector<double>(local),
-                               .lower = algebra::Vector(space.layout, 5),
-                               .upper = algebra::Vector(space.layout, 5),
+                               .lower = algebra::Vector(space.layout, width),
+                               .upper = algebra::Vector(space.layout, width),
                                .gaps = {}};
   if (gap)
     for (const NodalPoint& p : points) coordinates.gaps.push_back(gap(p.phi, p.a3, p.thickness));
@@ -189,29 +193,31 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
 
   for (std::size_t i = 0; i < local; ++i) {
     const double* in = packed.local().data() + i * packed_size;
-    coordinates.basis[i] = Eigen::Map<const NodeBasis>(in, 6, 5);
-    for (std::size_t k = 0; k < 5; ++k) {
-      coordinates.lower.local()[5 * i + k] = in[30 + k];
-      coordinates.upper.local()[5 * i + k] = in[35 + k];
+    coordinates.basis[i] = Eigen::Map<const NodeBasis>{in};
+    for (int k = 0; k < width; ++k) {
+      coordinates.lower.local()[coordinates.at(i, k)] = in[36 + k];
+      coordinates.upper.local()[coordinates.at(i, k)] = in[42 + k];
     }
-    coordinates.touchable[i] = in[40] != 0;
-    coordinates.bound_gap[i] = in[41];
-    coordinates.supported[i] = in[42] != 0;
+    coordinates.touchable[i] = in[48] != 0;
+    coordinates.bound_gap[i] = in[49];
+    coordinates.supported[i] = in[50] != 0;
   }
   return coordinates;
 }
 
 void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y) const {
+  using Eigen::Map, Eigen::VectorXd;
   for (std::size_t i = 0; i < basis.size(); ++i)
-    Eigen::Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i) =
-        basis[i] * Eigen::Map<const Eigen::Matrix<double, 5, 1>>(z.local().data() + 5 * i);
+    Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i).noalias() =
+        basis[i].leftCols(width) * Map<const VectorXd>(z.local().data() + at(i, 0), width);
 }
 
 void NodalCoordinates::add_transposed(const algebra::Vector& f, algebra::Vector& z) const {
+  using Eigen::Map, Eigen::VectorXd;
   const auto owned = static_cast<std::size_t>(z.layout()->owned);
   for (std::size_t i = 0; i < owned; ++i)
-    Eigen::Map<Eigen::Matrix<double, 5, 1>>(z.local().data() + 5 * i) +=
-        basis[i].transpose() * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(f.local().data() + 6 * i);
+    Map<VectorXd>(z.local().data() + at(i, 0), width).noalias() +=
+        basis[i].leftCols(width).transpose() * Map<const Eigen::Matrix<double, 6, 1>>(f.local().data() + 6 * i);
 }
 
 }  // namespace plastron::assembly

@@ -1,12 +1,16 @@
-// Nodal coordinates of the tangent formulation (M12) in which contact is a bound (D2).
+// Nodal coordinates in which contact is a bound (D2).
 //
-// At every node the six Cartesian values y = (u, r) are written as y = T z with five coordinates z:
+// At every node the six Cartesian values y = (u, r) are written as y = T z with five coordinates z, or six:
 //   z_0          w = n . (u + z r), the change of the gap, where the node can touch the obstacle and w is not
 //   prescribed then         displacements across n, rotations in the tangent plane and, last,   the components that
 //   supports prescribe.
-// r . a_3 = 0 is built in. Non-penetration is then z_0 >= -(initial gap), and a support is lower == upper.
+//   z_5          r . a_3, only in the relaxed formulations (M13, M14); it leaves w alone, so that the gap feels the
+//                tangential part of r and the penalty is no compliant layer between shell and obstacle. Zero where a
+//                support prescribes any component of r.
+// Non-penetration is then z_0 >= -(initial gap), and a support is lower == upper.
 #pragma once
 #include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/formulation.hpp>
 #include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/assembly/supports.hpp>
 #include <plastron/obstacle/gap.hpp>
@@ -21,7 +25,8 @@
 
 namespace plastron::assembly {
 
-using NodeBasis = Eigen::Matrix<double, 6, 5>;
+/// T. Its last column, (0, a_3), counts only where the width is six.
+using NodeBasis = Eigen::Matrix<double, 6, 6>;
 
 /// The gap of (M16) at a point with mid-surface position phi, normal a_3 and thickness e.
 using GapFunction = std::function<obstacle::Gap(const Vector3d& phi, const Vector3d& a3, double thickness)>;
@@ -32,13 +37,19 @@ struct SupportError : std::invalid_argument {
 };
 
 struct NodalCoordinates {
+  int width = 5;                    ///< coordinates of a node: 6 where r . a_3 is one of them
   std::vector<NodeBasis> basis;     ///< T of every local node
   std::vector<char> supported;      ///< node has prescribed components (local)
   std::vector<char> touchable;      ///< node has a contact bound on z_0 (local)
   std::vector<double> bound_gap;    ///< gap at z_0 = 0, prescribed values included (local) [m]; NaN without obstacle
-  algebra::Vector lower, upper;     ///< bounds of z (block 5)
+  algebra::Vector lower, upper;     ///< bounds of z (block: width)
   std::vector<obstacle::Gap> gaps;  ///< per local node; empty without obstacle
 
+  /// Place of coordinate k of a node in z.
+  std::size_t at(std::size_t node, int k) const {
+    return node * static_cast<std::size_t>(width) + static_cast<std::size_t>(k);
+  }
+  bool is_prescribed(std::size_t node, int k) const { return lower.local()[at(node, k)] == upper.local()[at(node, k)]; }
   /// y = T z on local nodes; needs z's ghosts. The result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
   /// z += T' f on owned nodes.
@@ -56,6 +67,6 @@ std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surfa
 /// (collective) Throws SupportError.
 NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const GapFunction& gap);
+                                   const GapFunction& gap, Formulation formulation = Formulation::tangent);
 
 }  // namespace plastron::assembly

@@ -99,12 +99,14 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
 
   const CellField field = shell.gather(cell, solution_.y);
   const auto nodes = shell.space().nodes(cell);
-  Eigen::MatrixX2d contact(static_cast<Eigen::Index>(nodes.size()), 2);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    contact.row(static_cast<Eigen::Index>(i)) << solution_.pressure.local()[static_cast<std::size_t>(nodes[i])],
-        solution_.touching.local()[static_cast<std::size_t>(nodes[i])];
-  const CellField values = at_points_.value * field;
-  const Eigen::MatrixX2d contact_values = at_points_.value * contact;
+  Eigen::MatrixX3d scalars(static_cast<Eigen::Index>(nodes.size()), 3);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto node = static_cast<std::size_t>(nodes[i]);
+    scalars.row(static_cast<Eigen::Index>(i)) << solution_.pressure.local()[node], solution_.touching.local()[node],
+        solution_.lambda.layout() ? solution_.lambda.local()[node] : 0;
+  }
+  const CellField values = shell.interpolation().values(cell, at_points_, field);
+  const Eigen::MatrixX3d scalar_values = at_points_.value * scalars;
   const Eigen::MatrixXd resultants = from_gauss_ * resultants_at_gauss_points(cell, field);
 
   std::vector<PointValues> points(count);
@@ -120,10 +122,11 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
                  .thickness = e[p],
                  .u = u,
                  .r = r,
-                 .gap = discrete_.gap ? discrete_.gap(jets[p].value, axes.a3, e[p])(u, r)
+                 .gap = discrete_.gap ? discrete_.gap(jets[p].value, axes.a3, e[p])(u, geometry::tangential(r, axes.a3))
                                       : std::numeric_limits<double>::quiet_NaN(),
-                 .pressure = contact_values(row, 0),
-                 .touching = contact_values(row, 1),
+                 .pressure = scalar_values(row, 0),
+                 .lambda = scalar_values(row, 2),
+                 .touching = scalar_values(row, 1),
                  .N = resultants.row(row).segment<3>(0),
                  .M = resultants.row(row).segment<3>(3),
                  .Q = resultants.row(row).segment<2>(6)};

@@ -16,6 +16,7 @@ struct PointValues {
   Vector3d r = Vector3d::Zero();                                                 ///< rotation of the normal [rad]
   double gap = 0;                               ///< of the touching face [m]; NaN without obstacle
   double pressure = 0;                          ///< eta [Pa]
+  double lambda = 0;                            ///< multiplier of (M14) [N m]
   double touching = 0;                          ///< 1 in contact, 0 free; in between next to the zone's edge
   Vector3d N = Vector3d::Zero();                ///< N_11, N_22, N_12 [N/m]
   Vector3d M = Vector3d::Zero();                ///< M_11, M_22, M_12 [N]

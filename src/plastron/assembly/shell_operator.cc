@@ -1,5 +1,8 @@
 #include <plastron/assembly/shell_operator.hpp>
 
+#include <algorithm>
+#include <iterator>
+
 namespace plastron::assembly {
 
 using geometry::SurfaceJet;
@@ -7,11 +10,14 @@ using geometry::Vector3d;
 using shell::LocalField;
 
 ShellOperator::ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
-                             const geometry::Expression& thickness, const shell::Material& material, bool tying)
+                             const geometry::Expression& thickness, const shell::Material& material, bool tying,
+                             bool is_covariant)
     : space_(std::move(space)),
       surface_(std::move(surface)),
       material_(material),
-      tables_(element_tables(space_->degree, tying)) {
+      tables_(element_tables(space_->degree, tying)),
+      interpolation_(space_, surface_, tables_, is_covariant),
+      sampling_bases_(tables_.samplings.size()) {
   const std::size_t cells = space_->owned_cells;
   points_.resize(cells * tables_.weights.size());
   for (const Sampling& sampling : tables_.samplings) sampling_points_.emplace_back(cells * sampling.basis.xi.size());
@@ -28,9 +34,10 @@ void ShellOperator::prepare_cell(std::size_t cell, const geometry::Expression& t
   thickness.evaluate(x, y, e);
   for (std::size_t q = 0; q < xi.size(); ++q) {
     const geometry::Frame frame = geometry::frame_at(jets[q]);
-    points_[cell * xi.size() + q] = {frame, shell::section_stiffness(material_, e[q], frame.metric_con),
+    points_[cell * xi.size() + q] = {frame, shell::section_stiffness(material_, e[q], frame.metric_con), e[q],
                                      frame.sqrt_a * tables_.weights[q]};
   }
+  std::ranges::move(interpolation_.bases(cell, xi), std::back_inserter(quadrature_bases_));
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const auto& sample_xi = tables_.samplings[s].basis.xi;
     // Without tying the strains are sampled at the quadrature points, whose jets are there already.
@@ -40,6 +47,7 @@ void ShellOperator::prepare_cell(std::size_t cell, const geometry::Expression& t
     }
     for (std::size_t t = 0; t < sample_xi.size(); ++t)
       sampling_points_[s][cell * sample_xi.size() + t] = {jets[t].d, geometry::unit_normal(jets[t])};
+    std::ranges::move(interpolation_.bases(cell, sample_xi), std::back_inserter(sampling_bases_[s]));
   }
 }
 
@@ -54,32 +62,14 @@ CellField ShellOperator::gather(std::size_t cell, const algebra::Vector& y) cons
   return field;
 }
 
-namespace {
-
-/// Bending strains (M5) at points with the given frames, into columns 3..5.
-template <class FrameAt>
-void set_bending_strains(const BasisAt& basis, const FrameAt& frame_at, const CellField& field, CellStrain& strains) {
-  const CellField d1 = basis.d1 * field, d2 = basis.d2 * field;
-  for (Eigen::Index q = 0; q < d1.rows(); ++q) {
-    const LocalField<double> v{{Vector3d(d1.row(q).head<3>()), Vector3d(d2.row(q).head<3>())},
-                               Vector3d::Zero(),
-                               {Vector3d(d1.row(q).tail<3>()), Vector3d(d2.row(q).tail<3>())}};
-    strains.row(q).segment<3>(3) = shell::bending_strain(v, frame_at(q));
-  }
-}
-
-}  // namespace
-
 ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::size_t cell,
                                                             const CellField& field) const {
   const BasisAt& basis = tables_.samplings[s].basis;
   const SamplingPoint* geometry = sampling_points(s, cell);
-  const CellField d1 = basis.d1 * field, d2 = basis.d2 * field, value = basis.value * field;
-  SampledStrain sampled(d1.rows(), 5);
-  for (Eigen::Index t = 0; t < d1.rows(); ++t) {
-    const LocalField<double> v{{Vector3d(d1.row(t).head<3>()), Vector3d(d2.row(t).head<3>())},
-                               Vector3d(value.row(t).tail<3>()),
-                               {Vector3d::Zero(), Vector3d::Zero()}};
+  const FieldRows rows = interpolation_.fields(cell, basis, sampling_bases(s, cell), field);
+  SampledStrain sampled(rows.value.rows(), 5);
+  for (Eigen::Index t = 0; t < sampled.rows(); ++t) {
+    const LocalField<double> v = rows.at(t);
     sampled.row(t).head<3>() = shell::membrane_strain(v, geometry[t].a_cov);
     sampled.row(t).tail<2>() = shell::shear_strain(v, geometry[t].a_cov, geometry[t].a3);
   }
@@ -88,9 +78,9 @@ ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::
 
 CellStrain ShellOperator::strains(std::size_t cell, const CellField& field) const {
   CellStrain strains = CellStrain::Zero(tables_.points_per_cell(), 8);
-  set_bending_strains(
-      tables_.quadrature,
-      [&](Eigen::Index q) -> const geometry::Frame& { return point(cell, static_cast<int>(q)).frame; }, field, strains);
+  const FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), field);
+  for (int q = 0; q < tables_.points_per_cell(); ++q)
+    strains.row(q).segment<3>(3) = shell::bending_strain(rows.at(q), point(cell, q).frame);
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const Sampling& sampling = tables_.samplings[s];
     const SampledStrain sampled = sampled_strains(s, cell, field);
@@ -107,8 +97,10 @@ CellStrain ShellOperator::strains_at(std::size_t cell, const CellField& field, c
                                      const std::vector<MatrixXd>& tied,
                                      std::span<const geometry::SurfaceJet> jets) const {
   CellStrain strains = CellStrain::Zero(basis.value.rows(), 8);
-  set_bending_strains(
-      basis, [&](Eigen::Index p) { return geometry::frame_at(jets[static_cast<std::size_t>(p)]); }, field, strains);
+  const FieldRows rows = interpolation_.fields(cell, basis, interpolation_.bases(cell, basis.xi), field);
+  for (Eigen::Index p = 0; p < strains.rows(); ++p)
+    strains.row(p).segment<3>(3) =
+        shell::bending_strain(rows.at(p), geometry::frame_at(jets[static_cast<std::size_t>(p)]));
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field);
     for (const int m : tables_.samplings[s].membrane) strains.col(m) = at_points.col(m);
@@ -128,40 +120,15 @@ CellStrain ShellOperator::weighted_stresses(std::size_t cell, const CellStrain& 
   return stresses;
 }
 
-namespace {
-
-/// Duals of a cell's local fields, a row per point, and their way to the nodes.
-struct DualRows {
-  explicit DualRows(Eigen::Index points)
-      : du1(CellField::Zero(points, 6)), du2(CellField::Zero(points, 6)), value(CellField::Zero(points, 6)) {}
-
-  void add(Eigen::Index row, const LocalField<double>& dual) {
-    du1.row(row).head<3>() += dual.du[0];
-    du2.row(row).head<3>() += dual.du[1];
-    du1.row(row).tail<3>() += dual.dr[0];
-    du2.row(row).tail<3>() += dual.dr[1];
-    value.row(row).tail<3>() += dual.r;
-  }
-  void add_to(const BasisAt& basis, CellField& forces) const {
-    forces.noalias() += basis.d1.transpose() * du1;
-    forces.noalias() += basis.d2.transpose() * du2;
-    forces.noalias() += basis.value.transpose() * value;
-  }
-
-  CellField du1, du2, value;
-};
-
-}  // namespace
-
 CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) const {
   CellField forces = CellField::Zero(tables_.nodes_per_cell(), 6);
-  DualRows bending(tables_.points_per_cell());
+  FieldRows bending = FieldRows::zero(tables_.points_per_cell());
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
     LocalField<double> dual = shell::zero_field();
     shell::add_bending_dual(stresses.row(q).segment<3>(3), point(cell, q).frame, dual);
-    bending.add(q, dual);
+    bending.add_dual(q, dual);
   }
-  bending.add_to(tables_.quadrature, forces);
+  interpolation_.add_forces(cell, tables_.quadrature, quadrature_bases(cell), std::move(bending), forces);
 
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const Sampling& sampling = tables_.samplings[s];
@@ -173,31 +140,17 @@ CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) co
         for (const int d : sampling.shear) sampled(t, 3 + d) += weight * stresses(q, 6 + d);
       }
     const SamplingPoint* geometry = sampling_points(s, cell);
-    DualRows rows(points);
+    FieldRows rows = FieldRows::zero(points);
     for (Eigen::Index t = 0; t < points; ++t) {
       LocalField<double> dual = shell::zero_field();
       shell::add_membrane_dual(sampled.row(t).head<3>(), geometry[t].a_cov, dual);
       shell::add_shear_dual(sampled.row(t).tail<2>(), geometry[t].a_cov, geometry[t].a3, dual);
-      rows.add(t, dual);
+      rows.add_dual(t, dual);
     }
-    rows.add_to(sampling.basis, forces);
+    interpolation_.add_forces(cell, sampling.basis, sampling_bases(s, cell), std::move(rows), forces);
   }
   return forces;
 }
-
-namespace {
-
-/// The row of the strain matrix at a point that a unit stress makes: what each nodal value adds to that strain.
-void write_row(const BasisAt& basis, Eigen::Index point, const LocalField<double>& dual,
-               Eigen::Ref<Eigen::RowVectorXd> row) {
-  for (Eigen::Index i = 0; i < basis.value.cols(); ++i) {
-    const double n = basis.value(point, i), n1 = basis.d1(point, i), n2 = basis.d2(point, i);
-    row.segment<3>(6 * i) = n1 * dual.du[0] + n2 * dual.du[1];
-    row.segment<3>(6 * i + 3) = n1 * dual.dr[0] + n2 * dual.dr[1] + n * dual.r;
-  }
-}
-
-}  // namespace
 
 RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
   const int columns = 6 * tables_.nodes_per_cell();
@@ -207,7 +160,7 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
     for (int c = 0; c < 3; ++c) {
       LocalField<double> dual = shell::zero_field();
       shell::add_bending_dual(Vector3d::Unit(c), point(cell, q).frame, dual);
-      write_row(tables_.quadrature, q, dual, row);
+      interpolation_.write_row(cell, tables_.quadrature, q, quadrature_bases(cell), dual, row);
       b.row(8 * q + 3 + c) = row;
     }
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
@@ -224,7 +177,7 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
           shell::add_membrane_dual(Vector3d::Unit(component[k]), geometry[t].a_cov, dual);
         else
           shell::add_shear_dual(Eigen::Vector2d::Unit(component[k] - 6), geometry[t].a_cov, geometry[t].a3, dual);
-        write_row(sampling.basis, t, dual, row);
+        interpolation_.write_row(cell, sampling.basis, t, sampling_bases(s, cell), dual, row);
         sampled[k].row(t) = row;
       }
     for (int q = 0; q < tables_.points_per_cell(); ++q)
@@ -234,17 +187,19 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
   return b;
 }
 
+void ShellOperator::scatter(std::size_t cell, const CellField& forces, algebra::Vector& f) const {
+  const auto nodes = space_->nodes(cell);
+  const auto out = f.local();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int k = 0; k < 6; ++k)
+      out[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] +=
+          forces(static_cast<Eigen::Index>(i), k);
+}
+
 void ShellOperator::apply(const algebra::Vector& y, algebra::Vector& f) const {
   f.fill(0);
-  const auto out = f.local();
-  for (std::size_t c = 0; c < space_->owned_cells; ++c) {
-    const CellField cell_forces = forces(c, weighted_stresses(c, strains(c, gather(c, y))));
-    const auto nodes = space_->nodes(c);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      for (int k = 0; k < 6; ++k)
-        out[static_cast<std::size_t>(nodes[i]) * 6 + static_cast<std::size_t>(k)] +=
-            cell_forces(static_cast<Eigen::Index>(i), k);
-  }
+  for (std::size_t c = 0; c < space_->owned_cells; ++c)
+    scatter(c, forces(c, weighted_stresses(c, strains(c, gather(c, y)))), f);
   f.accumulate_ghosts();
 }
 

@@ -2,8 +2,7 @@
 // goes through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D5).
 #pragma once
 #include <plastron/algebra/vector.hpp>
-#include <plastron/assembly/element_tables.hpp>
-#include <plastron/fem/surface.hpp>
+#include <plastron/assembly/interpolation.hpp>
 #include <plastron/geometry/expression.hpp>
 #include <plastron/shell/energy.hpp>
 
@@ -14,8 +13,6 @@
 
 namespace plastron::assembly {
 
-/// Nodal values of a cell: a row per node, columns u_x u_y u_z r_x r_y r_z.
-using CellField = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 /// Strains or weighted stresses of a cell: a row per point; gamma_11 gamma_22 2gamma_12, chi likewise, 2delta_1
 /// 2delta_2.
 using CellStrain = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;
@@ -30,21 +27,31 @@ struct Energies {
 struct QuadraturePoint {
   geometry::Frame frame;
   shell::SectionStiffness stiffness;  ///< not weighted
+  double thickness;                   ///< e [m]
   double area;                        ///< sqrt(a) times the quadrature weight [m^2]
 };
 
 class ShellOperator {
  public:
-  /// Precondition: the surface is regular and the thickness positive at the quadrature points.
+  /// Precondition: the surface is regular and the thickness positive at the quadrature points. Covariant interpolation
+  /// is that of (M15).
   ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
-                const geometry::Expression& thickness, const shell::Material& material, bool tying);
+                const geometry::Expression& thickness, const shell::Material& material, bool tying,
+                bool is_covariant = false);
 
   const fem::Space& space() const { return *space_; }
   const fem::Surface& surface() const { return *surface_; }
   const ElementTables& tables() const { return tables_; }
   const shell::Material& material() const { return material_; }
+  const Interpolation& interpolation() const { return interpolation_; }
+  /// Moving bases at the quadrature points of a cell; none for Cartesian interpolation.
+  Interpolation::Bases quadrature_bases(std::size_t cell) const {
+    return bases_at(quadrature_bases_, cell, tables_.weights.size());
+  }
 
   CellField gather(std::size_t cell, const algebra::Vector& y) const;
+  /// Adds a cell's nodal forces to f's local values.
+  void scatter(std::size_t cell, const CellField& forces, algebra::Vector& f) const;
   /// Strains at the quadrature points, tied where tying is on (M4-M6, M22).
   CellStrain strains(std::size_t cell, const CellField& field) const;
   /// Nodal forces of weighted stresses: the transpose of strains().
@@ -81,14 +88,24 @@ class ShellOperator {
   const SamplingPoint* sampling_points(std::size_t sampling, std::size_t cell) const {
     return sampling_points_[sampling].data() + cell * tables_.samplings[sampling].basis.xi.size();
   }
+  static Interpolation::Bases bases_at(const std::vector<geometry::MovingBasis>& all, std::size_t cell,
+                                       std::size_t count) {
+    return all.empty() ? Interpolation::Bases{} : Interpolation::Bases(all.data() + cell * count, count);
+  }
+  Interpolation::Bases sampling_bases(std::size_t sampling, std::size_t cell) const {
+    return bases_at(sampling_bases_[sampling], cell, tables_.samplings[sampling].basis.xi.size());
+  }
   SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const CellField& field) const;
 
   std::shared_ptr<const fem::Space> space_;
   std::shared_ptr<const fem::Surface> surface_;
   shell::Material material_;
   ElementTables tables_;
-  std::vector<QuadraturePoint> points_;                      // owned cells x quadrature points
-  std::vector<std::vector<SamplingPoint>> sampling_points_;  // per sampling: owned cells x its points
+  Interpolation interpolation_;
+  std::vector<geometry::MovingBasis> quadrature_bases_;             // like points_; empty if Cartesian
+  std::vector<std::vector<geometry::MovingBasis>> sampling_bases_;  // like sampling_points_
+  std::vector<QuadraturePoint> points_;                             // owned cells x quadrature points
+  std::vector<std::vector<SamplingPoint>> sampling_points_;         // per sampling: owned cells x its points
 };
 
 }  // namespace plastron::assembly

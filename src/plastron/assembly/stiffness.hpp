@@ -9,7 +9,8 @@ namespace plastron::assembly {
 /// Cartesian element matrix, 6 values a node.
 RowMatrix element_stiffness(const ShellOperator& shell, std::size_t cell);
 
-/// (collective)
-algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates);
+/// Of a(., .) plus `tangency_factor` times the form of tilt.hpp (collective).
+algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates,
+                                 double tangency_factor = 0);
 
 }  // namespace plastron::assembly

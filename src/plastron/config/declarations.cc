@@ -61,8 +61,16 @@ Section shell_section() {
            {.name = "formulation",
             .kind = Kind::word,
             .fallback = "\"tangent\"",
-            .words = {{"tangent"}, {"penalised", false}, {"mixed", false}, {"classical", false}},
-            .meaning = "tangent: rotations r stay in the tangent plane"}}};
+            .words = {{"tangent"}, {"penalised"}, {"mixed"}, {"classical"}},
+            .meaning = "how r . a3 = 0 is kept: two rotations a node, a penalty, a multiplier, covariant components"},
+           {.name = "penalty",
+            .fallback = "0.1",
+            .range = above_to(0, 1),
+            .meaning = "p of the penalised formulation; the penalty is E e^3 / p"},
+           {.name = "stabilisation",
+            .fallback = "1",
+            .range = {.low = 0},
+            .meaning = "rho of the mixed formulation; the stabilisation is rho E e^3"}}};
 }
 
 Section mesh_section() {
@@ -113,10 +121,12 @@ Section support_section() {
                   {"r.z"},
                   {"r.n"},
                   {"r.t"},
+                  {"r.a3"},
                   {"symmetry"}},
         .meaning =
             "the components: n is tangent to the shell and normal to the edge, outward; t runs along the edge; a3 is "
-            "normal to the shell; u and r stand for all three; symmetry is u.n and r.n",
+            "normal to the shell; u and r stand for all three; symmetry is u.n and r.n. Any component of r fixes r.a3, "
+            "too",
         .example = "[\"u\", \"r\"]"},
        {.name = "values",
         .kind = Kind::free_table,

@@ -47,6 +47,17 @@ std::optional<shell::Material> read_material(Table& shell, double shear_correcti
   return {};
 }
 
+void read_tangency(Table& shell, assembly::Tangency& tangency) {
+  using assembly::Formulation;
+  static const std::map<std::string, Formulation> formulations{{"tangent", Formulation::tangent},
+                                                               {"penalised", Formulation::penalised},
+                                                               {"mixed", Formulation::mixed},
+                                                               {"classical", Formulation::classical}};
+  if (const auto name = shell.text("formulation")) tangency.formulation = formulations.at(*name);
+  if (const auto p = shell.number("penalty")) tangency.penalty = *p;
+  if (const auto rho = shell.number("stabilisation")) tangency.stabilisation = *rho;
+}
+
 }  // namespace
 
 void read_shell(Table& root, study::Problem& problem) {
@@ -55,7 +66,7 @@ void read_shell(Table& root, study::Problem& problem) {
   const auto shear_correction = shell->number("shear_correction");
   if (const auto material = read_material(*shell, shear_correction.value_or(1))) problem.material = *material;
   if (const auto thickness = shell->field("thickness")) problem.thickness = *thickness;
-  shell->text("formulation");
+  read_tangency(*shell, problem.discretisation.tangency);
   root.effective["shell"] = shell->effective;
 }
 

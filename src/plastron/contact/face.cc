@@ -19,18 +19,24 @@ std::vector<char> held(const ActiveSet& set) {
   return marks;
 }
 
+algebra::CgSettings refinement_settings(const Settings& settings) {
+  return {.tolerance = settings.linear_tolerance, .max_steps = settings.max_refinement_steps};
+}
+
 }  // namespace
 
 FaceSolver::FaceSolver(const BoxProblem& problem, algebra::Factorisation& factorisation, const Settings& settings)
-    : problem_(problem), factorisation_(factorisation), settings_(settings), diagonal_(problem.matrix.diagonal()) {}
+    : problem_(problem), factorisation_(factorisation), settings_(settings), diagonal_(problem.matrix.diagonal()) {
+  if (problem_.equations) q_ = problem_.equations->multipliers;
+}
 
 std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
   if (auto point = solve_with_old_factor(set)) return point;
   failure_ = Status::singular;
   if (!factorise(set)) return {};
   algebra::Vector z(problem_.load.layout(), problem_.load.block());
-  const auto linear =
-      solve_linear(set, {.tolerance = settings_.linear_tolerance, .max_steps = settings_.max_refinement_steps}, z);
+  const auto linear = problem_.equations ? solve_with_equations(set, z)
+                                         : solve_linear(set, problem_.load, refinement_settings(settings_), z);
   failure_ = Status::linear_solver_stalled;
   if (!linear.converged && !(linear.relative_residual <= usable_residual)) return {};
   return complete(std::move(z), linear, set);
@@ -52,26 +58,86 @@ bool FaceSolver::factorise(const ActiveSet& set) {
 std::optional<FacePoint> FaceSolver::solve_with_old_factor(const ActiveSet& set) {
   constexpr std::int64_t most_changes = 64;
   constexpr int most_steps = 16;
-  if (settings_.detect_free_motions || !factorised_ || count_changes(problem_, *factorised_, set) > most_changes)
+  if (settings_.detect_free_motions || problem_.equations || !factorised_ ||
+      count_changes(problem_, *factorised_, set) > most_changes)
     return {};
   algebra::Vector z = nearby_;
   const auto linear =
-      solve_linear(set, {.tolerance = settings_.linear_tolerance, .max_steps = most_steps, .patience = most_steps}, z);
+      solve_linear(set, problem_.load,
+                   {.tolerance = settings_.linear_tolerance, .max_steps = most_steps, .patience = most_steps}, z);
   if (!linear.converged) return {};
   return complete(std::move(z), linear, set);
 }
 
-algebra::CgResult FaceSolver::solve_linear(const ActiveSet& set, const algebra::CgSettings& settings,
-                                           algebra::Vector& z) const {
+algebra::CgResult FaceSolver::solve_linear(const ActiveSet& set, const algebra::Vector& load,
+                                           const algebra::CgSettings& settings, algebra::Vector& z) const {
   for (std::size_t i = 0; i < set.size(); ++i)
     if (set[i] != Activity::free) z.owned()[i] = held_at(problem_, i, set[i]);
   const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { factorisation_.solve(r, x); };
-  return algebra::conjugate_gradients(problem_.apply, precondition, problem_.load, held(set), diagonal_, z, settings);
+  return algebra::conjugate_gradients(problem_.apply, precondition, load, held(set), diagonal_, z, settings);
+}
+
+/// The saddle point  A z + B' q = b,  B z = 0  on a face. For given q, z is a linear solve; then q is corrected by the Schur
+/// complement with the factor in place of A (defect correction), which leaves an error of the factor's relative error.
+/// Ends when the correction has no more energy than rounding has.
+algebra::CgResult FaceSolver::solve_with_equations(const ActiveSet& set, algebra::Vector& z) {
+  constexpr int most_corrections = 30;
+  constexpr double negligible = 1e-11;  // of an energy norm
+  const EqualityConstraints& equations = *problem_.equations;
+  algebra::Vector violation = equations.multipliers;
+  algebra::Vector force(z.layout(), z.block());
+  double last_gain = std::numeric_limits<double>::infinity();
+  int steps = 0;
+  for (int correction = 0;; ++correction) {
+    q_.update_ghosts();
+    equations.apply_transposed(q_, force);
+    algebra::Vector load = problem_.load;
+    algebra::axpy(-1, force, load);
+    auto linear = solve_linear(set, load, refinement_settings(settings_), z);
+    steps += linear.steps;
+    equations.apply(z, violation);
+    algebra::Vector step = equations.multipliers;
+    const bool can_hold = multiplier_step(set, violation, step);
+    const double gain = std::sqrt(std::max(0.0, algebra::dot(step, violation)));
+    algebra::Vector Az = load;
+    algebra::axpy(-1, linear.residual, Az);
+    const double energy = std::sqrt(std::abs(algebra::dot(z, Az)));
+    const bool stagnates = gain > 0.5 * last_gain;
+    if (!can_hold || gain <= negligible * energy || stagnates || correction == most_corrections) {
+      linear.steps = steps;
+      linear.converged = linear.converged && can_hold && gain <= usable_residual * energy;
+      linear.relative_residual = std::max(linear.relative_residual, !can_hold ? 1.0 : energy > 0 ? gain / energy : 0.0);
+      return linear;
+    }
+    last_gain = gain;
+    algebra::axpy(1, step, q_);
+  }
+}
+
+/// Roughly (B A^{-1} B')^{-1} times a violation of the equations, by conjugate gradients with the factor for A. False if the
+/// equations cannot hold on this face.
+bool FaceSolver::multiplier_step(const ActiveSet& set, const algebra::Vector& violation, algebra::Vector& step) const {
+  constexpr double tolerance = 1e-4, hopeless = 0.1;
+  const EqualityConstraints& equations = *problem_.equations;
+  const auto fixed = held(set);
+  algebra::Vector force(problem_.load.layout(), problem_.load.block()), z = force;
+  const auto schur = [&](const algebra::Vector& q, algebra::Vector& result) {
+    equations.apply_transposed(q, force);
+    for (std::size_t i = 0; i < fixed.size(); ++i)
+      if (fixed[i]) force.owned()[i] = 0;
+    factorisation_.solve(force, z);
+    z.update_ghosts();
+    equations.apply(z, result);
+  };
+  const auto result = algebra::conjugate_gradients(schur, equations.precondition, violation, {}, {}, step,
+                                                   {.tolerance = tolerance, .max_steps = 60, .patience = 20});
+  return result.converged || result.relative_residual < hopeless;
 }
 
 FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) {
   nearby_ = z;
   FacePoint point{.z = std::move(z), .multiplier = linear.residual};
+  if (problem_.equations) point.equation_multiplier = q_;
   for (double& value : point.multiplier.owned()) value = -value;
   point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));
   point.linear_residual = linear.relative_residual;

@@ -13,8 +13,9 @@ namespace plastron::contact {
 
 struct FacePoint {
   algebra::Vector z{};
-  algebra::Vector multiplier{};        ///< A z - b
-  algebra::Vector multiplier_noise{};  ///< what rounding makes of each multiplier, at least
+  algebra::Vector multiplier{};           ///< A z - b, with equations A z + B' q - b
+  algebra::Vector equation_multiplier{};  ///< q; empty without equations
+  algebra::Vector multiplier_noise{};     ///< what rounding makes of each multiplier, at least
   double energy = 0;
   double gap_noise = 0;  ///< violations up to here are no violations
   double linear_residual = 0;
@@ -34,7 +35,10 @@ class FaceSolver {
  private:
   bool factorise(const ActiveSet& set);
   std::optional<FacePoint> solve_with_old_factor(const ActiveSet& set);
-  algebra::CgResult solve_linear(const ActiveSet& set, const algebra::CgSettings& settings, algebra::Vector& z) const;
+  algebra::CgResult solve_linear(const ActiveSet& set, const algebra::Vector& load, const algebra::CgSettings& settings,
+                                 algebra::Vector& z) const;
+  algebra::CgResult solve_with_equations(const ActiveSet& set, algebra::Vector& z);
+  bool multiplier_step(const ActiveSet& set, const algebra::Vector& violation, algebra::Vector& step) const;
   FacePoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set);
   algebra::Vector noise_of_multipliers(const FacePoint& point, const ActiveSet& set) const;
 
@@ -43,6 +47,7 @@ class FaceSolver {
   const Settings& settings_;
   algebra::Vector diagonal_;
   std::optional<ActiveSet> factorised_{};  ///< the face of the factor at hand
+  algebra::Vector q_{};                    ///< multipliers of the equations, carried from face to face
   algebra::Vector nearby_{};               ///< minimiser of the face before
   Status failure_ = Status::singular;
 };

@@ -39,6 +39,7 @@ void record(const BoxProblem& problem, FacePoint point, const ActiveSet& set, co
                                  .linear_steps = point.linear_steps});
   solution.z = std::move(point.z);
   solution.multiplier = std::move(point.multiplier);
+  solution.equation_multiplier = std::move(point.equation_multiplier);
   solution.activity = set;
   solution.linear_residual = point.linear_residual;
   if (observer) observer(solution.iterations.back());
@@ -72,6 +73,8 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   }
   if (solution.iterations.empty())
     solution.status = faces.failure();
+  else if (problem.equations)
+    solution.status = point ? Status::cycling : faces.failure();  // projections onto the box leave the equations
   else
     continue_projected_search(problem, faces, settings, observer, solution);
   return solution;

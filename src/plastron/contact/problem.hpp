@@ -1,11 +1,12 @@
 // The box-constrained quadratic program that contact becomes in nodal coordinates, and its solution:
-//   minimise 1/2 z' A z - b' z   subject to   lower <= z <= upper.
+//   minimise 1/2 z' A z - b' z   subject to   lower <= z <= upper   and, if there are any, equations B z = 0.
 // Nothing here knows of shells: unknowns, bounds, multipliers.
 #pragma once
 #include <plastron/algebra/matrix.hpp>
 #include <plastron/algebra/vector.hpp>
 
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -14,12 +15,22 @@ namespace plastron::contact {
 /// y = A z for owned values (collective); z comes with ghosts up to date.
 using Operator = std::function<void(const algebra::Vector& z, algebra::Vector& y)>;
 
+/// Linear equations B z = 0 beside the bounds, each with a multiplier, in operator form (all collective). Rows may be empty;
+/// their multipliers stay zero.
+struct EqualityConstraints {
+  algebra::Vector multipliers;  ///< zero; gives their layout
+  Operator apply;               ///< q = B z
+  Operator apply_transposed;    ///< z = B' q
+  Operator precondition;  ///< roughly a multiple of (B A^{-1} B')^{-1}, symmetric and definite; zero on empty rows
+};
+
 struct BoxProblem {
   const algebra::Matrix& matrix;  ///< A as assembled: factorised, used as preconditioner
   Operator apply;                 ///< A z as exactly as can be had (through strains): defines residuals and multipliers
   algebra::Vector load;           ///< b
   algebra::Vector lower;          ///< -infinity where there is no bound
   algebra::Vector upper;          ///< +infinity where there is none; lower == upper prescribes the unknown
+  std::optional<EqualityConstraints> equations{};
 };
 
 /// Where an unknown stands. Prescribed unknowns never leave; at_lower and at_upper make the active set.
@@ -53,8 +64,10 @@ using Observer = std::function<void(const Iteration&)>;
 struct BoxSolution {
   Status status = Status::iteration_limit;
   algebra::Vector z{};
-  algebra::Vector multiplier{};      ///< A z - b: >= 0 at a lower bound, <= 0 at an upper one, 0 where free
-  std::vector<Activity> activity{};  ///< of the owned unknowns
+  /// A z - b, with equations A z + B' q - b: >= 0 at a lower bound, <= 0 at an upper one, 0 where free.
+  algebra::Vector multiplier{};
+  algebra::Vector equation_multiplier{};  ///< q, with ghosts; empty without equations
+  std::vector<Activity> activity{};       ///< of the owned unknowns
   std::vector<Iteration> iterations{};
   double linear_residual = 0;  ///< reached by the last linear solve, relative
 };

@@ -33,6 +33,9 @@ inline double tangent_sine(const SurfaceJet& phi) {
 /// a_3 alone, for places where only tangents and the normal are needed (tying points).
 inline Vector3d unit_normal(const SurfaceJet& phi) { return phi.d[0].cross(phi.d[1]).normalized(); }
 
+/// The part of v in the tangent plane of the unit normal a3.
+inline Vector3d tangential(const Vector3d& v, const Vector3d& a3) { return v - a3.dot(v) * a3; }
+
 /// (M1)-(M3). Precondition: the chart is not degenerate at the point.
 inline Frame frame_at(const SurfaceJet& phi) {
   Frame f;

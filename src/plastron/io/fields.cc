@@ -22,7 +22,7 @@ const std::vector<Field>& table() {
        "the chart's",
        "parameters in Omega",
        2,
-       false,
+       Presence::always,
        [](const PointValues& p) {
          return Values{p.x[0], p.x[1], 0};
        }},
@@ -32,7 +32,7 @@ const std::vector<Field>& table() {
        "m",
        "position on the undeformed mid-surface",
        3,
-       false,
+       Presence::always,
        [](const PointValues& p) { return three(p.phi); }},
       {"u",
        {"displacement"},
@@ -40,7 +40,7 @@ const std::vector<Field>& table() {
        "m",
        "displacement of the mid-surface",
        3,
-       false,
+       Presence::always,
        [](const PointValues& p) { return three(p.u); }},
       {"r",
        {"rotation"},
@@ -48,7 +48,7 @@ const std::vector<Field>& table() {
        "rad",
        "change of the normal, tangent to the surface",
        3,
-       false,
+       Presence::always,
        [](const PointValues& p) { return three(p.r); }},
       {"gap",
        {"gap"},
@@ -56,7 +56,7 @@ const std::vector<Field>& table() {
        "m",
        "distance of the touching face from the obstacle",
        1,
-       true,
+       Presence::with_obstacle,
        [](const PointValues& p) {
          return Values{p.gap, 0, 0};
        }},
@@ -66,7 +66,7 @@ const std::vector<Field>& table() {
        "Pa",
        "reaction of the obstacle per unit mid-surface area",
        1,
-       true,
+       Presence::with_obstacle,
        [](const PointValues& p) {
          return Values{p.pressure, 0, 0};
        }},
@@ -76,7 +76,7 @@ const std::vector<Field>& table() {
        "1",
        "1 in contact, 0 free, in between next to the edge of the contact zone",
        1,
-       true,
+       Presence::with_obstacle,
        [](const PointValues& p) {
          return Values{contact_between(p.touching), 0, 0};
        }},
@@ -86,7 +86,7 @@ const std::vector<Field>& table() {
        "N/m",
        "membrane forces in the axes t1, t2",
        3,
-       false,
+       Presence::always,
        [](const PointValues& p) { return three(p.N); }},
       {"M",
        {"M_11", "M_22", "M_12"},
@@ -94,7 +94,7 @@ const std::vector<Field>& table() {
        "N",
        "bending moments (N m per m) in the axes t1, t2",
        3,
-       false,
+       Presence::always,
        [](const PointValues& p) { return three(p.M); }},
       {"Q",
        {"Q_1", "Q_2"},
@@ -102,9 +102,19 @@ const std::vector<Field>& table() {
        "N/m",
        "transverse shear forces in the axes t1, t2",
        2,
-       false,
+       Presence::always,
        [](const PointValues& p) {
          return Values{p.Q[0], p.Q[1], 0};
+       }},
+      {"lambda",
+       {"lambda"},
+       "lambda",
+       "N m",
+       "multiplier of r . a_3 = 0 (mixed formulation)",
+       1,
+       Presence::with_multiplier,
+       [](const PointValues& p) {
+         return Values{p.lambda, 0, 0};
        }},
       {"frame/t1",
        {"t1"},
@@ -112,7 +122,7 @@ const std::vector<Field>& table() {
        "1",
        "unit tangent along d phi/dx",
        3,
-       false,
+       Presence::always,
        [](const PointValues& p) { return three(p.t1); }},
       {"frame/t2",
        {"t2"},
@@ -120,16 +130,23 @@ const std::vector<Field>& table() {
        "1",
        "unit tangent a3 x t1",
        3,
-       false,
+       Presence::always,
        [](const PointValues& p) { return three(p.t2); }},
-      {"frame/a3", {"a3"}, "a_3", "1", "unit normal", 3, false, [](const PointValues& p) { return three(p.a3); }},
+      {"frame/a3",
+       {"a3"},
+       "a_3",
+       "1",
+       "unit normal",
+       3,
+       Presence::always,
+       [](const PointValues& p) { return three(p.a3); }},
       {"thickness",
        {"thickness"},
        "e",
        "m",
        "full thickness of the shell",
        1,
-       false,
+       Presence::always,
        [](const PointValues& p) {
          return Values{p.thickness, 0, 0};
        }},
@@ -141,10 +158,15 @@ const std::vector<Field>& table() {
 
 std::span<const Field> fields() { return table(); }
 
-std::vector<Field> fields_of(bool has_obstacle) {
+bool is_present(const Field& field, bool has_obstacle, bool has_multiplier) {
+  return field.presence == Presence::always || (field.presence == Presence::with_obstacle && has_obstacle) ||
+         (field.presence == Presence::with_multiplier && has_multiplier);
+}
+
+std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier) {
   std::vector<Field> present;
   std::copy_if(table().begin(), table().end(), std::back_inserter(present),
-               [&](const Field& f) { return has_obstacle || !f.of_contact; });
+               [&](const Field& f) { return is_present(f, has_obstacle, has_multiplier); });
   return present;
 }
 

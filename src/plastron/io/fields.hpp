@@ -10,14 +10,17 @@
 
 namespace plastron::io {
 
+/// Where a field has a meaning.
+enum class Presence { always, with_obstacle, with_multiplier };
+
 struct Field {
   std::string_view key;                  ///< path in a probe of results.json, steps separated by '/'
   std::vector<std::string_view> arrays;  ///< in the .vtu file: one name for a Cartesian vector, else one a component
   std::string_view symbol;               ///< as in docs/symbols.md
   std::string_view unit;
   std::string_view meaning;
-  int components;   ///< 1 to 3
-  bool of_contact;  ///< has a meaning only where there is an obstacle
+  int components;  ///< 1 to 3
+  Presence presence;
   std::array<double, 3> (*take)(const assembly::PointValues&);
 
   bool is_vector() const { return components == 3 && arrays.size() == 1; }
@@ -25,7 +28,9 @@ struct Field {
 
 std::span<const Field> fields();
 
-/// The fields of a computation with or without obstacle.
-std::vector<Field> fields_of(bool has_obstacle);
+/// Whether a field has a meaning in a computation with or without obstacle and multiplier (mixed formulation).
+bool is_present(const Field& field, bool has_obstacle, bool has_multiplier);
+/// The fields that have.
+std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier);
 
 }  // namespace plastron::io

@@ -13,14 +13,16 @@ namespace plastron::io {
 
 namespace {
 
-Json probe_json(const assembly::PointValues& values, bool has_obstacle) {
+bool has_multiplier(const study::Result& result) { return result.formulation == assembly::Formulation::mixed; }
+
+Json probe_json(const assembly::PointValues& values, const study::Result& result) {
   Json json = Json::object();
   for (const Field& field : fields()) {
     const auto taken = field.take(values);
     Json value = Json::array();
     for (int c = 0; c < field.components; ++c) value.push_back(number(taken[static_cast<std::size_t>(c)]));
     if (field.components == 1) value = Json(value.front());
-    if (field.of_contact && !has_obstacle) value = nullptr;
+    if (!is_present(field, result.has_obstacle, has_multiplier(result))) value = nullptr;
     json[Json::json_pointer("/" + std::string(field.key))] = std::move(value);
   }
   return json;
@@ -71,9 +73,9 @@ Json units_json() {
 }
 
 /// The arrays of the .vtu file.
-Json fields_json(bool has_obstacle) {
+Json fields_json(const study::Result& result) {
   Json list = Json::array();
-  for (const Field& f : fields_of(has_obstacle))
+  for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result)))
     list.push_back(
         {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
   return list;
@@ -86,14 +88,14 @@ Json results_json(const study::Result& result, const Provenance& provenance) {
   json.update(record_json(result_quantities(), result));
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
   json["probes"] = Json::object();
-  for (const study::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result.has_obstacle);
+  for (const study::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
   json["levels"] = Json::array();
   for (const study::Level& level : result.levels) json["levels"].push_back(level_json(level));
   json["settings"] = provenance.settings;
   json["versions"] = versions_json();
   json["files"] = provenance.files;
-  json["fields"] = fields_json(result.has_obstacle);
+  json["fields"] = fields_json(result);
   json["units"] = units_json();
   return json;
 }

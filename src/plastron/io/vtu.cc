@@ -109,7 +109,8 @@ std::vector<std::string> write_vtu(const study::Solution& solution, const std::f
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
-  const std::vector<Field> present = fields_of(static_cast<bool>(solution.discrete->gap));
+  const std::vector<Field> present = fields_of(static_cast<bool>(solution.discrete->gap),
+                                               solution.discrete->tangency.formulation == assembly::Formulation::mixed);
   const auto flags = flags_of(present);
   std::vector<std::string> files{base_name + ".vtu", base_name + ".pvd"};
   const auto vtu_piece = [&] {

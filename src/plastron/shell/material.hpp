@@ -14,6 +14,8 @@ struct Material {
   static Material from_young_poisson(double E, double nu, double shear_correction) {
     return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu)), shear_correction};
   }
+  /// Young's modulus E [Pa].
+  double young() const { return mu * (3 * lambda + 2 * mu) / (lambda + mu); }
   /// The plane-stress coefficient 2 lambda mu / (lambda + 2 mu) = E nu / (1 - nu^2) [Pa].
   double lambda_plane_stress() const { return 2 * lambda * mu / (lambda + 2 * mu); }
 };

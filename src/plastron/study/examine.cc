@@ -90,6 +90,8 @@ class Examination {
         thinnest = std::min(thinnest, e[p]);
         thickest = std::max(thickest, e[p]);
         sharpest = std::max(sharpest, bending);
+        is_developable_ =
+            is_developable_ && std::abs(kappa[0] * kappa[1]) <= 1e-9 * (kappa[0] * kappa[0] + kappa[1] * kappa[1]);
         area += frame.sqrt_a * tables_.weights[p];
       }
       if (!usable_nodes(cell)) return false;
@@ -192,12 +194,37 @@ class Examination {
     const assembly::GapFunction gap = gap_function(problem_);
     try {
       symmetry_planes(points);
-      const auto coordinates = assembly::nodal_coordinates(*space_, surface_, points, problem_.supports, gap);
+      const auto coordinates = assembly::nodal_coordinates(*space_, surface_, points, problem_.supports, gap,
+                                                           problem_.discretisation.tangency.formulation);
       if (gap) initial_gap(points, coordinates);
+      formulation(coordinates);
       rigid_motions(points, coordinates);
     } catch (const assembly::SupportError& error) {
       add(Severity::error, "{}", error.what());
     }
+  }
+
+  /// What a formulation asks of chart and supports.
+  void formulation(const assembly::NodalCoordinates& coordinates) {
+    using assembly::Formulation;
+    const Formulation kind = problem_.discretisation.tangency.formulation;
+    if (kind == Formulation::classical && space_->coarse->regions.size() > 1)
+      add(Severity::error,
+          "the classical formulation needs a smooth chart, and the regions {} have charts of their own, where "
+          "curvature "
+          "may jump; use formulation = \"tangent\"",
+          fmt::join(space_->coarse->regions, ", "));
+    if (!assembly::is_relaxed(kind)) return;
+    for (std::size_t i = 0; i < coordinates.basis.size(); ++i)
+      if (coordinates.is_prescribed(i, 5)) return;
+    add(Severity::error,
+        "the {} formulation sees only the gradient of r . a3, and no support fixes a component of r: a constant r . a3 "
+        "is "
+        "left free{}; add \"r.a3\" to the fix of a support, or use formulation = \"tangent\"",
+        assembly::to_string(kind),
+        is_developable_ ? ", and on this developable chart it is part of a seventh motion beside the six rigid ones "
+                          "that costs no energy"
+                        : "");
   }
 
   /// A symmetry edge must lie in one plane that the shell meets at a right angle: one conormal along the whole edge.
@@ -274,6 +301,7 @@ class Examination {
   fem::Surface surface_;
   assembly::ElementTables tables_;
   std::vector<Finding> findings_;
+  bool is_developable_ = true;  ///< no Gaussian curvature at any sample point
 };
 
 }  // namespace

@@ -11,10 +11,11 @@ namespace {
 
 /// Nodes of the new mesh that lie in the contact zone of the mesh before start in contact.
 std::vector<contact::Activity> first_guess(const assembly::DiscreteShell& discrete, const algebra::Vector& touched) {
-  std::vector<contact::Activity> activity(5 * static_cast<std::size_t>(discrete.space().layout->owned),
-                                          contact::Activity::free);
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  std::vector<contact::Activity> activity(coordinates.lower.owned().size(), contact::Activity::free);
   for (std::size_t i = 0; i < touched.owned().size(); ++i)
-    if (discrete.coordinates.touchable[i] && touched.owned()[i] > 0.5) activity[5 * i] = contact::Activity::at_lower;
+    if (coordinates.touchable[i] && touched.owned()[i] > 0.5)
+      activity[coordinates.at(i, 0)] = contact::Activity::at_lower;
   return activity;
 }
 
@@ -28,14 +29,18 @@ bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
 }
 
 Level record_of(const fem::Space& space, const contact::BoxSolution& z, const assembly::Verdict& verdict) {
+  const int width = z.z.block() + (z.equation_multiplier.layout() ? 1 : 0);
   return {.cells = space.global_cells,
           .nodes = space.layout->global_size,
-          .unknowns = 5 * space.layout->global_size,
+          .unknowns = width * space.layout->global_size,
           .status = z.status,
           .active = verdict.summary.touching_nodes,
           .iterations = static_cast<int>(z.iterations.size()),
           .energy = verdict.summary.energy.total(),
           .reaction = verdict.summary.reaction.force.norm(),
+          .contact_area = verdict.summary.contact_area,
+          .max_tilt = verdict.summary.max_tilt,
+          .multiplier_norm = verdict.summary.multiplier_norm,
           .min_gap = verdict.certificate.min_gap_nodes,
           .linear_residual = z.linear_residual,
           .history = z.iterations};
@@ -54,7 +59,7 @@ LevelResult solve_level(const LevelTask& task, const assembly::ShellDescription&
   auto discrete = assembly::discretise(task.space, std::move(surface), shell);
   seconds.discretisation = watch.lap();
   tell("assembly");
-  const algebra::Matrix A = assembly::stiffness_matrix(discrete->shell, discrete->coordinates);
+  const algebra::Matrix A = assembly::stiffness_matrix(*discrete);
   seconds.assembly = watch.lap();
   tell("analysis");
   algebra::Factorisation F(A);
@@ -70,7 +75,7 @@ LevelResult solve_level(const LevelTask& task, const assembly::ShellDescription&
   seconds.factorisation = F.seconds_numeric();
   seconds.iteration = watch.lap() - F.seconds_numeric();
   tell("certificate");
-  assembly::NodalSolution nodal = assembly::nodal_solution(*discrete, z.z, z.activity);
+  assembly::NodalSolution nodal = assembly::nodal_solution(*discrete, z);
   const assembly::Verdict verdict = assembly::certify(*discrete, nodal);
   seconds.certificate = watch.lap();
 

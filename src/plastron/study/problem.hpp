@@ -1,5 +1,6 @@
 // All that defines a computation: geometry, shell, supports, loads, obstacle, discretisation. Plain values.
 #pragma once
+#include <plastron/assembly/formulation.hpp>
 #include <plastron/assembly/loads.hpp>
 #include <plastron/assembly/supports.hpp>
 #include <plastron/contact/settings.hpp>
@@ -17,8 +18,9 @@
 namespace plastron::study {
 
 struct Discretisation {
-  int degree = 2;       ///< k, 1 to 8
-  bool tying = true;    ///< (M22)
+  int degree = 2;     ///< k, 1 to 8
+  bool tying = true;  ///< (M22)
+  assembly::Tangency tangency{};
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
 };
 

@@ -33,6 +33,9 @@ struct Level {
   int factorisations = 0;
   double energy = 0;           ///< 1/2 a(U, U) [J]
   double reaction = 0;         ///< norm of the obstacle's resultant force [N]
+  double contact_area = 0;     ///< [m^2]
+  double max_tilt = 0;         ///< max |r . a_3|
+  double multiplier_norm = 0;  ///< of lambda [N m]
   double min_gap = 0;          ///< at nodes [m]
   double linear_residual = 0;  ///< of the last linear solve, relative
   std::vector<contact::Iteration> history{};
@@ -58,6 +61,7 @@ struct Result {
   std::vector<ProbeValue> probes{};  ///< the same on every rank
   std::vector<Level> levels{};
   bool has_obstacle = false;
+  assembly::Formulation formulation = assembly::Formulation::tangent;
   int ranks = 1;
   double peak_memory = 0;              ///< over all ranks together [bytes]
   std::optional<Solution> solution{};  ///< empty when nothing could be solved

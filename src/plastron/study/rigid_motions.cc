@@ -83,9 +83,8 @@ FreeMotions free_rigid_motions(const std::vector<assembly::NodalPoint>& points,
   Matrix6 by_supports = Matrix6::Zero(), by_gap = Matrix6::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Matrix6 motions = motions_at(points[i], centre, size);
-    for (int k = 0; k < 5; ++k) {
-      const std::size_t at = 5 * i + static_cast<std::size_t>(k);
-      if (coordinates.lower.local()[at] != coordinates.upper.local()[at]) continue;
+    for (int k = 0; k < coordinates.width; ++k) {
+      if (!coordinates.is_prescribed(i, k)) continue;
       const Vector6 row = motions.transpose() * coordinates.basis[i].col(k);
       by_supports += row * row.transpose();
     }

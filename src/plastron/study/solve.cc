@@ -21,6 +21,7 @@ assembly::ShellDescription describe(const Problem& problem) {
   return {.thickness = problem.thickness,
           .material = problem.material,
           .tying = problem.discretisation.tying,
+          .tangency = problem.discretisation.tangency,
           .supports = problem.supports,
           .area_loads = problem.area_loads,
           .edge_loads = problem.edge_loads,
@@ -38,7 +39,8 @@ bool nothing_to_refine(contact::Status status) {
 
 Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
   const assembly::ShellDescription shell = describe(problem);
-  Result result{.has_obstacle = problem.obstacle.has_value()};
+  Result result{.has_obstacle = problem.obstacle.has_value(),
+                .formulation = problem.discretisation.tangency.formulation};
   MPI_Comm_size(comm, &result.ranks);
   Stopwatch watch;
   fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), problem.discretisation.degree, comm);

@@ -1,0 +1,95 @@
+#include <plastron/assembly/multiplier.hpp>
+
+#include <cmath>
+
+namespace plastron::assembly {
+
+namespace {
+
+using Eigen::VectorXd;
+
+VectorXd gather_scalar(std::span<const algebra::LocalIndex> nodes, const algebra::Vector& q) {
+  VectorXd values(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = q.local()[static_cast<std::size_t>(nodes[i])];
+  return values;
+}
+
+CellGradient gradients(const BasisAt& basis, const VectorXd& values) {
+  CellGradient g(basis.value.rows(), 2);
+  g << basis.d1 * values, basis.d2 * values;
+  return g;
+}
+
+/// Raises the index and multiplies by the area: a^{ab} g_b sqrt(a) weight.
+void raise(const ShellOperator& shell, std::size_t cell, CellGradient& g) {
+  for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
+    const QuadraturePoint& p = shell.point(cell, q);
+    g.row(q) = p.area * (g.row(q) * p.frame.metric_con).eval();
+  }
+}
+
+}  // namespace
+
+std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const algebra::Layout& layout) {
+  std::vector<char> zeros(static_cast<std::size_t>(layout.owned));
+  for (std::size_t i = 0; i < zeros.size(); ++i) zeros[i] = coordinates.is_prescribed(i, 5);
+  return zeros;
+}
+
+void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& q) {
+  const BasisAt& basis = shell.tables().quadrature;
+  q.fill(0);
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    CellGradient g = tilt_gradients(shell, c, shell.gather(c, y));
+    raise(shell, c, g);
+    const VectorXd values = basis.d1.transpose() * g.col(0) + basis.d2.transpose() * g.col(1);
+    const auto nodes = shell.space().nodes(c);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      q.local()[static_cast<std::size_t>(nodes[i])] += values[static_cast<Eigen::Index>(i)];
+  }
+  q.accumulate_ghosts();
+}
+
+void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector& lambda, algebra::Vector& f) {
+  f.fill(0);
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    CellGradient g = gradients(shell.tables().quadrature, gather_scalar(shell.space().nodes(c), lambda));
+    raise(shell, c, g);
+    CellField forces = CellField::Zero(shell.tables().nodes_per_cell(), 6);
+    add_tilt_forces(shell, c, g, forces);
+    shell.scatter(c, forces, f);
+  }
+  f.accumulate_ghosts();
+}
+
+algebra::Matrix gradient_matrix(const ShellOperator& shell) {
+  const fem::Space& space = shell.space();
+  const BasisAt& basis = shell.tables().quadrature;
+  algebra::Matrix matrix(space.layout, 1, space.connectivity);
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    RowMatrix k = RowMatrix::Zero(basis.value.cols(), basis.value.cols());
+    for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
+      const QuadraturePoint& p = shell.point(c, q);
+      Eigen::Matrix2Xd g(2, basis.value.cols());
+      g << basis.d1.row(q), basis.d2.row(q);
+      k += p.area * g.transpose() * p.frame.metric_con * g;
+    }
+    matrix.add(space.nodes(c), {k.data(), static_cast<std::size_t>(k.size())});
+  }
+  matrix.finish();
+  return matrix;
+}
+
+double gradient_norm(const ShellOperator& shell, const algebra::Vector& q) {
+  double sum = 0;
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const CellGradient g = gradients(shell.tables().quadrature, gather_scalar(shell.space().nodes(c), q));
+    CellGradient raised = g;
+    raise(shell, c, raised);
+    sum += g.cwiseProduct(raised).sum();
+  }
+  return std::sqrt(algebra::sum_over_ranks(sum, shell.space().layout->comm));
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,87 @@
+// Linear equations beside the bounds: minimise 1/2 z' A z - b' z with lower <= z <= upper and B z = 0.
+#include <gtest/gtest.h>
+
+#include "contact/dense_problem.hpp"
+
+namespace plastron::test {
+namespace {
+
+using contact::Activity;
+using contact::Status;
+
+/// Two random equations, the second multiplier's row empty in every third problem.
+struct WithEquations {
+  WithEquations(const DenseProblem& dense, const Eigen::MatrixXd& rows) : distributed(dense), B(rows) {
+    const auto layout = layout_for(B.rows(), {});
+    const auto& z_layout = distributed.matrix.layout();
+    distributed.box->equations =
+        contact::EqualityConstraints{.multipliers = Vector(layout, 1),
+                                     .apply =
+                                         [this](const Vector& z, Vector& q) {
+                                           const Eigen::VectorXd all = B * gathered(z);
+                                           for (LocalIndex i = 0; i < q.layout()->owned; ++i)
+                                             q.owned()[static_cast<std::size_t>(i)] = all(q.layout()->global(i));
+                                         },
+                                     .apply_transposed =
+                                         [this, z_layout](const Vector& q, Vector& z) {
+                                           const Eigen::VectorXd all = B.transpose() * gathered(q);
+                                           for (LocalIndex i = 0; i < z_layout->owned; ++i)
+                                             z.owned()[static_cast<std::size_t>(i)] = all(z_layout->global(i));
+                                         },
+                                     .precondition = [](const Vector& q, Vector& p) { p = q; }};
+  }
+  DistributedProblem distributed;
+  Eigen::MatrixXd B;
+};
+
+TEST(Equations, HoldTogetherWithAllConditionsOfTheBounds) {
+  int solved = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    DenseProblem dense = random_problem(8, seed);
+    for (Eigen::Index i = 0; i < 8; ++i)
+      if (dense.lower(i) == dense.upper(i)) dense.upper(i) = infinity;  // leave room for the equations
+    std::mt19937 random(seed + 1000);
+    std::normal_distribution<double> normal;
+    const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(2, 8, [&] { return normal(random); });
+    WithEquations problem(dense, B);
+    algebra::Factorisation factorisation(problem.distributed.matrix);
+    const auto solution = contact::solve_primal_dual_active_set(*problem.distributed.box, {}, factorisation,
+                                                                {.detect_free_motions = false});
+    if (solution.status != Status::solved) continue;  // the plain method may cycle: it says so
+    ++solved;
+    const Eigen::VectorXd z = gathered(solution.z), q = gathered(solution.equation_multiplier);
+    const Eigen::VectorXd m = dense.A * z + B.transpose() * q - dense.b;
+    EXPECT_NEAR((B * z).norm(), 0, 1e-8);
+    EXPECT_NEAR((m - gathered(solution.multiplier)).norm(), 0, 1e-8);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+      EXPECT_GE(z(i), dense.lower(i) - 1e-8);
+      EXPECT_LE(z(i), dense.upper(i) + 1e-8);
+      if (z(i) > dense.lower(i) + 1e-7) {
+        EXPECT_LE(m(i), 1e-8);
+      }
+      if (z(i) < dense.upper(i) - 1e-7) {
+        EXPECT_GE(m(i), -1e-8);
+      }
+    }
+  }
+  EXPECT_GT(solved, 50);
+}
+
+TEST(Equations, AnEmptyRowKeepsAZeroMultiplier) {
+  const DenseProblem dense{.A = Eigen::MatrixXd::Identity(4, 4),
+                           .b = Eigen::VectorXd::LinSpaced(4, 1, 4),
+                           .lower = Eigen::VectorXd::Constant(4, -infinity),
+                           .upper = Eigen::VectorXd::Constant(4, infinity)};
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(2, 4);
+  B.row(0) << 1, 1, 1, 1;
+  WithEquations problem(dense, B);
+  algebra::Factorisation factorisation(problem.distributed.matrix);
+  const auto solution = contact::solve_primal_dual_active_set(*problem.distributed.box, {}, factorisation);
+  ASSERT_EQ(solution.status, Status::solved);
+  EXPECT_NEAR(gathered(solution.z).sum(), 0, 1e-12);
+  EXPECT_NEAR(gathered(solution.equation_multiplier)(0), 2.5, 1e-12);
+  EXPECT_EQ(gathered(solution.equation_multiplier)(1), 0);
+}
+
+}  // namespace
+}  // namespace plastron::test
