@@ -25,14 +25,13 @@ class InEachFormulation : public testing::TestWithParam<Formulation> {};
 INSTANTIATE_TEST_SUITE_P(All, InEachFormulation, testing::ValuesIn(formulations),
                          [](const auto& parameters) { return std::string(assembly::to_string(parameters.param)); });
 
-/// Energy errors on successive refinements of four distorted cells. A penalty must be smaller than the error that is to
-/// be seen.
+/// Energy errors on successive refinements of four distorted cells.
 std::vector<double> energy_errors(const Manufactured& exact, Formulation formulation, int degree, int first, int last) {
   std::vector<double> errors;
   for (int refinements = first; refinements <= last; ++refinements) {
     study::Problem problem = manufactured_problem(exact, degree, refinements);
     problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
-    problem.discretisation.tangency = {.formulation = formulation, .penalty = 1e-4};
+    problem.discretisation.tangency.formulation = formulation;
     const study::Result result = study::solve(problem, MPI_COMM_WORLD);
     EXPECT_EQ(result.status, contact::Status::solved);
     errors.push_back(energy_error(*result.solution, exact));
@@ -44,7 +43,7 @@ TEST_P(InEachFormulation, TheManufacturedSolutionsAreReachedAtTheRateOfTheDegree
   for (const auto solution : {ManufacturedSolution::clamped, ManufacturedSolution::contact})
     for (int degree = 1; degree <= 3; ++degree) {
       const Manufactured exact(solution, {.thickness = 0.1});
-      const int last = degree == 1 ? 5 : 4;
+      const int last = degree == 1 ? 5 : degree == 2 ? 4 : 3;
       const auto errors = energy_errors(exact, GetParam(), degree, last - 2, last);
       const double mean = std::log2(errors.front() / errors.back()) / 2;
       fmt::print("{} ms{} degree {}: energy errors {:.3e}, rates {:.2f}\n", assembly::to_string(GetParam()),
@@ -138,7 +137,6 @@ TEST(Multiplier, LambdaVanishesOnAFlatShell) {
   reference.problem.discretisation.tangency.formulation = Formulation::mixed;
   const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
   EXPECT_LT(result.summary.multiplier_norm, 1e-9 * result.summary.load_work);
-  EXPECT_EQ(result.probes.size(), 0U);
 }
 
 TEST(Multiplier, EtaIntegratesToTheTotalReaction) {
