@@ -79,7 +79,7 @@ Vector6 add_contact(const DiscreteShell& discrete, const NodalSolution& solution
   sums.max_pressure = std::max(sums.max_pressure, pressure);
   sums.min_pressure = std::min(sums.min_pressure, pressure);
   sums.complementarity = std::max(sums.complementarity, std::abs(pressure * g));
-  const Vector6 force = pressure * weight * gap_row(gap, a3);
+  Vector6 force = pressure * weight * gap_row(gap, a3);
   sums.contact_work += force.dot(y);
   add(sums.obstacle, discrete.points[i], force, sums);
   return force;

@@ -10,10 +10,11 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description) {
   const Formulation formulation = description.tangency.formulation;
-  ShellOperator shell(space, surface, description.thickness, description.material, description.tying,
-                      formulation == Formulation::classical);
-  auto points = nodal_geometry(*space, *surface, shell.tables(), description.thickness);
-  auto coordinates = nodal_coordinates(*space, *surface, points, description.supports, description.gap, formulation);
+  ShellOperator shell(std::move(space), std::move(surface), description.thickness, description.material,
+                      description.tying, formulation == Formulation::classical);
+  auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.thickness);
+  auto coordinates =
+      nodal_coordinates(shell.space(), shell.surface(), points, description.supports, description.gap, formulation);
   auto load = load_vector(shell, description.area_loads, description.edge_loads);
   return std::make_unique<DiscreteShell>(DiscreteShell{std::move(shell), std::move(points), std::move(coordinates),
                                                        std::move(load), description.thickness, description.gap,

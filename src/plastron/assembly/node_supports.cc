@@ -73,6 +73,7 @@ std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_on(const fem::Spa
   for (const fem::BoundaryFace& face : space.faces) {
     if (face.boundary != boundary) continue;
     std::vector<Eigen::Vector2d> xi;
+    xi.reserve(line.size());
     for (const double t : line) xi.push_back(fem::side_point(face.side, t));
     std::vector<geometry::SurfaceJet> jets(xi.size());
     surface.jets(space.cells[face.cell], xi, jets, false);

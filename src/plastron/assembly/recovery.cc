@@ -46,7 +46,7 @@ Vector3d physical(const Vector3d& tensor, const Eigen::Matrix2d& to_axes) {
 
 }  // namespace
 
-Recovery::Recovery(const DiscreteShell& discrete, const NodalSolution& solution, std::vector<Eigen::Vector2d> xi)
+Recovery::Recovery(const DiscreteShell& discrete, const NodalSolution& solution, const std::vector<Eigen::Vector2d>& xi)
     : discrete_(discrete), solution_(solution) {
   const int degree = discrete.space().degree;
   const auto line = fem::gauss(degree).points;

@@ -27,7 +27,7 @@ struct PointValues {
 /// where they are most accurate, and continued from there as polynomials of degree k - 1; they may jump between cells.
 class Recovery {
  public:
-  Recovery(const DiscreteShell& discrete, const NodalSolution& solution, std::vector<Eigen::Vector2d> xi);
+  Recovery(const DiscreteShell& discrete, const NodalSolution& solution, const std::vector<Eigen::Vector2d>& xi);
   std::vector<PointValues> operator()(std::size_t cell) const;
 
  private:

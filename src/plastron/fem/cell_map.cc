@@ -37,7 +37,8 @@ PlaneJet LagrangeMap::operator()(const Vector2d& xi) const {
   PlaneJet f;
   for (int j = 0; j <= order; ++j)
     for (int i = 0; i <= order; ++i) {
-      const Vector2d& node = nodes[static_cast<std::size_t>(j * (order + 1) + i)];
+      const int k = j * (order + 1) + i;
+      const Vector2d& node = nodes[static_cast<std::size_t>(k)];
       f.value += p.value[i] * q.value[j] * node;
       f.d[0] += p.d[i] * q.value[j] * node;
       f.d[1] += p.value[i] * q.d[j] * node;

@@ -35,7 +35,8 @@ void silence_p4est() {
 void reorder_vertices(CoarseCell& cell, const std::array<int, 4>& order) {
   const auto corner = [&](int vertex) -> Vector2d {
     const auto k = std::ranges::find(cell.vertices, vertex) - cell.vertices.begin();
-    return {static_cast<double>(k % 2), static_cast<double>(k / 2)};
+    const auto column = k % 2, row = k / 2;
+    return {static_cast<double>(column), static_cast<double>(row)};
   };
   const Vector2d p0 = corner(order[0]), p1 = corner(order[1]), p2 = corner(order[2]);
   Eigen::Matrix2d axes;

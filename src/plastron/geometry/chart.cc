@@ -16,7 +16,7 @@ std::string number(const GiNaC::numeric& value) {
 }
 
 std::string power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
-  const std::string b = in_muparser_syntax(base);
+  std::string b = in_muparser_syntax(base);
   if (GiNaC::is_a<GiNaC::numeric>(exponent)) {
     const auto n = GiNaC::ex_to<GiNaC::numeric>(exponent);
     if (n.is_negative()) return fmt::format("(1/{})", power(base, -n));

@@ -90,7 +90,7 @@ class Parser {
   }
   ex operand() {
     if (take('(')) {
-      const ex inner = sum();
+      ex inner = sum();
       expect(')');
       return inner;
     }

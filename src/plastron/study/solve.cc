@@ -46,8 +46,8 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
   fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), problem.discretisation.degree, comm);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
 
-  std::optional<algebra::Vector> touched;
   for (int number = 0; number <= problem.discretisation.refinements; ++number) {
+    std::optional<algebra::Vector> touched;
     if (number > 0) {
       std::array fields{std::move(result.solution->nodal.touching)};
       result.solution.reset();  // one mesh at a time in memory
