@@ -93,7 +93,7 @@ class Continuity {
   /// a(U_2 - U_1, U_2 - U_1) <= (l_2 - l_1)(U_2 - U_1) = a(W, U_2 - U_1), W the linear solution for l_2 - l_1.
   std::optional<Change> load() {
     AreaForce field = random_field(random_, std::sqrt(area()));
-    const double amplitude = options_.size * 2 * base_.summary.energy.total() / (largest_ * area());
+    const double amplitude = options_.size * typical_load();
     const assembly::AreaLoad extra{.force_function = [field, amplitude](double x, double y) -> Eigen::Vector3d {
       return amplitude * field(x, y);
     }};
@@ -124,7 +124,8 @@ class Continuity {
 
   /// a(U_2 - U_1, U_2 - U_1) <= a(U_2 - U_1, W) for any W that lifts the nodes in contact before or after by the shift.
   std::optional<Change> height() {
-    const double relative = options_.size * random_(), shift = relative * largest_;
+    const double relative = options_.size * random_();
+    const double shift = relative * (largest_ > 0 ? largest_ : base_.solution->discrete->points.front().thickness);
     Problem changed = problem_;
     changed.obstacle->raised += shift;
     algebra::Vector touching;
@@ -174,6 +175,11 @@ class Continuity {
   std::optional<Change> failed(Status status) {
     report_.status = status;
     return leave_out(fmt::format("the rest of the samples: {}", contact::explain(status)));
+  }
+
+  /// A force per area that does work like the loads: 2 W over area and largest displacement [Pa].
+  double typical_load() const {
+    return largest_ > 0 ? norm_ * norm_ / (largest_ * area()) : problem_.material.mu * 1e-6;
   }
 
   double area() const {
