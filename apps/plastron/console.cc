@@ -72,7 +72,8 @@ void Progress::phase(int level, std::string_view name) {
 }
 
 void Progress::iteration(int level, const contact::Iteration& i) {
-  status_.show(fmt::format("level {}: step {}, {} nodes in contact, {} changed", level, ++iterations_, i.active, i.changes));
+  status_.show(
+      fmt::format("level {}: step {}, {} nodes in contact, {} changed", level, ++iterations_, i.active, i.changes));
 }
 
 void Progress::level(int level, const study::Level& r) {

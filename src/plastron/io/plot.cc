@@ -14,7 +14,7 @@ namespace plastron::io {
 namespace {
 
 // The page [px]: plot area on the left, legend on the right.
-constexpr double width = 860, height = 500;
+constexpr double width = 920, height = 500;
 constexpr double left = 84, right = 590, top = 48, bottom = 436;
 constexpr double legend_left = 616;
 
@@ -30,14 +30,14 @@ std::string style() {
       "text { font: 13px system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif; fill: #24292f; }\n"
       ".title { font-size: 16px; font-weight: 600; } .tick { font-size: 12px; fill: #57606a; }\n"
       ".page { fill: #ffffff; } .frame { fill: none; stroke: #8c959f; }\n"
-      ".grid { stroke: #d8dee4; } .minor { stroke: #eff2f5; } .slope { stroke: #6e7781; fill: none; }\n"
+      ".grid { stroke: #d8dee4; } .minor { stroke: #eff2f5; } .slope { stroke: #6e7781; fill: #eff2f5; }\n"
       ".slope-label { font-size: 12px; fill: #57606a; }\n"
       ".line { fill: none; stroke-width: 2; stroke-linejoin: round; }\n"
       ".mark { stroke-width: 1.5; }\n";
   std::string dark =
       "text { fill: #e6edf3; } .tick, .slope-label { fill: #9da7b3; }\n"
       ".page { fill: #0d1117; } .frame { stroke: #6e7681; } .grid { stroke: #262d36; } .minor { stroke: #171c23; }\n"
-      ".slope { stroke: #9da7b3; }\n";
+      ".slope { stroke: #9da7b3; fill: #171c23; }\n";
   for (std::size_t i = 0; i < colours.size(); ++i) {
     text += fmt::format(".c{0} {{ stroke: {1}; }} .f{0} {{ fill: {1}; }}\n", i, colours[i].on_light);
     dark += fmt::format(".c{0} {{ stroke: {1}; }} .f{0} {{ fill: {1}; }}\n", i, colours[i].on_dark);
@@ -92,10 +92,9 @@ class Drawing {
     put("<clipPath id=\"area\"><rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/></clipPath>\n", left - 6,
         top - 6, right - left + 12, bottom - top + 12);
     put("<g clip-path=\"url(#area)\">\n");
-    for (const auto& slope : plot_.slopes) reference(slope);
     for (std::size_t i = 0; i < plot_.series.size(); ++i) draw(i);
     put("</g>\n");
-    legend();
+    slopes(legend(top + 8) + 12);
     put("</svg>\n");
     return std::move(svg_);
   }
@@ -107,7 +106,7 @@ class Drawing {
   }
 
   /// Of all points that can be drawn.
-  std::vector<double> values(std::vector<double> study::Series::* coordinate) const {
+  std::vector<double> values(std::vector<double> study::Series::*coordinate) const {
     std::vector<double> all;
     for (const auto& s : plot_.series)
       for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)
@@ -138,23 +137,21 @@ class Drawing {
         escaped(plot_.y.label));
   }
 
-  /// A dashed line of the given slope through the series' point at the smallest x, moved aside a little.
-  void reference(const study::ReferenceSlope& slope) {
-    if (slope.beside >= plot_.series.size() || !plot_.x.is_log || !plot_.y.is_log) return;
-    const study::Series& s = plot_.series[slope.beside];
-    double x0 = INFINITY, y0 = 0, x1 = 0;
-    for (std::size_t i = 0; i < s.x.size(); ++i) {
-      if (!usable(s.x[i], plot_.x) || !usable(s.y[i], plot_.y)) continue;
-      if (s.x[i] < x0) x0 = s.x[i], y0 = s.y[i];
-      x1 = std::max(x1, s.x[i]);
+  /// Triangles beside the plot that have the slopes of y ~ x^exponent on its axes. Returns the lower end.
+  double slopes(double y) {
+    if (!plot_.x.is_log || !plot_.y.is_log) return y;
+    constexpr double largest = 56;  // px
+    const double steepness = y_.per_unit() / x_.per_unit();
+    for (const study::ReferenceSlope& s : plot_.slopes) {
+      const double run = std::min(largest, largest / std::abs(s.exponent * steepness));
+      const double rise = s.exponent * steepness * run;
+      put("<path class=\"slope\" d=\"M{:.2f} {:.2f} h{:.2f} v{:.2f} z\"/>\n", legend_left, y + std::abs(rise), run,
+          -rise);
+      put("<text class=\"slope-label\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", legend_left + run + 8,
+          y + std::abs(rise) / 2 + 4, escaped(s.label));
+      y += std::abs(rise) + 18;
     }
-    if (!(x1 > x0)) return;
-    const double end = x0 * std::pow(x1 / x0, 0.55), value = y0 * std::pow(end / x0, slope.exponent);
-    constexpr double aside = 12;  // px
-    put("<path class=\"slope\" stroke-dasharray=\"2 3\" d=\"M{:.2f} {:.2f} L{:.2f} {:.2f}\"/>\n", x_.position(x0),
-        y_.position(y0) + aside, x_.position(end), y_.position(value) + aside);
-    put("<text class=\"slope-label\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", x_.position(end) + 5,
-        y_.position(value) + aside + 8, escaped(slope.label));
+    return y;
   }
 
   void draw(std::size_t number) {
@@ -167,20 +164,21 @@ class Drawing {
       marks += marker(number, x, y, s.dashed);
     }
     if (path.empty()) return;
-    if (s.with_line)
-      put("<path class=\"line c{}\"{} d=\"{}\"/>\n", number % colours.size(), dashes(s.dashed), path);
-    put("{}", marks);
+    if (s.with_line) put("<path class=\"line c{}\"{} d=\"{}\"/>\n", number % colours.size(), dashes(s.dashed), path);
+    if (s.with_markers) put("{}", marks);
   }
 
-  void legend() {
-    double y = top + 8;
+  /// Returns the lower end.
+  double legend(double y) {
     for (std::size_t i = 0; i < plot_.series.size(); ++i, y += 24) {
       const study::Series& s = plot_.series[i];
       if (s.with_line)
-        put("<path class=\"line c{}\"{} d=\"M{:g} {:g} h28\"/>\n", i % colours.size(), dashes(s.dashed), legend_left, y);
-      put("{}", marker(i, legend_left + 14, y, s.dashed));
+        put("<path class=\"line c{}\"{} d=\"M{:g} {:g} h28\"/>\n", i % colours.size(), dashes(s.dashed), legend_left,
+            y);
+      if (s.with_markers) put("{}", marker(i, legend_left + 14, y, s.dashed));
       put("<text x=\"{:g}\" y=\"{:g}\">{}</text>\n", legend_left + 38, y + 4.5, escaped(s.label));
     }
+    return y;
   }
 
   const study::Plot& plot_;

@@ -18,7 +18,7 @@ std::string power_of_ten(int exponent) {
 }
 
 std::string log_label(int mantissa, int exponent) {
-  if (exponent >= -2 && exponent <= 2) return fmt::format("{:g}", mantissa * std::pow(10.0, exponent));
+  if (exponent >= -3 && exponent <= 3) return fmt::format("{:g}", mantissa * std::pow(10.0, exponent));
   return mantissa == 1 ? power_of_ten(exponent) : fmt::format("{}·{}", mantissa, power_of_ten(exponent));
 }
 
@@ -50,6 +50,8 @@ double PlotAxis::scaled(double value) const { return is_log_ ? std::log10(value)
 double PlotAxis::position(double value) const {
   return begin_ + (end_ - begin_) * (scaled(value) - low_) / (high_ - low_);
 }
+
+double PlotAxis::per_unit() const { return std::abs(end_ - begin_) / (high_ - low_); }
 
 /// Decades are labelled, every second or third one if there are many; in less than two decades 2 and 5 too.
 void PlotAxis::make_log_ticks() {

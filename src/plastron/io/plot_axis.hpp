@@ -17,6 +17,8 @@ class PlotAxis {
 
   bool can_draw(double value) const;
   double position(double value) const;  ///< [px]
+  /// Length of a unit, of a decade on a log axis [px].
+  double per_unit() const;
   const std::vector<Tick>& ticks() const { return ticks_; }
 
  private:

@@ -126,7 +126,8 @@ void write_report(const study::Report& report, const Provenance& provenance, con
   remove_file(svg_path, comm);
   Provenance complete = provenance;
   if (!report.table.rows.empty()) {
-    write_atomically(svg_path, [&] { return from_first([&] { return svg_text(report.plot); }); }, comm);
+    write_atomically(
+        svg_path, [&] { return from_first([&] { return svg_text(report.plot); }); }, comm);
     complete.files = {svg_path.filename().string()};
   }
   write_atomically(

@@ -50,15 +50,17 @@ class Continuity {
     norm_ = std::sqrt(2 * base_.summary.energy.total());
     largest_ = largest_displacement();
     examine("load", "the load changes the solution by no more than the dual norm of its change", &Continuity::load);
-    examine("thickness", "a relative change of the stiffness changes the solution by no more than that part of its norm",
+    examine("thickness",
+            "a relative change of the stiffness changes the solution by no more than that part of its norm",
             &Continuity::thickness);
     if (problem_.obstacle)
-      examine("height", "a shift of the obstacle changes the solution by no more than the softest lifting of the contact zone",
+      examine("height",
+              "a shift of the obstacle changes the solution by no more than the softest lifting of the contact zone",
               &Continuity::height);
-    report_.table.remarks.push_back(
-        fmt::format("the unchanged solution has the norm |U_1|_a = {:.6g} J^(1/2)", norm_));
+    report_.table.remarks.push_back(fmt::format("the unchanged solution has the norm |U_1|_a = {:.6g} J^(1/2)", norm_));
     const auto [low, high] = range_of_bounds();
-    report_.plot.series.push_back({"the bound itself", {low, high}, {low, high}, true});
+    report_.plot.series.push_back(
+        {.label = "the bound itself", .x = {low, high}, .y = {low, high}, .dashed = true, .with_markers = false});
     return std::move(report_);
   }
 
@@ -101,7 +103,8 @@ class Continuity {
     linear.area_loads = {extra};
     linear.edge_loads.clear();
     const Result w = solve_for(linear, "its dual norm");
-    if (w.status == Status::singular) return leave_out("the load: without contact a rigid motion is free, so no bound is finite");
+    if (w.status == Status::singular)
+      return leave_out("the load: without contact a rigid motion is free, so no bound is finite");
     if (w.status != Status::solved) return failed(w.status);
     Problem changed = problem_;
     changed.area_loads.push_back(extra);
@@ -155,10 +158,14 @@ class Continuity {
   /// |U_2 - U_1|_a and, on request, |U_2|_a and the nodes in contact. Nothing, with the reason, if U_2 is not there.
   std::optional<double> change_of(const Problem& changed, double* norm = nullptr, algebra::Vector* touching = nullptr) {
     const Result result = solve_for(changed, "changed");
-    if (result.status == Status::infeasible)
-      return leave_out("the rest of the samples: the support would hold the shell inside the obstacle; try a smaller size"),
-             std::nullopt;
-    if (result.status != Status::solved) return failed(result.status), std::nullopt;
+    if (result.status == Status::infeasible) {
+      leave_out("the rest of the samples: the support would hold the shell inside the obstacle; try a smaller --size");
+      return {};
+    }
+    if (result.status != Status::solved) {
+      failed(result.status);
+      return {};
+    }
     const assembly::ShellOperator& shell = base_.solution->discrete->shell;
     algebra::Vector difference = result.solution->nodal.y;
     if (norm) *norm = std::sqrt(2 * shell.energies(difference).total());
@@ -192,8 +199,7 @@ class Continuity {
   double largest_displacement() const {
     double largest = 0;
     const auto y = base_.solution->nodal.y.owned();
-    for (std::size_t i = 0; i + 2 < y.size(); i += 6)
-      largest = std::max(largest, std::hypot(y[i], y[i + 1], y[i + 2]));
+    for (std::size_t i = 0; i + 2 < y.size(); i += 6) largest = std::max(largest, std::hypot(y[i], y[i + 1], y[i + 2]));
     return algebra::max_over_ranks(largest, comm_);
   }
 

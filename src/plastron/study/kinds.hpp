@@ -18,12 +18,12 @@ namespace plastron::study {
 
 /// What a study may be told. Each looks only at what concerns it.
 struct StudyOptions {
-  int reference = 2;                              ///< convergence: levels between the finest mesh and the reference
+  int reference = 2;  ///< convergence: levels between the finest mesh and the reference
   std::vector<double> factors{1, 0.5, 0.25, 0.125, 0.0625};  ///< thickness: multiples of the case's, descending
-  std::optional<double> load_exponent{};          ///< thickness: loads ~ e^exponent; empty: 0 without, 3 with obstacle
-  int samples = 10;                               ///< continuity: perturbations of each kind
-  double size = 0.05;                             ///< continuity: largest relative perturbation
-  std::uint64_t seed = 1;                         ///< continuity: of the random numbers
+  std::optional<double> load_exponent{};  ///< thickness: loads ~ e^exponent; empty: 0 without, 3 with obstacle
+  int samples = 10;                       ///< continuity: perturbations of each kind
+  double size = 0.05;                     ///< continuity: largest relative perturbation
+  std::uint64_t seed = 1;                 ///< continuity: of the random numbers
 };
 
 struct StudyObserver {

@@ -12,15 +12,15 @@ struct Axis {
 
 struct Series {
   std::string label;
-  std::vector<double> x, y;  ///< of one length; points that cannot be drawn (not finite, or not positive on a log axis) are left out
+  std::vector<double> x,
+      y;  ///< of one length; points that cannot be drawn (not finite, or not positive on a log axis) are left out
   bool dashed = false;
-  bool with_line = true;  ///< false: markers alone
+  bool with_line = true, with_markers = true;
 };
 
-/// y ~ x^exponent, a dashed line beside a series, for log-log plots.
+/// y ~ x^exponent, shown for comparison in log-log plots.
 struct ReferenceSlope {
   double exponent = 1;
-  std::size_t beside = 0;  ///< index of the series
   std::string label{};
 };
 
