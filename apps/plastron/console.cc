@@ -27,8 +27,34 @@ void print_findings(const std::vector<study::Finding>& findings, const std::stri
     }
 }
 
-Progress::Progress(bool has_obstacle, bool quiet)
-    : has_obstacle_(has_obstacle), quiet_(quiet), on_terminal_(!quiet && is_first_rank() && isatty(STDERR_FILENO)) {
+StatusLine::StatusLine(bool quiet) : on_terminal_(!quiet && is_first_rank() && isatty(STDERR_FILENO)) {}
+
+void StatusLine::show(const std::string& text) {
+  if (!on_terminal_) return;
+  fmt::print(stderr, "\r{:<{}}", text, shown_);
+  std::fflush(stderr);
+  shown_ = text.size();
+}
+
+void StatusLine::clear() {
+  if (!on_terminal_) return;
+  fmt::print(stderr, "\r{:<{}}\r", "", shown_);
+  shown_ = 0;
+}
+
+study::StudyObserver StageProgress::observer() {
+  study::StudyObserver observer;
+  observer.stage = [this](std::string_view what) {
+    stage_ = what;
+    status_.show(stage_ + " ...");
+  };
+  observer.solve.level = [this](int level, const study::Level& record) {
+    status_.show(fmt::format("{}: level {} done, {} unknowns", stage_, level, record.unknowns));
+  };
+  return observer;
+}
+
+Progress::Progress(bool has_obstacle, bool quiet) : has_obstacle_(has_obstacle), quiet_(quiet), status_(quiet) {
   if (!quiet_)
     print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16} {:>9}\n", "level", "cells", "unknowns", "contact", "steps",
           "min gap [m]", "energy [J]", "time [s]");
@@ -40,30 +66,18 @@ study::Observer Progress::observer() {
           .level = [this](int l, const study::Level& record) { level(l, record); }};
 }
 
-void Progress::show(const std::string& text) {
-  if (!on_terminal_) return;
-  fmt::print(stderr, "\r{:<{}}", text, shown_);
-  std::fflush(stderr);
-  shown_ = text.size();
-}
-
-void Progress::clear() {
-  if (!on_terminal_) return;
-  fmt::print(stderr, "\r{:<{}}\r", "", shown_);
-  shown_ = 0;
-}
-
 void Progress::phase(int level, std::string_view name) {
   iterations_ = 0;
-  show(fmt::format("level {}: {} ...", level, name));
+  status_.show(fmt::format("level {}: {} ...", level, name));
 }
 
 void Progress::iteration(int level, const contact::Iteration& i) {
-  show(fmt::format("level {}: step {}, {} nodes in contact, {} changed", level, ++iterations_, i.active, i.changes));
+  status_.show(
+      fmt::format("level {}: step {}, {} nodes in contact, {} changed", level, ++iterations_, i.active, i.changes));
 }
 
 void Progress::level(int level, const study::Level& r) {
-  clear();
+  status_.clear();
   if (quiet_) return;
   const std::string gap = has_obstacle_ ? fmt::format("{:.3e}", r.min_gap) : "-";
   print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16.9e} {:>9.2f}{}\n", level, r.cells, r.unknowns, r.active,

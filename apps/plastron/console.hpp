@@ -1,6 +1,7 @@
 // Where the program prints: rank 0 only, results on standard output, errors and progress on standard error.
 #pragma once
 #include <plastron/study/examine.hpp>
+#include <plastron/study/kinds.hpp>
 #include <plastron/study/solve.hpp>
 
 #include <fmt/format.h>
@@ -24,6 +25,18 @@ void print_error(fmt::format_string<Args...> text, Args&&... args) {
 /// The findings of an examination, notes only if wanted.
 void print_findings(const std::vector<study::Finding>& findings, const std::string& case_file, bool with_notes);
 
+/// One line of text on standard error that the next one replaces; silent unless that is a terminal.
+class StatusLine {
+ public:
+  explicit StatusLine(bool quiet);
+  void show(const std::string& text);
+  void clear();
+
+ private:
+  bool on_terminal_;
+  std::size_t shown_ = 0;
+};
+
 /// The table of levels on standard output and, on a terminal, one line of progress on standard error.
 class Progress {
  public:
@@ -34,12 +47,22 @@ class Progress {
   void phase(int level, std::string_view name);
   void iteration(int level, const contact::Iteration& iteration);
   void level(int level, const study::Level& record);
-  void show(const std::string& text);
-  void clear();
 
-  bool has_obstacle_, quiet_, on_terminal_;
+  bool has_obstacle_, quiet_;
+  StatusLine status_;
   int iterations_ = 0;
-  std::size_t shown_ = 0;
+};
+
+/// On a terminal, what a study is computing now.
+class StageProgress {
+ public:
+  explicit StageProgress(bool quiet) : status_(quiet) {}
+  study::StudyObserver observer();
+  void finish() { status_.clear(); }
+
+ private:
+  StatusLine status_;
+  std::string stage_;
 };
 
 /// What the computation found, in a few lines.

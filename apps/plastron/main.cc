@@ -11,8 +11,11 @@
 #include <mpi.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <new>
+#include <optional>
 
 namespace plastron::app {
 
@@ -44,6 +47,42 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
   return internal_error;
 }
 
+/// Declares `plastron study`: one table of kinds, and options that concern some of them.
+CLI::App* add_study(CLI::App& program, StudyCommand& command, std::optional<int>& steps) {
+  std::vector<std::string> names;
+  std::string footer = "Kinds:\n";
+  for (const study::Kind& kind : study::kinds()) {
+    names.emplace_back(kind.name);
+    footer += fmt::format("  {:<12} {}\n", kind.name, kind.question);
+  }
+  study::StudyOptions& o = command.options;
+  CLI::App* app = program.add_subcommand("study", "Solve a case many times and examine a theorem or a limit with it");
+  app->footer(footer);
+  app->add_option("KIND", command.kind, "What to examine; see below")->required()->check(CLI::IsMember(names));
+  app->add_option("CASE", command.case_file, "Case file (TOML)")->required();
+  app->add_option("-o,--output", command.output, "Directory for KIND.json and KIND.svg")->required();
+  app->add_flag("-q,--quiet", command.quiet, "Print errors only");
+  app->add_option("--reference", o.reference, "convergence: levels between the finest mesh and the reference")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  CLI::Option* factors =
+      app->add_option("--factors", o.factors, "thickness: multiples of the case's thickness, from thick to thin")
+          ->delimiter(',')
+          ->check(CLI::PositiveNumber);
+  app->add_option("--steps", steps, "thickness: that many halvings, in place of --factors")
+      ->check(CLI::Range(1, 20))
+      ->excludes(factors);
+  app->add_option("--load-exponent", o.load_exponent, "thickness: loads go with factor^P; 0 without, 3 with obstacle");
+  app->add_option("--samples", o.samples, "continuity: perturbations of each kind")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app->add_option("--size", o.size, "continuity: largest relative perturbation")
+      ->check(CLI::Range(1e-6, 0.5))
+      ->capture_default_str();
+  app->add_option("--seed", o.seed, "continuity: of the random numbers")->capture_default_str();
+  return app;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -61,12 +100,23 @@ int main(int argc, char** argv) {
   CLI::App* check_command = program.add_subcommand("check", "Examine a case without solving it");
   check_command->add_option("CASE", options.case_file, "Case file (TOML)")->required();
 
+  StudyCommand study_options;
+  std::optional<int> steps;
+  CLI::App* study_command = add_study(program, study_options, steps);
+
   try {
     program.parse(argc, argv);
+    if (!std::ranges::is_sorted(study_options.options.factors, std::greater_equal<>{}))
+      throw CLI::ValidationError("--factors", "must fall from one to the next");
   } catch (const CLI::ParseError& error) {
     if (!is_first_rank()) return error.get_exit_code() == 0 ? solved : bad_input;
     return program.exit(error) == 0 ? solved : bad_input;
   }
+  if (steps) {
+    study_options.options.factors.clear();
+    for (int i = 0; i <= *steps; ++i) study_options.options.factors.push_back(std::ldexp(1.0, -i));
+  }
+  if (study_command->parsed()) return guarded([&] { return study_case(study_options); });
   return guarded([&] { return run_command->parsed() ? run(options) : check(options.case_file); });
 }
 

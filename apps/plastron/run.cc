@@ -1,45 +1,13 @@
 #include "commands.hpp"
 #include "console.hpp"
+#include "outcome.hpp"
 
 #include <plastron/config/case.hpp>
 #include <plastron/io/output.hpp>
 
 #include <mpi.h>
-#include <unistd.h>
-
-#include <system_error>
 
 namespace plastron::app {
-
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Why results cannot be written to `directory`; empty if they can. Makes nothing.
-std::string obstacle_to_writing(const fs::path& directory) {
-  std::error_code ignored;
-  if (fs::exists(directory, ignored)) {
-    if (!fs::is_directory(directory, ignored)) return "it is a file; name a directory";
-    return access(directory.c_str(), W_OK | X_OK) == 0 ? "" : "it is not writable";
-  }
-  fs::path parent = fs::absolute(directory, ignored).parent_path();
-  while (!fs::exists(parent, ignored) && parent.has_relative_path()) parent = parent.parent_path();
-  if (!fs::is_directory(parent, ignored)) return fmt::format("{} is a file", parent.string());
-  return access(parent.c_str(), W_OK | X_OK) == 0 ? "" : fmt::format("{} is not writable", parent.string());
-}
-
-ExitCode exit_code(contact::Status status) {
-  switch (status) {
-    case contact::Status::solved:
-      return solved;
-    case contact::Status::infeasible:
-      return bad_input;
-    default:
-      return not_converged;
-  }
-}
-
-}  // namespace
 
 ExitCode run(const RunOptions& options) {
   const config::Case c = config::read_case(options.case_file);

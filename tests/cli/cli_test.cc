@@ -167,6 +167,66 @@ TEST(Output, that_is_a_file_is_bad_input_and_leaves_the_file_alone) {
   EXPECT_EQ(text_of(scratch.path / "out"), "precious");
 }
 
+// ---- studies -------------------------------------------------------------------------------------------------------
+
+TEST(Study, prints_its_table_and_writes_it_with_a_plot) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(1));
+  const Outcome outcome =
+      plastron({"study", "convergence", "case.toml", "--output", "out", "--reference", "1"}, scratch.path);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("Pressed strip"), HasSubstr("energy rate"), HasSubstr("with obstacle")));
+  EXPECT_THAT(files_below(scratch.path / "out"), testing::UnorderedElementsAre("convergence.json", "convergence.svg"));
+  const auto json = nlohmann::json::parse(text_of(scratch.path / "out/convergence.json"));
+  EXPECT_EQ(json.at("status"), "solved");
+  EXPECT_EQ(json.at("rows").size(), 4u);
+  EXPECT_THAT(text_of(scratch.path / "out/convergence.svg"), HasSubstr("</svg>"));
+}
+
+TEST(Study, of_thickness_and_continuity_takes_its_options) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(0));
+  const Outcome thin = plastron({"study", "thickness", "case.toml", "-o", "out", "-q", "--steps", "1"}, scratch.path);
+  EXPECT_EQ(thin.exit_code, 0) << thin.output;
+  EXPECT_EQ(thin.output, "");
+  const Outcome thick =
+      plastron({"study", "thickness", "case.toml", "-o", "out2", "-q", "--factors", "2,1"}, scratch.path);
+  EXPECT_EQ(thick.exit_code, 0) << thick.output;
+  const Outcome near = plastron({"study", "continuity", "case.toml", "-o", "out", "--samples", "1"}, scratch.path);
+  EXPECT_EQ(near.exit_code, 0) << near.output;
+  EXPECT_THAT(near.output, testing::Not(HasSubstr("does not hold")));
+}
+
+TEST(Study, that_is_asked_for_wrongly_is_bad_input) {
+  const Scratch scratch;
+  const std::string file = scratch.write("case.toml", case_with(0)).string();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"study", "wisdom", file, "-o", "X"},
+        {"study", "convergence", file},
+        {"study", "convergence", "no-such.toml", "-o", "X"},
+        {"study", "convergence", file, "-o", "X", "--reference", "0"},
+        {"study", "thickness", file, "-o", "X", "--factors", "0.5,1"},
+        {"study", "thickness", file, "-o", "X", "--factors", "1,-1"},
+        {"study", "thickness", file, "-o", "X", "--factors", "1", "--steps", "2"},
+        {"study", "continuity", file, "-o", "X", "--samples", "0"},
+        {"study"}}) {
+    const Outcome outcome = plastron(arguments, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments) << outcome.output;
+  }
+  EXPECT_THAT(plastron({"study", "wisdom", file, "-o", "X"}, scratch.path).output, HasSubstr("convergence"));
+  EXPECT_FALSE(fs::exists(scratch.path / "X"));
+}
+
+TEST(Study, that_does_not_converge_says_so) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(1, "[solver]\nmax_iterations = 1\n"));
+  const Outcome outcome = plastron({"study", "continuity", "case.toml", "-o", "out"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("not converged"));
+  const auto json = nlohmann::json::parse(text_of(scratch.path / "out/continuity.json"));
+  EXPECT_EQ(json.at("status"), "iteration_limit");
+}
+
 // ---- ends that are no solution -------------------------------------------------------------------------------------
 
 TEST(Run, that_does_not_converge_says_so_in_its_exit_code_its_words_and_its_results) {

@@ -22,6 +22,21 @@ ExpressionError error_of(const std::string& text, const Constants& constants = {
   return {"", 0};
 }
 
+TEST(Expression, can_be_scaled_once_and_again) {
+  const Expression f("1 + x*y", {}), twice = f.scaled(2), sixfold = twice.scaled(3),
+                                     constant = Expression(4).scaled(0.5);
+  EXPECT_DOUBLE_EQ(f(2, 3), 7);
+  EXPECT_DOUBLE_EQ(twice(2, 3), 14);
+  EXPECT_DOUBLE_EQ(sixfold(2, 3), 42);
+  EXPECT_DOUBLE_EQ(constant(2, 3), 2);
+  EXPECT_TRUE(constant.is_constant());
+  const std::vector<double> x{2, 0}, y{3, 1};
+  std::vector<double> values(2);
+  sixfold.evaluate(x, y, values);
+  EXPECT_DOUBLE_EQ(values[0], 42);
+  EXPECT_DOUBLE_EQ(values[1], 6);
+}
+
 TEST(Expression, has_the_value_of_the_formula) {
   struct Case {
     std::string text;

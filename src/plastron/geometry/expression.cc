@@ -78,7 +78,15 @@ double Expression::operator()(double x, double y) const {
   if (!program_) return constant_;
   program_->x = x;
   program_->y = y;
-  return program_->parser.Eval();
+  return factor_ * program_->parser.Eval();
+}
+
+Expression Expression::scaled(double factor) const {
+  Expression result(*this);
+  result.text_ = fmt::format("{} * ({})", factor, text_);
+  result.constant_ *= factor;
+  result.factor_ *= factor;
+  return result;
 }
 
 void Expression::evaluate(std::span<const double> x, std::span<const double> y, std::span<double> values) const {
@@ -90,7 +98,7 @@ void Expression::evaluate(std::span<const double> x, std::span<const double> y, 
   for (std::size_t i = 0; i < values.size(); ++i) {
     program_->x = x[i];
     program_->y = y[i];
-    values[i] = program_->parser.Eval();
+    values[i] = factor_ * program_->parser.Eval();
   }
 }
 

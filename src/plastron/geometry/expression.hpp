@@ -35,6 +35,9 @@ class Expression {
   /// values[i] = f(x[i], y[i]).
   void evaluate(std::span<const double> x, std::span<const double> y, std::span<double> values) const;
 
+  /// The function `factor` f.
+  Expression scaled(double factor) const;
+
   bool is_constant() const { return !program_; }
   const std::string& text() const { return text_; }
 
@@ -42,6 +45,7 @@ class Expression {
   struct Program;
   std::string text_;
   double constant_ = 0;
+  double factor_ = 1;  // of what the program gives
   std::shared_ptr<Program> program_;
 };
 

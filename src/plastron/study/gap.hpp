@@ -9,7 +9,9 @@ namespace plastron::study {
 inline assembly::GapFunction gap_function(const Problem& problem) {
   if (!problem.obstacle) return {};
   return [o = *problem.obstacle](const Eigen::Vector3d& phi, const Eigen::Vector3d& a3, double thickness) {
-    return obstacle::gap_at(o.half_space, o.face, phi, a3, thickness);
+    obstacle::Gap gap = obstacle::gap_at(o.half_space, o.face, phi, a3, o.face_scale * thickness);
+    gap.initial -= o.raised;
+    return gap;
   };
 }
 

@@ -27,6 +27,9 @@ struct Discretisation {
 struct Obstacle {
   obstacle::HalfSpace half_space;
   obstacle::Face face = obstacle::Face::lower;
+  double raised = 0;  ///< its surface is moved towards the shell by so much: every gap is smaller by it [m]
+  double face_scale =
+      1;  ///< the touching face lies at this multiple of e/2; 1 but in studies that vary the stiffness alone
 };
 
 /// A point of Omega where the results are wanted.

@@ -60,6 +60,7 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
     task.seconds_for_mesh = watch.lap();
     LevelResult level = solve_level(task, shell, surface, observer);
     if (observer.level) observer.level(number, level.record);
+    if (observer.solution) observer.solution(number, level.solution);
     result.status = level.record.status;
     result.summary = level.verdict.summary;
     result.certificate = level.verdict.certificate;

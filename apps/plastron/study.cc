@@ -1,0 +1,42 @@
+#include "commands.hpp"
+#include "console.hpp"
+#include "outcome.hpp"
+
+#include <plastron/config/case.hpp>
+#include <plastron/io/study_report.hpp>
+
+#include <mpi.h>
+
+namespace plastron::app {
+
+ExitCode study_case(const StudyCommand& command) {
+  const config::Case c = config::read_case(command.case_file);
+  const auto findings = study::examine(c.problem);
+  print_findings(findings, command.case_file.string(), false);
+  if (study::has_errors(findings)) return bad_input;
+  if (const std::string reason = obstacle_to_writing(command.output); !reason.empty()) {
+    print_error("{}: error: results cannot be written here: {}\n", command.output.string(), reason);
+    return bad_input;
+  }
+
+  StageProgress progress(command.quiet);
+  const study::Report report =
+      study::find_kind(command.kind)->run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
+  progress.finish();
+  if (exit_code(report.status) == bad_input) {
+    print_error("{}: error: {}\n", command.case_file.string(), contact::explain(report.status));
+    return bad_input;
+  }
+  io::write_report(report, {.title = c.title, .settings = c.effective, .files = {}}, command.output, MPI_COMM_WORLD);
+  if (!command.quiet) {
+    print("{}\n{}", c.title.empty() ? command.case_file.string() : c.title, io::table_text(report.table));
+    print("\nresults           {}\n", (command.output / (report.table.name + ".json")).string());
+    if (!report.table.rows.empty())
+      print("plot              {}\n", (command.output / (report.table.name + ".svg")).string());
+  }
+  if (report.status != contact::Status::solved)
+    print_error("{}: not converged: {}\n", command.case_file.string(), contact::explain(report.status));
+  return exit_code(report.status);
+}
+
+}  // namespace plastron::app

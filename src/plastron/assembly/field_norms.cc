@@ -1,0 +1,49 @@
+#include <plastron/assembly/field_norms.hpp>
+
+namespace plastron::assembly {
+
+namespace {
+
+/// a^{ab} p_a . p_b for the derivatives p_a of one field at a point.
+double squared_gradient(const Eigen::Matrix2d& metric_con, const geometry::Vector3d& p1, const geometry::Vector3d& p2) {
+  return metric_con(0, 0) * p1.squaredNorm() + 2 * metric_con(0, 1) * p1.dot(p2) + metric_con(1, 1) * p2.squaredNorm();
+}
+
+}  // namespace
+
+SquaredNorms squared_norms(const ShellOperator& shell, const algebra::Vector& y) {
+  const BasisAt& basis = shell.tables().quadrature;
+  SquaredNorms sum;
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const CellField nodal = shell.gather(c, y);
+    const CellField value = basis.value * nodal, d1 = basis.d1 * nodal, d2 = basis.d2 * nodal;
+    for (int q = 0; q < value.rows(); ++q) {
+      const QuadraturePoint& p = shell.point(c, q);
+      const auto& g = p.frame.metric_con;
+      sum.u += p.area * value.row(q).head<3>().squaredNorm();
+      sum.r += p.area * value.row(q).tail<3>().squaredNorm();
+      sum.grad_u += p.area * squared_gradient(g, d1.row(q).head<3>(), d2.row(q).head<3>());
+      sum.grad_r += p.area * squared_gradient(g, d1.row(q).tail<3>(), d2.row(q).tail<3>());
+    }
+  }
+  const MPI_Comm comm = shell.space().layout->comm;
+  return {.u = algebra::sum_over_ranks(sum.u, comm),
+          .grad_u = algebra::sum_over_ranks(sum.grad_u, comm),
+          .r = algebra::sum_over_ranks(sum.r, comm),
+          .grad_r = algebra::sum_over_ranks(sum.grad_r, comm)};
+}
+
+double squared_distance_to_koiter(const ShellOperator& shell, const algebra::Vector& y) {
+  double sum = 0;
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const CellStrain strains = shell.strains(c, shell.gather(c, y));
+    for (int q = 0; q < strains.rows(); ++q) {
+      const QuadraturePoint& p = shell.point(c, q);
+      const Eigen::Vector2d twice_delta = strains.row(q).tail<2>();
+      sum += p.area * twice_delta.dot(p.frame.metric_con * twice_delta);
+    }
+  }
+  return algebra::sum_over_ranks(sum, shell.space().layout->comm);
+}
+
+}  // namespace plastron::assembly

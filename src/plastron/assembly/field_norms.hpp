@@ -1,0 +1,25 @@
+// Norms of discrete fields over the mid-surface: L2 and H1 of u and r (M10), and the distance to Koiter's rotation.
+#pragma once
+#include <plastron/assembly/shell_operator.hpp>
+
+namespace plastron::assembly {
+
+/// Squares of  |v| = (int v . v sqrt(a) dx)^{1/2}  and  |grad v| = (int a^{ab} d_a v . d_b v sqrt(a) dx)^{1/2}.
+struct SquaredNorms {
+  double u = 0, grad_u = 0;  ///< [m^4], [m^2]
+  double r = 0, grad_r = 0;  ///< [m^2], [1]
+
+  /// (u, r) in L2 x L2 and H1 x H1: sums of squares as in the paper's spaces, so in metres.
+  double l2() const { return u + r; }
+  double h1() const { return u + grad_u + r + grad_r; }
+};
+
+/// Of Cartesian nodal values y = (u, r), block 6 with valid ghosts, at the Gauss points of the stiffness (collective).
+SquaredNorms squared_norms(const ShellOperator& shell, const algebra::Vector& y);
+
+/// |r - r_K|^2 = int a^{ab} 2 delta_{a3} 2 delta_{b3} sqrt(a) dx [m^2], r_K = -(d_a u . a_3) a^a: the rotation that Koiter's
+/// model (Remark 2 of the paper, sign corrected) has for the same u, since r - r_K = 2 delta_{a3} a^a for tangent r (M6).
+/// The shear strain is the method's: tied where tying is on (M22). (collective)
+double squared_distance_to_koiter(const ShellOperator& shell, const algebra::Vector& y);
+
+}  // namespace plastron::assembly

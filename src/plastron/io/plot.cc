@@ -1,0 +1,193 @@
+#include <plastron/io/plot.hpp>
+
+#include <plastron/io/plot_axis.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace plastron::io {
+
+namespace {
+
+// The page [px]: plot area on the left, legend on the right.
+constexpr double width = 920, height = 500;
+constexpr double left = 84, right = 590, top = 48, bottom = 436;
+constexpr double legend_left = 616;
+
+/// Colours that people with any colour vision can tell apart (Okabe and Ito), for light and for dark pages.
+struct Colour {
+  std::string_view on_light, on_dark;
+};
+constexpr std::array colours{Colour{"#0072b2", "#56b4e9"}, Colour{"#d55e00", "#ff8c42"}, Colour{"#009e73", "#2fd6a3"},
+                             Colour{"#a2487f", "#e69ac6"}, Colour{"#9a7500", "#f0c94a"}, Colour{"#4d4d4d", "#c8c8c8"}};
+
+std::string style() {
+  std::string text =
+      "text { font: 13px system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif; fill: #24292f; }\n"
+      ".title { font-size: 16px; font-weight: 600; } .tick { font-size: 12px; fill: #57606a; }\n"
+      ".page { fill: #ffffff; } .frame { fill: none; stroke: #8c959f; }\n"
+      ".grid { stroke: #d8dee4; } .minor { stroke: #eff2f5; } .slope { stroke: #6e7781; fill: #eff2f5; }\n"
+      ".slope-label { font-size: 12px; fill: #57606a; }\n"
+      ".line { fill: none; stroke-width: 2; stroke-linejoin: round; }\n"
+      ".mark { stroke-width: 1.5; }\n";
+  std::string dark =
+      "text { fill: #e6edf3; } .tick, .slope-label { fill: #9da7b3; }\n"
+      ".page { fill: #0d1117; } .frame { stroke: #6e7681; } .grid { stroke: #262d36; } .minor { stroke: #171c23; }\n"
+      ".slope { stroke: #9da7b3; fill: #171c23; }\n";
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    text += fmt::format(".c{0} {{ stroke: {1}; }} .f{0} {{ fill: {1}; }}\n", i, colours[i].on_light);
+    dark += fmt::format(".c{0} {{ stroke: {1}; }} .f{0} {{ fill: {1}; }}\n", i, colours[i].on_dark);
+  }
+  return fmt::format("<style>\n{}@media (prefers-color-scheme: dark) {{\n{}}}\n</style>\n", text, dark);
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (static_cast<unsigned char>(c) >= 0x20)
+      result += c;
+  }
+  return result;
+}
+
+std::string marker(std::size_t series, double x, double y, bool hollow) {
+  const std::size_t colour = series % colours.size();
+  const std::string look = fmt::format("class=\"mark c{} {}\"", colour, hollow ? "page" : fmt::format("f{}", colour));
+  switch (series % 4) {
+    case 0:
+      return fmt::format("<circle {} cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"4\"/>\n", look, x, y);
+    case 1:
+      return fmt::format("<rect {} x=\"{:.2f}\" y=\"{:.2f}\" width=\"7\" height=\"7\"/>\n", look, x - 3.5, y - 3.5);
+    case 2:
+      return fmt::format("<path {} d=\"M{:.2f} {:.2f} l4.5 8 h-9 z\"/>\n", look, x, y - 5);
+    default:
+      return fmt::format("<path {} d=\"M{:.2f} {:.2f} l5 5 l-5 5 l-5 -5 z\"/>\n", look, x, y - 5);
+  }
+}
+
+std::string_view dashes(bool dashed) { return dashed ? " stroke-dasharray=\"6 4\"" : ""; }
+
+class Drawing {
+ public:
+  explicit Drawing(const study::Plot& plot)
+      : plot_(plot),
+        x_(values(&study::Series::x), plot.x.is_log, left, right),
+        y_(values(&study::Series::y), plot.y.is_log, bottom, top) {}
+
+  std::string text() {
+    put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
+        "role=\"img\">\n<title>{2}</title>\n{3}<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n",
+        width, height, escaped(plot_.title), style());
+    axes();
+    put("<clipPath id=\"area\"><rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/></clipPath>\n", left - 6,
+        top - 6, right - left + 12, bottom - top + 12);
+    put("<g clip-path=\"url(#area)\">\n");
+    for (std::size_t i = 0; i < plot_.series.size(); ++i) draw(i);
+    put("</g>\n");
+    slopes(legend(top + 8) + 12);
+    put("</svg>\n");
+    return std::move(svg_);
+  }
+
+ private:
+  template <class... Args>
+  void put(fmt::format_string<Args...> text, Args&&... args) {
+    fmt::format_to(std::back_inserter(svg_), text, std::forward<Args>(args)...);
+  }
+
+  /// Of all points that can be drawn.
+  std::vector<double> values(std::vector<double> study::Series::*coordinate) const {
+    std::vector<double> all;
+    for (const auto& s : plot_.series)
+      for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)
+        if (usable(s.x[i], plot_.x) && usable(s.y[i], plot_.y)) all.push_back((s.*coordinate)[i]);
+    return all;
+  }
+  static bool usable(double value, const study::Axis& axis) {
+    return std::isfinite(value) && (!axis.is_log || value > 0);
+  }
+
+  void axes() {
+    for (const Tick& t : x_.ticks()) {
+      const double x = x_.position(t.value);
+      put("<path class=\"{}\" d=\"M{:.2f} {:g} V{:g}\"/>\n", t.label.empty() ? "minor" : "grid", x, top, bottom);
+      put("<text class=\"tick\" x=\"{:.2f}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", x, bottom + 19, t.label);
+    }
+    for (const Tick& t : y_.ticks()) {
+      const double y = y_.position(t.value);
+      put("<path class=\"{}\" d=\"M{:g} {:.2f} H{:g}\"/>\n", t.label.empty() ? "minor" : "grid", left, y, right);
+      put("<text class=\"tick\" x=\"{:g}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n", left - 8, y + 4, t.label);
+    }
+    put("<rect class=\"frame\" x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/>\n", left, top, right - left,
+        bottom - top);
+    put("<text class=\"title\" x=\"{:g}\" y=\"{:g}\">{}</text>\n", left, top - 18, escaped(plot_.title));
+    put("<text x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", (left + right) / 2, bottom + 46,
+        escaped(plot_.x.label));
+    put("<text transform=\"translate(22 {:g}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", (top + bottom) / 2,
+        escaped(plot_.y.label));
+  }
+
+  /// Triangles beside the plot that have the slopes of y ~ x^exponent on its axes. Returns the lower end.
+  double slopes(double y) {
+    if (!plot_.x.is_log || !plot_.y.is_log) return y;
+    constexpr double largest = 56;  // px
+    const double steepness = y_.per_unit() / x_.per_unit();
+    for (const study::ReferenceSlope& s : plot_.slopes) {
+      const double run = std::min(largest, largest / std::abs(s.exponent * steepness));
+      const double rise = s.exponent * steepness * run;
+      put("<path class=\"slope\" d=\"M{:.2f} {:.2f} h{:.2f} v{:.2f} z\"/>\n", legend_left, y + std::abs(rise), run,
+          -rise);
+      put("<text class=\"slope-label\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", legend_left + run + 8,
+          y + std::abs(rise) / 2 + 4, escaped(s.label));
+      y += std::abs(rise) + 18;
+    }
+    return y;
+  }
+
+  void draw(std::size_t number) {
+    const study::Series& s = plot_.series[number];
+    std::string path, marks;
+    for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+      if (!usable(s.x[i], plot_.x) || !usable(s.y[i], plot_.y)) continue;
+      const double x = x_.position(s.x[i]), y = y_.position(s.y[i]);
+      path += fmt::format("{}{:.2f} {:.2f} ", path.empty() ? "M" : "L", x, y);
+      marks += marker(number, x, y, s.dashed);
+    }
+    if (path.empty()) return;
+    if (s.with_line) put("<path class=\"line c{}\"{} d=\"{}\"/>\n", number % colours.size(), dashes(s.dashed), path);
+    if (s.with_markers) put("{}", marks);
+  }
+
+  /// Returns the lower end.
+  double legend(double y) {
+    for (std::size_t i = 0; i < plot_.series.size(); ++i, y += 24) {
+      const study::Series& s = plot_.series[i];
+      if (s.with_line)
+        put("<path class=\"line c{}\"{} d=\"M{:g} {:g} h28\"/>\n", i % colours.size(), dashes(s.dashed), legend_left,
+            y);
+      if (s.with_markers) put("{}", marker(i, legend_left + 14, y, s.dashed));
+      put("<text x=\"{:g}\" y=\"{:g}\">{}</text>\n", legend_left + 38, y + 4.5, escaped(s.label));
+    }
+    return y;
+  }
+
+  const study::Plot& plot_;
+  PlotAxis x_, y_;
+  std::string svg_;
+};
+
+}  // namespace
+
+std::string svg_text(const study::Plot& plot) { return Drawing(plot).text(); }
+
+}  // namespace plastron::io

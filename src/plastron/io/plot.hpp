@@ -1,0 +1,12 @@
+// A line plot as SVG: log or linear axes, markers, legend, reference slopes; readable on light and dark pages.
+#pragma once
+#include <plastron/study/plot.hpp>
+
+#include <string>
+
+namespace plastron::io {
+
+/// A complete SVG file. Texts may hold any UTF-8; points that cannot be drawn are left out.
+std::string svg_text(const study::Plot& plot);
+
+}  // namespace plastron::io

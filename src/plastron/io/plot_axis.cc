@@ -1,0 +1,79 @@
+#include <plastron/io/plot_axis.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::io {
+
+namespace {
+
+/// 10 to an integer power, the exponent raised.
+std::string power_of_ten(int exponent) {
+  static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char d : std::to_string(std::abs(exponent))) text += digits[d - '0'];
+  return text;
+}
+
+std::string log_label(int mantissa, int exponent) {
+  if (exponent >= -3 && exponent <= 3) return fmt::format("{:g}", mantissa * std::pow(10.0, exponent));
+  return mantissa == 1 ? power_of_ten(exponent) : fmt::format("{}·{}", mantissa, power_of_ten(exponent));
+}
+
+}  // namespace
+
+PlotAxis::PlotAxis(const std::vector<double>& values, bool is_log, double begin, double end)
+    : is_log_(is_log), begin_(begin), end_(end) {
+  bool first = true;
+  for (const double value : values) {
+    if (!can_draw(value)) continue;
+    low_ = first ? scaled(value) : std::min(low_, scaled(value));
+    high_ = first ? scaled(value) : std::max(high_, scaled(value));
+    first = false;
+  }
+  const double width = high_ - low_;
+  const double margin = width > 0 ? 0.06 * width : is_log_ ? 0.5 : std::max(1.0, std::abs(low_)) / 2;
+  low_ -= margin;
+  high_ += margin;
+  if (is_log_)
+    make_log_ticks();
+  else
+    make_linear_ticks();
+}
+
+bool PlotAxis::can_draw(double value) const { return std::isfinite(value) && (!is_log_ || value > 0); }
+
+double PlotAxis::scaled(double value) const { return is_log_ ? std::log10(value) : value; }
+
+double PlotAxis::position(double value) const {
+  return begin_ + (end_ - begin_) * (scaled(value) - low_) / (high_ - low_);
+}
+
+double PlotAxis::per_unit() const { return std::abs(end_ - begin_) / (high_ - low_); }
+
+/// Decades are labelled, every second or third one if there are many; in less than two decades 2 and 5 too.
+void PlotAxis::make_log_ticks() {
+  const int first = static_cast<int>(std::floor(low_)), last = static_cast<int>(std::ceil(high_));
+  const double decades = high_ - low_;
+  const int stride = 1 + static_cast<int>(decades / 9);
+  for (int d = first; d <= last; ++d)
+    for (int m = 1; m < 10; ++m) {
+      const double place = d + std::log10(m);
+      if (place < low_ || place > high_ || (m > 1 && decades > 7)) continue;
+      const bool labelled = (m == 1 && d % stride == 0) || ((m == 2 || m == 5) && decades < 2) || decades < 0.7;
+      ticks_.push_back({m * std::pow(10.0, d), labelled ? log_label(m, d) : ""});
+    }
+}
+
+void PlotAxis::make_linear_ticks() {
+  const double rough = (high_ - low_) / 6, power = std::pow(10.0, std::floor(std::log10(rough)));
+  const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
+  for (double value = std::ceil(low_ / step) * step; value <= high_; value += step) {
+    const double rounded = std::abs(value) < step / 1e6 ? 0 : value;
+    ticks_.push_back({rounded, fmt::format("{:.6g}", rounded)});
+  }
+}
+
+}  // namespace plastron::io

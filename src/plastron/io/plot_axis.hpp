@@ -1,0 +1,35 @@
+// One axis of a plot: from values to positions, with its ticks and their labels.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace plastron::io {
+
+struct Tick {
+  double value;
+  std::string label;  ///< empty for a minor tick
+};
+
+class PlotAxis {
+ public:
+  /// An axis that holds all `values` that can be drawn on it, from `begin` to `end` [px].
+  PlotAxis(const std::vector<double>& values, bool is_log, double begin, double end);
+
+  bool can_draw(double value) const;
+  double position(double value) const;  ///< [px]
+  /// Length of a unit, of a decade on a log axis [px].
+  double per_unit() const;
+  const std::vector<Tick>& ticks() const { return ticks_; }
+
+ private:
+  double scaled(double value) const;
+  void make_log_ticks();
+  void make_linear_ticks();
+
+  bool is_log_;
+  double begin_, end_;
+  double low_ = 0, high_ = 1;  // of the scaled values
+  std::vector<Tick> ticks_;
+};
+
+}  // namespace plastron::io

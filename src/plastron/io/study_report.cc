@@ -1,0 +1,142 @@
+#include <plastron/io/study_report.hpp>
+
+#include <plastron/io/atomic_file.hpp>
+#include <plastron/io/plot.hpp>
+#include <plastron/io/version.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::io {
+
+namespace {
+
+std::string entry_text(const study::Entry& entry) {
+  if (const auto* text = std::get_if<std::string>(&entry)) return *text;
+  if (const auto* count = std::get_if<std::int64_t>(&entry)) return std::to_string(*count);
+  const double value = std::get<double>(entry);
+  return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
+}
+
+Json entry_json(const study::Entry& entry) {
+  if (const auto* text = std::get_if<std::string>(&entry)) return *text;
+  if (const auto* count = std::get_if<std::int64_t>(&entry)) return *count;
+  return number(std::get<double>(entry));
+}
+
+/// Characters, not bytes.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+using Line = std::vector<std::string>;
+
+std::string aligned(const std::vector<Line>& lines) {
+  std::vector<std::size_t> widths;
+  for (const Line& line : lines) {
+    widths.resize(std::max(widths.size(), line.size()));
+    for (std::size_t c = 0; c < line.size(); ++c) widths[c] = std::max(widths[c], characters(line[c]));
+  }
+  std::string text;
+  for (const Line& line : lines) {
+    for (std::size_t c = 0; c < line.size(); ++c)
+      text += std::string(widths[c] - characters(line[c]) + (c > 0 ? 2 : 0), ' ') + line[c];
+    text += '\n';
+  }
+  return text;
+}
+
+std::string unit_text(const std::string& unit) { return unit == "-" || unit == "1" ? "" : "[" + unit + "]"; }
+
+Json plot_json(const study::Plot& plot) {
+  const auto numbers = [](const std::vector<double>& values) {
+    Json list = Json::array();
+    for (const double v : values) list.push_back(number(v));
+    return list;
+  };
+  Json series = Json::array();
+  for (const auto& s : plot.series) series.push_back({{"label", s.label}, {"x", numbers(s.x)}, {"y", numbers(s.y)}});
+  return {{"title", plot.title}, {"x", plot.x.label}, {"y", plot.y.label}, {"series", series}};
+}
+
+}  // namespace
+
+std::string table_text(const study::Table& table) {
+  std::vector<Line> lines(2);
+  for (const study::Column& c : table.columns) {
+    lines[0].push_back(c.name);
+    lines[1].push_back(unit_text(c.unit));
+  }
+  for (const auto& row : table.rows) {
+    lines.emplace_back();
+    for (const study::Entry& entry : row) lines.back().push_back(entry_text(entry));
+  }
+  std::string text = table.title + "\n\n" + aligned(lines);
+  if (!table.fits.empty()) text += "\n";
+  for (const study::Fit& f : table.fits) text += fmt::format("{} ~ {}^{:.2f}\n", f.quantity, f.against, f.exponent);
+  if (!table.claims.empty()) text += "\n";
+  for (const study::Claim& c : table.claims)
+    text += fmt::format("{}: {}: {}\n", c.statement, c.measured, c.holds ? "holds" : "does not hold");
+  if (!table.remarks.empty()) text += "\n";
+  for (const std::string& r : table.remarks) text += r + "\n";
+  return text;
+}
+
+Json report_json(const study::Report& report, const Provenance& provenance) {
+  const study::Table& table = report.table;
+  Json json{{"study", table.name},
+            {"question", table.title},
+            {"title", provenance.title},
+            {"status", contact::to_string(report.status)},
+            {"status_text", contact::explain(report.status)}};
+  json["columns"] = Json::array();
+  for (const study::Column& c : table.columns)
+    json["columns"].push_back({{"name", c.name}, {"symbol", c.symbol}, {"unit", c.unit}});
+  json["rows"] = Json::array();
+  for (const auto& row : table.rows) {
+    Json entries = Json::array();
+    for (const study::Entry& entry : row) entries.push_back(entry_json(entry));
+    json["rows"].push_back(std::move(entries));
+  }
+  json["fits"] = Json::array();
+  for (const study::Fit& f : table.fits)
+    json["fits"].push_back({{"quantity", f.quantity}, {"against", f.against}, {"exponent", number(f.exponent)}});
+  json["claims"] = Json::array();
+  for (const study::Claim& c : table.claims)
+    json["claims"].push_back({{"claim", c.statement}, {"measured", c.measured}, {"holds", c.holds}});
+  json["remarks"] = table.remarks;
+  json["plot"] = plot_json(report.plot);
+  json["files"] = provenance.files;
+  json["settings"] = provenance.settings;
+  json["version"] = version;
+  return json;
+}
+
+void write_report(const study::Report& report, const Provenance& provenance, const std::filesystem::path& directory,
+                  MPI_Comm comm) {
+  const auto json_path = directory / (report.table.name + ".json"), svg_path = directory / (report.table.name + ".svg");
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  const auto from_first = [rank](const auto& make) { return rank == 0 ? make() : std::string(); };
+  make_directory(directory, comm);
+  remove_file(json_path, comm);
+  remove_file(svg_path, comm);
+  Provenance complete = provenance;
+  if (!report.table.rows.empty()) {
+    write_atomically(
+        svg_path, [&] { return from_first([&] { return svg_text(report.plot); }); }, comm);
+    complete.files = {svg_path.filename().string()};
+  }
+  write_atomically(
+      json_path,
+      [&] {
+        return from_first(
+            [&] { return report_json(report, complete).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; });
+      },
+      comm);
+}
+
+}  // namespace plastron::io

@@ -1,0 +1,24 @@
+// What a study found, as text for people, as KIND.json for programs, and with its plot as KIND.svg.
+#pragma once
+#include <plastron/io/results.hpp>
+#include <plastron/study/kinds.hpp>
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <string>
+
+namespace plastron::io {
+
+/// Columns aligned, units below their names, then fits, claims with what was measured, and remarks.
+std::string table_text(const study::Table& table);
+
+/// name, title, status, columns, rows, fits, claims, remarks, plot; and the settings of the case.
+Json report_json(const study::Report& report, const Provenance& provenance);
+
+/// Writes directory/NAME.svg and, last, directory/NAME.json, atomically (collective). A report without rows has no plot.
+/// Throws std::runtime_error.
+void write_report(const study::Report& report, const Provenance& provenance, const std::filesystem::path& directory,
+                  MPI_Comm comm);
+
+}  // namespace plastron::io

@@ -1,0 +1,26 @@
+#include <plastron/study/kinds.hpp>
+
+#include <plastron/study/continuity.hpp>
+#include <plastron/study/convergence.hpp>
+#include <plastron/study/thickness.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace plastron::study {
+
+std::span<const Kind> kinds() {
+  static constexpr std::array all{
+      Kind{"convergence", "how fast the error falls with the mesh size", convergence},
+      Kind{"thickness", "what happens as the thickness goes to zero", thickness},
+      Kind{"continuity", "whether the solution depends continuously on load, thickness and obstacle", continuity},
+  };
+  return all;
+}
+
+const Kind* find_kind(std::string_view name) {
+  const auto found = std::ranges::find(kinds(), name, &Kind::name);
+  return found == kinds().end() ? nullptr : &*found;
+}
+
+}  // namespace plastron::study

@@ -1,0 +1,51 @@
+// The studies: each solves a case many times and examines a theorem or a limit with what it finds.
+#pragma once
+#include <plastron/study/observer.hpp>
+#include <plastron/study/plot.hpp>
+#include <plastron/study/problem.hpp>
+#include <plastron/study/table.hpp>
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace plastron::study {
+
+/// What a study may be told. Each looks only at what concerns it.
+struct StudyOptions {
+  int reference = 2;  ///< convergence: levels between the finest mesh and the reference
+  std::vector<double> factors{1, 0.5, 0.25, 0.125, 0.0625};  ///< thickness: multiples of the case's, descending
+  std::optional<double> load_exponent{};  ///< thickness: loads ~ e^exponent; empty: 0 without, 3 with obstacle
+  int samples = 10;                       ///< continuity: perturbations of each kind
+  double size = 0.05;                     ///< continuity: largest relative perturbation
+  std::uint64_t seed = 1;                 ///< continuity: of the random numbers
+};
+
+struct StudyObserver {
+  std::function<void(std::string_view what)> stage{};  ///< the next computation, in words; may be empty
+  Observer solve{};                                    ///< of each computation
+};
+
+/// What a study found. With a status other than solved the table ends at the computation that failed.
+struct Report {
+  contact::Status status = contact::Status::solved;
+  Table table;
+  Plot plot;
+};
+
+struct Kind {
+  std::string_view name, question;
+  Report (*run)(const Problem&, const StudyOptions&, MPI_Comm, const StudyObserver&);  ///< collective
+};
+
+/// All studies. A new one is a line in kinds.cc.
+std::span<const Kind> kinds();
+/// Null if there is no study of this name.
+const Kind* find_kind(std::string_view name);
+
+}  // namespace plastron::study

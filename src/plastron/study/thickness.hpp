@@ -1,0 +1,10 @@
+// Study: the limit of zero thickness, bending or membrane dominated (docs/methods/study-thickness.md).
+#pragma once
+#include <plastron/study/kinds.hpp>
+
+namespace plastron::study {
+
+/// (collective)
+Report thickness(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+
+}  // namespace plastron::study

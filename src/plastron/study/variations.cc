@@ -1,0 +1,54 @@
+#include <plastron/study/variations.hpp>
+
+#include <algorithm>
+
+namespace plastron::study {
+
+namespace {
+
+void scale(assembly::VectorExpression& f, double factor) {
+  for (auto& component : f) component = component.scaled(factor);
+}
+
+void scale(assembly::VectorFunction& f, double factor) {
+  if (f) f = [f, factor](double x, double y) -> Eigen::Vector3d { return factor * f(x, y); };
+}
+
+}  // namespace
+
+Problem with_thickness_scaled(Problem problem, double factor) {
+  problem.thickness = problem.thickness.scaled(factor);
+  return problem;
+}
+
+Problem with_loads_scaled(Problem problem, double factor) {
+  for (auto& load : problem.area_loads) {
+    scale(load.force, factor);
+    scale(load.couple, factor);
+    scale(load.force_function, factor);
+    scale(load.couple_function, factor);
+    load.pressure = load.pressure.scaled(factor);
+  }
+  for (auto& load : problem.edge_loads) {
+    scale(load.force, factor);
+    scale(load.couple, factor);
+  }
+  return problem;
+}
+
+Problem linear_and_homogeneous(Problem problem) {
+  problem.obstacle.reset();
+  for (auto& support : problem.supports)
+    for (auto& component : support.components) component.value = {};
+  return problem;
+}
+
+bool has_prescribed_motion(const Problem& problem) {
+  return std::ranges::any_of(problem.supports, [](const assembly::Support& support) {
+    return std::ranges::any_of(support.components, [](const assembly::PrescribedComponent& c) {
+      return !c.value.is_constant() || c.value(0, 0) != 0;
+    });
+  });
+}
+
+}  // namespace plastron::study

@@ -1,0 +1,17 @@
+// A problem with one thing changed.
+#pragma once
+#include <plastron/study/problem.hpp>
+
+namespace plastron::study {
+
+/// e times `factor`; chart, obstacle and loads stay. The touching face moves with e/2.
+Problem with_thickness_scaled(Problem problem, double factor);
+/// All loads of (M9) times `factor`.
+Problem with_loads_scaled(Problem problem, double factor);
+/// Supports hold the same components at zero, and there is no obstacle: the linear problem on V.
+Problem linear_and_homogeneous(Problem problem);
+
+/// A support prescribes something other than zero, at some place.
+bool has_prescribed_motion(const Problem& problem);
+
+}  // namespace plastron::study

@@ -1,0 +1,96 @@
+// Norms of fields against integrals done by hand.
+#include <plastron/assembly/field_norms.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "assembly/sample_shells.hpp"
+
+namespace plastron::assembly {
+namespace {
+
+ShellOperator make(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree, int refinements) {
+  const auto m = test::meshed(domain, chart, degree, refinements);
+  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true};
+}
+
+/// The interpolant of a function of position on the mid-surface, its value (u, r).
+template <class Function>
+algebra::Vector interpolant(const ShellOperator& shell, const Function& f) {
+  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+  algebra::Vector y(shell.space().layout, 6);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Matrix<double, 6, 1> value = f(points[i]);
+    for (std::size_t k = 0; k < 6; ++k) y.local()[6 * i + k] = value[static_cast<Eigen::Index>(k)];
+  }
+  return y;
+}
+
+// u = (x^2, x y, 0), r = (0, y, 1) on the unit square:
+// int |u|^2 = 1/5 + 1/9, int |grad u|^2 = 4/3 + 1/3 + 1/3, int |r|^2 = 1/3 + 1, int |grad r|^2 = 1.
+TEST(FieldNorms, OfPolynomialsOnTheFlatSquareAreTheirIntegrals) {
+  const ShellOperator shell = make(fem::Rectangle{.cells = {2, 1}}, test::flat, 2, 1);
+  const auto y = interpolant(shell, [](const NodalPoint& p) {
+    const double a = p.x[0], b = p.x[1];
+    return (Eigen::Matrix<double, 6, 1>() << a * a, a * b, 0, 0, b, 1).finished();
+  });
+  const SquaredNorms n = squared_norms(shell, y);
+  EXPECT_NEAR(n.u, 1.0 / 5 + 1.0 / 9, 1e-13);
+  EXPECT_NEAR(n.grad_u, 2, 1e-12);
+  EXPECT_NEAR(n.r, 4.0 / 3, 1e-13);
+  EXPECT_NEAR(n.grad_r, 1, 1e-12);
+  EXPECT_NEAR(n.l2(), n.u + n.r, 1e-15);
+  EXPECT_NEAR(n.h1(), n.u + n.grad_u + n.r + n.grad_r, 1e-15);
+}
+
+TEST(FieldNorms, DoNotDependOnTheParameters) {
+  const auto f = [](const NodalPoint& p) {
+    const double a = p.phi[0], b = p.phi[1];
+    return (Eigen::Matrix<double, 6, 1>() << a * b, a, b, a + b, 0, a * a).finished();
+  };
+  const fem::Polygon skewed{
+      {{0, 0}, {1, 0}, {1.5, 1}, {0.5, 1}}};  // the parallelogram over which phi is the unit square
+  const ShellOperator straight = make(fem::Rectangle{.cells = {2, 2}}, {"x", "y", "0"}, 2, 1);
+  const ShellOperator skew = make(skewed, {"x - y/2", "y", "0"}, 2, 1);
+  const SquaredNorms a = squared_norms(straight, interpolant(straight, f)),
+                     b = squared_norms(skew, interpolant(skew, f));
+  EXPECT_NEAR(a.u, b.u, 1e-12);
+  EXPECT_NEAR(a.grad_u, b.grad_u, 1e-12);
+  EXPECT_NEAR(a.r, b.r, 1e-12);
+  EXPECT_NEAR(a.grad_r, b.grad_r, 1e-12);
+}
+
+// On a sphere |phi| = 2 about the centre c, int |phi - c|^2 dS = 4 area and int |grad phi|^2 dS = 2 area.
+TEST(FieldNorms, OfThePositionOnASphereKnowItsRadiusAndArea) {
+  const ShellOperator shell = make(fem::Disk{.radius = 0.5}, test::cap, 4, 2);
+  const Eigen::Vector3d centre(0, 0, 2);
+  const auto y = interpolant(shell, [&](const NodalPoint& p) {
+    return (Eigen::Matrix<double, 6, 1>() << p.phi - centre, Eigen::Vector3d::Zero()).finished();
+  });
+  const SquaredNorms n = squared_norms(shell, y);
+  const double area = 2 * M_PI * 2 * (2 - std::sqrt(4 - 0.25));
+  EXPECT_NEAR(n.u, 4 * area, 1e-8);
+  EXPECT_NEAR(n.grad_u, 2 * area, 1e-6);
+}
+
+// u = (0, 0, x), r = (c, 0, 0) on a plate: r_K = (-1, 0, 0), so |r - r_K| = |1 + c| at every point.
+TEST(DistanceToKoiter, OfAPlateIsThatOfRAndMinusTheSlope) {
+  const ShellOperator shell = make(fem::Rectangle{.to = {2, 1}, .cells = {2, 1}}, test::flat, 2, 1);
+  for (const double c : {-1.0, 0.0, 0.5}) {
+    const auto y = interpolant(shell, [&](const NodalPoint& p) {
+      return (Eigen::Matrix<double, 6, 1>() << 0, 0, p.x[0], c, 0, 0).finished();
+    });
+    EXPECT_NEAR(squared_distance_to_koiter(shell, y), 2 * (1 + c) * (1 + c), 1e-12);
+  }
+}
+
+TEST(DistanceToKoiter, OfARigidMotionIsZero) {
+  const ShellOperator shell = make(fem::Rectangle{.cells = {2, 2}}, test::saddle, 3, 1);
+  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+  const auto y = test::rigid_motion(shell.space(), points, {1, 2, 3}, {0.3, -0.2, 0.5});
+  EXPECT_LT(std::sqrt(squared_distance_to_koiter(shell, y)), 1e-2 * std::sqrt(squared_norms(shell, y).r));
+}
+
+}  // namespace
+}  // namespace plastron::assembly

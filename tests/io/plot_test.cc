@@ -1,0 +1,95 @@
+// Plots as SVG: well-formed, complete, with all points inside of the frame.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <plastron/io/plot.hpp>
+#include <plastron/io/plot_axis.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace plastron::io {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> labels(const PlotAxis& axis) {
+  std::vector<std::string> all;
+  for (const Tick& t : axis.ticks())
+    if (!t.label.empty()) all.push_back(t.label);
+  return all;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+study::Plot two_series() {
+  return {.title = "Error < 1 & falling",
+          .x = {"h [m]", true},
+          .y = {"error", true},
+          .series = {{"energy", {0.1, 0.2, 0.4}, {1e-4, 1e-3, 1e-2}}, {"L2", {0.1, 0.2, 0.4}, {NAN, 0, 1e-3}, true}},
+          .slopes = {{2, "slope 2"}}};
+}
+
+TEST(PlotAxis, puts_equal_ratios_at_equal_distances_when_it_is_logarithmic) {
+  const PlotAxis axis({1e-3, 1e1}, true, 0, 100);
+  EXPECT_NEAR(axis.position(1e-2) - axis.position(1e-3), axis.position(1) - axis.position(0.1), 1e-12);
+  EXPECT_NEAR(axis.per_unit(), axis.position(1) - axis.position(0.1), 1e-12);
+  EXPECT_FALSE(axis.can_draw(0));
+  EXPECT_FALSE(axis.can_draw(-1));
+  EXPECT_FALSE(axis.can_draw(NAN));
+  EXPECT_THAT(labels(axis), testing::ElementsAre("0.001", "0.01", "0.1", "1", "10"));
+}
+
+TEST(PlotAxis, labels_small_decades_as_powers_and_short_ranges_densely) {
+  EXPECT_THAT(labels(PlotAxis({1e-7, 1e-4}, true, 0, 1)), testing::Contains("10⁻⁶"));
+  EXPECT_GE(labels(PlotAxis({0.1, 0.4}, true, 0, 1)).size(), 2u);
+  EXPECT_LE(labels(PlotAxis({1e-30, 1}, true, 0, 1)).size(), 12u);
+}
+
+TEST(PlotAxis, holds_all_values_and_survives_none_or_one) {
+  for (const bool is_log : {true, false})
+    for (const std::vector<double>& values :
+         {std::vector<double>{}, std::vector<double>{3}, std::vector<double>{0}, std::vector<double>{-5, 7, 2}}) {
+      const PlotAxis axis(values, is_log, 10, 20);
+      for (const double v : values) {
+        if (!axis.can_draw(v)) continue;
+        EXPECT_GE(axis.position(v), 10);
+        EXPECT_LE(axis.position(v), 20);
+      }
+      EXPECT_FALSE(axis.ticks().empty());
+    }
+}
+
+TEST(Plot, is_a_whole_file_with_escaped_texts_labels_and_legend) {
+  const std::string svg = svg_text(two_series());
+  EXPECT_THAT(svg, testing::StartsWith("<svg "));
+  EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
+  EXPECT_THAT(svg, HasSubstr("Error &lt; 1 &amp; falling"));
+  EXPECT_THAT(svg, HasSubstr(">h [m]<"));
+  EXPECT_THAT(svg, HasSubstr(">energy<"));
+  EXPECT_THAT(svg, HasSubstr(">slope 2<"));
+  EXPECT_THAT(svg, HasSubstr("prefers-color-scheme: dark"));
+  EXPECT_EQ(count(svg, "<g "), count(svg, "</g>"));
+  EXPECT_EQ(count(svg, "<text"), count(svg, "</text>"));
+}
+
+TEST(Plot, leaves_out_what_cannot_be_drawn) {
+  const std::string svg = svg_text(two_series());
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(svg, Not(HasSubstr("inf")));
+  EXPECT_EQ(count(svg, "<circle"), 3u + 1u);             // three points and the legend
+  EXPECT_EQ(count(svg, "<rect class=\"mark"), 1u + 1u);  // one point and the legend
+}
+
+TEST(Plot, of_nothing_is_an_empty_frame) {
+  const std::string svg = svg_text({.title = "none", .x = {"x"}, .y = {"y", true}});
+  EXPECT_THAT(svg, HasSubstr("class=\"frame\""));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace plastron::io

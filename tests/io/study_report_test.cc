@@ -1,0 +1,72 @@
+// Reports of studies as text and files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <io/scratch_directory.hpp>
+#include <plastron/io/study_report.hpp>
+
+#include <cmath>
+
+namespace plastron::io {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+study::Report report() {
+  study::Report r;
+  r.table = {
+      .name = "example",
+      .title = "Does it work?",
+      .columns = {{"mesh size", "h", "m"}, {"cells", "", "1"}, {"kind", "", "-"}, {"rate", "p", "1"}},
+      .rows = {{0.5, std::int64_t{4}, std::string("coarse"), NAN}, {0.25, std::int64_t{16}, std::string("fine"), 2.0}},
+      .fits = {{"error", "h", 1.98}},
+      .claims = {{"it works", "two of two", true}, {"it is fast", "no", false}},
+      .remarks = {"nothing else"}};
+  r.plot = {.title = "Plot", .x = {"h [m]", true}, .y = {"error", true}, .series = {{"error", {0.5, 0.25}, {1, NAN}}}};
+  return r;
+}
+
+TEST(StudyReport, is_a_table_with_units_and_plain_findings) {
+  const std::string text = table_text(report().table);
+  EXPECT_THAT(text, AllOf(HasSubstr("Does it work?"), HasSubstr("mesh size"), HasSubstr("[m]"), HasSubstr("coarse"),
+                          HasSubstr("error ~ h^1.98"), HasSubstr("it works: two of two: holds\n"),
+                          HasSubstr("it is fast: no: does not hold\n"), HasSubstr("nothing else")));
+  EXPECT_THAT(text, testing::Not(HasSubstr("nan")));
+}
+
+TEST(StudyReport, in_JSON_has_rows_of_the_columns_and_null_for_what_is_not_there) {
+  const Json json = report_json(report(), {.title = "T", .settings = {{"a", 1}}, .files = {"example.svg"}});
+  EXPECT_EQ(json.at("status"), "solved");
+  ASSERT_EQ(json.at("columns").size(), 4u);
+  for (const Json& row : json.at("rows")) EXPECT_EQ(row.size(), 4u);
+  EXPECT_TRUE(json.at("rows")[0][3].is_null());
+  EXPECT_EQ(json.at("rows")[1][1], 16);
+  EXPECT_EQ(json.at("columns")[0].at("unit"), "m");
+  EXPECT_EQ(json.at("claims")[1].at("holds"), false);
+  EXPECT_EQ(json.at("settings").at("a"), 1);
+  EXPECT_TRUE(json.at("plot").at("series")[0].at("y")[1].is_null());
+}
+
+TEST(StudyReport, is_written_as_two_whole_files) {
+  const ScratchDirectory scratch("study");
+  write_report(report(), {.title = "T", .settings = {}, .files = {}}, scratch.path / "deep", MPI_COMM_WORLD);
+  const Json json = Json::parse(text_of(scratch.path / "deep" / "example.json"));
+  EXPECT_EQ(json.at("files")[0], "example.svg");
+  EXPECT_THAT(text_of(scratch.path / "deep" / "example.svg"), HasSubstr("</svg>"));
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST(StudyReport, without_rows_leaves_no_plot_of_an_earlier_one) {
+  const ScratchDirectory scratch("study-empty");
+  write_report(report(), {}, scratch.path, MPI_COMM_WORLD);
+  study::Report failed = report();
+  failed.status = contact::Status::singular;
+  failed.table.rows.clear();
+  write_report(failed, {}, scratch.path, MPI_COMM_WORLD);
+  EXPECT_THAT(scratch.names(), testing::ElementsAre("example.json"));
+  EXPECT_EQ(Json::parse(text_of(scratch.path / "example.json")).at("status"), "singular");
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+}  // namespace
+}  // namespace plastron::io
