@@ -100,6 +100,13 @@ int main(int argc, char** argv) {
   CLI::App* check_command = program.add_subcommand("check", "Examine a case without solving it");
   check_command->add_option("CASE", options.case_file, "Case file (TOML)")->required();
 
+  StudyCommand comparison{.kind = "compare", .case_file = {}, .output = {}};
+  CLI::App* compare_command =
+      program.add_subcommand("compare", "Solve a case in every formulation and set them side by side");
+  compare_command->add_option("CASE", comparison.case_file, "Case file (TOML)")->required();
+  compare_command->add_option("-o,--output", comparison.output, "Directory for compare.json and compare.svg")
+      ->required();
+  compare_command->add_flag("-q,--quiet", comparison.quiet, "Print errors only");
   StudyCommand study_options;
   std::optional<int> steps;
   CLI::App* study_command = add_study(program, study_options, steps);
@@ -117,6 +124,7 @@ int main(int argc, char** argv) {
     for (int i = 0; i <= *steps; ++i) study_options.options.factors.push_back(std::ldexp(1.0, -i));
   }
   if (study_command->parsed()) return guarded([&] { return study_case(study_options); });
+  if (compare_command->parsed()) return guarded([&] { return study_case(comparison); });
   return guarded([&] { return run_command->parsed() ? run(options) : check(options.case_file); });
 }
 

@@ -4,10 +4,18 @@
 
 #include <plastron/config/case.hpp>
 #include <plastron/io/study_report.hpp>
+#include <plastron/study/compare.hpp>
 
 #include <mpi.h>
 
 namespace plastron::app {
+
+namespace {
+
+/// What `plastron compare` runs: a report like a study's.
+constexpr study::Kind comparison{"compare", "all formulations side by side", study::compare};
+
+}  // namespace
 
 ExitCode study_case(const StudyCommand& command) {
   const config::Case c = config::read_case(command.case_file);
@@ -20,8 +28,8 @@ ExitCode study_case(const StudyCommand& command) {
   }
 
   StageProgress progress(command.quiet);
-  const study::Report report =
-      study::find_kind(command.kind)->run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
+  const study::Kind* kind = command.kind == comparison.name ? &comparison : study::find_kind(command.kind);
+  const study::Report report = kind->run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
   progress.finish();
   if (exit_code(report.status) == bad_input) {
     print_error("{}: error: {}\n", command.case_file.string(), contact::explain(report.status));

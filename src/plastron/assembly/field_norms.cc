@@ -16,7 +16,7 @@ SquaredNorms squared_norms(const ShellOperator& shell, const algebra::Vector& y)
   SquaredNorms sum;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const CellField nodal = shell.gather(c, y);
-    const CellField value = basis.value * nodal, d1 = basis.d1 * nodal, d2 = basis.d2 * nodal;
+    const auto [d1, d2, value] = shell.interpolation().fields(c, basis, shell.quadrature_bases(c), nodal);
     for (int q = 0; q < value.rows(); ++q) {
       const QuadraturePoint& p = shell.point(c, q);
       const auto& g = p.frame.metric_con;

@@ -71,6 +71,31 @@ void Interpolation::to_nodal_forces(std::size_t cell, CellField& forces) const {
   }
 }
 
+namespace {
+
+/// Every owned node's two vectors times a matrix of the node.
+template <class MatrixAt>
+algebra::Vector transformed(const algebra::Vector& y, const MatrixAt& matrix_at) {
+  algebra::Vector result = y;
+  for (std::size_t i = 0; i < y.owned().size() / 3; ++i)
+    Eigen::Map<Vector3d>(result.local().data() + 3 * i) =
+        matrix_at(i / 2) * Eigen::Map<const Vector3d>(y.local().data() + 3 * i);
+  result.update_ghosts();
+  return result;
+}
+
+}  // namespace
+
+algebra::Vector Interpolation::interpolated(const algebra::Vector& y) const {
+  if (!is_covariant_) return y;
+  return transformed(y, [&](std::size_t node) { return Matrix3d(node_bases_[node].transpose()); });
+}
+
+algebra::Vector Interpolation::nodal_values(const algebra::Vector& interpolated) const {
+  if (!is_covariant_) return interpolated;
+  return transformed(interpolated, [&](std::size_t node) { return Matrix3d(node_bases_[node].inverse().transpose()); });
+}
+
 FieldRows Interpolation::fields(std::size_t cell, const BasisAt& at, Bases bases, const CellField& nodal) const {
   if (!is_covariant_) return {at.d1 * nodal, at.d2 * nodal, at.value * nodal};
   const CellField c = components(cell, nodal);

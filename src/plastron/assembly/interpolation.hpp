@@ -46,6 +46,12 @@ class Interpolation {
   void write_row(std::size_t cell, const BasisAt& at, Eigen::Index point, Bases bases,
                  const shell::LocalField<double>& dual, Eigen::Ref<Eigen::RowVectorXd> row) const;
 
+  /// What is interpolated, at the nodes: (u, r) itself or its covariant components. These fields are polynomials in every
+  /// cell, so refinement carries them exactly. The results have valid ghosts.
+  algebra::Vector interpolated(const algebra::Vector& y) const;
+  /// The inverse of interpolated(), up to the normal part of r, which covariant interpolation does not have.
+  algebra::Vector nodal_values(const algebra::Vector& interpolated) const;
+
   /// (u, r) alone.
   CellField values(std::size_t cell, const BasisAt& at, const CellField& nodal) const;
   /// The transpose of values(): nodal forces of forces and couples at points.

@@ -19,7 +19,7 @@ namespace plastron::study {
 
 namespace {
 
-/// Nodal fields (u, r) of all levels so far, each carried to the finest of them.
+/// What is interpolated of (u, r) on all levels so far, each carried to the finest of them.
 class CarriedSolutions {
  public:
   CarriedSolutions(const Problem& problem, MPI_Comm comm)
@@ -29,7 +29,7 @@ class CarriedSolutions {
     if (level > 0) meshes_.refine(fields_);
     if (meshes_.space()->layout->global_size != solution.nodal.y.layout()->global_size)
       throw std::logic_error("a convergence study needs uniformly refined meshes");
-    fields_.push_back(solution.nodal.y);
+    fields_.push_back(solution.discrete->shell.interpolation().interpolated(solution.nodal.y));
     cells_.push_back(meshes_.space()->global_cells);
   }
   const std::vector<algebra::Vector>& fields() const { return fields_; }
@@ -107,7 +107,9 @@ Sequence solve_sequence(Problem problem, int reference, MPI_Comm comm, Observer 
   const double area = area_of(discrete);
   for (std::size_t l = 0; l < compared; ++l) {
     sequence.h.push_back(std::sqrt(area / static_cast<double>(carried.cells()[l])));
-    sequence.errors.push_back(relative_error(discrete.shell, carried.fields()[l], result.solution->nodal.y, scale));
+    sequence.errors.push_back(relative_error(discrete.shell,
+                                             discrete.shell.interpolation().nodal_values(carried.fields()[l]),
+                                             result.solution->nodal.y, scale));
   }
   return sequence;
 }

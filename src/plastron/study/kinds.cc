@@ -2,6 +2,7 @@
 
 #include <plastron/study/continuity.hpp>
 #include <plastron/study/convergence.hpp>
+#include <plastron/study/penalty.hpp>
 #include <plastron/study/thickness.hpp>
 
 #include <algorithm>
@@ -12,6 +13,7 @@ namespace plastron::study {
 std::span<const Kind> kinds() {
   static constexpr std::array all{
       Kind{"convergence", "how fast the error falls with the mesh size", convergence},
+      Kind{"penalty", "whether the penalised solution converges as p goes to zero", penalty},
       Kind{"thickness", "what happens as the thickness goes to zero", thickness},
       Kind{"continuity", "whether the solution depends continuously on load, thickness and obstacle", continuity},
   };

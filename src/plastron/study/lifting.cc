@@ -34,7 +34,7 @@ std::optional<double> lifting_norm(const assembly::DiscreteShell& discrete, std:
   std::int64_t marked = 0;
   for (const char mark : at) marked += mark != 0;
   if (algebra::sum_over_ranks(marked, discrete.space().layout->comm) == 0) return 0;
-  const algebra::Matrix A = assembly::stiffness_matrix(discrete.shell, discrete.coordinates);
+  const algebra::Matrix A = assembly::stiffness_matrix(discrete);
   algebra::Factorisation F(A);
   contact::BoxProblem box = assembly::box_problem(discrete, A);
   prescribe(discrete, at, change, box);

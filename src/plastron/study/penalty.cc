@@ -1,0 +1,132 @@
+// U_p is followed down to the smallest p that can be computed. Two references on the same mesh: the last U_p, which shows
+// the rate in p undisturbed by the mesh, and the tangent solution, which shows where the mesh and locking take over.
+#include <plastron/study/penalty.hpp>
+
+#include <plastron/study/exponents.hpp>
+#include <plastron/study/solve.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::study {
+
+namespace {
+
+using assembly::Formulation;
+
+struct Sample {
+  double p = 0;
+  contact::Status status = contact::Status::solved;
+  Level finest{};
+  double tilt_energy = 0;  ///< of the penalty [J]
+  algebra::Vector y{};
+};
+
+Sample solve_for(Problem problem, const assembly::Tangency& tangency, MPI_Comm comm, const Observer& observer,
+                 std::optional<Solution>* keep = nullptr) {
+  problem.discretisation.tangency = tangency;
+  problem.probes.clear();
+  Result result = solve(problem, comm, observer);
+  Sample sample{.p = tangency.penalty, .status = result.status, .finest = result.levels.back()};
+  sample.tilt_energy = result.summary.tilt_energy;
+  if (result.solution) sample.y = result.solution->nodal.y;
+  if (keep) *keep = std::move(result.solution);
+  return sample;
+}
+
+/// || y - reference ||_a / || reference ||_a
+double relative_distance(const assembly::ShellOperator& shell, algebra::Vector y, const algebra::Vector& reference) {
+  for (std::size_t i = 0; i < y.local().size(); ++i) y.local()[i] -= reference.local()[i];
+  return std::sqrt(shell.energies(y).total() / shell.energies(reference).total());
+}
+
+/// Whether rounding, not the penalty, decides the digits of a solution.
+bool is_spoilt(const Sample& s) { return s.status != contact::Status::solved || s.finest.linear_residual > 1e-8; }
+
+Table empty_table() {
+  return {.name = "penalty",
+          .title = "Does the penalised solution converge as the penalty parameter goes to zero?",
+          .columns = {{"penalty", "p", "1"},
+                      {"to the limit", "|U_p - U_0|_a", "1"},
+                      {"to tangent", "|U_p - U|_a", "1"},
+                      {"tilt", "max |r.a3|", "1"},
+                      {"penalty energy", "", "J"},
+                      {"energy", "1/2 a(U,U)", "J"},
+                      {"reaction", "|R|", "N"},
+                      {"steps", "", "1"},
+                      {"residual", "", "1"}}};
+}
+
+}  // namespace
+
+Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
+  constexpr int most_decades = 16;
+  Report report{.table = empty_table(),
+                .plot = {.title = "Penalised formulation as p goes to zero",
+                         .x = {"penalty p", true},
+                         .y = {"relative difference in the energy norm, largest |r.a3|", true}}};
+  if (observer.stage) observer.stage("tangent");
+  std::optional<Solution> kept;
+  const Sample tangent = solve_for(problem, {}, comm, observer.solve, &kept);
+  report.status = tangent.status;
+  if (tangent.status != contact::Status::solved) return report;
+  const assembly::ShellOperator& shell = kept->discrete->shell;
+
+  std::vector<Sample> samples;
+  std::string end = "no end was met";
+  for (int decade = 0; decade <= most_decades; ++decade) {
+    const double p = std::pow(10.0, -decade);
+    if (observer.stage) observer.stage(fmt::format("p = {:g}", p));
+    Sample s = solve_for(problem, {.formulation = Formulation::penalised, .penalty = p}, comm, observer.solve);
+    if (is_spoilt(s)) {
+      end = fmt::format("conditioning stops it at p = {:g}: {}, relative residual {:.1e}", p,
+                        contact::to_string(s.status), s.finest.linear_residual);
+      break;
+    }
+    samples.push_back(std::move(s));
+  }
+  if (samples.empty()) return report.status = contact::Status::linear_solver_stalled, report;
+
+  std::vector<double> p, to_limit, to_tangent, tilt;
+  for (const Sample& s : samples) {
+    p.push_back(s.p);
+    to_limit.push_back(relative_distance(shell, s.y, samples.back().y));
+    to_tangent.push_back(relative_distance(shell, s.y, tangent.y));
+    tilt.push_back(s.finest.max_tilt);
+    report.table.rows.push_back({s.p, &s == &samples.back() ? std::nan("") : to_limit.back(), to_tangent.back(),
+                                 tilt.back(), s.tilt_energy, s.finest.energy, s.finest.reaction,
+                                 static_cast<std::int64_t>(s.finest.iterations), s.finest.linear_residual});
+  }
+  // Where p is small enough for the asymptotic law and far enough from the last one, which serves as the limit.
+  std::vector<double> p_fit, d_fit;
+  const bool is_flat = *std::ranges::max_element(to_limit) < 1e-9;
+  for (std::size_t i = 0; i + 3 < p.size(); ++i)
+    if (to_limit[i] < 0.1 && to_limit[i] > 1e-8 && p[i] > 100 * p.back()) {
+      p_fit.push_back(p[i]);
+      d_fit.push_back(to_limit[i]);
+    }
+  const double exponent = fitted_exponent(p_fit, d_fit, 3);
+  report.table.fits.push_back({"distance to the limit", "p", exponent});
+  report.table.claims.push_back(
+      {.statement = "|U_p - U_0|_a falls like p",
+       .measured = is_flat
+                       ? "no difference above rounding: r . a_3 takes no part on this chart"
+                       : fmt::format("p^{:.2f} on the last three of {} values above rounding", exponent, p_fit.size()),
+       .holds = is_flat || std::abs(exponent - 1) < 0.15});
+  const auto nearest = std::ranges::min_element(to_tangent);
+  report.table.remarks.push_back(fmt::format(
+      "closest to the tangent formulation at p = {:g}: {:.2e}; with smaller p the elements are kept from bending "
+      "by r . a_3 = 0 between nodes (locking), more so for low degree and on coarse meshes",
+      p[static_cast<std::size_t>(nearest - to_tangent.begin())], *nearest));
+  report.table.remarks.push_back(end);
+  to_limit.pop_back();
+  report.plot.series = {{"to the limit", {p.begin(), p.end() - 1}, to_limit},
+                        {"to the tangent formulation", p, to_tangent},
+                        {"largest |r.a3|", p, tilt, true}};
+  report.plot.slopes = {{1, "slope 1"}};
+  return report;
+}
+
+}  // namespace plastron::study

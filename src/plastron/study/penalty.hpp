@@ -1,0 +1,10 @@
+// Study: the penalty going to zero (docs/methods/study-penalty.md).
+#pragma once
+#include <plastron/study/kinds.hpp>
+
+namespace plastron::study {
+
+/// || U - U_p || for p = 1, 1/10, ... until conditioning stops it: the paper's Theorem 3 and Remark 4. (collective)
+Report penalty(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+
+}  // namespace plastron::study
