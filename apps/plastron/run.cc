@@ -7,7 +7,21 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+
 namespace plastron::app {
+
+namespace {
+
+/// The warnings that the examination has not given already.
+void print_new_warnings(const std::vector<std::string>& warnings, const std::vector<study::Finding>& findings,
+                        const std::string& case_file) {
+  for (const std::string& warning : warnings)
+    if (std::ranges::find(findings, warning, &study::Finding::text) == findings.end())
+      print_error("{}: warning: {}\n", case_file, warning);
+}
+
+}  // namespace
 
 ExitCode run(const RunOptions& options) {
   const config::Case c = config::read_case(options.case_file);
@@ -22,6 +36,7 @@ ExitCode run(const RunOptions& options) {
   if (!options.quiet) print("{}\n\n", c.title.empty() ? options.case_file.string() : c.title);
   Progress progress(c.problem.obstacle.has_value(), options.quiet);
   const study::Result result = study::solve(c.problem, MPI_COMM_WORLD, progress.observer());
+  print_new_warnings(result.warnings, findings, options.case_file.string());
   if (exit_code(result.status) == bad_input) {
     print_error("{}: error: {}\n", options.case_file.string(), contact::explain(result.status));
     return bad_input;

@@ -50,7 +50,7 @@ double interpolation_error(int refinements) {
   const auto discrete = shell_of(m, {.formulation = Formulation::classical});
   const Vector3d c(0.3, -0.2, 0.5), w(0.1, 0.7, -0.4);
   const algebra::Vector y = test::rigid_motion(*m.space, discrete->points, c, w);
-  const BasisAt at = basis_at(2, {{0.3, 0.6}});
+  const BasisAt at = basis_at(fem::Shape::quadrilateral, 2, {{0.3, 0.6}});
   double worst = 0;
   for (std::size_t cell = 0; cell < m.space->owned_cells; ++cell) {
     std::array<geometry::SurfaceJet, 1> jet;

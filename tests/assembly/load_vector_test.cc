@@ -16,8 +16,8 @@ Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {
   return sum;
 }
 
-ShellOperator cap_on_disk(int degree, int refinements) {
-  const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, degree, refinements);
+ShellOperator cap_on_disk(int degree, int refinements, fem::Shape shape = test::quadrilateral) {
+  const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, degree, refinements, shape);
   return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true};
 }
 
@@ -51,6 +51,17 @@ TEST(LoadVector, AnEdgeLoadSumsToForceTimesLengthOfTheCurveInSpace) {
   const double length = 2 * std::numbers::pi * 0.8;
   EXPECT_NEAR(sum[1], 7 * length, 1e-9);
   EXPECT_NEAR(sum[5], 0.64 / 2 * length, 1e-6);
+}
+
+TEST(LoadVector, TrianglesCarryTheSameTotals) {
+  const auto shell = cap_on_disk(2, 4, test::triangle);
+  AreaLoad pressure;
+  pressure.pressure = geometry::Expression(2.0);
+  EdgeLoad rim{.boundary = "rim"};
+  rim.force[1] = geometry::Expression(7.0);
+  const auto sum = total(load_vector(shell, {pressure}, {rim}));
+  EXPECT_NEAR(sum[2], 2 * std::numbers::pi * 0.64, 1e-8);
+  EXPECT_NEAR(sum[1], 7 * 2 * std::numbers::pi * 0.8, 1e-8);
 }
 
 TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {

@@ -6,12 +6,17 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 
 namespace plastron::test {
 
 inline const std::array<std::string, 3> flat{"x", "y", "0.3"};
 inline const std::array<std::string, 3> saddle{"x", "y", "0.5 + 0.3*(x^2 - y^2) + 0.1*x*y"};
 inline const std::array<std::string, 3> cap{"x", "y", "2 - sqrt(4 - x^2 - y^2)"};
+
+/// An element: shape, degree, tying.
+using Element = std::tuple<fem::Shape, int, bool>;
+constexpr auto quadrilateral = fem::Shape::quadrilateral, triangle = fem::Shape::triangle;
 
 struct MeshedSurface {
   std::shared_ptr<const fem::Space> space;
@@ -22,8 +27,8 @@ struct MeshedSurface {
 inline fem::Polygon skew() { return {{{0, 0}, {1, 0.1}, {0.9, 1.1}, {-0.1, 0.8}}}; }
 
 inline MeshedSurface meshed(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree,
-                            int refinements) {
-  fem::MeshSequence meshes(fem::coarse_mesh(domain), degree, MPI_COMM_WORLD);
+                            int refinements, fem::Shape shape = fem::Shape::quadrilateral) {
+  fem::MeshSequence meshes(fem::coarse_mesh(domain, shape), degree, MPI_COMM_WORLD);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   std::map<std::string, geometry::Chart> charts;
   charts.emplace("", geometry::Chart(chart, {}));

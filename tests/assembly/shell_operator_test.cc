@@ -10,8 +10,9 @@
 namespace plastron::assembly {
 namespace {
 
-ShellOperator make(const std::array<std::string, 3>& chart, int degree, int refinements, bool tying) {
-  const auto m = test::meshed(test::skew(), chart, degree, refinements);
+ShellOperator make(const std::array<std::string, 3>& chart, const test::Element& element, int refinements) {
+  const auto [shape, degree, tying] = element;
+  const auto m = test::meshed(test::skew(), chart, degree, refinements, shape);
   return {m.space, m.surface, geometry::Expression("0.1 + 0.02*x", {}), test::steel_like(), tying};
 }
 
@@ -24,12 +25,16 @@ algebra::Vector random_field(const fem::Space& space, int seed) {
   return y;
 }
 
-class EveryElement : public testing::TestWithParam<std::tuple<int, bool>> {};
-INSTANTIATE_TEST_SUITE_P(Degrees, EveryElement, testing::Combine(testing::Values(1, 2, 3, 4, 6), testing::Bool()));
+class EveryElement : public testing::TestWithParam<test::Element> {};
+INSTANTIATE_TEST_SUITE_P(Quadrilaterals, EveryElement,
+                         testing::Combine(testing::Values(test::quadrilateral), testing::Values(1, 2, 3, 4, 6),
+                                          testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(Triangles, EveryElement,
+                         testing::Combine(testing::Values(test::triangle), testing::Values(1, 2),
+                                          testing::Values(false)));
 
 TEST_P(EveryElement, TheStrainMatrixTimesAFieldIsItsStrain) {
-  const auto [degree, tying] = GetParam();
-  const ShellOperator shell = make(test::saddle, degree, 1, tying);
+  const ShellOperator shell = make(test::saddle, GetParam(), 1);
   const algebra::Vector y = random_field(shell.space(), 1);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const CellField field = shell.gather(c, y);
@@ -42,8 +47,7 @@ TEST_P(EveryElement, TheStrainMatrixTimesAFieldIsItsStrain) {
 }
 
 TEST_P(EveryElement, ForcesAreTheTransposeOfStrains) {
-  const auto [degree, tying] = GetParam();
-  const ShellOperator shell = make(test::saddle, degree, 0, tying);
+  const ShellOperator shell = make(test::saddle, GetParam(), 0);
   const CellField v = shell.gather(0, random_field(shell.space(), 2));
   const CellStrain e = shell.strains(0, v);
   CellStrain s = CellStrain::Random(e.rows(), 8);
@@ -53,20 +57,22 @@ TEST_P(EveryElement, ForcesAreTheTransposeOfStrains) {
 }
 
 TEST_P(EveryElement, TheElementMatrixIsSymmetricAndMakesTheEnergy) {
-  const auto [degree, tying] = GetParam();
-  const ShellOperator shell = make(test::saddle, degree, 0, tying);
+  const ShellOperator shell = make(test::saddle, GetParam(), 0);
   const algebra::Vector y = random_field(shell.space(), 3);
-  const CellField field = shell.gather(0, y);
-  const Eigen::Map<const Eigen::VectorXd> v(field.data(), field.size());
-  const RowMatrix k = element_stiffness(shell, 0);
-  EXPECT_EQ((k - k.transpose()).norm(), 0);
+  double sum = 0;
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const CellField field = shell.gather(c, y);
+    const Eigen::Map<const Eigen::VectorXd> v(field.data(), field.size());
+    const RowMatrix k = element_stiffness(shell, c);
+    EXPECT_EQ((k - k.transpose()).norm(), 0);
+    sum += v.dot(k * v) / 2;
+  }
   const double energy = shell.energies(y).total();
-  EXPECT_NEAR(v.dot(k * v) / 2, energy, 1e-11 * energy);
+  EXPECT_NEAR(sum, energy, 1e-11 * energy);
 }
 
 TEST_P(EveryElement, ApplyIsTheDerivativeOfTheEnergy) {
-  const auto [degree, tying] = GetParam();
-  const ShellOperator shell = make(test::saddle, degree, 1, tying);
+  const ShellOperator shell = make(test::saddle, GetParam(), 1);
   const algebra::Vector y = random_field(shell.space(), 4);
   algebra::Vector f(shell.space().layout, 6);
   shell.apply(y, f);
@@ -76,9 +82,8 @@ TEST_P(EveryElement, ApplyIsTheDerivativeOfTheEnergy) {
 }
 
 TEST_P(EveryElement, ATranslationHasNoStrainAtAll) {
-  const auto [degree, tying] = GetParam();
   for (const auto& chart : {test::flat, test::saddle, test::cap}) {
-    const ShellOperator shell = make(chart, degree, 1, tying);
+    const ShellOperator shell = make(chart, GetParam(), 1);
     const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
     const auto y = test::rigid_motion(shell.space(), points, {1, -2, 0.5}, {0, 0, 0});
     EXPECT_LT(shell.energies(y).total(), 1e-25);
@@ -86,8 +91,7 @@ TEST_P(EveryElement, ATranslationHasNoStrainAtAll) {
 }
 
 TEST_P(EveryElement, ARotationOfAFlatShellHasNoStrain) {
-  const auto [degree, tying] = GetParam();
-  const ShellOperator shell = make(test::flat, degree, 1, tying);
+  const ShellOperator shell = make(test::flat, GetParam(), 1);
   const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
   const auto y = test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7});
   EXPECT_LT(shell.energies(y).total(), 1e-25);
@@ -95,12 +99,12 @@ TEST_P(EveryElement, ARotationOfAFlatShellHasNoStrain) {
 
 // phi and a_3 are no polynomials, so a rotation is only interpolated: strain O(h^k), energy O(h^2k).
 TEST_P(EveryElement, TheEnergyOfARotationFallsLikeTheMeshSizeToTheTwiceDegree) {
-  const auto [degree, tying] = GetParam();
+  const int degree = std::get<1>(GetParam());
   if (degree > 4) return;
   for (const auto& chart : {test::saddle, test::cap}) {
     double energy[2];
     for (int i = 0; i < 2; ++i) {
-      const ShellOperator shell = make(chart, degree, i + 2, tying);
+      const ShellOperator shell = make(chart, GetParam(), i + 2);
       const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
       energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
     }
@@ -111,7 +115,7 @@ TEST_P(EveryElement, TheEnergyOfARotationFallsLikeTheMeshSizeToTheTwiceDegree) {
 TEST(ShellOperator, TheRateOfARotationsEnergyIsAtMostWhatTheInterpolationGives) {
   double energy[2];
   for (int i = 0; i < 2; ++i) {
-    const ShellOperator shell = make(test::cap, 1, i + 3, true);
+    const ShellOperator shell = make(test::cap, {test::quadrilateral, 1, true}, i + 3);
     const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
     energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
   }

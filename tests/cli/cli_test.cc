@@ -17,6 +17,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const std::string strip = R"(title = "Pressed strip"
 [shell]
@@ -134,6 +135,31 @@ TEST(GoodCase, prints_its_levels_and_writes_its_results) {
   const auto results = results_in(scratch.path / "out");
   EXPECT_EQ(results.at("status"), "solved");
   EXPECT_EQ(results.at("levels").size(), 2u);
+}
+
+TEST(GoodCase, may_have_triangles) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(2, "cells = \"triangle\"\n"));
+  const Outcome outcome = plastron({"run", "case.toml", "--output", "out"}, scratch.path);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, Not(HasSubstr("warning")));
+  const auto results = results_in(scratch.path / "out");
+  EXPECT_EQ(results.at("levels").at(2).at("cells"), 4 * 8 * 16);
+  EXPECT_EQ(results.at("settings").at("mesh").at("cells"), "triangle");
+  EXPECT_EQ(results.at("settings").at("mesh").at("tying"), false);
+  EXPECT_TRUE(results.at("warnings").empty());
+  EXPECT_GT(results.at("contact").at("nodes"), 0);
+}
+
+TEST(GoodCase, is_warned_once_when_its_elements_lock) {
+  const Scratch scratch;
+  scratch.write("case.toml", strip + "[mesh]\ndegree = 1\nrefinements = 0\ncells = \"triangle\"\n");
+  const Outcome outcome = plastron({"run", "case.toml", "--output", "out"}, scratch.path);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const auto first = outcome.output.find("warning: triangles of degree 1 without tying are likely to lock");
+  EXPECT_NE(first, std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.output.find("likely to lock", first + 80), std::string::npos) << outcome.output;
+  EXPECT_EQ(results_in(scratch.path / "out").at("warnings").size(), 1u);
 }
 
 TEST(GoodCase, prints_nothing_when_quiet) {

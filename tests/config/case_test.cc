@@ -99,6 +99,17 @@ TEST(MeshAndSolver, TakeWhatTheyAreGiven) {
   EXPECT_EQ(problem.contact.multiplier_tolerance, 1e-7);
 }
 
+TEST(Triangles, AreNotTied) {
+  for (const char* mesh : {"cells = \"triangle\"\n", "tying = false\ndegree = 1\ncells = \"triangle\"\n"}) {
+    const Case c = parsed(std::string("[mesh]\n") + mesh);
+    EXPECT_EQ(c.problem.discretisation.cells, fem::Shape::triangle);
+    EXPECT_FALSE(c.problem.discretisation.tying);
+    EXPECT_EQ(c.effective["mesh"]["tying"], false);
+    EXPECT_EQ(c.effective["mesh"]["cells"], "triangle");
+  }
+  EXPECT_EQ(parsed().problem.discretisation.cells, fem::Shape::quadrilateral);
+}
+
 TEST(Effective, HasTheDefaultsInTheShapeOfTheFile) {
   const Case c = parsed();
   const auto& e = c.effective;

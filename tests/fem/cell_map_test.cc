@@ -1,6 +1,7 @@
 // The exact maps of coarse cells and their derivatives.
 #include <gtest/gtest.h>
 #include <plastron/fem/cell_map.hpp>
+#include <plastron/fem/reference_cell.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -65,6 +66,17 @@ TEST(Arc, stays_on_its_circle) {
 }
 
 TEST(BlendedMap, has_the_derivatives_of_its_values) { expect_derivatives_of_values(barrel()); }
+
+TEST(TriangleLagrangeMap, has_the_derivatives_of_its_values_and_keeps_its_nodes) {
+  for (const int order : {1, 2, 3}) {
+    TriangleLagrangeMap map{order, {}};
+    for (const Vector2d& p : lattice(Shape::triangle, order))
+      map.nodes.emplace_back(p[0] + 0.1 * std::sin(2 * p[1]), p[1] + 0.2 * p[0] * p[0]);
+    expect_derivatives_of_values(map);
+    const auto at = lattice(Shape::triangle, order);
+    for (std::size_t i = 0; i < at.size(); ++i) EXPECT_LT((map(at[i]).value - map.nodes[i]).norm(), 1e-15);
+  }
+}
 
 TEST(BlendedMap, keeps_every_edge) {
   const BlendedMap map = barrel();

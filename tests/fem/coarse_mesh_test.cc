@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "fem/mesh_measure.hpp"
 
@@ -174,6 +175,46 @@ TEST(Polygon, that_is_small_is_meshed_like_a_large_one) {
   const std::size_t cells = scaled(1).cells.size();
   EXPECT_EQ(scaled(1.0 / 1024).cells.size(), cells);
   EXPECT_EQ(scaled(1024).cells.size(), cells);
+}
+
+// ---- triangles -----------------------------------------------------------------------------------------------------
+
+TEST(Triangles, of_a_domain_are_its_quadrilaterals_cut_crosswise) {
+  const Rectangle regions{.to = {3, 1}, .cells = {3, 1}, .breaks = {1}, .regions = {"flat", "round"}};
+  for (const Domain& domain : std::vector<Domain>{Rectangle{}, regions, Disk{.radius = 2}, Annulus{}}) {
+    const CoarseMesh whole = coarse_mesh(domain), cut = coarse_mesh(domain, Shape::triangle);
+    EXPECT_EQ(cut.shape, Shape::triangle);
+    expect_cells_fit(cut);
+    EXPECT_EQ(cut.cells.size(), 4 * whole.cells.size());
+    EXPECT_NEAR(area(cut), area(whole), 1e-13);
+    EXPECT_EQ(cut.boundaries, whole.boundaries);
+    EXPECT_EQ(chords(cut), chords(whole));
+    for (const CoarseCell& c : cut.cells) EXPECT_EQ(c.vertices[3], -1);
+  }
+  for (const CoarseCell& c : coarse_mesh(regions, Shape::triangle).cells)
+    EXPECT_EQ(c.region, c.map(centre(Shape::triangle)).value[0] < 1 ? 0 : 1);
+}
+
+// A triangle with all its vertices on a clamped boundary could not bend at all.
+TEST(Triangles, of_a_built_in_domain_have_a_vertex_inside) {
+  for (const Domain& domain : std::vector<Domain>{Rectangle{}, Disk{}, Annulus{}, Polygon{polygons()[0].corners}}) {
+    const CoarseMesh mesh = coarse_mesh(domain, Shape::triangle);
+    std::set<int> outside;
+    for (const BoundaryEdge& e : mesh.edges) outside.insert(e.vertices.begin(), e.vertices.end());
+    for (const CoarseCell& c : mesh.cells)
+      EXPECT_FALSE(outside.contains(c.vertices[0]) && outside.contains(c.vertices[1]) &&
+                   outside.contains(c.vertices[2]));
+  }
+}
+
+TEST(Triangles, of_polygons_fill_them) {
+  for (const auto& polygon : polygons()) {
+    const CoarseMesh mesh = coarse_mesh(Polygon{polygon.corners}, Shape::triangle);
+    EXPECT_EQ(mesh.shape, Shape::triangle);
+    expect_cells_fit(mesh);
+    EXPECT_NEAR(area(mesh), area(coarse_mesh(Polygon{polygon.corners})), 1e-12);
+    EXPECT_EQ(mesh.regions, std::vector<std::string>{""});
+  }
 }
 
 }  // namespace

@@ -16,7 +16,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
-CoarseMesh read(const std::string& name) { return coarse_mesh(MeshFile{std::string(PLASTRON_MESH_DIR "/") + name}); }
+CoarseMesh read(const std::string& name, Shape shape = Shape::quadrilateral) {
+  return coarse_mesh(MeshFile{std::string(PLASTRON_MESH_DIR "/") + name}, shape);
+}
 
 const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const std::string names = "$PhysicalNames\n2\n1 1 \"edge\"\n2 2 \"plate\"\n$EndPhysicalNames\n";
@@ -24,19 +26,19 @@ const std::string square = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndN
 const std::string edges = "1 1 2 1 1 1 2\n2 1 2 1 2 2 3\n3 1 2 1 3 3 4\n4 1 2 1 4 4 1\n";
 const std::string cell = "$Elements\n5\n" + edges + "5 3 2 2 1 1 2 3 4\n$EndElements\n";
 
-CoarseMesh read_text(const std::string& text) {
+CoarseMesh read_text(const std::string& text, Shape shape = Shape::quadrilateral) {
   const auto path = std::filesystem::temp_directory_path() / ("plastron-" + std::to_string(getpid()) + ".msh");
   std::ofstream(path) << text;
   struct Removed {
     std::filesystem::path path;
     ~Removed() { std::filesystem::remove(path); }
   } const removed{path};
-  return coarse_mesh(MeshFile{path.string()});
+  return coarse_mesh(MeshFile{path.string()}, shape);
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal(const std::string& text, Shape shape = Shape::quadrilateral) {
   try {
-    read_text(text);
+    read_text(text, shape);
   } catch (const DomainError& error) {
     return error.what();
   }
@@ -64,7 +66,8 @@ TEST(MeshFile, of_second_order_has_curved_cells) {
   double outermost = 0;
   for (const CoarseCell& c : mesh.cells)
     for (const double t : {0.0, 0.5, 1.0})
-      for (int side = 0; side < 4; ++side) outermost = std::max(outermost, c.map(side_point(side, t)).value.norm());
+      for (int side = 0; side < 4; ++side)
+        outermost = std::max(outermost, c.map(side_point(mesh.shape, side, t)).value.norm());
   EXPECT_NEAR(outermost, 2, 1e-8);
 }
 
@@ -115,11 +118,54 @@ TEST(WrongMeshFile, that_is_no_mesh_is_refused) {
   refusal(header + names + square + "$Elements\n1\n5 3 2 2 1 1 2 3 9\n$EndElements\n");
 }
 
-TEST(WrongMeshFile, of_triangles_is_told_to_recombine) {
+// Four triangles of second order round the origin on the unit circle, the third one drawn clockwise.
+TEST(MeshFile, of_triangles_of_second_order_has_curved_cells) {
+  const CoarseMesh mesh = read("triangle-circle-2.2.msh", Shape::triangle);
+  EXPECT_EQ(mesh.shape, Shape::triangle);
+  expect_cells_fit(mesh);
+  EXPECT_EQ(mesh.cells.size(), 4u);
+  EXPECT_EQ(mesh.vertices.size(), 5u);
+  EXPECT_THAT(mesh.boundaries, UnorderedElementsAre("right", "left"));
+  // Each side is a parabola over a chord of length sqrt(2) with the sagitta 1 - 1/sqrt(2): two thirds of their product.
+  EXPECT_NEAR(area(mesh), 2 + 4 * 2.0 / 3 * std::sqrt(2.0) * (1 - std::sqrt(0.5)), 1e-13);
+}
+
+TEST(MeshFile, of_quadrilaterals_is_cut_crosswise_where_triangles_are_wanted) {
+  for (const char* name : {"quarter-annulus-2.2.msh", "two-regions-4.1.msh", "clockwise-2.2.msh"}) {
+    const CoarseMesh whole = read(name), cut = read(name, Shape::triangle);
+    expect_cells_fit(cut);
+    EXPECT_EQ(cut.cells.size(), 4 * whole.cells.size());
+    EXPECT_EQ(cut.vertices.size(), whole.vertices.size() + whole.cells.size());
+    EXPECT_EQ(cut.edges.size(), whole.edges.size());
+    EXPECT_EQ(cut.regions, whole.regions);
+    EXPECT_NEAR(area(cut), area(whole), 1e-13);
+  }
+}
+
+TEST(MeshFile, may_mix_triangles_and_quadrilaterals_where_triangles_are_wanted) {
+  const CoarseMesh mesh = read_text(header + names +
+                                        "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 2 .5 0\n$EndNodes\n"
+                                        "$Elements\n2\n1 3 2 2 1 1 2 3 4\n2 2 2 2 1 2 5 3\n$EndElements\n",
+                                    Shape::triangle);
+  expect_cells_fit(mesh);
+  EXPECT_EQ(mesh.cells.size(), 5u);
+  EXPECT_NEAR(area(mesh), 1.5, 1e-14);
+}
+
+TEST(WrongMeshFile, of_incomplete_triangles_is_told_to_complete_them) {
+  const std::string nine_nodes =
+      "$Nodes\n9\n1 0 0 0\n2 3 0 0\n3 0 3 0\n4 1 0 0\n5 2 0 0\n6 2 1 0\n7 1 2 0\n8 0 2 0\n9 0 1 0\n$EndNodes\n";
+  EXPECT_THAT(refusal(header + names + nine_nodes + "$Elements\n1\n1 20 2 2 1 1 2 3 4 5 6 7 8 9\n$EndElements\n",
+                      Shape::triangle),
+              HasSubstr("only complete triangles"));
+}
+
+TEST(WrongMeshFile, of_triangles_is_told_to_recombine_or_to_ask_for_triangles) {
   const std::string message =
       refusal(header + names + square + "$Elements\n2\n1 2 2 2 1 1 2 3\n2 2 2 2 1 1 3 4\n$EndElements\n");
   EXPECT_THAT(message, HasSubstr("Triangle"));
   EXPECT_THAT(message, HasSubstr("Recombine"));
+  EXPECT_THAT(message, HasSubstr("cells = \"triangle\""));
 }
 
 TEST(WrongMeshFile, of_incomplete_quadrilaterals_is_told_to_complete_them) {

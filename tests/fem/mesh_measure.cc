@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/triangle_basis.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace plastron::fem {
@@ -16,14 +18,25 @@ const CellMap& map_of(const Space& space, const Cell& cell) {
   return space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map;
 }
 
-/// int over [corner, corner + size]^2 of the Jacobian of a map.
-double area(const CellMap& map, const Vector2d& corner, double size) {
-  static const Rule rule = gauss(16);
+/// Points and weights on the reference cell, exact far beyond need.
+TriangleRule fine_rule(Shape shape) {
+  if (shape == Shape::triangle) return triangle_rule(30);
+  const Rule line = gauss(16);
+  TriangleRule rule;
+  for (std::size_t i = 0; i < line.points.size(); ++i)
+    for (std::size_t j = 0; j < line.points.size(); ++j) {
+      rule.points.emplace_back(line.points[i], line.points[j]);
+      rule.weights.push_back(line.weights[i] * line.weights[j]);
+    }
+  return rule;
+}
+
+/// int of the Jacobian of a map over the part corner + size xi of its reference cell.
+double area(Shape shape, const CellMap& map, const Vector2d& corner, double size) {
+  const TriangleRule rule = fine_rule(shape);
   double sum = 0;
-  for (std::size_t i = 0; i < rule.points.size(); ++i)
-    for (std::size_t j = 0; j < rule.points.size(); ++j)
-      sum +=
-          rule.weights[i] * rule.weights[j] * jacobian(map(corner + size * Vector2d(rule.points[i], rule.points[j])));
+  for (std::size_t q = 0; q < rule.points.size(); ++q)
+    sum += rule.weights[q] * jacobian(map(corner + size * rule.points[q]));
   return sum * size * size;
 }
 
@@ -34,11 +47,11 @@ struct Side {
 };
 
 std::map<std::pair<int, int>, std::vector<Side>> sides_of(const CoarseMesh& mesh) {
-  constexpr int ends[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
   std::map<std::pair<int, int>, std::vector<Side>> sides;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for (int s = 0; s < 4; ++s) {
-      const int a = mesh.cells[c].vertices[ends[s][0]], b = mesh.cells[c].vertices[ends[s][1]];
+    for (int s = 0; s < corner_count(mesh.shape); ++s) {
+      const auto ends = side_corners(mesh.shape, s);
+      const int a = mesh.cells[c].vertices[ends[0]], b = mesh.cells[c].vertices[ends[1]];
       sides[std::minmax(a, b)].push_back({c, s, a < b});
     }
   return sides;
@@ -48,14 +61,14 @@ std::map<std::pair<int, int>, std::vector<Side>> sides_of(const CoarseMesh& mesh
 
 double area(const CoarseMesh& mesh) {
   double sum = 0;
-  for (const CoarseCell& cell : mesh.cells) sum += area(cell.map, Vector2d::Zero(), 1);
+  for (const CoarseCell& cell : mesh.cells) sum += area(mesh.shape, cell.map, Vector2d::Zero(), 1);
   return sum;
 }
 
 double owned_area(const Space& space) {
   double sum = 0;
   for (std::size_t c = 0; c < space.owned_cells; ++c)
-    sum += area(map_of(space, space.cells[c]), space.cells[c].corner, space.cells[c].size);
+    sum += area(space.shape(), map_of(space, space.cells[c]), space.cells[c].corner, space.cells[c].size);
   return sum;
 }
 
@@ -68,8 +81,10 @@ std::map<std::string, double> owned_boundary_lengths(const Space& space) {
     double& length =
         lengths[face.boundary < 0 ? "" : space.coarse->boundaries[static_cast<std::size_t>(face.boundary)]];
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
-      const PlaneJet f = map_of(space, cell)(cell.corner + cell.size * side_point(face.side, rule.points[q]));
-      length += rule.weights[q] * cell.size * f.d[face.side < 2 ? 1 : 0].norm();
+      const Vector2d xi = side_point(space.shape(), face.side, rule.points[q]);
+      const PlaneJet f = map_of(space, cell)(cell.corner + cell.size * xi);
+      const Vector2d along = side_tangent(space.shape(), face.side);
+      length += rule.weights[q] * std::abs(cell.size) * (along[0] * f.d[0] + along[1] * f.d[1]).norm();
     }
   }
   return lengths;
@@ -81,12 +96,11 @@ Vector2d position(const Space& space, const Cell& cell, const Vector2d& xi) {
 
 void expect_cells_fit(const CoarseMesh& mesh) {
   for (const CoarseCell& cell : mesh.cells) {
-    for (int k = 0; k < 4; ++k) {
-      const Vector2d corner = cell.map(Vector2d(k % 2, k / 2)).value;
-      EXPECT_LT((corner - mesh.vertices[static_cast<std::size_t>(cell.vertices[k])]).norm(), 1e-14);
+    for (int k = 0; k < corner_count(mesh.shape); ++k) {
+      const Vector2d at = cell.map(corner(mesh.shape, k)).value;
+      EXPECT_LT((at - mesh.vertices[static_cast<std::size_t>(cell.vertices[k])]).norm(), 1e-14);
     }
-    for (const double s : {0.0, 0.3, 1.0})
-      for (const double t : {0.0, 0.6, 1.0}) EXPECT_GT(jacobian(cell.map(Vector2d(s, t))), 0);
+    for (const Vector2d& xi : lattice(mesh.shape, 3)) EXPECT_GT(jacobian(cell.map(xi)), 0);
     EXPECT_GE(cell.region, 0);
     EXPECT_LT(static_cast<std::size_t>(cell.region), mesh.regions.size());
   }
@@ -95,7 +109,7 @@ void expect_cells_fit(const CoarseMesh& mesh) {
     ASSERT_LE(all.size(), 2u);
     for (const double t : {0.0, 0.2, 0.5, 0.9}) {
       const auto at = [&](const Side& s) {
-        return mesh.cells[s.cell].map(side_point(s.side, s.forward ? t : 1 - t)).value;
+        return mesh.cells[s.cell].map(side_point(mesh.shape, s.side, s.forward ? t : 1 - t)).value;
       };
       EXPECT_LT((at(all.front()) - at(all.back())).norm(), 1e-14);
     }

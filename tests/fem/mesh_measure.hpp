@@ -8,7 +8,7 @@
 
 namespace plastron::fem {
 
-/// Area of Omega by Gauss quadrature over the exact maps.
+/// Area of Omega by quadrature over the exact maps.
 double area(const CoarseMesh& mesh);
 /// Area of the owned cells of one rank.
 double owned_area(const Space& space);
@@ -17,7 +17,7 @@ std::map<std::string, double> owned_boundary_lengths(const Space& space);
 /// The point of Omega at xi in a cell.
 Vector2d position(const Space& space, const Cell& cell, const Vector2d& xi);
 
-/// Expects that corners are the images of (0,0), (1,0), (0,1), (1,1), that maps keep the orientation, that neighbours
+/// Expects that vertices are the images of the reference cell's corners, that maps keep the orientation, that neighbours
 /// meet in the same points all along their common side, and that named edges are sides of cells.
 void expect_cells_fit(const CoarseMesh& mesh);
 

@@ -3,6 +3,7 @@
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
+#include <plastron/fem/triangle_basis.hpp>
 
 #include <cmath>
 #include <map>
@@ -21,6 +22,12 @@ struct Sample {
   Domain domain;
   double area;
   std::map<std::string, double> lengths;
+  Shape shape = Shape::quadrilateral;
+
+  CoarseMesh coarse() const { return coarse_mesh(domain, shape); }
+  MeshSequence meshes(int degree) const { return {coarse(), degree, MPI_COMM_WORLD}; }
+  std::vector<int> degrees() const { return shape == Shape::triangle ? std::vector{1, 2} : std::vector{1, 2, 3, 4, 5}; }
+  int highest_degree() const { return degrees().back(); }
 };
 
 std::vector<Sample> samples() {
@@ -49,33 +56,46 @@ std::vector<Sample> samples() {
 
 template <class Check>
 void for_every_sample(const Check& check) {
-  for (const Sample& s : samples()) {
-    SCOPED_TRACE(s.name);
-    check(s);
-  }
+  for (Sample& s : samples())
+    for (const Shape shape : {Shape::quadrilateral, Shape::triangle}) {
+      SCOPED_TRACE(s.name + (shape == Shape::triangle ? " of triangles" : ""));
+      s.shape = shape;
+      check(s);
+    }
 }
 
 double over_ranks(double value) { return algebra::sum_over_ranks(value, MPI_COMM_WORLD); }
 std::int64_t over_ranks(std::int64_t value) { return algebra::sum_over_ranks(value, MPI_COMM_WORLD); }
 
 struct Counts {
+  Shape shape;
   std::int64_t vertices, edges, cells;
-  Counts refined() const { return {vertices + edges + cells, 2 * edges + 4 * cells, 4 * cells}; }
-  std::int64_t nodes(int k) const { return vertices + (k - 1) * edges + (k - 1) * (k - 1) * cells; }
+  Counts refined() const {
+    if (shape == Shape::triangle) return {shape, vertices + edges, 2 * edges + 3 * cells, 4 * cells};
+    return {shape, vertices + edges + cells, 2 * edges + 4 * cells, 4 * cells};
+  }
+  std::int64_t nodes(int k) const {
+    const int inside = shape == Shape::triangle ? (k - 1) * (k - 2) / 2 : (k - 1) * (k - 1);
+    return vertices + (k - 1) * edges + inside * cells;
+  }
 };
 
 Counts counts_of(const CoarseMesh& mesh) {
   std::set<std::pair<int, int>> edges;
-  constexpr int ends[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
+  const int sides = corner_count(mesh.shape);
   for (const CoarseCell& cell : mesh.cells)
-    for (const auto& e : ends) edges.insert(std::minmax(cell.vertices[e[0]], cell.vertices[e[1]]));
+    for (int s = 0; s < sides; ++s) {
+      const auto e = side_corners(mesh.shape, s);
+      edges.insert(std::minmax(cell.vertices[e[0]], cell.vertices[e[1]]));
+    }
   std::set<int> used;
-  for (const CoarseCell& cell : mesh.cells) used.insert(cell.vertices.begin(), cell.vertices.end());
-  return {static_cast<std::int64_t>(used.size()), static_cast<std::int64_t>(edges.size()),
+  for (const CoarseCell& cell : mesh.cells) used.insert(cell.vertices.begin(), cell.vertices.begin() + sides);
+  return {mesh.shape, static_cast<std::int64_t>(used.size()), static_cast<std::int64_t>(edges.size()),
           static_cast<std::int64_t>(mesh.cells.size())};
 }
 
-std::vector<Vector2d> nodes_of_cell(int degree) {
+std::vector<Vector2d> nodes_of_cell(Shape shape, int degree) {
+  if (shape == Shape::triangle) return lattice(shape, degree);
   std::vector<Vector2d> xi;
   const auto line = gauss_lobatto(degree + 1).points;
   for (const double t : line)
@@ -87,7 +107,7 @@ std::vector<Vector2d> nodes_of_cell(int degree) {
 algebra::Vector node_positions(const Space& space) {
   algebra::Vector positions(space.layout, 2);
   std::vector<char> known(static_cast<std::size_t>(space.layout->local_size()));
-  const auto xi = nodes_of_cell(space.degree);
+  const auto xi = nodes_of_cell(space.shape(), space.degree);
   for (const bool checking : {false, true}) {
     for (std::size_t c = 0; c < space.cells.size(); ++c)
       for (std::size_t i = 0; i < xi.size(); ++i) {
@@ -107,8 +127,8 @@ algebra::Vector node_positions(const Space& space) {
 
 TEST(MeshSequence, has_as_many_cells_and_nodes_as_euler_counts) {
   for_every_sample([](const Sample& s) {
-    const CoarseMesh coarse = coarse_mesh(s.domain);
-    for (const int k : {1, 2, 5}) {
+    const CoarseMesh coarse = s.coarse();
+    for (const int k : {1, 2, s.highest_degree()}) {
       MeshSequence meshes(coarse, k, MPI_COMM_WORLD);
       Counts counts = counts_of(coarse);
       for (int level = 0; level < 3; ++level) {
@@ -126,7 +146,7 @@ TEST(MeshSequence, has_as_many_cells_and_nodes_as_euler_counts) {
 
 TEST(MeshSequence, covers_the_domain_on_every_level) {
   for_every_sample([](const Sample& s) {
-    MeshSequence meshes(coarse_mesh(s.domain), 1, MPI_COMM_WORLD);
+    MeshSequence meshes = s.meshes(1);
     for (int level = 0; level < 3; ++level) {
       EXPECT_NEAR(over_ranks(owned_area(*meshes.space())), s.area, 1e-12);
       meshes.refine({});
@@ -136,7 +156,7 @@ TEST(MeshSequence, covers_the_domain_on_every_level) {
 
 TEST(MeshSequence, names_boundary_faces_after_their_boundary) {
   for_every_sample([](const Sample& s) {
-    MeshSequence meshes(coarse_mesh(s.domain), 2, MPI_COMM_WORLD);
+    MeshSequence meshes = s.meshes(2);
     for (int level = 0; level < 3; ++level) {
       auto lengths = owned_boundary_lengths(*meshes.space());
       for (const auto& [name, length] : s.lengths) EXPECT_NEAR(over_ranks(lengths[name]), length, 1e-11) << name;
@@ -148,8 +168,8 @@ TEST(MeshSequence, names_boundary_faces_after_their_boundary) {
 
 TEST(MeshSequence, gives_every_node_one_position_in_all_its_cells) {
   for_every_sample([](const Sample& s) {
-    for (int k = 1; k <= 5; ++k) {
-      MeshSequence meshes(coarse_mesh(s.domain), k, MPI_COMM_WORLD);
+    for (const int k : s.degrees()) {
+      MeshSequence meshes = s.meshes(k);
       for (int level = 0; level < 3; ++level) {
         node_positions(*meshes.space());
         meshes.refine({});
@@ -160,7 +180,7 @@ TEST(MeshSequence, gives_every_node_one_position_in_all_its_cells) {
 
 TEST(MeshSequence, gives_different_nodes_different_positions) {
   for_every_sample([](const Sample& s) {
-    MeshSequence meshes(coarse_mesh(s.domain), 3, MPI_COMM_WORLD);
+    MeshSequence meshes = s.meshes(std::min(3, s.highest_degree()));
     meshes.refine({});
     const algebra::Vector positions = node_positions(*meshes.space());
     std::set<std::pair<std::int64_t, std::int64_t>> seen;
@@ -172,49 +192,131 @@ TEST(MeshSequence, gives_different_nodes_different_positions) {
 
 TEST(MeshSequence, lists_owned_cells_first_and_orients_all_cells_alike) {
   for_every_sample([](const Sample& s) {
-    MeshSequence meshes(coarse_mesh(s.domain), 2, MPI_COMM_WORLD);
+    MeshSequence meshes = s.meshes(2);
     meshes.refine({});
     const Space& space = *meshes.space();
     ASSERT_LE(space.owned_cells, space.cells.size());
     ASSERT_EQ(space.connectivity.elements(), space.cells.size());
     for (const Cell& cell : space.cells) {
-      EXPECT_EQ(cell.size, 0.5);
+      EXPECT_EQ(std::abs(cell.size), 0.5);
       const PlaneJet f =
-          space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * Vector2d(0.5, 0.5));
+          space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * centre(s.shape));
       EXPECT_NE(f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0], 0);
       EXPECT_GT(f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0], 0);  // every a_3 on the same side
     }
   });
 }
 
-/// A polynomial of degree k in x and in y.
-double polynomial(int k, double x, double y) {
+/// A polynomial of degree k in x and in y, and of degree k altogether for triangles.
+double polynomial(Shape shape, int k, double x, double y) {
+  if (shape == Shape::triangle) return std::pow(x - 0.3, k) + std::pow(y + 0.2 * x, k) - 2 * x - y + 1;
   return std::pow(x - 0.3, k) * (1 + std::pow(y + 0.2, k)) - 2 * x * y + 1;
 }
 
+void expect_polynomials_carried_exactly(Shape shape, int k) {
+  MeshSequence meshes(coarse_mesh(Rectangle{.to = {1.5, 1}, .cells = {3, 2}}, shape), k, MPI_COMM_WORLD);
+  std::vector<algebra::Vector> fields;
+  fields.emplace_back(meshes.space()->layout, 1);
+  fields.emplace_back(meshes.space()->layout, 3);
+  for (int level = 0; level < 3; ++level) {
+    const algebra::Vector x = node_positions(*meshes.space());
+    for (std::size_t i = 0; i < x.local().size() / 2; ++i) {
+      const double exact = polynomial(shape, k, x.local()[2 * i], x.local()[2 * i + 1]);
+      for (int field = 0; field < 2; ++field)
+        for (std::size_t c = 0; c < (field == 0 ? 1u : 3u); ++c) {
+          double& value = fields[static_cast<std::size_t>(field)].local()[(field == 0 ? 1u : 3u) * i + c];
+          const double expected = exact * (1.0 + static_cast<double>(c)) + field;
+          if (level == 0) value = expected;
+          EXPECT_NEAR(value, expected, 1e-12);
+        }
+    }
+    meshes.refine(fields);
+    EXPECT_EQ(fields[0].layout(), meshes.space()->layout);
+    EXPECT_EQ(fields[1].block(), 3);
+  }
+}
+
 TEST(Refinement, carries_polynomials_of_the_elements_degree_exactly) {
-  for (int k = 1; k <= 5; ++k) {
-    MeshSequence meshes(coarse_mesh(Rectangle{.to = {1.5, 1}, .cells = {3, 2}}), k, MPI_COMM_WORLD);
+  for (int k = 1; k <= 5; ++k) expect_polynomials_carried_exactly(Shape::quadrilateral, k);
+  for (int k = 1; k <= 2; ++k) expect_polynomials_carried_exactly(Shape::triangle, k);
+}
+
+// Any field, not only a polynomial: the coarse function itself is in the finer space.
+TEST(Refinement, of_triangles_keeps_the_function) {
+  for (const int k : {1, 2}) {
+    MeshSequence meshes(coarse_mesh(Disk{}, Shape::triangle), k, MPI_COMM_WORLD);
+    const auto coarse = meshes.space();
     std::vector<algebra::Vector> fields;
-    fields.emplace_back(meshes.space()->layout, 1);
-    fields.emplace_back(meshes.space()->layout, 3);
-    for (int level = 0; level < 3; ++level) {
-      const algebra::Vector x = node_positions(*meshes.space());
-      for (std::size_t i = 0; i < x.local().size() / 2; ++i) {
-        const double exact = polynomial(k, x.local()[2 * i], x.local()[2 * i + 1]);
-        for (int field = 0; field < 2; ++field)
-          for (std::size_t c = 0; c < (field == 0 ? 1u : 3u); ++c) {
-            double& value = fields[static_cast<std::size_t>(field)].local()[(field == 0 ? 1u : 3u) * i + c];
-            const double expected = exact * (1.0 + static_cast<double>(c)) + field;
-            if (level == 0) value = expected;
-            EXPECT_NEAR(value, expected, 1e-12);
-          }
-      }
-      meshes.refine(fields);
-      EXPECT_EQ(fields[0].layout(), meshes.space()->layout);
-      EXPECT_EQ(fields[1].block(), 3);
+    fields.emplace_back(coarse->layout, 1);
+    for (algebra::LocalIndex i = 0; i < coarse->layout->local_size(); ++i)
+      fields[0].local()[static_cast<std::size_t>(i)] = std::sin(7.0 * static_cast<double>(coarse->layout->global(i)));
+    const algebra::Vector before = fields[0];
+    meshes.refine(fields);
+    const Space& fine = *meshes.space();
+    for (std::size_t c = 0; c < fine.cells.size(); ++c) {
+      const Vector2d xi = fine.cells[c].corner + fine.cells[c].size * Vector2d(0.2, 0.3);
+      const auto parent =
+          std::ranges::find(coarse->cells, fine.cells[c].coarse, [](const Cell& cell) { return cell.coarse; });
+      if (parent == coarse->cells.end()) continue;  // on another rank
+      const auto value = [&](const Space& space, const algebra::Vector& field, std::size_t cell, const Vector2d& at) {
+        const auto basis = triangle_lagrange(k, at).value;
+        double sum = 0;
+        for (std::size_t i = 0; i < space.nodes(cell).size(); ++i)
+          sum += basis[static_cast<Eigen::Index>(i)] * field.local()[static_cast<std::size_t>(space.nodes(cell)[i])];
+        return sum;
+      };
+      EXPECT_NEAR(value(fine, fields[0], c, {0.2, 0.3}),
+                  value(*coarse, before, static_cast<std::size_t>(parent - coarse->cells.begin()), xi), 1e-14);
     }
   }
+}
+
+/// Hash of the whole mesh: global node numbers of every cell, told apart by its place.
+std::map<std::array<std::int64_t, 4>, std::vector<std::int64_t>> nodes_by_place(const Space& space) {
+  std::map<std::array<std::int64_t, 4>, std::vector<std::int64_t>> all;
+  for (std::size_t c = 0; c < space.cells.size(); ++c) {
+    const Cell& cell = space.cells[c];
+    auto& nodes = all[{cell.coarse, std::llround(cell.corner[0] * 1024), std::llround(cell.corner[1] * 1024),
+                       std::llround(cell.size * 1024)}];
+    for (const auto node : space.nodes(c)) nodes.push_back(space.layout->global(node));
+  }
+  return all;
+}
+
+TEST(Triangles, are_numbered_the_same_on_any_number_of_ranks) {
+  for (const int k : {1, 2}) {
+    const CoarseMesh coarse = coarse_mesh(Disk{}, Shape::triangle);
+    MeshSequence together(coarse, k, MPI_COMM_WORLD), alone(coarse, k, MPI_COMM_SELF);
+    for (int level = 0; level < 3; ++level) {
+      const auto whole = nodes_by_place(*alone.space()), here = nodes_by_place(*together.space());
+      for (const auto& [place, nodes] : here) EXPECT_EQ(nodes, whole.at(place));
+      together.refine({});
+      alone.refine({});
+    }
+  }
+}
+
+// The supports of a node need every boundary face at it, the matrix every element.
+TEST(Triangles, round_an_owned_node_are_all_local) {
+  for_every_sample([](const Sample& s) {
+    if (s.shape == Shape::quadrilateral) return;
+    MeshSequence together = s.meshes(2), alone(s.coarse(), 2, MPI_COMM_SELF);
+    together.refine({});
+    alone.refine({});
+    const auto cells_at = [](const Space& space) {
+      std::map<std::int64_t, int> count;
+      for (std::size_t c = 0; c < space.cells.size(); ++c)
+        for (const auto node : space.nodes(c)) ++count[space.layout->global(node)];
+      return count;
+    };
+    auto whole = cells_at(*alone.space()), here = cells_at(*together.space());
+    const algebra::Layout& layout = *together.space()->layout;
+    for (algebra::LocalIndex i = 0; i < layout.owned; ++i) EXPECT_EQ(here[layout.global(i)], whole[layout.global(i)]);
+  });
+}
+
+TEST(Triangles, of_degree_three_are_refused) {
+  EXPECT_THROW(MeshSequence(coarse_mesh(Disk{}, Shape::triangle), 3, MPI_COMM_WORLD), DomainError);
 }
 
 TEST(Refinement, leaves_spaces_that_are_still_held_alone) {
@@ -228,7 +330,7 @@ TEST(Refinement, leaves_spaces_that_are_still_held_alone) {
 
 TEST(Point, is_found_in_the_cell_that_holds_it) {
   for_every_sample([](const Sample& s) {
-    MeshSequence meshes(coarse_mesh(s.domain), 2, MPI_COMM_WORLD);
+    MeshSequence meshes = s.meshes(2);
     meshes.refine({});
     meshes.refine({});
     const Space& space = *meshes.space();
@@ -236,6 +338,7 @@ TEST(Point, is_found_in_the_cell_that_holds_it) {
     for (const CoarseCell& cell : coarse.cells)
       for (const Vector2d& xi :
            {Vector2d(0.3, 0.6), Vector2d(0.5, 0.5), Vector2d(0, 0), Vector2d(1, 0.25), Vector2d(0.9, 1)}) {
+        if (!holds(s.shape, xi, 0)) continue;
         const Vector2d point = cell.map(xi).value;
         const auto location = locate(coarse, point);
         ASSERT_TRUE(location) << point.transpose();
@@ -243,7 +346,7 @@ TEST(Point, is_found_in_the_cell_that_holds_it) {
                   1e-8);
         std::int64_t holders = 0;
         for (std::size_t c = 0; c < space.owned_cells; ++c)
-          if (const auto local = local_coordinates(space.cells[c], *location)) {
+          if (const auto local = local_coordinates(s.shape, space.cells[c], *location)) {
             ++holders;
             EXPECT_LT((position(space, space.cells[c], *local) - point).norm(), 1e-8);
           }
@@ -260,12 +363,15 @@ TEST(Point, outside_of_the_domain_is_nowhere) {
   EXPECT_FALSE(locate(coarse_mesh(Annulus{}), {0.49, 0}));
   EXPECT_FALSE(locate(coarse_mesh(Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}), {1.5, 1.5}));
   EXPECT_FALSE(locate(coarse_mesh(Disk{}), {1e6, -1e6}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::triangle), {0.8, 0.8}));
+  EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::triangle), {0, 0}));
 }
 
 TEST(Point, on_the_boundary_is_inside) {
   for (int k = 0; k < 16; ++k) {
     const Vector2d direction(std::cos(k * pi / 8 + 0.1), std::sin(k * pi / 8 + 0.1));
     EXPECT_TRUE(locate(coarse_mesh(Disk{}), direction));
+    EXPECT_TRUE(locate(coarse_mesh(Disk{}, Shape::triangle), direction));
     EXPECT_TRUE(locate(coarse_mesh(Annulus{}), direction));
     EXPECT_TRUE(locate(coarse_mesh(Annulus{}), direction / 2));
   }

@@ -95,15 +95,41 @@ TEST(Sides, list_the_nodes_that_lie_on_them_in_their_direction) {
   for (const int k : {1, 2, 5}) {
     const auto line = gauss_lobatto(k + 1).points;
     for (int side = 0; side < 4; ++side) {
-      const auto nodes = side_nodes(k, side);
+      const auto nodes = side_nodes(Shape::quadrilateral, k, side);
       for (int i = 0; i <= k; ++i) {
         const int node = nodes[static_cast<std::size_t>(i)];
         const Vector2d at(line[static_cast<std::size_t>(node % (k + 1))],
                           line[static_cast<std::size_t>(node / (k + 1))]);
-        EXPECT_EQ(at, side_point(side, line[static_cast<std::size_t>(i)]));
+        EXPECT_EQ(at, side_point(Shape::quadrilateral, side, line[static_cast<std::size_t>(i)]));
       }
     }
   }
+}
+
+TEST(Sides, of_a_triangle_run_round_it) {
+  for (const int k : {1, 2, 3}) {
+    const auto points = lattice(Shape::triangle, k);
+    for (int side = 0; side < 3; ++side) {
+      const auto nodes = side_nodes(Shape::triangle, k, side);
+      ASSERT_EQ(nodes.size(), static_cast<std::size_t>(k + 1));
+      for (int i = 0; i <= k; ++i)
+        EXPECT_LT((points[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])] -
+                   side_point(Shape::triangle, side, static_cast<double>(i) / k))
+                      .norm(),
+                  1e-15);
+      EXPECT_EQ(side_point(Shape::triangle, side, 1), side_point(Shape::triangle, (side + 1) % 3, 0));
+    }
+  }
+}
+
+TEST(Sides, have_tangents_that_run_anticlockwise_and_are_the_derivatives_of_their_points) {
+  for (const Shape shape : {Shape::quadrilateral, Shape::triangle})
+    for (int side = 0; side < corner_count(shape); ++side) {
+      const Vector2d along = side_tangent(shape, side), chord = side_point(shape, side, 1) - side_point(shape, side, 0),
+                     inwards = centre(shape) - side_point(shape, side, 0.5);
+      EXPECT_LT(std::min((along - chord).norm(), (along + chord).norm()), 1e-15);
+      EXPECT_GT(along[0] * inwards[1] - along[1] * inwards[0], 0);
+    }
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ study::Problem pressed_plate(const PressedPlate& options) {
   problem.area_loads.push_back(load);
   if (options.obstacle) problem.obstacle = study::Obstacle{};
   problem.probes.push_back({.name = "centre", .at = {0.5, 0.5}});
-  problem.discretisation = {.degree = options.degree, .refinements = options.refinements};
+  problem.discretisation = {.cells = options.shape, .degree = options.degree, .refinements = options.refinements};
   return problem;
 }
 

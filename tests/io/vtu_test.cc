@@ -123,6 +123,55 @@ TEST(Vtu, lists_the_points_of_a_cell_in_the_order_of_a_lagrange_quadrilateral) {
   }
 }
 
+// Corners round the cell, then the middles of its sides 0-1, 1-2, 2-0.
+TEST(Vtu, lists_the_points_of_a_triangle_in_the_order_of_a_lagrange_triangle) {
+  for (const int degree : {1, 2}) {
+    const Written w = written({.degree = degree, .refinements = 1, .shape = fem::Shape::triangle});
+    const std::size_t per_cell = degree == 1 ? 3 : 6;
+    ASSERT_EQ(w.file.cells, 64U);
+    ASSERT_EQ(w.file.points, 64U * per_cell);
+    constexpr int vtk_lagrange_triangle = 69;
+    EXPECT_THAT(w.file.types, Each(vtk_lagrange_triangle));
+    const VtuArray &phi = w.file.arrays.at("reference position"), &x = w.file.arrays.at("x");
+    double area = 0;
+    for (std::size_t cell = 0; cell < w.file.cells; ++cell) {
+      EXPECT_EQ(w.file.offsets[cell], static_cast<int>((cell + 1) * per_cell));
+      const auto index = [&](std::size_t i) {
+        return static_cast<std::size_t>(w.file.connectivity[cell * per_cell + i]);
+      };
+      const auto point = [&](std::size_t i) { return vector_at(phi, index(i)); };
+      const double doubled = (point(1) - point(0)).cross(point(2) - point(0)).z();
+      EXPECT_GT(doubled, 0);
+      area += doubled / 2;
+      for (std::size_t side = 0; degree == 2 && side < 3; ++side)
+        EXPECT_LT((point(3 + side) - (point(side) + point((side + 1) % 3)) / 2).norm(), single_precision);
+      for (std::size_t i = 0; i < per_cell; ++i) EXPECT_NEAR(2 * x.values[index(i)], point(i)[0], 3 * single_precision);
+    }
+    EXPECT_NEAR(area, 2, 1e-5);
+  }
+}
+
+// The reaction of a cell is that of its nodes with a weight: linear through the vertices (degree 1) or through the
+// middles of the sides (degree 2), so its integral is the area times the mean of three values.
+TEST(Vtu, of_triangles_has_a_pressure_whose_integral_is_the_reaction) {
+  for (const int degree : {1, 2}) {
+    const Written w = written({.degree = degree, .refinements = 2, .shape = fem::Shape::triangle});
+    const std::size_t per_cell = degree == 1 ? 3 : 6;
+    const VtuArray &phi = w.file.arrays.at("reference position"), &eta = w.file.arrays.at("eta");
+    double sum = 0;
+    for (std::size_t cell = 0; cell < w.file.cells; ++cell) {
+      const auto at = [&](std::size_t i) { return static_cast<std::size_t>(w.file.connectivity[cell * per_cell + i]); };
+      const double area =
+          (vector_at(phi, at(1)) - vector_at(phi, at(0))).cross(vector_at(phi, at(2)) - vector_at(phi, at(0))).norm() /
+          2;
+      for (std::size_t i = 0; i < 3; ++i) sum += area / 3 * eta.values[at(i)];  // a linear function's mean, either way
+    }
+    const double reaction = w.result.summary.reaction.force[2];
+    EXPECT_GT(reaction, 0);
+    EXPECT_NEAR(sum, reaction, 1e-5 * reaction);
+  }
+}
+
 /// Sum over the cells of the nodal quadrature of eta, with equidistant points that are nodes: degrees 1 and 2.
 double integral_of_eta(const VtuFile& file, int degree) {
   const auto weights = fem::gauss_lobatto(degree + 1).weights;

@@ -56,6 +56,16 @@ TEST(Ranks, do_not_change_a_pressed_bowl) {
   expect_same_alone_and_together(p);
 }
 
+TEST(Ranks, do_not_change_a_pressed_bowl_of_triangles) {
+  for (int k = 1; k <= 2; ++k) {
+    Problem p = pressed_bowl();
+    p.discretisation.cells = fem::Shape::triangle;
+    p.discretisation.degree = k;
+    p.probes = {{.name = "middle", .at = {0, 0}}, {.name = "flank", .at = {0.2, 0.1}}};
+    expect_same_alone_and_together(p);
+  }
+}
+
 // Some ranks then own no cells on the coarsest meshes, or cells but no nodes.
 TEST(Ranks, may_outnumber_the_cells) {
   for (const int cells : {1, 2})

@@ -136,5 +136,18 @@ INSTANTIATE_TEST_SUITE_P(Elements, Patch, testing::Combine(testing::Values(1, 2,
                                   (std::get<1>(test.param) ? "_tied" : "_plain");
                          });
 
+// Straight triangles have every constant strain in their space and no tying to take it out again.
+TEST(TrianglePatch, keeps_every_constant_state_of_its_degree) {
+  for (const fem::Domain& domain : {parallelogram, rectangle, pentagon})
+    for (int k = 1; k <= 2; ++k)
+      for (const State& state : {rigid(), stretched(), sheared(), bent()}) {
+        if (k == 1 && state.name == "bent") continue;
+        SCOPED_TRACE(state.name);
+        Problem p = patch(domain, state, k, false);
+        p.discretisation.cells = fem::Shape::triangle;
+        EXPECT_LT(nodal_error(p, state), 1e-12) << "degree " << k;
+      }
+}
+
 }  // namespace
 }  // namespace plastron::study

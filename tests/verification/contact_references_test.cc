@@ -103,6 +103,27 @@ TEST_P(ContactReferences, EnergyReactionAndContactBoundaryAreRight) {
              worst_misplaced_node(r) / r.element_size);
 }
 
+TEST(TriangleContactReference, OfDegreeTwoHasTheEnergyAndTheReactionOfTheCap) {
+  ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 4);
+  reference.problem.discretisation.cells = fem::Shape::triangle;
+  const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved);
+  EXPECT_LE(result.levels.back().unknowns, most_unknowns);
+  EXPECT_TRUE(result.warnings.empty());
+  const double energy = relative(result.summary.energy.total(), reference.energy),
+               reaction = relative(result.summary.reaction.force[2], reference.reaction);
+  fmt::print("{} triangles degree 2 unknowns {}: energy {:.1e} reaction {:.1e}, {:.1e} deep between nodes\n",
+             reference.name, result.levels.back().unknowns, energy, reaction, -result.certificate.min_gap_between);
+  EXPECT_LT(energy, 2e-4);
+  EXPECT_LT(reaction, 2e-4);
+  EXPECT_LT(-result.certificate.min_gap_between, 1e-4);
+  const assembly::Certificate& c = result.certificate;
+  EXPECT_LT(c.stationarity, 1e-9);
+  EXPECT_LT(c.energy_identity, 1e-9);
+  EXPECT_GE(c.min_pressure, 0);
+  EXPECT_GT(c.min_gap_nodes, -1e-12);
+}
+
 // R1: a clamped strip of length 1 that touches along [b, 1 - b]. Outside the strip is a beam with clamped end and free
 // boundary: closed forms of the reference, which the file carries; here the boundary must converge to it.
 TEST(ContactClosedForm, TheContactBoundaryOfAStripConvergesToItsClosedForm) {

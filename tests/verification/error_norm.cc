@@ -1,6 +1,7 @@
 #include "verification/error_norm.hpp"
 
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/triangle_basis.hpp>
 
 #include <cmath>
 #include <numeric>
@@ -16,7 +17,11 @@ struct FinePoints {
   std::vector<double> weights;
 };
 
-FinePoints fine_points(int degree) {
+FinePoints fine_points(fem::Shape shape, int degree) {
+  if (shape == fem::Shape::triangle) {
+    const fem::TriangleRule rule = fem::triangle_rule(2 * degree + 5);
+    return {rule.points, rule.weights};
+  }
   const fem::Rule rule = fem::gauss(degree + 3);
   FinePoints points;
   for (std::size_t j = 0; j < rule.points.size(); ++j)
@@ -51,8 +56,8 @@ struct Squares {
 double energy_error(const study::Solution& solution, const Manufactured& exact) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const assembly::ShellOperator& shell = discrete.shell;
-  const FinePoints fine = fine_points(shell.space().degree);
-  const auto basis = assembly::basis_at(shell.space().degree, fine.xi);
+  const FinePoints fine = fine_points(shell.space().shape(), shell.space().degree);
+  const auto basis = assembly::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
   const auto tied = assembly::tied_interpolation(shell.tables(), fine.xi);
   Squares sum;
   std::vector<geometry::SurfaceJet> jets(fine.xi.size());
@@ -81,8 +86,8 @@ double energy_error(const study::Solution& solution, const Manufactured& exact) 
 
 double l2_error(const study::Solution& solution, const Manufactured& exact) {
   const assembly::ShellOperator& shell = solution.discrete->shell;
-  const FinePoints fine = fine_points(shell.space().degree);
-  const auto basis = assembly::basis_at(shell.space().degree, fine.xi);
+  const FinePoints fine = fine_points(shell.space().shape(), shell.space().degree);
+  const auto basis = assembly::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
   Squares sum;
   std::vector<double> x(fine.xi.size()), y(fine.xi.size());
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {

@@ -9,7 +9,8 @@
 namespace plastron::verification {
 
 /// |U - U_h| / |U| in the energy norm of (M8). Strains of U_h are those of the method (tied where tying is on),
-/// compared with the exact ones at (k + 3)^2 Gauss points of every cell, which are no special points of the element.
+/// compared with the exact ones at (k + 3)^2 Gauss points of every cell, collapsed ones on triangles, which are no
+/// special points of the element.
 double energy_error(const study::Solution& solution, const Manufactured& exact);
 
 /// |U - U_h| / |U| in L2, u and r together.

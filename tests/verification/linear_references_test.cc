@@ -64,6 +64,30 @@ TEST(Locking, WithoutTyingTheSameElementsLockTheMoreTheThinner) {
   EXPECT_LT(before, -0.5);
 }
 
+// The threshold of the warning: errors of 10 % and more come with it, errors below 2 % do not.
+TEST(Locking, TrianglesOfEitherDegreeLockAndAreWarnedAbout) {
+  struct Mesh {
+    int degree;
+    double thickness;
+    int refinements;
+  };
+  for (const Mesh m : {Mesh{1, 1e-2, 5}, Mesh{2, 1e-2, 2}, Mesh{2, 1e-2, 4}, Mesh{2, 1e-3, 3}, Mesh{2, 1e-3, 5}}) {
+    LinearReference reference =
+        hyperbolic_paraboloid(m.thickness, ShearCorrection::one, false, m.degree, m.refinements);
+    reference.problem.discretisation.cells = fem::Shape::triangle;
+    const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+    const double error = result.probes.front().values.u.dot(reference.direction) / reference.displacement - 1;
+    fmt::print("triangles on the hyperbolic paraboloid, e = {}, degree {} unknowns {}: {:+.1f} %{}\n", m.thickness,
+               m.degree, result.levels.back().unknowns, 100 * error, result.warnings.empty() ? "" : ", warned");
+    if (error < -0.1) {
+      EXPECT_EQ(result.warnings.size(), 1u);
+    }
+    if (error > -0.02) {
+      EXPECT_TRUE(result.warnings.empty());
+    }
+  }
+}
+
 TEST(LinearReferences, TheFreeHyperboloid) {
   for (const double thickness : {0.1, 0.01})
     for (const auto k : {ShearCorrection::one, ShearCorrection::five_sixths}) {

@@ -9,14 +9,6 @@ namespace plastron::assembly {
 
 namespace {
 
-std::vector<Eigen::Vector2d> lattice(int degree) {
-  const int n = 2 * degree;
-  std::vector<Eigen::Vector2d> points;
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) points.emplace_back(static_cast<double>(i) / n, static_cast<double>(j) / n);
-  return points;
-}
-
 /// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range.
 bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field,
                       std::span<const algebra::LocalIndex> nodes) {
@@ -38,7 +30,7 @@ double min_gap_between_nodes(const DiscreteShell& discrete, const algebra::Vecto
   const fem::Space& space = discrete.space();
   double smallest = std::numeric_limits<double>::infinity();
   if (discrete.gap) {
-    const BasisAt basis = basis_at(space.degree, lattice(space.degree));
+    const BasisAt basis = basis_at(space.shape(), space.degree, fem::lattice(space.shape(), 2 * space.degree));
     std::vector<geometry::SurfaceJet> jets(basis.xi.size());
     std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
     for (std::size_t c = 0; c < space.owned_cells; ++c) {

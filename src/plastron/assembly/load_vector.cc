@@ -60,15 +60,18 @@ void add_edge_load(const ShellOperator& shell, const EdgeLoad& load, algebra::Ve
   for (const fem::BoundaryFace& face : space.faces) {
     if (face.boundary != boundary || face.cell >= space.owned_cells) continue;
     std::vector<Eigen::Vector2d> xi;
-    for (const double t : rule.points) xi.push_back(fem::side_point(face.side, t));
+    for (const double t : rule.points) xi.push_back(fem::side_point(space.shape(), face.side, t));
     shell.surface().positions(space.cells[face.cell], xi, x, y);
     shell.surface().jets(space.cells[face.cell], xi, jets, false);
     CellField values = CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     add_expression(load.force, x, y, 0, values);
     add_expression(load.couple, x, y, 3, values);
+    const Eigen::Vector2d along = fem::side_tangent(space.shape(), face.side);
     for (std::size_t q = 0; q < xi.size(); ++q)
-      values.row(static_cast<Eigen::Index>(q)) *= rule.weights[q] * jets[q].d[face.side < 2 ? 1 : 0].norm();
-    shell.scatter(face.cell, shell.interpolation().forces_of(face.cell, basis_at(space.degree, xi), values), f);
+      values.row(static_cast<Eigen::Index>(q)) *=
+          rule.weights[q] * (along[0] * jets[q].d[0] + along[1] * jets[q].d[1]).norm();
+    const BasisAt basis = basis_at(space.shape(), space.degree, xi);
+    shell.scatter(face.cell, shell.interpolation().forces_of(face.cell, basis, values), f);
   }
 }
 

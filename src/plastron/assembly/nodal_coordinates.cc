@@ -186,7 +186,8 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
   algebra::Vector packed(space.layout, packed_size);
   for (std::size_t i = 0; i < node_support.size(); ++i) {
     const NodeSupport& s = node_support[i];
-    pack(node_columns(points[i], s, gap ? &coordinates.gaps[i] : nullptr),
+    // Vertices of triangles of degree 2 carry no weight in (M21), hence no bound.
+    pack(node_columns(points[i], s, gap && points[i].weight > 0 ? &coordinates.gaps[i] : nullptr),
          !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
   }
   packed.update_ghosts();

@@ -37,11 +37,12 @@ struct SupportError : std::invalid_argument {
 };
 
 struct NodalCoordinates {
-  int width = 5;                    ///< coordinates of a node: 6 where r . a_3 is one of them
-  std::vector<NodeBasis> basis;     ///< T of every local node
-  std::vector<char> supported;      ///< node has prescribed components (local)
-  std::vector<char> touchable;      ///< node has a contact bound on z_0 (local)
-  std::vector<double> bound_gap;    ///< gap at z_0 = 0, prescribed values included (local) [m]; NaN without obstacle
+  int width = 5;                 ///< coordinates of a node: 6 where r . a_3 is one of them
+  std::vector<NodeBasis> basis;  ///< T of every local node
+  std::vector<char> supported;   ///< node has prescribed components (local)
+  std::vector<char> touchable;   ///< node has a contact bound on z_0 (local)
+  /// gap at z_0 = 0, prescribed values included (local) [m]; NaN without obstacle, or where the nodal weight is 0
+  std::vector<double> bound_gap;
   algebra::Vector lower, upper;     ///< bounds of z (block: width)
   std::vector<obstacle::Gap> gaps;  ///< per local node; empty without obstacle
 

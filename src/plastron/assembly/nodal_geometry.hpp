@@ -18,7 +18,7 @@ struct NodalPoint {
   Vector3d phi;       ///< position [m]
   Vector3d a3;        ///< unit normal
   double thickness;   ///< e [m]
-  double weight;      ///< nodal quadrature weight: mid-surface area that the node stands for [m^2]
+  double weight;      ///< nodal quadrature weight: mid-surface area that the node stands for, or 0 [m^2]
 };
 
 /// Of every local node, the same on every rank that sees the node (collective).

@@ -37,11 +37,10 @@ class EdgeFrames {
   std::vector<EdgeFrame> frames_;
 };
 
-/// Outward conormal and tangent (anticlockwise round the domain) on a side of a cell.
-EdgeFrame edge_frame(const geometry::SurfaceJet& jet, int side) {
+/// Outward conormal and tangent (anticlockwise round the domain) on a side of a cell that runs along `side_tangent`.
+EdgeFrame edge_frame(const geometry::SurfaceJet& jet, const Eigen::Vector2d& side_tangent) {
   const Vector3d a3 = geometry::unit_normal(jet);
-  Vector3d tangent = jet.d[side < 2 ? 1 : 0].normalized();
-  if (side == 0 || side == 3) tangent = -tangent;
+  const Vector3d tangent = (side_tangent[0] * jet.d[0] + side_tangent[1] * jet.d[1]).normalized();
   return {tangent.cross(a3), tangent};
 }
 
@@ -67,17 +66,17 @@ std::vector<Vector3d> directions(Direction direction, const Vector3d& a3, const 
 /// The edge frames of one boundary at the owned nodes on it, by local node.
 std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_on(const fem::Space& space, const fem::Surface& surface,
                                                                   int boundary) {
-  const auto line = fem::gauss_lobatto(space.degree + 1).points;
+  const auto line = fem::gauss_lobatto(space.degree + 1).points;  // the nodes of a side on either shape
   std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames;
   std::vector<int> slot(static_cast<std::size_t>(space.layout->owned), -1);
   for (const fem::BoundaryFace& face : space.faces) {
     if (face.boundary != boundary) continue;
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
-    for (const double t : line) xi.push_back(fem::side_point(face.side, t));
+    for (const double t : line) xi.push_back(fem::side_point(space.shape(), face.side, t));
     std::vector<geometry::SurfaceJet> jets(xi.size());
     surface.jets(space.cells[face.cell], xi, jets, false);
-    const auto on_side = fem::side_nodes(space.degree, face.side);
+    const auto on_side = fem::side_nodes(space.shape(), space.degree, face.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const algebra::LocalIndex node = space.nodes(face.cell)[static_cast<std::size_t>(on_side[i])];
       if (node >= space.layout->owned) continue;
@@ -86,7 +85,7 @@ std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_on(const fem::Spa
         s = static_cast<int>(frames.size());
         frames.emplace_back(node, EdgeFrames{});
       }
-      frames[static_cast<std::size_t>(s)].second.add(edge_frame(jets[i], face.side));
+      frames[static_cast<std::size_t>(s)].second.add(edge_frame(jets[i], fem::side_tangent(space.shape(), face.side)));
     }
   }
   return frames;

@@ -1,31 +1,10 @@
 #include <plastron/assembly/recovery.hpp>
 
-#include <plastron/fem/basis.hpp>
-
 #include <limits>
 
 namespace plastron::assembly {
 
 namespace {
-
-std::vector<Eigen::Vector2d> square(const std::vector<double>& line) {
-  std::vector<Eigen::Vector2d> points;
-  for (const double b : line)
-    for (const double a : line) points.emplace_back(a, b);
-  return points;
-}
-
-MatrixXd tensor_interpolation(const std::vector<double>& line, const std::vector<Eigen::Vector2d>& xi) {
-  const auto n = static_cast<Eigen::Index>(line.size());
-  MatrixXd matrix(static_cast<Eigen::Index>(xi.size()), n * n);
-  for (Eigen::Index p = 0; p < matrix.rows(); ++p) {
-    const auto a = fem::lagrange(line, xi[static_cast<std::size_t>(p)][0]).value;
-    const auto b = fem::lagrange(line, xi[static_cast<std::size_t>(p)][1]).value;
-    for (Eigen::Index j = 0; j < n; ++j)
-      for (Eigen::Index i = 0; i < n; ++i) matrix(p, j * n + i) = a[i] * b[j];
-  }
-  return matrix;
-}
 
 struct SurfaceAxes {
   Vector3d t1, t2, a3;
@@ -48,12 +27,13 @@ Vector3d physical(const Vector3d& tensor, const Eigen::Matrix2d& to_axes) {
 
 Recovery::Recovery(const DiscreteShell& discrete, const NodalSolution& solution, const std::vector<Eigen::Vector2d>& xi)
     : discrete_(discrete), solution_(solution) {
+  const fem::Shape shape = discrete.space().shape();
   const int degree = discrete.space().degree;
-  const auto line = fem::gauss(degree).points;
-  const auto gauss_points = square(line);
-  from_gauss_ = tensor_interpolation(line, xi);
-  at_points_ = basis_at(degree, xi);
-  at_gauss_ = basis_at(degree, gauss_points);
+  const auto gauss_points = resultant_points(shape, degree);
+  from_gauss_ = resultant_continuation(shape, degree, xi);
+  at_points_ = basis_at(shape, degree, xi);
+  reaction_at_points_ = reaction_basis_at(shape, degree, xi);
+  at_gauss_ = basis_at(shape, degree, gauss_points);
   tied_at_gauss_ = tied_interpolation(discrete.shell.tables(), gauss_points);
 }
 
@@ -99,14 +79,16 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
 
   const CellField field = shell.gather(cell, solution_.y);
   const auto nodes = shell.space().nodes(cell);
-  Eigen::MatrixX3d scalars(static_cast<Eigen::Index>(nodes.size()), 3);
+  Eigen::MatrixX2d contact(static_cast<Eigen::Index>(nodes.size()), 2);
+  Eigen::VectorXd lambda(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto node = static_cast<std::size_t>(nodes[i]);
-    scalars.row(static_cast<Eigen::Index>(i)) << solution_.pressure.local()[node], solution_.touching.local()[node],
-        solution_.lambda.layout() ? solution_.lambda.local()[node] : 0;
+    contact.row(static_cast<Eigen::Index>(i)) << solution_.pressure.local()[node], solution_.touching.local()[node];
+    lambda[static_cast<Eigen::Index>(i)] = solution_.lambda.layout() ? solution_.lambda.local()[node] : 0;
   }
   const CellField values = shell.interpolation().values(cell, at_points_, field);
-  const Eigen::MatrixX3d scalar_values = at_points_.value * scalars;
+  const Eigen::MatrixX2d contact_values = reaction_at_points_ * contact;
+  const Eigen::VectorXd lambda_values = at_points_.value * lambda;
   const Eigen::MatrixXd resultants = from_gauss_ * resultants_at_gauss_points(cell, field);
 
   std::vector<PointValues> points(count);
@@ -124,9 +106,9 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
                  .r = r,
                  .gap = discrete_.gap ? discrete_.gap(jets[p].value, axes.a3, e[p])(u, geometry::tangential(r, axes.a3))
                                       : std::numeric_limits<double>::quiet_NaN(),
-                 .pressure = scalar_values(row, 0),
-                 .lambda = scalar_values(row, 2),
-                 .touching = scalar_values(row, 1),
+                 .pressure = contact_values(row, 0),
+                 .lambda = lambda_values[row],
+                 .touching = contact_values(row, 1),
                  .N = resultants.row(row).segment<3>(0),
                  .M = resultants.row(row).segment<3>(3),
                  .Q = resultants.row(row).segment<2>(6)};

@@ -23,7 +23,7 @@ struct PointValues {
   Eigen::Vector2d Q = Eigen::Vector2d::Zero();  ///< Q_1, Q_2 [N/m]
 };
 
-/// Evaluates a solution in cells at fixed points of the unit square. Resultants are taken at the k x k Gauss points,
+/// Evaluates a solution in cells at fixed points of the reference cell. Resultants are taken at resultant_points(),
 /// where they are most accurate, and continued from there as polynomials of degree k - 1; they may jump between cells.
 class Recovery {
  public:
@@ -39,6 +39,7 @@ class Recovery {
   BasisAt at_points_, at_gauss_;
   std::vector<MatrixXd> tied_at_gauss_;  // tied strains: sampling points -> reduced Gauss points
   MatrixXd from_gauss_;                  // reduced Gauss points -> points
+  MatrixXd reaction_at_points_;          // nodal reactions -> points
 };
 
 }  // namespace plastron::assembly

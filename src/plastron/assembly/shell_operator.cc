@@ -15,7 +15,7 @@ ShellOperator::ShellOperator(std::shared_ptr<const fem::Space> space, std::share
     : space_(std::move(space)),
       surface_(std::move(surface)),
       material_(material),
-      tables_(element_tables(space_->degree, tying)),
+      tables_(element_tables(space_->shape(), space_->degree, tying)),
       interpolation_(space_, surface_, tables_, is_covariant),
       sampling_bases_(tables_.samplings.size()) {
   const std::size_t cells = space_->owned_cells;
@@ -98,10 +98,14 @@ CellStrain ShellOperator::strains_at(std::size_t cell, const CellField& field, c
                                      std::span<const geometry::SurfaceJet> jets) const {
   CellStrain strains = CellStrain::Zero(basis.value.rows(), 8);
   const FieldRows rows = interpolation_.fields(cell, basis, interpolation_.bases(cell, basis.xi), field);
-  for (Eigen::Index p = 0; p < strains.rows(); ++p)
-    strains.row(p).segment<3>(3) =
-        shell::bending_strain(rows.at(p), geometry::frame_at(jets[static_cast<std::size_t>(p)]));
-  for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
+  for (Eigen::Index p = 0; p < strains.rows(); ++p) {
+    const SurfaceJet& jet = jets[static_cast<std::size_t>(p)];
+    strains.row(p).segment<3>(3) = shell::bending_strain(rows.at(p), geometry::frame_at(jet));
+    if (tables_.tying) continue;
+    strains.row(p).head<3>() = shell::membrane_strain(rows.at(p), jet.d);
+    strains.row(p).tail<2>() = shell::shear_strain(rows.at(p), jet.d, geometry::unit_normal(jet));
+  }
+  for (std::size_t s = 0; s < tied.size(); ++s) {
     const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field);
     for (const int m : tables_.samplings[s].membrane) strains.col(m) = at_points.col(m);
     for (const int d : tables_.samplings[s].shear) strains.col(6 + d) = at_points.col(3 + d);

@@ -62,8 +62,8 @@ class ShellOperator {
   /// CellField.
   RowMatrix strain_matrix(std::size_t cell) const;
 
-  /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), bending as
-  /// it is.
+  /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), all others
+  /// as they are.
   CellStrain strains_at(std::size_t cell, const CellField& field, const BasisAt& basis,
                         const std::vector<MatrixXd>& tied, std::span<const geometry::SurfaceJet> jets) const;
 

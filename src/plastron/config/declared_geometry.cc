@@ -36,7 +36,7 @@ Section domain_section() {
             .meaning = "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]"},
            {.name = "mesh",
             .kind = Kind::text,
-            .meaning = "a Gmsh file of quadrilaterals in the plane, its path relative to the case file; "
+            .meaning = "a Gmsh file of quadrilaterals or triangles in the plane, its path relative to the case file; "
                        "physical curves name the boundaries, physical surfaces the regions"}}};
 }
 

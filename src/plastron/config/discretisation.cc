@@ -3,14 +3,31 @@
 
 namespace plastron::config {
 
+namespace {
+
+/// Triangles have degrees 1 and 2 and no tying; the default of `tying` gives way, a written one does not.
+void check_triangles(Table& mesh, study::Discretisation& d) {
+  if (d.degree > 2)
+    mesh.report("degree", fmt::format("degree {} is not available on triangles", d.degree), "1 <= degree <= 2",
+                "write cells = \"quadrilateral\" for a higher degree");
+  if (d.tying && mesh.has("tying"))
+    mesh.report("tying", "the strains of triangles cannot be tied", "tying = false",
+                "leave tying out and use degree 2 on a mesh fine enough, or write cells = \"quadrilateral\"");
+  d.tying = false;
+  mesh.effective["tying"] = false;
+}
+
+}  // namespace
+
 void read_mesh(Table& root, study::Problem& problem) {
   auto mesh = root.table("mesh");
   if (!mesh) return;
   study::Discretisation& d = problem.discretisation;
-  mesh->text("cells");
+  if (mesh->text("cells") == "triangle") d.cells = fem::Shape::triangle;
   d.degree = mesh->integer("degree").value_or(d.degree);
   d.tying = mesh->boolean("tying").value_or(d.tying);
   d.refinements = mesh->integer("refinements").value_or(d.refinements);
+  if (d.cells == fem::Shape::triangle) check_triangles(*mesh, d);
   root.effective["mesh"] = mesh->effective;
 }
 

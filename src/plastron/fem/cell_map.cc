@@ -1,6 +1,7 @@
 #include <plastron/fem/cell_map.hpp>
 
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/triangle_basis.hpp>
 
 #include <cmath>
 
@@ -46,6 +47,18 @@ PlaneJet LagrangeMap::operator()(const Vector2d& xi) const {
       f.dd[1] += p.d[i] * q.d[j] * node;
       f.dd[2] += p.value[i] * q.dd[j] * node;
     }
+  return f;
+}
+
+PlaneJet TriangleLagrangeMap::operator()(const Vector2d& xi) const {
+  const TriangleValues basis = triangle_lagrange(order, xi);
+  PlaneJet f;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    f.value += basis.value[at] * nodes[i];
+    for (std::size_t a = 0; a < 2; ++a) f.d[a] += basis.d[a][at] * nodes[i];
+    for (std::size_t k = 0; k < 3; ++k) f.dd[k] += basis.dd[k][at] * nodes[i];
+  }
   return f;
 }
 

@@ -1,4 +1,4 @@
-// The exact map of a coarse cell: the unit square onto a piece of Omega, with two derivatives.
+// The exact map of a coarse cell: the reference cell onto a piece of Omega, with two derivatives.
 #pragma once
 #include <plastron/geometry/jet.hpp>
 
@@ -45,9 +45,17 @@ struct LagrangeMap {
   PlaneJet operator()(const Vector2d& xi) const;
 };
 
-using ExactMap = std::variant<BlendedMap, LagrangeMap>;
+/// Polynomial on the reference triangle through (order + 1)(order + 2) / 2 equidistant nodes, xi_1 fastest.
+struct TriangleLagrangeMap {
+  int order = 1;
+  std::vector<Vector2d> nodes;
+  PlaneJet operator()(const Vector2d& xi) const;
+};
 
-/// An exact map seen through a rotation or reflection of the unit square: xi_map = origin + axes * xi.
+using ExactMap = std::variant<BlendedMap, LagrangeMap, TriangleLagrangeMap>;
+
+/// An exact map seen through an affine map of its parameters: xi_map = origin + axes * xi. A rotation or reflection of
+/// the unit square, or the triangle on a part of it.
 struct CellMap {
   ExactMap map;
   Vector2d origin = Vector2d::Zero();

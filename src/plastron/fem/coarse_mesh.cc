@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace plastron::fem {
 
@@ -70,7 +71,9 @@ CoarseMesh mesh_rectangle(const Rectangle& rectangle) {
 
 /// A square in the middle and four cells that run from its sides to the rim.
 CoarseMesh mesh_disk(const Disk& disk) {
-  CoarseMesh mesh{.vertices = {}, .cells = {}, .edges = {}, .regions = {""}, .boundaries = {"rim"}};
+  CoarseMesh mesh;
+  mesh.regions = {""};
+  mesh.boundaries = {"rim"};
   const double half_diagonal = 0.45 * disk.radius;
   const auto corner_angle = [](int k) { return pi / 4 + pi / 2 * k; };
   const auto at = [&](double radius, int k) -> Vector2d {
@@ -95,7 +98,9 @@ CoarseMesh mesh_disk(const Disk& disk) {
 }
 
 CoarseMesh mesh_annulus(const Annulus& annulus) {
-  CoarseMesh mesh{.vertices = {}, .cells = {}, .edges = {}, .regions = {""}, .boundaries = {"inner", "outer"}};
+  CoarseMesh mesh;
+  mesh.regions = {""};
+  mesh.boundaries = {"inner", "outer"};
   const double middle = (annulus.inner + annulus.outer) / 2, width = annulus.outer - annulus.inner;
   const int sectors = std::clamp(static_cast<int>(std::lround(2 * pi * middle / width / 2)) * 2, 6, 32);
   const auto angle = [&](int k) { return 2 * pi * k / sectors; };
@@ -116,16 +121,63 @@ CoarseMesh mesh_annulus(const Annulus& annulus) {
   return mesh;
 }
 
+CoarseMesh of_shape(Shape shape, CoarseMesh quadrilaterals) {
+  return shape == Shape::triangle ? cut_crosswise(std::move(quadrilaterals)) : quadrilaterals;
+}
+
 struct Mesher {
-  CoarseMesh operator()(const Rectangle& d) const { return mesh_rectangle(d); }
-  CoarseMesh operator()(const Disk& d) const { return mesh_disk(d); }
-  CoarseMesh operator()(const Annulus& d) const { return mesh_annulus(d); }
-  CoarseMesh operator()(const Polygon& d) const { return mesh_polygon(d); }
-  CoarseMesh operator()(const MeshFile& d) const { return read_mesh_file(d); }
+  Shape shape;
+  CoarseMesh operator()(const Rectangle& d) const { return of_shape(shape, mesh_rectangle(d)); }
+  CoarseMesh operator()(const Disk& d) const { return of_shape(shape, mesh_disk(d)); }
+  CoarseMesh operator()(const Annulus& d) const { return of_shape(shape, mesh_annulus(d)); }
+  CoarseMesh operator()(const Polygon& d) const { return mesh_polygon(d, shape); }
+  CoarseMesh operator()(const MeshFile& d) const { return read_mesh_file(d, shape); }
 };
 
 }  // namespace
 
-CoarseMesh coarse_mesh(const Domain& domain) { return std::visit(Mesher{}, domain); }
+CoarseMesh coarse_mesh(const Domain& domain, Shape shape) { return std::visit(Mesher{shape}, domain); }
+
+CoarseMesh cut_crosswise(CoarseMesh quadrilaterals) {
+  CoarseMesh mesh = std::move(quadrilaterals);
+  const auto cells = std::exchange(mesh.cells, {});
+  mesh.shape = Shape::triangle;
+  for (const CoarseCell& cell : cells) cut_crosswise(cell, mesh);
+  return mesh;
+}
+
+namespace {
+
+bool has_straight_sides(const CellMap& map) {
+  if (const auto* lagrange = std::get_if<LagrangeMap>(&map.map)) return lagrange->order == 1;
+  const auto* blended = std::get_if<BlendedMap>(&map.map);
+  if (!blended) return false;
+  const Edge* edges[] = {&blended->left, &blended->right, &blended->bottom, &blended->top};
+  return std::ranges::all_of(edges, [](const Edge* e) { return std::holds_alternative<Segment>(*e); });
+}
+
+/// The quadrilateral's map on the triangle p, q, middle of the unit square.
+CellMap triangle_map(const CellMap& map, const Vector2d& p, const Vector2d& q, const Vector2d& middle) {
+  if (has_straight_sides(map)) return {TriangleLagrangeMap{1, {map(p).value, map(q).value, map(middle).value}}};
+  Eigen::Matrix2d axes;
+  axes << q - p, middle - p;
+  return {map.map, map.origin + map.axes * p, map.axes * axes};
+}
+
+}  // namespace
+
+void cut_crosswise(const CoarseCell& quadrilateral, CoarseMesh& mesh) {
+  const Vector2d middle(0.5, 0.5);
+  const int top = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.push_back(quadrilateral.map(middle).value);
+  constexpr std::array<int, 2> anticlockwise[4] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
+  for (const auto& [from, to] : anticlockwise) {
+    mesh.cells.push_back({{quadrilateral.vertices[static_cast<std::size_t>(from)],
+                           quadrilateral.vertices[static_cast<std::size_t>(to)], top, -1},
+                          quadrilateral.region,
+                          triangle_map(quadrilateral.map, corner(Shape::quadrilateral, from),
+                                       corner(Shape::quadrilateral, to), middle)});
+  }
+}
 
 }  // namespace plastron::fem

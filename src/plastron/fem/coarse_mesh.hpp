@@ -1,7 +1,8 @@
-// The coarsest mesh of a domain: a few quadrilaterals with exact maps, named regions and named boundaries.
+// The coarsest mesh of a domain: a few quadrilaterals or triangles with exact maps, named regions and boundaries.
 #pragma once
 #include <plastron/fem/cell_map.hpp>
 #include <plastron/fem/domain.hpp>
+#include <plastron/fem/reference_cell.hpp>
 
 #include <array>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace plastron::fem {
 
-/// Vertices in the order (0,0), (1,0), (0,1), (1,1) of the cell's own coordinates.
+/// Vertices in the order (0,0), (1,0), (0,1), (1,1) of the cell's own coordinates; a triangle's fourth is -1.
 struct CoarseCell {
   std::array<int, 4> vertices;
   int region = 0;  ///< index into CoarseMesh::regions
@@ -22,6 +23,7 @@ struct BoundaryEdge {
 };
 
 struct CoarseMesh {
+  Shape shape = Shape::quadrilateral;
   std::vector<Vector2d> vertices;
   std::vector<CoarseCell> cells;
   std::vector<BoundaryEdge> edges;
@@ -29,12 +31,20 @@ struct CoarseMesh {
   std::vector<std::string> boundaries;
 };
 
-/// Throws DomainError where the domain cannot be meshed or a mesh file is not as it should be.
-CoarseMesh coarse_mesh(const Domain& domain);
+/// Throws DomainError where the domain cannot be meshed or a mesh file is not as it should be. Triangles of a built-in
+/// domain are its quadrilaterals cut crosswise, polygons apart.
+CoarseMesh coarse_mesh(const Domain& domain, Shape shape = Shape::quadrilateral);
 
-/// The .msh part of coarse_mesh (Gmsh).
-CoarseMesh read_mesh_file(const MeshFile& file);
-/// The polygon part of coarse_mesh: quadrilaterals by Gmsh unless the polygon is a convex quadrilateral itself.
-CoarseMesh mesh_polygon(const Polygon& polygon);
+/// The .msh part of coarse_mesh (Gmsh). Among triangles, quadrilaterals of the file are cut crosswise.
+CoarseMesh read_mesh_file(const MeshFile& file, Shape shape);
+/// The polygon part of coarse_mesh: by Gmsh unless the polygon is a convex quadrilateral itself.
+CoarseMesh mesh_polygon(const Polygon& polygon, Shape shape);
+
+/// A mesh of quadrilaterals, each cut in four.
+CoarseMesh cut_crosswise(CoarseMesh quadrilaterals);
+/// Adds the four triangles from the centre of a quadrilateral to its sides: no triangle has all its vertices on the
+/// boundary, not even at a corner. Quadrilaterals with straight sides give straight triangles, which have constant
+/// strains in their space; others keep their exact map. `mesh` has the quadrilateral's vertices.
+void cut_crosswise(const CoarseCell& quadrilateral, CoarseMesh& mesh);
 
 }  // namespace plastron::fem

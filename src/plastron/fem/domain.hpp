@@ -36,8 +36,8 @@ struct Polygon {
   std::vector<Vector2d> corners;
 };
 
-/// A Gmsh file of quadrilaterals (order 1 or higher, complete) in the parameter plane. Physical curves name the
-/// boundaries, physical surfaces the regions.
+/// A Gmsh file of quadrilaterals or triangles (order 1 or higher, complete) in the parameter plane. Physical curves
+/// name the boundaries, physical surfaces the regions.
 struct MeshFile {
   std::string path;
 };

@@ -34,7 +34,7 @@ struct Node {
 
 class Reader {
  public:
-  explicit Reader(std::string source) : source_(std::move(source)) {}
+  Reader(std::string source, Shape shape) : source_(std::move(source)) { mesh_.shape = shape; }
 
   CoarseMesh read() {
     read_nodes();
@@ -89,7 +89,9 @@ class Reader {
       }
     }
     if (mesh_.cells.empty())
-      refuse("it has no quadrilaterals; mesh the surface with Recombine, save it with its physical groups");
+      refuse(mesh_.shape == Shape::triangle
+                 ? "it has no triangles; mesh the surface, save it with its physical groups"
+                 : "it has no quadrilaterals; mesh the surface with Recombine, save it with its physical groups");
   }
 
   void read_surface(int entity, int region) {
@@ -104,32 +106,63 @@ class Reader {
     int dimension = 0, order = 0, count = 0, corners = 0;
     std::vector<double> local;
     gmsh::model::mesh::getElementProperties(type, name, dimension, order, count, local, corners);
-    if (corners != 4 || count != (order + 1) * (order + 1))
-      refuse(
-          fmt::format("it has elements of type \"{}\"; only complete quadrilaterals are allowed "
-                      "(Recombine Surface, Mesh.SecondOrderIncomplete = 0)",
-                      name));
-    // Position of each of Gmsh's local nodes in the lexicographic grid of the unit square.
-    std::vector<std::size_t> slot(static_cast<std::size_t>(count));
-    for (std::size_t i = 0; i < slot.size(); ++i) {
-      const auto grid = [&](double c) { return std::lround((c + 1) / 2 * order); };
-      slot[i] = static_cast<std::size_t>(grid(local[2 * i + 1]) * (order + 1) + grid(local[2 * i]));
+    const Shape shape = corners == 3 ? Shape::triangle : Shape::quadrilateral;
+    check_elements(name, shape, corners <= 4 && count == nodes_per_cell(shape, order));
+    const auto slot = slots(shape, order, local);
+    for (std::size_t e = 0; e * slot.size() < tags.size(); ++e) {
+      const std::size_t* of_element = &tags[e * slot.size()];
+      std::vector<Vector2d> nodes(slot.size());
+      for (std::size_t i = 0; i < slot.size(); ++i) nodes[slot[i]] = nodes_.at(of_element[i]).position;
+      if (shape == Shape::triangle)
+        add_cell(shape, {{vertex(of_element[0]), vertex(of_element[1]), vertex(of_element[2]), -1},
+                         region,
+                         {TriangleLagrangeMap{order, std::move(nodes)}}});
+      else  // Gmsh's corners run round the cell
+        add_cell(shape, {{vertex(of_element[0]), vertex(of_element[1]), vertex(of_element[3]), vertex(of_element[2])},
+                         region,
+                         {LagrangeMap{order, std::move(nodes)}}});
     }
-    for (std::size_t e = 0; e * slot.size() < tags.size(); ++e) add_cell(&tags[e * slot.size()], slot, order, region);
   }
 
-  void add_cell(const std::size_t* tags, const std::vector<std::size_t>& slot, int order, int region) {
-    LagrangeMap map{order, std::vector<Vector2d>(slot.size())};
-    for (std::size_t i = 0; i < slot.size(); ++i) map.nodes[slot[i]] = nodes_.at(tags[i]).position;
-    // Gmsh's corners run round the cell.
-    CoarseCell cell{{vertex(tags[0]), vertex(tags[1]), vertex(tags[3]), vertex(tags[2])}, region, {map}};
-    const PlaneJet centre = cell.map(Vector2d(0.5, 0.5));
-    if (centre.d[0][0] * centre.d[1][1] < centre.d[0][1] * centre.d[1][0]) {
+  void check_elements(const std::string& type, Shape shape, bool is_complete) const {
+    if (mesh_.shape == Shape::quadrilateral && (shape == Shape::triangle || !is_complete))
+      refuse(
+          fmt::format("it has elements of type \"{}\"; with cells = \"quadrilateral\" only complete quadrilaterals are "
+                      "allowed (Recombine Surface, Mesh.SecondOrderIncomplete = 0){}",
+                      type, shape == Shape::triangle ? "; cells = \"triangle\" in [mesh] takes triangles" : ""));
+    if (!is_complete)
+      refuse(
+          fmt::format("it has elements of type \"{}\"; only complete triangles and quadrilaterals are allowed "
+                      "(Mesh.SecondOrderIncomplete = 0)",
+                      type));
+  }
+
+  /// Position of each of Gmsh's local nodes on the lexicographic lattice of the reference cell. Gmsh's square is
+  /// [-1, 1]^2, its triangle is ours.
+  static std::vector<std::size_t> slots(Shape shape, int order, const std::vector<double>& local) {
+    const auto points = lattice(shape, order);
+    std::vector<std::size_t> slot(points.size());
+    for (std::size_t i = 0; i < slot.size(); ++i) {
+      Vector2d at(local[2 * i], local[2 * i + 1]);
+      if (shape == Shape::quadrilateral) at = (at + Vector2d::Ones()) / 2;
+      slot[i] = static_cast<std::size_t>(
+          std::ranges::find_if(points, [&](const Vector2d& p) { return (p - at).norm() < 0.1 / order; }) -
+          points.begin());
+    }
+    return slot;
+  }
+
+  void add_cell(Shape shape, CoarseCell cell) {
+    const PlaneJet middle = cell.map(centre(shape));
+    if (middle.d[0][0] * middle.d[1][1] < middle.d[0][1] * middle.d[1][0]) {
       // A cell drawn clockwise: swap its two coordinates, so that every a_3 points to the same side.
       std::swap(cell.vertices[1], cell.vertices[2]);
       cell.map.axes << 0, 1, 1, 0;
     }
-    mesh_.cells.push_back(cell);
+    if (shape == mesh_.shape)
+      mesh_.cells.push_back(std::move(cell));
+    else
+      cut_crosswise(cell, mesh_);
   }
 
   void read_boundaries() {
@@ -189,11 +222,10 @@ double signed_area(const std::vector<Vector2d>& p) {
 }
 
 CoarseMesh single_cell(const Polygon& polygon) {
-  CoarseMesh mesh{.vertices = polygon.corners,
-                  .cells = {},
-                  .edges = {},
-                  .regions = {""},
-                  .boundaries = boundary_names(Domain{polygon})};
+  CoarseMesh mesh;
+  mesh.vertices = polygon.corners;
+  mesh.regions = {""};
+  mesh.boundaries = boundary_names(Domain{polygon});
   for (int i = 0; i < 4; ++i) mesh.edges.push_back({{i, (i + 1) % 4}, i});
   const bool anticlockwise = signed_area(polygon.corners) > 0;
   const std::array<int, 4> v = anticlockwise ? std::array{0, 1, 3, 2} : std::array{0, 3, 1, 2};
@@ -220,13 +252,13 @@ void draw(const Polygon& polygon) {
 
 }  // namespace
 
-CoarseMesh read_mesh_file(const MeshFile& file) {
+CoarseMesh read_mesh_file(const MeshFile& file, Shape shape) {
   if (!std::filesystem::is_regular_file(file.path))
     throw DomainError(fmt::format("{}: there is no such mesh file", file.path));
   const GmshSession session;
   try {
     gmsh::open(file.path);
-    return Reader(file.path).read();
+    return Reader(file.path, shape).read();
   } catch (const DomainError&) {
     throw;
   } catch (const std::exception& error) {
@@ -236,15 +268,16 @@ CoarseMesh read_mesh_file(const MeshFile& file) {
   }
 }
 
-CoarseMesh mesh_polygon(const Polygon& polygon) {
-  if (is_convex_quadrilateral(polygon.corners)) return single_cell(polygon);
+CoarseMesh mesh_polygon(const Polygon& polygon, Shape shape) {
+  if (is_convex_quadrilateral(polygon.corners))
+    return shape == Shape::triangle ? cut_crosswise(single_cell(polygon)) : single_cell(polygon);
   const GmshSession session;
   try {
     draw(polygon);
-    gmsh::option::setNumber("Mesh.RecombineAll", 1);
-    gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
+    gmsh::option::setNumber("Mesh.RecombineAll", shape == Shape::quadrilateral ? 1 : 0);
+    gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", shape == Shape::quadrilateral ? 1 : 0);
     gmsh::model::mesh::generate(2);
-    CoarseMesh mesh = Reader("polygon").read();
+    CoarseMesh mesh = Reader("polygon", shape).read();
     mesh.regions = {""};
     return mesh;
   } catch (const DomainError&) {

@@ -1,235 +1,32 @@
 #include <plastron/fem/mesh_sequence.hpp>
 
-#include <deal.II/base/multithread_info.h>
-#include <deal.II/distributed/solution_transfer.h>
-#include <deal.II/distributed/tria.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/lac/la_parallel_vector.h>
+#include <plastron/fem/quadrilateral_sequence.hpp>
+#include <plastron/fem/triangle_sequence.hpp>
 
-#include <p4est.h>
-
-#include <algorithm>
-#include <map>
+#include <variant>
 
 namespace plastron::fem {
 
-namespace {
-
-using DealVector = dealii::LinearAlgebra::distributed::Vector<double>;
-
-/// p4est speaks on standard output unless told not to, once per process.
-void silence_p4est() {
-  [[maybe_unused]] static const bool once = [] {
-    sc_init(MPI_COMM_WORLD, 0, 0, nullptr, SC_LP_SILENT);
-    p4est_init(nullptr, SC_LP_SILENT);
-    dealii::MultithreadInfo::set_thread_limit(1);
-    return true;
-  }();
-}
-
-/// deal.II wants the edges of neighbouring cells to run the same way and reorders the vertices of cells for that.
-/// The exact map of a reordered cell is seen through the rotation or reflection that the new order amounts to.
-void reorder_vertices(CoarseCell& cell, const std::array<int, 4>& order) {
-  const auto corner = [&](int vertex) -> Vector2d {
-    const auto k = std::ranges::find(cell.vertices, vertex) - cell.vertices.begin();
-    const auto column = k % 2, row = k / 2;
-    return {static_cast<double>(column), static_cast<double>(row)};
-  };
-  const Vector2d p0 = corner(order[0]), p1 = corner(order[1]), p2 = corner(order[2]);
-  Eigen::Matrix2d axes;
-  axes << p1 - p0, p2 - p0;
-  cell.map.origin += cell.map.axes * p0;
-  cell.map.axes = (cell.map.axes * axes).eval();
-  cell.vertices = order;
-}
-
-std::vector<dealii::CellData<2>> ordered_cells(CoarseMesh& coarse) {
-  std::vector<dealii::CellData<2>> cells(coarse.cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    for (unsigned int v = 0; v < 4; ++v) cells[c].vertices[v] = static_cast<unsigned int>(coarse.cells[c].vertices[v]);
-  dealii::GridTools::consistently_order_cells(cells);
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    std::array<int, 4> order{};
-    for (unsigned int v = 0; v < 4; ++v) order[v] = static_cast<int>(cells[c].vertices[v]);
-    reorder_vertices(coarse.cells[c], order);
-  }
-  return cells;
-}
-
-/// Boundary id 0 means unnamed; name i has id i + 1. Only edges of the true boundary carry an id.
-dealii::SubCellData named_edges(const CoarseMesh& coarse) {
-  std::map<std::pair<int, int>, int> uses;
-  const auto key = [](int a, int b) { return std::pair(std::min(a, b), std::max(a, b)); };
-  constexpr int sides[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
-  for (const CoarseCell& cell : coarse.cells)
-    for (const auto& side : sides) ++uses[key(cell.vertices[side[0]], cell.vertices[side[1]])];
-  dealii::SubCellData data;
-  for (const BoundaryEdge& edge : coarse.edges) {
-    const auto found = uses.find(key(edge.vertices[0], edge.vertices[1]));
-    if (found == uses.end() || found->second != 1) continue;
-    dealii::CellData<1> line;
-    line.vertices[0] = static_cast<unsigned int>(edge.vertices[0]);
-    line.vertices[1] = static_cast<unsigned int>(edge.vertices[1]);
-    line.boundary_id = static_cast<dealii::types::boundary_id>(edge.boundary + 1);
-    data.boundary_lines.push_back(line);
-  }
-  return data;
-}
-
-/// The place of a cell in its coarse cell. Coarse cells are told apart by their index: p4est numbers its trees
-/// otherwise, and CellId's coarse cell is p4est's.
-Cell dyadic_cell(dealii::TriaIterator<dealii::CellAccessor<2>> cell) {
-  Cell result;
-  const dealii::CellId id = cell->id();  // the indices are a view into it
-  for (const auto child : id.get_child_indices()) {
-    result.size /= 2;
-    result.corner += result.size * Vector2d(child % 2, child / 2);
-  }
-  while (cell->level() > 0) cell = cell->parent();
-  result.coarse = cell->index();
-  return result;
-}
-
-}  // namespace
-
 struct MeshSequence::Storage {
-  Storage(CoarseMesh mesh, int degree, MPI_Comm comm)
-      : coarse(std::make_shared<CoarseMesh>(std::move(mesh))),
-        triangulation(comm),
-        element(static_cast<unsigned int>(degree)),
-        dofs(triangulation) {}
-
-  std::shared_ptr<CoarseMesh> coarse;
-  dealii::parallel::distributed::Triangulation<2> triangulation;
-  dealii::FE_Q<2> element;
-  dealii::DoFHandler<2> dofs;
-  std::shared_ptr<const Space> space;
-  dealii::IndexSet relevant;
-
-  void create();
-  void flatten();
-  std::shared_ptr<const algebra::Layout> make_layout();
-  template <class Accessor>
-  void add_cell(const Accessor& cell, const std::vector<unsigned int>& from_lexicographic, Space& target) const;
-  DealVector make_vector() const { return {dofs.locally_owned_dofs(), relevant, triangulation.get_communicator()}; }
+  std::variant<QuadrilateralSequence, TriangleSequence> levels;
 };
 
-void MeshSequence::Storage::create() {
-  const auto cells = ordered_cells(*coarse);
-  std::vector<dealii::Point<2>> vertices;
-  for (const Vector2d& v : coarse->vertices) vertices.emplace_back(v[0], v[1]);
-  triangulation.create_triangulation(vertices, cells, named_edges(*coarse));
-}
-
-std::shared_ptr<const algebra::Layout> MeshSequence::Storage::make_layout() {
-  dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-  const dealii::IndexSet& owned = dofs.locally_owned_dofs();
-  const auto count = static_cast<algebra::GlobalIndex>(owned.n_elements());
-  algebra::GlobalIndex end = 0;  // a rank without nodes begins and ends where the one before ends
-  MPI_Scan(&count, &end, 1, MPI_INT64_T, MPI_SUM, triangulation.get_communicator());
-  algebra::Layout layout{.comm = triangulation.get_communicator(),
-                         .first = end - count,
-                         .owned = static_cast<algebra::LocalIndex>(count),
-                         .global_size = static_cast<algebra::GlobalIndex>(dofs.n_dofs())};
-  for (const auto i : relevant)
-    if (!owned.is_element(i)) layout.ghosts.push_back(static_cast<algebra::GlobalIndex>(i));
-  return std::make_shared<const algebra::Layout>(std::move(layout));
-}
-
-template <class Accessor>
-void MeshSequence::Storage::add_cell(const Accessor& cell, const std::vector<unsigned int>& from_lexicographic,
-                                     Space& target) const {
-  const algebra::Layout& layout = *target.layout;
-  std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
-  cell->get_dof_indices(indices);
-  for (unsigned int i = 0; i < indices.size(); ++i) {
-    const auto global = static_cast<algebra::GlobalIndex>(indices[from_lexicographic[i]]);
-    algebra::LocalIndex local = static_cast<algebra::LocalIndex>(global - layout.first);
-    if (global < layout.first || global >= layout.first + layout.owned)
-      local = layout.owned +
-              static_cast<algebra::LocalIndex>(std::ranges::lower_bound(layout.ghosts, global) - layout.ghosts.begin());
-    target.connectivity.nodes.push_back(local);
-  }
-  for (unsigned int side = 0; side < 4; ++side)
-    if (cell->face(side)->at_boundary())
-      target.faces.push_back(
-          {target.cells.size(), static_cast<int>(side), static_cast<int>(cell->face(side)->boundary_id()) - 1});
-  target.cells.push_back(dyadic_cell(cell));
-}
-
-void MeshSequence::Storage::flatten() {
-  dofs.distribute_dofs(element);
-  Space flat{.degree = static_cast<int>(element.degree), .coarse = coarse, .layout = make_layout()};
-  flat.connectivity.nodes_per_element = flat.nodes_per_cell();
-  const auto from_lexicographic = element.get_poly_space_numbering_inverse();
-  for (const auto& cell : dofs.active_cell_iterators())
-    if (cell->is_locally_owned()) add_cell(cell, from_lexicographic, flat);
-  flat.owned_cells = flat.cells.size();
-  for (const auto& cell : dofs.active_cell_iterators())
-    if (cell->is_ghost()) add_cell(cell, from_lexicographic, flat);
-  flat.global_cells = static_cast<std::int64_t>(triangulation.n_global_active_cells());
-  space = std::make_shared<const Space>(std::move(flat));
-}
-
 MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm) {
-  silence_p4est();
-  storage_ = std::make_unique<Storage>(std::move(coarse), degree, comm);
-  storage_->create();
-  storage_->flatten();
+  if (coarse.shape == Shape::triangle)
+    storage_ = std::make_unique<Storage>(Storage{TriangleSequence(std::move(coarse), degree, comm)});
+  else
+    storage_ = std::make_unique<Storage>(Storage{QuadrilateralSequence(std::move(coarse), degree, comm)});
 }
 
 MeshSequence::~MeshSequence() = default;
 MeshSequence::MeshSequence(MeshSequence&&) noexcept = default;
 
-std::shared_ptr<const Space> MeshSequence::space() const { return storage_->space; }
+std::shared_ptr<const Space> MeshSequence::space() const {
+  return std::visit([](const auto& levels) { return levels.space(); }, storage_->levels);
+}
 
 void MeshSequence::refine(std::span<algebra::Vector> fields) {
-  Storage& s = *storage_;
-  // deal.II carries scalar fields: one vector for each component of each node field.
-  std::vector<DealVector> before;
-  for (const algebra::Vector& field : fields)
-    for (int c = 0; c < field.block(); ++c) {
-      DealVector component = s.make_vector();
-      for (algebra::LocalIndex i = 0; i < s.space->layout->owned; ++i)
-        component.local_element(static_cast<unsigned int>(i)) =
-            field.owned()[static_cast<std::size_t>(i) * field.block() + c];
-      before.push_back(std::move(component));
-    }
-  std::vector<const DealVector*> inputs;
-  for (DealVector& v : before) {
-    v.update_ghost_values();  // only now: the copies that a growing std::vector makes lose their ghosts' values
-    inputs.push_back(&v);
-  }
-
-  dealii::parallel::distributed::SolutionTransfer<2, DealVector> transfer(s.dofs);
-  s.triangulation.set_all_refine_flags();
-  s.triangulation.prepare_coarsening_and_refinement();
-  if (!inputs.empty()) transfer.prepare_for_coarsening_and_refinement(inputs);
-  s.triangulation.execute_coarsening_and_refinement();
-  s.flatten();
-  if (inputs.empty()) return;
-
-  std::vector<DealVector> after(before.size());
-  std::vector<DealVector*> outputs;
-  for (DealVector& v : after) {
-    v = s.make_vector();
-    outputs.push_back(&v);
-  }
-  transfer.interpolate(outputs);
-
-  std::size_t next = 0;
-  for (algebra::Vector& field : fields) {
-    algebra::Vector refined(s.space->layout, field.block());
-    for (int c = 0; c < field.block(); ++c, ++next)
-      for (algebra::LocalIndex i = 0; i < s.space->layout->owned; ++i)
-        refined.owned()[static_cast<std::size_t>(i) * field.block() + c] =
-            after[next].local_element(static_cast<unsigned int>(i));
-    refined.update_ghosts();
-    field = std::move(refined);
-  }
+  std::visit([&](auto& levels) { levels.refine(fields); }, storage_->levels);
 }
 
 }  // namespace plastron::fem

@@ -1,5 +1,5 @@
-// The sequence of nested meshes on which a problem is solved: a distributed quadtree over the coarse mesh,
-// refined level by level, with node fields carried along. The only file that sees deal.II's meshes.
+// The sequence of nested meshes on which a problem is solved, refined level by level, with node fields carried along.
+// Quadrilaterals and triangles have a sequence each; the coarse mesh's shape decides.
 #pragma once
 #include <plastron/fem/space.hpp>
 
@@ -13,7 +13,7 @@ namespace plastron::fem {
 
 class MeshSequence {
  public:
-  /// The coarsest level (collective).
+  /// The coarsest level (collective). Throws DomainError for a degree that the shape does not have.
   MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
   ~MeshSequence();
   MeshSequence(MeshSequence&&) noexcept;

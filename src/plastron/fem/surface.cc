@@ -67,7 +67,7 @@ void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
 std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point) {
   constexpr double tolerance = 1e-9;
   for (std::size_t c = 0; c < coarse.cells.size(); ++c) {
-    Vector2d xi(0.5, 0.5);
+    Vector2d xi = centre(coarse.shape);
     for (int step = 0; step < 30; ++step) {
       const PlaneJet f = coarse.cells[c].map(xi);
       Eigen::Matrix2d jacobian;
@@ -77,17 +77,17 @@ std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point) 
       if (change.norm() < 1e-14) break;
       if (!(xi.norm() < 10)) break;
     }
-    if (!(xi.minCoeff() >= -tolerance && xi.maxCoeff() <= 1 + tolerance)) continue;
+    if (!holds(coarse.shape, xi, tolerance)) continue;
     if ((coarse.cells[c].map(xi).value - point).norm() > tolerance * (1 + point.norm())) continue;
-    return Location{static_cast<int>(c), xi.cwiseMax(0.0).cwiseMin(1.0)};
+    return Location{static_cast<int>(c), put_inside(coarse.shape, xi)};
   }
   return std::nullopt;
 }
 
-std::optional<Vector2d> local_coordinates(const Cell& cell, const Location& location) {
+std::optional<Vector2d> local_coordinates(Shape shape, const Cell& cell, const Location& location) {
   if (cell.coarse != location.coarse) return std::nullopt;
   const Vector2d xi = (location.xi - cell.corner) / cell.size;
-  if (xi.minCoeff() < -1e-12 || xi.maxCoeff() > 1 + 1e-12) return std::nullopt;
+  if (!holds(shape, xi, 1e-12)) return std::nullopt;
   return xi;
 }
 

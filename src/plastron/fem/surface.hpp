@@ -17,7 +17,7 @@ class Surface {
   /// One chart per region name of the mesh. Throws DomainError for missing or unknown regions.
   Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts);
 
-  /// Points of Omega: the images of points xi of the cell's unit square.
+  /// Points of Omega: the images of points xi of the reference cell.
   void positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) const;
   /// Jets of phi with respect to the cell's own coordinates.
   void jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets,
@@ -38,12 +38,12 @@ class Surface {
 /// Where a point of Omega lies in the coarse mesh.
 struct Location {
   int coarse;
-  Vector2d xi;  ///< in the coarse cell's unit square
+  Vector2d xi;  ///< in the coarse cell's coordinates
 };
 /// Empty if the point lies outside of Omega.
 std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point);
 
-/// The point of the unit square of `cell` at a location; empty if the cell does not hold it.
-std::optional<Vector2d> local_coordinates(const Cell& cell, const Location& location);
+/// The point of the reference cell that `cell` has at a location; empty if the cell does not hold it.
+std::optional<Vector2d> local_coordinates(Shape shape, const Cell& cell, const Location& location);
 
 }  // namespace plastron::fem

@@ -86,6 +86,7 @@ Json fields_json(const study::Result& result) {
 Json results_json(const study::Result& result, const Provenance& provenance) {
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
+  json["warnings"] = result.warnings;
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
   json["probes"] = Json::object();
   for (const study::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);

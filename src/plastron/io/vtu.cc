@@ -37,20 +37,23 @@ Rows rows_of(const std::vector<Field>& present) {
   return rows;
 }
 
-/// (k+1)^2 equidistant points of the unit square, xi_1 fastest: the points of a Lagrange cell of degree k.
-std::vector<Eigen::Vector2d> lattice(int degree) {
+/// Equidistant points of a Lagrange cell of degree k. deal.II takes those of the square with xi_1 fastest and puts them
+/// in VTK's order; those of the triangle it writes as they come: corners, then the middles of the sides.
+std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
+  if (shape == fem::Shape::quadrilateral) return fem::lattice(shape, degree);
   std::vector<Eigen::Vector2d> points;
-  for (int j = 0; j <= degree; ++j)
-    for (int i = 0; i <= degree; ++i) points.emplace_back(double(i) / degree, double(j) / degree);
+  for (int k = 0; k < 3; ++k) points.push_back(fem::corner(shape, k));
+  for (int side = 0; degree == 2 && side < 3; ++side) points.push_back(fem::side_point(shape, side, 0.5));
   return points;
 }
 
 Patch patch_of(const std::vector<assembly::PointValues>& points, const std::vector<Field>& present, std::size_t rows,
-               int degree, double displacement_scale) {
+               const fem::Space& space, double displacement_scale) {
   Patch patch;
-  patch.n_subdivisions = static_cast<unsigned int>(degree);
+  patch.n_subdivisions = static_cast<unsigned int>(space.degree);
   patch.points_are_available = true;
-  patch.reference_cell = dealii::ReferenceCells::Quadrilateral;
+  patch.reference_cell =
+      space.shape() == fem::Shape::triangle ? dealii::ReferenceCells::Triangle : dealii::ReferenceCells::Quadrilateral;
   patch.data.reinit(rows + 3, points.size());
   for (std::size_t p = 0; p < points.size(); ++p) {
     std::size_t row = 0;
@@ -70,12 +73,12 @@ void write_piece(const study::Solution& solution, double displacement_scale, con
                  const std::vector<Field>& present, std::ostream& out) {
   const fem::Space& space = solution.discrete->space();
   if (space.owned_cells == 0) return;
-  const assembly::Recovery recovery(*solution.discrete, solution.nodal, lattice(space.degree));
+  const assembly::Recovery recovery(*solution.discrete, solution.nodal, cell_points(space.shape(), space.degree));
   const Rows rows = rows_of(present);
   std::vector<Patch> patches;
   patches.reserve(space.owned_cells);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
-    patches.push_back(patch_of(recovery(cell), present, rows.names.size(), space.degree, displacement_scale));
+    patches.push_back(patch_of(recovery(cell), present, rows.names.size(), space, displacement_scale));
     patches.back().patch_index = static_cast<unsigned int>(cell);
   }
   dealii::DataOutBase::write_vtu_main(patches, rows.names, rows.vectors, flags, out);

@@ -23,7 +23,7 @@ namespace {
 class CarriedSolutions {
  public:
   CarriedSolutions(const Problem& problem, MPI_Comm comm)
-      : meshes_(fem::coarse_mesh(problem.domain), problem.discretisation.degree, comm) {}
+      : meshes_(fem::coarse_mesh(problem.domain, problem.discretisation.cells), problem.discretisation.degree, comm) {}
 
   void add(int level, const Solution& solution) {
     if (level > 0) meshes_.refine(fields_);

@@ -4,6 +4,7 @@
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/study/gap.hpp>
+#include <plastron/study/locking.hpp>
 #include <plastron/study/rigid_motions.hpp>
 
 #include <fmt/format.h>
@@ -22,8 +23,9 @@ using Eigen::Vector3d;
 /// A mesh of some thousand sample points, the same for every rank.
 fem::MeshSequence sample_mesh(const Problem& problem) {
   constexpr int enough_cells = 256;
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), std::clamp(problem.discretisation.degree, 2, 4),
-                           MPI_COMM_SELF);
+  const Discretisation& d = problem.discretisation;
+  const int degree = d.cells == fem::Shape::triangle ? d.degree : std::clamp(d.degree, 2, 4);
+  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, d.cells), degree, MPI_COMM_SELF);
   while (meshes.space()->global_cells < enough_cells) meshes.refine({});
   return meshes;
 }
@@ -35,13 +37,14 @@ class Examination {
         meshes_(sample_mesh(problem)),
         space_(meshes_.space()),
         surface_(space_->coarse, problem.charts),
-        tables_(assembly::element_tables(space_->degree, false)) {}
+        tables_(assembly::element_tables(space_->shape(), space_->degree, false)) {}
 
   std::vector<Finding> run() {
     names();
     if (has_errors(findings_)) return std::move(findings_);
     if (!surface()) return std::move(findings_);
     normals();
+    for (const std::string& warning : locking_warnings(problem_)) add(Severity::warning, "{}", warning);
     probes();
     nodes();
     return std::move(findings_);

@@ -12,7 +12,7 @@ namespace {
 std::optional<assembly::PointValues> local_values(const Solution& solution, const fem::Location& location) {
   const fem::Space& space = solution.discrete->space();
   for (std::size_t c = 0; c < space.owned_cells; ++c)
-    if (const auto xi = fem::local_coordinates(space.cells[c], location))
+    if (const auto xi = fem::local_coordinates(space.shape(), space.cells[c], location))
       return assembly::Recovery(*solution.discrete, solution.nodal, {*xi})(c).front();
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <plastron/assembly/supports.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/fem/domain.hpp>
+#include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/chart.hpp>
 #include <plastron/geometry/expression.hpp>
 #include <plastron/obstacle/gap.hpp>
@@ -18,8 +19,9 @@
 namespace plastron::study {
 
 struct Discretisation {
-  int degree = 2;     ///< k, 1 to 8
-  bool tying = true;  ///< (M22)
+  fem::Shape cells = fem::Shape::quadrilateral;
+  int degree = 2;     ///< k, 1 to 8; 1 or 2 on triangles
+  bool tying = true;  ///< (M22); triangles are never tied
   assembly::Tangency tangency{};
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
 };

@@ -63,8 +63,9 @@ struct Result {
   bool has_obstacle = false;
   assembly::Formulation formulation = assembly::Formulation::tangent;
   int ranks = 1;
-  double peak_memory = 0;              ///< over all ranks together [bytes]
-  std::optional<Solution> solution{};  ///< empty when nothing could be solved
+  std::vector<std::string> warnings{};  ///< what to doubt in the result, in words for the user
+  double peak_memory = 0;               ///< over all ranks together [bytes]
+  std::optional<Solution> solution{};   ///< empty when nothing could be solved
 };
 
 }  // namespace plastron::study

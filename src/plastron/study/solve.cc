@@ -7,6 +7,7 @@
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/study/gap.hpp>
 #include <plastron/study/level.hpp>
+#include <plastron/study/locking.hpp>
 #include <plastron/study/memory.hpp>
 #include <plastron/study/probes.hpp>
 #include <plastron/study/stopwatch.hpp>
@@ -40,10 +41,12 @@ bool nothing_to_refine(contact::Status status) {
 Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
   const assembly::ShellDescription shell = describe(problem);
   Result result{.has_obstacle = problem.obstacle.has_value(),
-                .formulation = problem.discretisation.tangency.formulation};
+                .formulation = problem.discretisation.tangency.formulation,
+                .warnings = locking_warnings(problem)};
   MPI_Comm_size(comm, &result.ranks);
   Stopwatch watch;
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), problem.discretisation.degree, comm);
+  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, problem.discretisation.cells),
+                           problem.discretisation.degree, comm);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
 
   for (int number = 0; number <= problem.discretisation.refinements; ++number) {

@@ -1,0 +1,29 @@
+// Nested meshes of quadrilaterals: a distributed quadtree over the coarse mesh, refined level by level. The only file
+// that sees deal.II's meshes.
+#pragma once
+#include <plastron/fem/space.hpp>
+
+#include <mpi.h>
+
+#include <memory>
+#include <span>
+
+namespace plastron::fem {
+
+class QuadrilateralSequence {
+ public:
+  /// The coarsest level (collective).
+  QuadrilateralSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
+  ~QuadrilateralSequence();
+  QuadrilateralSequence(QuadrilateralSequence&&) noexcept;
+
+  std::shared_ptr<const Space> space() const;
+  /// See MeshSequence::refine.
+  void refine(std::span<algebra::Vector> fields);
+
+ private:
+  struct Storage;
+  std::unique_ptr<Storage> storage_;
+};
+
+}  // namespace plastron::fem

@@ -1,0 +1,183 @@
+#include <plastron/fem/triangle_sequence.hpp>
+
+#include <plastron/fem/triangle_basis.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plastron::fem {
+
+namespace {
+
+using algebra::GlobalIndex;
+
+/// The entities that carry the nodes of a cell in lexicographic order: vertices by number, edges behind them.
+std::vector<std::size_t> node_entities(const TriangleTopology& mesh, int degree, std::size_t cell) {
+  const auto& v = mesh.vertices[cell];
+  if (degree == 1) return {v.begin(), v.end()};
+  const auto edge = [&](std::size_t s) { return static_cast<std::size_t>(mesh.vertex_count + mesh.sides[cell][s]); };
+  const auto vertex = [&](std::size_t k) { return static_cast<std::size_t>(v[k]); };
+  return {vertex(0), edge(0), vertex(1), edge(2), edge(1), vertex(2)};
+}
+
+TriangleNumbering numbering(const TriangleTopology& mesh, int degree, int ranks) {
+  const std::size_t edges = degree == 1 ? 0 : mesh.edges.size();
+  TriangleNumbering numbers{.number =
+                                std::vector<GlobalIndex>(static_cast<std::size_t>(mesh.vertex_count) + edges, -1)};
+  GlobalIndex next = 0;
+  std::size_t cell = 0;
+  for (int rank = 0; rank < ranks; ++rank) {
+    numbers.first_cell.push_back(cell);
+    numbers.first_node.push_back(next);
+    const std::size_t end = mesh.cells.size() * static_cast<std::size_t>(rank + 1) / static_cast<std::size_t>(ranks);
+    for (; cell < end; ++cell)
+      for (const std::size_t entity : node_entities(mesh, degree, cell))
+        if (numbers.number[entity] < 0) numbers.number[entity] = next++;
+  }
+  numbers.first_cell.push_back(cell);
+  numbers.first_node.push_back(next);
+  return numbers;
+}
+
+/// Cells of other ranks that share a vertex with a cell of [begin, end).
+std::vector<std::size_t> cells_around(const TriangleTopology& mesh, std::size_t begin, std::size_t end) {
+  std::vector<char> touched(static_cast<std::size_t>(mesh.vertex_count), 0);
+  for (std::size_t c = begin; c < end; ++c)
+    for (const int v : mesh.vertices[c]) touched[static_cast<std::size_t>(v)] = 1;
+  std::vector<std::size_t> around;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    if ((c < begin || c >= end) &&
+        std::ranges::any_of(mesh.vertices[c], [&](int v) { return touched[static_cast<std::size_t>(v)] != 0; }))
+      around.push_back(c);
+  return around;
+}
+
+/// The owned values of all ranks one after the other, on every rank (collective).
+std::vector<double> gathered(const algebra::Vector& field, const TriangleNumbering& numbers) {
+  std::vector<int> counts, offsets;
+  for (std::size_t r = 0; r + 1 < numbers.first_node.size(); ++r) {
+    counts.push_back(static_cast<int>((numbers.first_node[r + 1] - numbers.first_node[r]) * field.block()));
+    offsets.push_back(static_cast<int>(numbers.first_node[r] * field.block()));
+  }
+  std::vector<double> all(static_cast<std::size_t>(numbers.first_node.back() * field.block()));
+  MPI_Allgatherv(field.owned().data(), static_cast<int>(field.owned().size()), MPI_DOUBLE, all.data(), counts.data(),
+                 offsets.data(), MPI_DOUBLE, field.layout()->comm);
+  return all;
+}
+
+/// Values at the nodes of child k from those at the nodes of its parent: rows are the child's nodes.
+Eigen::MatrixXd to_child(int degree, int k) {
+  const Cell child = child_cell(k);
+  const auto nodes = lattice(Shape::triangle, degree);
+  const auto count = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixXd matrix(count, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    matrix.row(i) = triangle_lagrange(degree, child.corner + child.size * nodes[static_cast<std::size_t>(i)]).value;
+  return matrix;
+}
+
+}  // namespace
+
+TriangleSequence::TriangleSequence(CoarseMesh coarse, int degree, MPI_Comm comm)
+    : coarse_(std::make_shared<const CoarseMesh>(std::move(coarse))),
+      degree_(degree),
+      comm_(comm),
+      mesh_(coarse_topology(*coarse_)) {
+  if (degree != 1 && degree != 2)
+    throw DomainError(fmt::format("triangles have degree 1 or 2, not {}; take quadrilaterals for more", degree));
+  MPI_Comm_rank(comm_, &rank_);
+  MPI_Comm_size(comm_, &ranks_);
+  flatten();
+}
+
+void TriangleSequence::add_cell(std::size_t cell, Space& target) const {
+  const algebra::Layout& layout = *target.layout;
+  for (const std::size_t entity : node_entities(mesh_, degree_, cell)) {
+    const GlobalIndex global = numbers_.number[entity];
+    auto local = static_cast<algebra::LocalIndex>(global - layout.first);
+    if (global < layout.first || global >= layout.first + layout.owned)
+      local = layout.owned +
+              static_cast<algebra::LocalIndex>(std::ranges::lower_bound(layout.ghosts, global) - layout.ghosts.begin());
+    target.connectivity.nodes.push_back(local);
+  }
+  for (std::size_t side = 0; side < 3; ++side) {
+    const int boundary = mesh_.edges[static_cast<std::size_t>(mesh_.sides[cell][side])].boundary;
+    if (boundary != TriangleEdge::inside)
+      target.faces.push_back({target.cells.size(), static_cast<int>(side), boundary});
+  }
+  target.cells.push_back(mesh_.cells[cell]);
+}
+
+void TriangleSequence::flatten() {
+  numbers_ = numbering(mesh_, degree_, ranks_);
+  const auto rank = static_cast<std::size_t>(rank_);
+  const std::size_t begin = numbers_.first_cell[rank], end = numbers_.first_cell[rank + 1];
+  const auto around = cells_around(mesh_, begin, end);
+
+  algebra::Layout layout{
+      .comm = comm_,
+      .first = numbers_.first_node[rank],
+      .owned = static_cast<algebra::LocalIndex>(numbers_.first_node[rank + 1] - numbers_.first_node[rank]),
+      .global_size = numbers_.first_node.back()};
+  const auto note_ghosts = [&](std::size_t cell) {
+    for (const std::size_t entity : node_entities(mesh_, degree_, cell)) {
+      const GlobalIndex global = numbers_.number[entity];
+      if (global < layout.first || global >= layout.first + layout.owned) layout.ghosts.push_back(global);
+    }
+  };
+  if (ranks_ > 1)
+    for (std::size_t c = begin; c < end; ++c) note_ghosts(c);
+  for (const std::size_t c : around) note_ghosts(c);
+  std::ranges::sort(layout.ghosts);
+  layout.ghosts.erase(std::unique(layout.ghosts.begin(), layout.ghosts.end()), layout.ghosts.end());
+
+  Space flat{.degree = degree_,
+             .coarse = coarse_,
+             .layout = std::make_shared<const algebra::Layout>(std::move(layout)),
+             .owned_cells = end - begin,
+             .global_cells = static_cast<std::int64_t>(mesh_.cells.size())};
+  flat.connectivity.nodes_per_element = flat.nodes_per_cell();
+  for (std::size_t c = begin; c < end; ++c) add_cell(c, flat);
+  for (const std::size_t c : around) add_cell(c, flat);
+  space_ = std::make_shared<const Space>(std::move(flat));
+}
+
+void TriangleSequence::refine(std::span<algebra::Vector> fields) {
+  std::vector<std::vector<double>> values;
+  for (const algebra::Vector& field : fields) values.push_back(gathered(field, numbers_));
+  const TriangleTopology before = std::exchange(mesh_, refined(mesh_));
+  const TriangleNumbering numbers_before = std::move(numbers_);
+  flatten();
+  for (std::size_t f = 0; f < fields.size(); ++f)
+    fields[f] = interpolated(values[f], fields[f].block(), before, numbers_before);
+}
+
+algebra::Vector TriangleSequence::interpolated(const std::vector<double>& values, int block,
+                                               const TriangleTopology& before,
+                                               const TriangleNumbering& numbers_before) const {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::MatrixXd children[4] = {to_child(degree_, 0), to_child(degree_, 1), to_child(degree_, 2),
+                                       to_child(degree_, 3)};
+  const std::size_t first = numbers_.first_cell[static_cast<std::size_t>(rank_)];
+  const Eigen::Map<const Rows> coarse(values.data(), static_cast<Eigen::Index>(numbers_before.first_node.back()),
+                                      block);
+  algebra::Vector refined(space_->layout, block);
+  for (std::size_t c = 0; c < space_->owned_cells; ++c) {
+    const std::size_t cell = first + c;
+    const auto parents = node_entities(before, degree_, cell / 4);
+    Rows of_parent(static_cast<Eigen::Index>(parents.size()), block);
+    for (std::size_t j = 0; j < parents.size(); ++j)
+      of_parent.row(static_cast<Eigen::Index>(j)) = coarse.row(numbers_before.number[parents[j]]);
+    const Rows of_child = children[cell % 4] * of_parent;
+    const auto nodes = space_->nodes(c);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (nodes[i] < space_->layout->owned)
+        std::copy_n(of_child.row(static_cast<Eigen::Index>(i)).data(), block,
+                    refined.owned().begin() + static_cast<std::ptrdiff_t>(nodes[i]) * block);
+  }
+  refined.update_ghosts();
+  return refined;
+}
+
+}  // namespace plastron::fem
