@@ -1,10 +1,11 @@
 // Errors of every mesh level against a solution some levels finer. The spaces are nested, so a coarse solution is carried
-// to the reference mesh exactly, and there the difference is integrated.
+// to the reference mesh exactly, and there the difference is integrated; its strains are those of its own mesh.
 #include <plastron/study/convergence.hpp>
 
 #include <plastron/assembly/field_norms.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/study/exponents.hpp>
+#include <plastron/study/reference_strains.hpp>
 #include <plastron/study/solve.hpp>
 
 #include <fmt/format.h>
@@ -19,27 +20,53 @@ namespace plastron::study {
 
 namespace {
 
-/// What is interpolated of (u, r) on all levels so far, each carried to the finest of them.
+/// The solutions of all levels as the reference mesh sees them: nodal fields (u, r), carried to the finest mesh so far,
+/// and the strains that each had on its own mesh.
 class CarriedSolutions {
  public:
   CarriedSolutions(const Problem& problem, MPI_Comm comm)
-      : meshes_(fem::coarse_mesh(problem.domain, problem.discretisation.cells), problem.discretisation.degree, comm) {}
+      : meshes_(first_mesh(problem, comm)), reference_(*last_mesh(problem, comm)) {}
 
   void add(int level, const Solution& solution) {
     if (level > 0) meshes_.refine(fields_);
     if (meshes_.space()->layout->global_size != solution.nodal.y.layout()->global_size)
       throw std::logic_error("a convergence study needs uniformly refined meshes");
     fields_.push_back(solution.discrete->shell.interpolation().interpolated(solution.nodal.y));
+    strains_.push_back(reference_.of(solution));
     cells_.push_back(meshes_.space()->global_cells);
   }
+  bool fits(const fem::Space& space) const { return reference_.fits(space); }
   const std::vector<algebra::Vector>& fields() const { return fields_; }
+  const std::vector<std::vector<assembly::CellStrain>>& strains() const { return strains_; }
   const std::vector<std::int64_t>& cells() const { return cells_; }
 
  private:
+  static fem::MeshSequence first_mesh(const Problem& problem, MPI_Comm comm) {
+    return {fem::coarse_mesh(problem.domain, problem.discretisation.cells), problem.discretisation.degree, comm};
+  }
+  static std::shared_ptr<const fem::Space> last_mesh(const Problem& problem, MPI_Comm comm) {
+    fem::MeshSequence meshes = first_mesh(problem, comm);
+    for (int i = 0; i < problem.discretisation.refinements; ++i) meshes.refine({});
+    return meshes.space();
+  }
+
   fem::MeshSequence meshes_;
+  ReferenceStrains reference_;
   std::vector<algebra::Vector> fields_;
+  std::vector<std::vector<assembly::CellStrain>> strains_;
   std::vector<std::int64_t> cells_;
 };
+
+/// (int C (eps_1 - eps_2) : (eps_1 - eps_2))^{1/2}, the energy norm of a difference of strains [J^{1/2}].
+double energy_distance(const assembly::ShellOperator& shell, const std::vector<assembly::CellStrain>& first,
+                       const std::vector<assembly::CellStrain>& second) {
+  double sum = 0;
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    const assembly::CellStrain difference = first[c] - second[c];
+    sum += shell.weighted_stresses(c, difference).cwiseProduct(difference).sum();
+  }
+  return std::sqrt(algebra::sum_over_ranks(sum, shell.space().layout->comm));
+}
 
 /// Norms of a field, or of an error relative to the reference's.
 struct Norms {
@@ -49,10 +76,10 @@ struct Norms {
 constexpr std::array norm_of{&Norms::energy, &Norms::h1,   &Norms::l2,  &Norms::h1_u,
                              &Norms::h1_r,   &Norms::l2_u, &Norms::l2_r};
 
-Norms norms(const assembly::ShellOperator& shell, const algebra::Vector& y) {
+/// All but the energy norm.
+Norms field_norms(const assembly::ShellOperator& shell, const algebra::Vector& y) {
   const assembly::SquaredNorms s = assembly::squared_norms(shell, y);
-  return {.energy = std::sqrt(2 * shell.energies(y).total()),
-          .h1 = std::sqrt(s.h1()),
+  return {.h1 = std::sqrt(s.h1()),
           .l2 = std::sqrt(s.l2()),
           .h1_u = std::sqrt(s.u + s.grad_u),
           .h1_r = std::sqrt(s.r + s.grad_r),
@@ -60,10 +87,13 @@ Norms norms(const assembly::ShellOperator& shell, const algebra::Vector& y) {
           .l2_r = std::sqrt(s.r)};
 }
 
-Norms relative_error(const assembly::ShellOperator& shell, algebra::Vector y, const algebra::Vector& reference,
-                     const Norms& scale) {
-  for (std::size_t i = 0; i < y.local().size(); ++i) y.local()[i] -= reference.local()[i];
-  Norms error = norms(shell, y);
+/// Of level l against the last one, relative to the last one's norms.
+Norms relative_error(const Solution& reference, const CarriedSolutions& carried, std::size_t l, const Norms& scale) {
+  const assembly::ShellOperator& shell = reference.discrete->shell;
+  algebra::Vector difference = shell.interpolation().nodal_values(carried.fields()[l]);
+  for (std::size_t i = 0; i < difference.local().size(); ++i) difference.local()[i] -= reference.nodal.y.local()[i];
+  Norms error = field_norms(shell, difference);
+  error.energy = energy_distance(shell, carried.strains()[l], carried.strains().back());
   for (const auto norm : norm_of) error.*norm = scale.*norm > 0 ? error.*norm / scale.*norm : error.*norm;
   return error;
 }
@@ -103,13 +133,13 @@ Sequence solve_sequence(Problem problem, int reference, MPI_Comm comm, Observer 
       sequence.status = level.status;
   if (sequence.status != contact::Status::solved) return sequence;
   const assembly::DiscreteShell& discrete = *result.solution->discrete;
-  const Norms scale = norms(discrete.shell, result.solution->nodal.y);
+  if (!carried.fits(discrete.space())) throw std::logic_error("the meshes of two equal sequences differ");
+  Norms scale = field_norms(discrete.shell, result.solution->nodal.y);
+  scale.energy = std::sqrt(2 * result.summary.energy.total());
   const double area = area_of(discrete);
   for (std::size_t l = 0; l < compared; ++l) {
     sequence.h.push_back(std::sqrt(area / static_cast<double>(carried.cells()[l])));
-    sequence.errors.push_back(relative_error(discrete.shell,
-                                             discrete.shell.interpolation().nodal_values(carried.fields()[l]),
-                                             result.solution->nodal.y, scale));
+    sequence.errors.push_back(relative_error(*result.solution, carried, l, scale));
   }
   return sequence;
 }
