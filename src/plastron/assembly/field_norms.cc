@@ -15,15 +15,14 @@ SquaredNorms squared_norms(const ShellOperator& shell, const algebra::Vector& y)
   const BasisAt& basis = shell.tables().quadrature;
   SquaredNorms sum;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const CellField nodal = shell.gather(c, y);
-    const auto [d1, d2, value] = shell.interpolation().fields(c, basis, shell.quadrature_bases(c), nodal);
-    for (int q = 0; q < value.rows(); ++q) {
+    const FieldRows v = shell.interpolation().fields(c, basis, shell.quadrature_bases(c), shell.gather(c, y));
+    for (int q = 0; q < v.value.rows(); ++q) {
       const QuadraturePoint& p = shell.point(c, q);
       const auto& g = p.frame.metric_con;
-      sum.u += p.area * value.row(q).head<3>().squaredNorm();
-      sum.r += p.area * value.row(q).tail<3>().squaredNorm();
-      sum.grad_u += p.area * squared_gradient(g, d1.row(q).head<3>(), d2.row(q).head<3>());
-      sum.grad_r += p.area * squared_gradient(g, d1.row(q).tail<3>(), d2.row(q).tail<3>());
+      sum.u += p.area * v.value.row(q).head<3>().squaredNorm();
+      sum.r += p.area * v.value.row(q).tail<3>().squaredNorm();
+      sum.grad_u += p.area * squared_gradient(g, v.d1.row(q).head<3>(), v.d2.row(q).head<3>());
+      sum.grad_r += p.area * squared_gradient(g, v.d1.row(q).tail<3>(), v.d2.row(q).tail<3>());
     }
   }
   const MPI_Comm comm = shell.space().layout->comm;

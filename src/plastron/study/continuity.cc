@@ -2,6 +2,7 @@
 // inequality (M18); proofs in docs/methods/study-continuity.md. Norms are the energy norm of the unchanged shell.
 #include <plastron/study/continuity.hpp>
 
+#include <plastron/assembly/tilt.hpp>
 #include <plastron/study/lifting.hpp>
 #include <plastron/study/random_field.hpp>
 #include <plastron/study/solve.hpp>
@@ -47,7 +48,7 @@ class Continuity {
   Report run() {
     base_ = compute(problem_, "unchanged");
     if (report_.status != Status::solved) return std::move(report_);
-    norm_ = std::sqrt(2 * base_.summary.energy.total());
+    norm_ = norm_of(base_.solution->nodal.y);
     largest_ = largest_displacement();
     examine("load", "the load changes the solution by no more than the dual norm of its change", &Continuity::load);
     examine("thickness",
@@ -166,13 +167,12 @@ class Continuity {
       failed(result.status);
       return {};
     }
-    const assembly::ShellOperator& shell = base_.solution->discrete->shell;
     algebra::Vector difference = result.solution->nodal.y;
-    if (norm) *norm = std::sqrt(2 * shell.energies(difference).total());
+    if (norm) *norm = norm_of(difference);
     if (touching) *touching = result.solution->nodal.touching;
     const auto before = base_.solution->nodal.y.local();
     for (std::size_t i = 0; i < before.size(); ++i) difference.local()[i] -= before[i];
-    return std::sqrt(2 * shell.energies(difference).total());
+    return norm_of(difference);
   }
 
   std::optional<Change> leave_out(const std::string& why) {
@@ -187,6 +187,14 @@ class Continuity {
   /// A force per area that does work like the loads: 2 W over area and largest displacement [Pa].
   double typical_load() const {
     return largest_ > 0 ? norm_ * norm_ / (largest_ * area()) : problem_.material.mu * 1e-6;
+  }
+
+  /// |V|_a with the a of the unchanged shell, the form of (M13) or (M14) included [J^{1/2}].
+  double norm_of(const algebra::Vector& y) const {
+    const assembly::DiscreteShell& discrete = *base_.solution->discrete;
+    double energy = discrete.shell.energies(y).total();
+    if (discrete.tilt_factor() > 0) energy += assembly::tilt_energy(discrete.shell, discrete.tilt_factor(), y);
+    return std::sqrt(2 * energy);
   }
 
   double area() const {

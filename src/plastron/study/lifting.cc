@@ -1,8 +1,8 @@
 #include <plastron/study/lifting.hpp>
 
-#include <plastron/assembly/stiffness.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,10 +14,10 @@ namespace {
 void prescribe(const assembly::DiscreteShell& discrete, std::span<const char> at, double change,
                contact::BoxProblem& box) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto block = static_cast<std::size_t>(box.load.block());
+  const auto width = static_cast<std::size_t>(box.load.block());
   for (std::size_t i = 0; i < box.load.owned().size(); ++i) {
-    const std::size_t node = i / block;
-    const bool is_gap = i % block == 0 && discrete.coordinates.touchable[node];
+    const std::size_t node = i / width;
+    const bool is_gap = i % width == 0 && discrete.coordinates.touchable[node];
     const bool held = !is_gap && box.lower.owned()[i] == box.upper.owned()[i];
     const bool lifted = is_gap && at[node];
     box.lower.owned()[i] = lifted ? change : held ? 0 : -infinity;

@@ -48,7 +48,7 @@ class Evaluator {
     for (const std::size_t c : by_coarse_[fine.coarse]) {
       const fem::Cell& cell = shell_.space().cells[c];
       const Eigen::Vector2d middle = fine.corner + fine.size * Eigen::Vector2d(0.3, 0.3);  // of square and triangle
-      if (!fem::local_coordinates(cell, {fine.coarse, middle})) continue;
+      if (!fem::local_coordinates(shell_.space().shape(), cell, {fine.coarse, middle})) continue;
       return strains(c, {(fine.corner - cell.corner) / cell.size, fine.size / cell.size});
     }
     return std::nullopt;
@@ -74,7 +74,7 @@ class Evaluator {
     std::vector<Eigen::Vector2d> xi;
     for (const Eigen::Vector2d& p : shell_.tables().quadrature.xi) xi.emplace_back(part.corner + part.size * p);
     return tables_
-        .emplace(key, PartTables{assembly::basis_at(shell_.space().degree, xi),
+        .emplace(key, PartTables{assembly::basis_at(shell_.space().shape(), shell_.space().degree, xi),
                                  assembly::tied_interpolation(shell_.tables(), xi)})
         .first->second;
   }
