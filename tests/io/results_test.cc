@@ -28,7 +28,7 @@ assembly::PointValues some_point() {
 }
 
 study::Result some_result(bool has_obstacle) {
-  study::Result result{.has_obstacle = has_obstacle, .ranks = 2, .peak_memory = 1024};
+  study::Result result{.has_obstacle = has_obstacle, .ranks = 2, .warnings = {"doubtful"}, .peak_memory = 1024};
   result.summary.energy = {.membrane = 1.0 / 3, .bending = 2e-17, .shear = 1e300};
   result.summary.reaction.force = {0, 0, 5};
   result.certificate.min_gap_between = -1e-5;
@@ -57,6 +57,13 @@ TEST(Results, have_every_key_that_the_documentation_promises) {
   for (const char* key : {"cells", "nodes", "unknowns", "active", "iterations", "factorisations", "status", "energy",
                           "reaction", "min_gap", "linear_residual", "seconds", "history"})
     EXPECT_TRUE(json["levels"][0].contains(key)) << key;
+}
+
+TEST(Results, list_the_warnings_in_words) {
+  EXPECT_EQ(some_json()["warnings"], Json({"doubtful"}));
+  study::Result none = some_result(true);
+  none.warnings.clear();
+  EXPECT_EQ(results_json(none, {})["warnings"], Json::array());
 }
 
 TEST(Results, hold_every_member_of_the_certificate) {
@@ -128,7 +135,7 @@ void collect(const Json& json, const std::string& path, std::map<std::string, bo
 TEST(Results, state_a_unit_for_every_number) {
   Json json = some_json();
   const Json units = json["units"];
-  for (const char* part : {"settings", "versions", "files", "fields", "units", "title"}) json.erase(part);
+  for (const char* part : {"settings", "versions", "files", "fields", "units", "title", "warnings"}) json.erase(part);
   std::map<std::string, bool> paths;
   collect(json, "", paths);
   for (const auto& [path, is_number] : paths) EXPECT_TRUE(units.contains(path) || !is_number) << path;
