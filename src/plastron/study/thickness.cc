@@ -193,7 +193,8 @@ Plot plot_of(const std::vector<Sample>& samples) {
 Report thickness(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer) {
   const double exponent = options.load_exponent.value_or(problem.obstacle ? 3 : 0);
   Report report{.table = empty_table(), .plot = {}};
-  report.table.remarks.push_back(fmt::format("loads are the case's times factor^{:g}", exponent));
+  report.table.remarks.push_back(exponent == 0 ? std::string("loads are those of the case")
+                                               : fmt::format("loads are the case's times factor^{:g}", exponent));
   if (problem.obstacle)
     report.table.remarks.push_back("mid-surface and obstacle stay; the touching face moves with e/2");
   Problem plain = problem;
