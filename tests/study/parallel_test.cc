@@ -66,6 +66,15 @@ TEST(Ranks, do_not_change_a_pressed_bowl_of_triangles) {
   }
 }
 
+TEST(Ranks, do_not_change_a_pressed_bowl_in_any_formulation) {
+  for (const auto formulation :
+       {assembly::Formulation::penalised, assembly::Formulation::mixed, assembly::Formulation::classical}) {
+    Problem p = pressed_bowl();
+    p.discretisation.tangency.formulation = formulation;
+    expect_same_alone_and_together(p);
+  }
+}
+
 // Some ranks then own no cells on the coarsest meshes, or cells but no nodes.
 TEST(Ranks, may_outnumber_the_cells) {
   for (const int cells : {1, 2})

@@ -23,7 +23,7 @@ constexpr bool is_relaxed(Formulation formulation) {
 struct Tangency {
   Formulation formulation = Formulation::tangent;
   double penalty = 0.1;        ///< p of (M13), in (0, 1]: the form is multiplied by E e^3 / p
-  double stabilisation = 1.0;  ///< rho of (M14), >= 0: the form is multiplied by rho E e^3
+  double stabilisation = 1.0;  ///< rho of (M14), > 0: the form is multiplied by rho E e^3
 };
 
 }  // namespace plastron::assembly

@@ -1,9 +1,10 @@
 // Nodal coordinates in which contact is a bound (D2).
 //
 // At every node the six Cartesian values y = (u, r) are written as y = T z with five coordinates z, or six:
-//   z_0          w = n . (u + z r), the change of the gap, where the node can touch the obstacle and w is not
-//   prescribed then         displacements across n, rotations in the tangent plane and, last,   the components that
-//   supports prescribe.
+//   z_0          w = n . (u + z r), the change of the gap, where the node can touch the obstacle and supports leave w
+//                free
+//   then         displacements across n, rotations in the tangent plane
+//   last         the components that supports prescribe
 //   z_5          r . a_3, only in the relaxed formulations (M13, M14); it leaves w alone, so that the gap feels the
 //                tangential part of r and the penalty is no compliant layer between shell and obstacle. Zero where a
 //                support prescribes any component of r.

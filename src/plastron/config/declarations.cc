@@ -69,7 +69,7 @@ Section shell_section() {
             .meaning = "p of the penalised formulation; the penalty is E e^3 / p"},
            {.name = "stabilisation",
             .fallback = "1",
-            .range = {.low = 0},
+            .range = positive(),
             .meaning = "rho of the mixed formulation; the stabilisation is rho E e^3"}}};
 }
 

@@ -211,11 +211,10 @@ class Examination {
   void formulation(const assembly::NodalCoordinates& coordinates) {
     using assembly::Formulation;
     const Formulation kind = problem_.discretisation.tangency.formulation;
-    if (kind == Formulation::classical && space_->coarse->regions.size() > 1)
+    if (kind == Formulation::classical && problem_.charts.size() > 1)
       add(Severity::error,
           "the classical formulation needs a smooth chart, and the regions {} have charts of their own, where "
-          "curvature "
-          "may jump; use formulation = \"tangent\"",
+          "curvature may jump; use formulation = \"tangent\"",
           fmt::join(space_->coarse->regions, ", "));
     if (!assembly::is_relaxed(kind)) return;
     for (std::size_t i = 0; i < coordinates.basis.size(); ++i)

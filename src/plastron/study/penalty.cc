@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace plastron::study {
 
@@ -78,6 +79,28 @@ Table empty_table() {
                       {"residual", "", "1"}}};
 }
 
+/// Theorem 3 and Remark 4: r . a_3 and with it U_p - U_0 go to zero with p.
+void add_claims(const std::vector<double>& p, const std::vector<double>& to_limit, const std::vector<double>& tilt,
+                bool is_idle, Table& table) {
+  const double exponent = fitted_exponent(p, tilt, p.size());
+  const auto falls = [](std::span<const double> values) {
+    return std::ranges::adjacent_find(values, std::less_equal<>{}) == values.end();
+  };
+  const std::string none = "zero up to rounding: r . a_3 takes no part on this shell";
+  table.fits.push_back({"tilt", "p", exponent});
+  table.claims.push_back(
+      {.statement = "the largest |r . a_3| falls with p",
+       .measured = is_idle ? none : fmt::format("like p^{:.2f} from p = 1 to {:g}", exponent, p.back()),
+       .holds = is_idle || falls(tilt)});
+  table.claims.push_back({.statement = "U_p approaches its limit on this mesh with p",
+                          .measured = is_idle
+                                          ? none
+                                          : fmt::format("relative distance from the last U_p {:.1e} at p = 1, {:.1e} "
+                                                        "at the last p before",
+                                                        to_limit.front(), to_limit[to_limit.size() - 2]),
+                          .holds = is_idle || falls(std::span(to_limit))});
+}
+
 }  // namespace
 
 Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
@@ -126,27 +149,12 @@ Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const
                                  tilt.back(), s.tilt_energy, s.finest.energy, s.finest.reaction,
                                  static_cast<std::int64_t>(s.finest.iterations), s.finest.linear_residual});
   }
-  // Where p is small enough for the asymptotic law and far enough from the last one, which serves as the limit.
-  std::vector<double> p_fit, d_fit;
-  const bool is_flat = is_idle(samples.back());
-  for (std::size_t i = 0; i + 1 < p.size(); ++i)
-    if (p[i] > 30 * p.back())
-      if (to_limit[i] < 0.02 && to_limit[i] > 1e-8) {
-        p_fit.push_back(p[i]);
-        d_fit.push_back(to_limit[i]);
-      }
-  const double exponent = fitted_exponent(p_fit, d_fit, 3);
-  report.table.fits.push_back({"distance to the limit", "p", exponent});
-  report.table.claims.push_back({.statement = "|U_p - U_0|_a falls like p",
-                                 .measured = is_flat
-                                                 ? "no difference above rounding: r . a_3 takes no part on this chart"
-                                                 : fmt::format("p^{:.2f} on the last {} values before the limit",
-                                                               exponent, std::min<std::size_t>(3, p_fit.size())),
-                                 .holds = is_flat || std::abs(exponent - 1) < 0.15});
+  add_claims(p, to_limit, tilt, is_idle(samples.back()), report.table);
   const auto nearest = std::ranges::min_element(to_tangent);
   report.table.remarks.push_back(fmt::format(
-      "closest to the tangent formulation at p = {:g}: {:.2e}; with smaller p the elements are kept from bending "
-      "by r . a_3 = 0 between nodes (locking), more so for low degree and on coarse meshes",
+      "closest to the tangent formulation at p = {:g}: {:.2e}; with smaller p the elements lock, for polynomials "
+      "cannot "
+      "keep r . a_3 = 0 between the nodes of a curved chart: the less, the higher the degree and the finer the mesh",
       p[static_cast<std::size_t>(nearest - to_tangent.begin())], *nearest));
   report.table.remarks.push_back(end);
   to_limit.pop_back();
