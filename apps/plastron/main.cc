@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
 
   try {
     program.parse(argc, argv);
-    if (!std::ranges::is_sorted(study_options.options.factors, std::greater_equal<>{}))
+    if (const auto& f = study_options.options.factors; std::ranges::adjacent_find(f, std::less_equal<>{}) != f.end())
       throw CLI::ValidationError("--factors", "must fall from one to the next");
   } catch (const CLI::ParseError& error) {
     if (!is_first_rank()) return error.get_exit_code() == 0 ? solved : bad_input;

@@ -216,7 +216,7 @@ TEST(Study, of_thickness_and_continuity_takes_its_options) {
   EXPECT_EQ(thin.exit_code, 0) << thin.output;
   EXPECT_EQ(thin.output, "");
   const Outcome thick =
-      plastron({"study", "thickness", "case.toml", "-o", "out2", "-q", "--factors", "2,1"}, scratch.path);
+      plastron({"study", "thickness", "case.toml", "-o", "out2", "-q", "--factors", "0.8,0.4"}, scratch.path);
   EXPECT_EQ(thick.exit_code, 0) << thick.output;
   const Outcome near = plastron({"study", "continuity", "case.toml", "-o", "out", "--samples", "1"}, scratch.path);
   EXPECT_EQ(near.exit_code, 0) << near.output;
