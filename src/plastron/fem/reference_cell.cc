@@ -35,8 +35,8 @@ bool holds(Shape shape, const Vector2d& xi, double tolerance) {
 }
 
 Vector2d put_inside(Shape shape, const Vector2d& xi) {
-  const Vector2d inside = xi.cwiseMax(0.0).cwiseMin(1.0);
-  if (shape == Shape::triangle && inside.sum() > 1) return inside / inside.sum();
+  Vector2d inside = xi.cwiseMax(0.0).cwiseMin(1.0);
+  if (shape == Shape::triangle && inside.sum() > 1) inside /= inside.sum();
   return inside;
 }
 

@@ -17,7 +17,9 @@ using algebra::GlobalIndex;
 std::vector<std::size_t> node_entities(const TriangleTopology& mesh, int degree, std::size_t cell) {
   const auto& v = mesh.vertices[cell];
   if (degree == 1) return {v.begin(), v.end()};
-  const auto edge = [&](std::size_t s) { return static_cast<std::size_t>(mesh.vertex_count + mesh.sides[cell][s]); };
+  const auto edge = [&](std::size_t s) {
+    return static_cast<std::size_t>(mesh.vertex_count) + static_cast<std::size_t>(mesh.sides[cell][s]);
+  };
   const auto vertex = [&](std::size_t k) { return static_cast<std::size_t>(v[k]); };
   return {vertex(0), edge(0), vertex(1), edge(2), edge(1), vertex(2)};
 }

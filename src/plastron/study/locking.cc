@@ -26,9 +26,9 @@ struct CornerPoints {
 };
 
 CornerPoints corner_points(const Problem& problem, const fem::Surface& surface, const fem::Cell& cell) {
-  std::vector<Eigen::Vector2d> xi;
-  for (int k = 0; k < fem::corner_count(problem.discretisation.cells); ++k)
-    xi.push_back(fem::corner(problem.discretisation.cells, k));
+  const fem::Shape shape = problem.discretisation.cells;
+  std::vector<Eigen::Vector2d> xi(static_cast<std::size_t>(fem::corner_count(shape)));
+  for (std::size_t k = 0; k < xi.size(); ++k) xi[k] = fem::corner(shape, static_cast<int>(k));
   std::vector<geometry::SurfaceJet> jets(xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   CornerPoints corners{.phi = {}, .thickness = std::vector<double>(xi.size())};
