@@ -65,10 +65,10 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command, std::optional<int>
   app->add_option("--reference", o.reference, "convergence: levels between the finest mesh and the reference")
       ->check(CLI::Range(1, 6))
       ->capture_default_str();
-  CLI::Option* factors =
-      app->add_option("--factors", o.factors, "thickness: multiples of the case's thickness, from thick to thin")
-          ->delimiter(',')
-          ->check(CLI::PositiveNumber);
+  CLI::Option* factors = app->add_option("--factors", o.factors,
+                                         "thickness, stability: multiples of the case's thickness, from thick to thin")
+                             ->delimiter(',')
+                             ->check(CLI::PositiveNumber);
   app->add_option("--steps", steps, "thickness: that many halvings, in place of --factors")
       ->check(CLI::Range(1, 20))
       ->excludes(factors);

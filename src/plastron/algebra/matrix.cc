@@ -92,6 +92,7 @@ Matrix::Matrix(std::shared_ptr<const Layout> layout, int block, const Connectivi
   storage_->values.assign(storage_->column.size() * storage_->block_area(), 0.0);
 }
 
+Matrix::Matrix(std::unique_ptr<Storage> storage) : storage_(std::move(storage)) {}
 Matrix::Matrix(Matrix&&) noexcept = default;
 Matrix& Matrix::operator=(Matrix&&) noexcept = default;
 Matrix::~Matrix() = default;
@@ -130,6 +131,15 @@ void Matrix::finish() {
 }
 
 void Matrix::set_zero() { std::ranges::fill(storage_->values, 0.0); }
+
+Matrix Matrix::plus_multiple(double factor, const Matrix& B) const {
+  const Storage &A = *storage_, &other = *B.storage_;
+  if (A.column != other.column || A.row_start != other.row_start || A.block != other.block)
+    throw std::invalid_argument("matrices of different patterns cannot be added");
+  auto sum = std::make_unique<Storage>(A);
+  for (std::size_t k = 0; k < sum->values.size(); ++k) sum->values[k] += factor * other.values[k];
+  return Matrix(std::move(sum));
+}
 
 void Matrix::multiply(const Vector& x, Vector& y) const {
   multiply_mapped(*storage_, x, y, [](double value) { return value; });

@@ -39,6 +39,8 @@ class Matrix {
   /// Ends the adding: what was added to rows of other ranks goes there (collective). Adding may go on afterwards.
   void finish();
   void set_zero();  ///< keeps the pattern
+  /// A + factor B, for matrices of one layout, block and pattern.
+  Matrix plus_multiple(double factor, const Matrix& B) const;
 
   /// y = A x, owned values; the ghosts of x are not read, those of y end as zero (collective).
   void multiply(const Vector& x, Vector& y) const;
@@ -54,6 +56,7 @@ class Matrix {
   const Storage& storage() const { return *storage_; }
 
  private:
+  explicit Matrix(std::unique_ptr<Storage> storage);
   std::unique_ptr<Storage> storage_;
 };
 

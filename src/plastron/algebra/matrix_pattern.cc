@@ -121,7 +121,7 @@ void build_pattern(Matrix::Storage& A, const Connectivity& elements) {
   MPI_Comm_size(A.layout->comm, &ranks);
   const auto received = ranks == 1 ? std::vector<Coupling>{} : couplings_from_others(*A.layout, elements);
   A.wide = ranks == 1 ? A.layout : widen(*A.layout, received);
-  A.exchange = std::make_unique<Exchange>(*A.wide);
+  A.exchange = std::make_shared<const Exchange>(*A.wide);
   for (const GlobalIndex ghost : A.layout->ghosts) A.ghost_in_wide.push_back(local_in(*A.wide, ghost));
   for (LocalIndex i = 0; i < A.wide->local_size(); ++i) A.global.push_back(A.wide->global(i));
   fill_rows(A, elements, received);

@@ -16,11 +16,11 @@ struct Matrix::Storage {
   std::shared_ptr<const Layout> wide{};     ///< the same owned nodes, and as ghosts every column that owned rows have
   std::vector<LocalIndex> ghost_in_wide{};  ///< index in `wide` of each ghost of `layout`
   int block = 0;
-  std::vector<GlobalIndex> global{};      ///< of each node of `wide`
-  std::vector<std::int64_t> row_start{};  ///< in blocks, for every node of `wide`
-  std::vector<LocalIndex> column{};       ///< node of `wide`, for each block
-  std::vector<double> values{};           ///< block after block, row-major inside
-  std::unique_ptr<Exchange> exchange{};   ///< for `wide`
+  std::vector<GlobalIndex> global{};           ///< of each node of `wide`
+  std::vector<std::int64_t> row_start{};       ///< in blocks, for every node of `wide`
+  std::vector<LocalIndex> column{};            ///< node of `wide`, for each block
+  std::vector<double> values{};                ///< block after block, row-major inside
+  std::shared_ptr<const Exchange> exchange{};  ///< for `wide`
 
   std::size_t block_area() const { return static_cast<std::size_t>(block) * static_cast<std::size_t>(block); }
   std::size_t row_begin(LocalIndex row) const {

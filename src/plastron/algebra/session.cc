@@ -1,7 +1,7 @@
 #include <plastron/algebra/session.hpp>
 
 #include <dlfcn.h>
-#include <petscsys.h>
+#include <slepcsys.h>
 
 #include <array>
 #include <cstdlib>
@@ -20,8 +20,9 @@ void start_mpi(int& argc, char**& argv) {
   if (we_started_mpi) MPI_Init(&argc, &argv);
 }
 
-// The words PETSc sees in place of our command line: no file, no signal handler that prints, no report at the end.
-void start_petsc() {
+// The words PETSc sees in place of our command line: no file, no signal handler that prints, no report at the end. SLEPc
+// starts and ends PETSc.
+void start_petsc_and_slepc() {
   unsetenv("PETSC_OPTIONS");
   std::array words{const_cast<char*>("plastron"), const_cast<char*>("-skip_petscrc"),
                    const_cast<char*>("1"),        const_cast<char*>("-no_signal_handler"),
@@ -29,7 +30,7 @@ void start_petsc() {
                    const_cast<char*>("0"),        static_cast<char*>(nullptr)};
   int count = static_cast<int>(words.size()) - 1;
   char** arguments = words.data();
-  petsc_check(PetscInitialize(&count, &arguments, nullptr, nullptr), "starting");
+  petsc_check(SlepcInitialize(&count, &arguments, nullptr, nullptr), "starting");
   petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "silencing its error handler");
 }
 
@@ -48,13 +49,13 @@ void one_blas_thread_per_rank() {
 
 Session::Session(int& argc, char**& argv) {
   start_mpi(argc, argv);
-  start_petsc();
+  start_petsc_and_slepc();
   one_blas_thread_per_rank();
 }
 
 Session::~Session() {
   PetscPopErrorHandler();
-  PetscFinalize();
+  SlepcFinalize();
   if (we_started_mpi) MPI_Finalize();
 }
 

@@ -1,4 +1,4 @@
-// Starts and ends MPI, PETSc and the BLAS threads. One per program, alive as long as any vector or matrix.
+// Starts and ends MPI, PETSc with SLEPc, and the BLAS threads. One per program, alive as long as any vector or matrix.
 #pragma once
 #include <mpi.h>
 

@@ -1,4 +1,4 @@
-#include <plastron/algebra/scramble.hpp>
+#include <plastron/algebra/arbitrary_values.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 
 #include <cmath>
@@ -6,14 +6,6 @@
 
 namespace plastron::algebra {
 namespace {
-
-// In (-1, 1), and a function of the unknown's global number only.
-void fill_with_arbitrary_values(Vector& v) {
-  const auto first = static_cast<std::uint64_t>(v.layout()->first) * static_cast<std::uint64_t>(v.block());
-  const auto values = v.owned();
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = static_cast<double>(scramble(first + i) >> 11) * 0x1p-52 - 1;
-}
 
 // a = D v, zero at fixed unknowns.
 void weigh(const Vector& diagonal, const Vector& v, std::span<const char> fixed, Vector& a) {

@@ -3,6 +3,7 @@
 #include <plastron/study/continuity.hpp>
 #include <plastron/study/convergence.hpp>
 #include <plastron/study/penalty.hpp>
+#include <plastron/study/stability.hpp>
 #include <plastron/study/thickness.hpp>
 
 #include <algorithm>
@@ -16,6 +17,8 @@ std::span<const Kind> kinds() {
       Kind{"penalty", "whether the penalised solution converges as p goes to zero", penalty},
       Kind{"thickness", "what happens as the thickness goes to zero", thickness},
       Kind{"continuity", "whether the solution depends continuously on load, thickness and obstacle", continuity},
+      Kind{"stability", "whether the constants of coercivity and inf-sup hold as h and e go to zero", stability},
+      Kind{"soft-modes", "which motions cost nothing once all supports are removed", soft_modes},
   };
   return all;
 }

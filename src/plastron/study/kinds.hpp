@@ -1,4 +1,4 @@
-// The studies: each solves a case many times and examines a theorem or a limit with what it finds.
+// The studies: each computes a case many times and examines a theorem or a limit with what it finds.
 #pragma once
 #include <plastron/study/observer.hpp>
 #include <plastron/study/plot.hpp>
@@ -19,7 +19,8 @@ namespace plastron::study {
 /// What a study may be told. Each looks only at what concerns it.
 struct StudyOptions {
   int reference = 2;  ///< convergence: levels between the finest mesh and the reference
-  std::vector<double> factors{1, 0.5, 0.25, 0.125, 0.0625};  ///< thickness: multiples of the case's, descending
+  std::vector<double>
+      factors{};  ///< thickness, stability: multiples of the case's e, descending; empty: the study's own
   std::optional<double> load_exponent{};  ///< thickness: loads ~ e^exponent; empty: 0 without, 3 with obstacle
   int samples = 10;                       ///< continuity: perturbations of each kind
   double size = 0.05;                     ///< continuity: largest relative perturbation

@@ -200,7 +200,8 @@ Report thickness(const Problem& problem, const StudyOptions& options, MPI_Comm c
   Problem plain = problem;
   plain.probes.clear();
   std::vector<Sample> samples;
-  for (const double factor : options.factors) {
+  const std::vector<double> halvings{1, 0.5, 0.25, 0.125, 0.0625};
+  for (const double factor : options.factors.empty() ? halvings : options.factors) {
     if (observer.stage) observer.stage(fmt::format("thickness times {:g}", factor));
     const double load_factor = std::pow(factor, exponent);
     const Result result =

@@ -1,0 +1,13 @@
+// Study: the constants on which the well-posedness of the discrete problems rests (docs/methods/study-stability.md).
+#pragma once
+#include <plastron/study/kinds.hpp>
+
+namespace plastron::study {
+
+/// Coercivity and inf-sup constants over mesh size and thickness. (collective)
+Report stability(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+
+/// What costs nothing once all supports are removed, in every formulation, over the mesh size. (collective)
+Report soft_modes(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+
+}  // namespace plastron::study

@@ -1,0 +1,49 @@
+// The constants that proofs rest on do not degrade, and the soft modes are those that theory names.
+#include <gtest/gtest.h>
+#include <plastron/study/stability.hpp>
+
+#include "study/problems.hpp"
+#include "study/tables.hpp"
+
+namespace plastron::study {
+namespace {
+
+TEST(Stability, OfTheBowlDoesNotDegradeWithMeshSizeOrThickness) {
+  Problem p = pressed_bowl();
+  p.discretisation = {.degree = 2, .refinements = 2};
+  StudyOptions options;
+  options.factors = {1, 0.1};
+  const Report report = stability(p, options, MPI_COMM_SELF, {});
+  EXPECT_EQ(report.table.rows.size(), 6u);
+  expect_all_hold(report.table);
+  const auto b = numbers(report.table, "inf-sup b"), c = numbers(report.table, "inf-sup c");
+  for (const double value : b) EXPECT_NEAR(value, b.front(), 0.05 * b.front());
+  for (const double value : c) EXPECT_GT(value, 1 - 1e-6);
+}
+
+TEST(Stability, WithoutSupportsIsNotCoercive) {
+  Problem p = free_plate();
+  StudyOptions options;
+  options.factors = {1};
+  const Report report = stability(p, options, MPI_COMM_SELF, {});
+  for (const double alpha : numbers(report.table, "coercivity")) EXPECT_EQ(alpha, 0);
+  EXPECT_TRUE(report.table.claims.empty());
+}
+
+TEST(SoftModesStudy, OfACylinderFindsTheSeventhModeOfTheRelaxedFormulations) {
+  Problem p = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
+  p.discretisation = {.degree = 2, .refinements = 3};
+  const Report report = soft_modes(p, {}, MPI_COMM_SELF, {});
+  EXPECT_EQ(report.table.rows.size(), 4u * 4u * 8u);
+  expect_all_hold(report.table);
+}
+
+TEST(SoftModesStudy, OfACapFindsSixEverywhere) {
+  Problem p = pressed_bowl();
+  p.thickness = Expression(0.05);
+  p.discretisation = {.degree = 2, .refinements = 2};
+  expect_all_hold(soft_modes(p, {}, MPI_COMM_SELF, {}).table);
+}
+
+}  // namespace
+}  // namespace plastron::study
