@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "study/problems.hpp"
@@ -39,8 +40,8 @@ TEST(Compare, PutsAllFormulationsOfABowlSideBySide) {
   EXPECT_EQ(report.table.claims.size(), 3U);
   for (std::size_t f = 0; f < 4; ++f) {
     const std::size_t finest = 3 * f + 2;
-    EXPECT_EQ(number(report.table, finest, "unknowns"),
-              number(report.table, 2, "unknowns") / 5 * std::array{5, 6, 7, 5}[f]);
+    constexpr std::array width{5, 6, 7, 5};
+    EXPECT_EQ(number(report.table, finest, "unknowns"), number(report.table, 2, "unknowns") / 5 * width[f]);
     EXPECT_NEAR(number(report.table, finest, "energy") / number(report.table, 2, "energy"), 1, 0.02);
     EXPECT_NEAR(number(report.table, finest, "reaction") / number(report.table, 2, "reaction"), 1, 0.02);
   }

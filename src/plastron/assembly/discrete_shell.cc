@@ -47,8 +47,9 @@ contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete)
       if ((*zeros)[i]) q.owned()[i] = 0;
   };
   struct Gradients {
+    explicit Gradients(algebra::Matrix m) : matrix(std::move(m)), factor(matrix) {}
     algebra::Matrix matrix;
-    algebra::Factorisation factor{matrix};
+    algebra::Factorisation factor;
   };
   const auto gradients = std::make_shared<Gradients>(gradient_matrix(discrete.shell));
   if (!gradients->factor.factorise(*zeros))
