@@ -54,17 +54,19 @@ bool FaceSolver::factorise(const ActiveSet& set) {
 }
 
 /// A face that differs from the factorised one in a few unknowns: the factor is a preconditioner that is exact up to
-/// that rank, and each step costs a twentieth of a factorisation on a fine mesh. Nothing if that does not converge soon.
+/// that rank, and each step costs a twentieth of a factorisation on a fine mesh. Its norm weighs the unknowns that changed
+/// wrongly, hence the sharper tolerance. Nothing if that does not converge soon.
 std::optional<FacePoint> FaceSolver::solve_with_old_factor(const ActiveSet& set) {
   constexpr std::int64_t most_changes = 64;
   constexpr int most_steps = 16;
+  constexpr double sharper = 1e-2;
   if (settings_.detect_free_motions || problem_.equations || !factorised_ ||
       count_changes(problem_, *factorised_, set) > most_changes)
     return {};
   algebra::Vector z = nearby_;
-  const auto linear =
-      solve_linear(set, problem_.load,
-                   {.tolerance = settings_.linear_tolerance, .max_steps = most_steps, .patience = most_steps}, z);
+  const auto linear = solve_linear(
+      set, problem_.load,
+      {.tolerance = sharper * settings_.linear_tolerance, .max_steps = most_steps, .patience = most_steps}, z);
   if (!linear.converged) return {};
   return complete(std::move(z), linear, set);
 }
