@@ -42,6 +42,7 @@ Rows rows_of(const std::vector<Field>& present) {
 std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
   if (shape == fem::Shape::quadrilateral) return fem::lattice(shape, degree);
   std::vector<Eigen::Vector2d> points;
+  points.reserve(6);
   for (int k = 0; k < 3; ++k) points.push_back(fem::corner(shape, k));
   for (int side = 0; degree == 2 && side < 3; ++side) points.push_back(fem::side_point(shape, side, 0.5));
   return points;

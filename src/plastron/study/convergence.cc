@@ -187,6 +187,7 @@ void add_fits(const Sequence& s, const std::string& obstacle, Table& table) {
 Claim falling(const Sequence& s, const std::string& obstacle) {
   const auto errors = s.of(&Norms::energy);
   std::vector<std::string> texts;
+  texts.reserve(errors.size());
   for (const double e : errors) texts.push_back(fmt::format("{:.2e}", e));
   return {.statement = fmt::format("{}: the error in the energy norm falls from mesh to mesh", obstacle),
           .measured = fmt::format("{}", fmt::join(texts, ", ")),

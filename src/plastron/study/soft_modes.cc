@@ -129,6 +129,7 @@ std::vector<Sample> of(const std::vector<Sample>& samples, Formulation formulati
 std::vector<double> stiffest_soft(const std::vector<Sample>& samples) {
   const int soft = samples.back().soft();
   std::vector<double> theta;
+  theta.reserve(samples.size());
   for (const Sample& s : samples) theta.push_back(soft > 0 ? s.modes[static_cast<std::size_t>(soft - 1)].stiffness : 0);
   return theta;
 }
@@ -152,6 +153,7 @@ Claim counted(const Sample& finest, bool developable) {
 void examine_rate(const std::vector<Sample>& samples, int degree, Table& table) {
   const std::vector<double> theta = stiffest_soft(samples);
   std::vector<double> h;
+  h.reserve(samples.size());
   for (const Sample& s : samples) h.push_back(s.mesh_size);
   const std::string name(assembly::to_string(samples.front().formulation));
   if (theta.back() == 0) {

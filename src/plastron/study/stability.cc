@@ -145,6 +145,7 @@ using Value = double Sample::*;
 
 std::vector<double> column(const std::vector<Sample>& samples, Value value) {
   std::vector<double> values;
+  values.reserve(samples.size());
   for (const Sample& s : samples) values.push_back(s.*value);
   return values;
 }

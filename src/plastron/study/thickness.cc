@@ -74,6 +74,7 @@ Sample sample_of(const Result& result, double factor, double load_factor) {
 template <class Take>
 std::vector<double> column(const std::vector<Sample>& samples, const Take& take) {
   std::vector<double> values;
+  values.reserve(samples.size());
   for (const Sample& s : samples) values.push_back(take(s));
   return values;
 }
