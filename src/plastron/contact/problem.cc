@@ -16,6 +16,8 @@ std::string_view to_string(Status status) {
       return "singular";
     case Status::linear_solver_stalled:
       return "linear_solver_stalled";
+    case Status::interrupted:
+      return "interrupted";
   }
   return "unknown";
 }
@@ -40,6 +42,8 @@ std::string_view explain(Status status) {
     case Status::linear_solver_stalled:
       return "The linear systems are too ill-conditioned for double precision; use a thicker shell, a coarser mesh or "
              "higher degree.";
+    case Status::interrupted:
+      return "The computation was interrupted; what is reported is of the last mesh that was finished.";
   }
   return "";
 }

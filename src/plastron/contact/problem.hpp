@@ -38,11 +38,12 @@ enum class Activity : char { free = 0, at_lower = 1, at_upper = 2, prescribed = 
 
 enum class Status {
   solved,
-  iteration_limit,       ///< max_iterations reached
-  cycling,               ///< the active set came back and the safeguarded search could not go on either
-  infeasible,            ///< some lower > upper
-  singular,              ///< A is not positive definite on the free unknowns: a motion is left free
-  linear_solver_stalled  ///< the preconditioned iteration missed its tolerance by far
+  iteration_limit,        ///< max_iterations reached
+  cycling,                ///< the active set came back and the safeguarded search could not go on either
+  infeasible,             ///< some lower > upper
+  singular,               ///< A is not positive definite on the free unknowns: a motion is left free
+  linear_solver_stalled,  ///< the preconditioned iteration missed its tolerance by far
+  interrupted             ///< somebody asked to stop
 };
 std::string_view to_string(Status status);
 /// One sentence for the user: what happened and what to do.
@@ -58,8 +59,13 @@ struct Iteration {
   bool safeguarded = false;     ///< made by the safeguarded search
 };
 
-/// Called after every iteration; may be empty.
-using Observer = std::function<void(const Iteration&)>;
+/// Follows the iterations; both may be empty.
+struct Observer {
+  std::function<void(const Iteration&)> iteration{};  ///< called after every one
+  std::function<bool()> stop{};                       ///< asked before every next one; must answer alike on all ranks
+
+  bool wants_to_stop() const { return stop && stop(); }
+};
 
 struct BoxSolution {
   Status status = Status::iteration_limit;
