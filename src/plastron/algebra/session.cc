@@ -36,21 +36,21 @@ void start_petsc_and_slepc() {
 
 // With one process a core, threads of the BLAS would fight each other. Looked up by name: another BLAS has no such
 // switch.
-void one_blas_thread_per_rank() {
+void set_blas_threads(int threads) {
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (ranks == 1) return;
+  if (threads == 0 && ranks == 1) return;
   using SetThreads = void (*)(int);
   if (const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
-    set_threads(1);
+    set_threads(threads > 0 ? threads : 1);
 }
 
 }  // namespace
 
-Session::Session(int& argc, char**& argv) {
+Session::Session(int& argc, char**& argv, int threads) {
   start_mpi(argc, argv);
   start_petsc_and_slepc();
-  one_blas_thread_per_rank();
+  set_blas_threads(threads);
 }
 
 Session::~Session() {

@@ -7,7 +7,8 @@ namespace plastron::algebra {
 class Session {
  public:
   /// PETSc reads no options from the command line, the environment or files.
-  Session(int& argc, char**& argv);
+  /// `threads` of the BLAS in each process; 0: one in a job of several processes, else as many as there are cores.
+  Session(int& argc, char**& argv, int threads = 0);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;

@@ -36,8 +36,8 @@ Section domain_section() {
             .meaning = "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]"},
            {.name = "mesh",
             .kind = Kind::text,
-            .meaning = "a Gmsh file of quadrilaterals or triangles in the plane, its path relative to the case file; "
-                       "physical curves name the boundaries, physical surfaces the regions"}}};
+            .meaning = "a Gmsh mesh file (.msh of version 2 or 4) of quadrilaterals or triangles in the plane, its path "
+                       "relative to the case file; physical curves name the boundaries, physical surfaces the regions"}}};
 }
 
 std::vector<Section> domain_shapes() {
@@ -83,7 +83,7 @@ std::vector<Section> domain_shapes() {
            {{.name = "corners",
              .kind = Kind::points,
              .required = true,
-             .meaning = "three corners or more, in either sense",
+             .meaning = "three to 500 corners, in either sense",
              .example = "[[0, 0], [1, 0], [0, 1]]"}}}};
 }
 
