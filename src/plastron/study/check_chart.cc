@@ -24,6 +24,8 @@ class ChartCheck {
   void run() {
     for (const fem::Cell& cell : examined_.space->cells)
       if (!usable_points(cell) || !usable_nodes(cell)) return;
+    examined_.size = (high_ - low_).norm() / 2;
+    examined_.is_developable = flattest_ <= 1e-9 * std::max(roundest_, 1 / examined_.size);
     const std::size_t points = examined_.space->cells.size() * examined_.tables.weights.size();
     examined_.add(Severity::note, "chart: regular at {} sample points, mid-surface area {:.6g} m^2", points, area_);
     examined_.add(Severity::note, "thickness: {:.4g} to {:.4g} m; e |kappa| / 2 at most {:.3g} (must stay below 1)",
@@ -51,8 +53,11 @@ class ChartCheck {
   /// Edges of the domain hold nodes but no quadrature points.
   bool usable_nodes(const fem::Cell& cell) {
     const Samples s = samples(cell, examined_.tables.nodes, false);
-    for (std::size_t i = 0; i < s.jets.size(); ++i)
+    for (std::size_t i = 0; i < s.jets.size(); ++i) {
       if (!regular(s.jets[i], s.x[i], s.y[i]) || !thick(s.e[i], s.x[i], s.y[i])) return false;
+      low_ = low_.cwiseMin(s.jets[i].value);
+      high_ = high_.cwiseMax(s.jets[i].value);
+    }
     return true;
   }
 
@@ -87,10 +92,11 @@ class ChartCheck {
   }
 
   bool thick(double e, double x, double y) {
-    if (e > 0) return true;
+    if (e > 0 && std::isfinite(e)) return true;
     examined_.add(Severity::error,
-                  "the thickness is {:g} at x = {:.6g}, y = {:.6g}; it must be positive everywhere in the domain", e, x,
-                  y);
+                  "the thickness is {:g} at x = {:.6g}, y = {:.6g}; it must be positive and finite everywhere in the "
+                  "domain",
+                  e, x, y);
     return false;
   }
 
@@ -108,13 +114,15 @@ class ChartCheck {
     thinnest_ = std::min(thinnest_, e);
     thickest_ = std::max(thickest_, e);
     sharpest_ = std::max(sharpest_, bending);
-    const double gauss = std::abs(kappa[0] * kappa[1]), squares = kappa[0] * kappa[0] + kappa[1] * kappa[1];
-    examined_.is_developable = examined_.is_developable && gauss <= 1e-9 * squares;
+    flattest_ = std::max(flattest_, std::min(std::abs(kappa[0]), std::abs(kappa[1])));
+    roundest_ = std::max(roundest_, std::max(std::abs(kappa[0]), std::abs(kappa[1])));
     return true;
   }
 
   Examined& examined_;
   double thinnest_ = INFINITY, thickest_ = 0, sharpest_ = 0, area_ = 0;
+  double flattest_ = 0, roundest_ = 0;  ///< largest of the smaller and of the larger principal curvatures [1/m]
+  Eigen::Vector3d low_ = Eigen::Vector3d::Constant(INFINITY), high_ = -low_;  ///< box of the mid-surface
 };
 
 }  // namespace

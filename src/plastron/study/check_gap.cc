@@ -28,26 +28,26 @@ std::string supports_of(std::size_t node, const Examined& examined, const Examin
 
 void check_gap(Examined& examined, const ExaminedNodes& nodes) {
   const auto& [points, coordinates] = nodes;
-  double least = INFINITY, most = -INFINITY;
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double g = coordinates.gaps[i].initial;
-    if (g < least) {
-      least = g;
-      at = i;
-    }
-    most = std::max(most, g);
+  const auto initial = [](const obstacle::Gap& gap) { return gap.initial; };
+  const auto [least, most] = std::ranges::minmax_element(coordinates.gaps, {}, initial);
+  const double rounding = 1e-12 * (examined.size + std::abs(least->initial));
+  const char* question =
+      most->initial < -rounding
+          ? "; the whole shell lies inside of it: is a normal reversed, the obstacle's or the chart's?"
+          : "";
+  for (std::size_t i = 0; i < points.size(); ++i)
     if (is_held_inside(coordinates, points[i], i))
       return examined.add(
           Severity::error,
           "the support of the boundary {} holds the shell inside of the obstacle at x = {:.6g}, y = {:.6g}: its face "
-          "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support",
-          supports_of(i, examined, nodes), points[i].x[0], points[i].x[1], -coordinates.bound_gap[i]);
-  }
-  examined.add(least < 0 ? Severity::warning : Severity::note,
-               "initial gap: {:.4g} m (at x = {:.4g}, y = {:.4g}) to {:.4g} m{}", least, points[at].x[0],
-               points[at].x[1], most,
-               least < 0 ? "; the undeformed shell reaches into the obstacle and will be pushed out" : "");
+          "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",
+          supports_of(i, examined, nodes), points[i].x[0], points[i].x[1], -coordinates.bound_gap[i], question);
+  const auto& at = points[static_cast<std::size_t>(least - coordinates.gaps.begin())].x;
+  const bool reaches_in = least->initial < -rounding;
+  examined.add(reaches_in ? Severity::warning : Severity::note,
+               "initial gap: {:.4g} m (at x = {:.4g}, y = {:.4g}) to {:.4g} m{}{}", least->initial, at[0], at[1],
+               most->initial,
+               reaches_in ? "; the undeformed shell reaches into the obstacle and will be pushed out" : "", question);
 }
 
 }  // namespace plastron::study

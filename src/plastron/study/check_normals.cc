@@ -20,7 +20,7 @@ bool agree(const Seen& first, const geometry::SurfaceJet& jet, double x, double 
   constexpr double tolerance = 1e-6;
   const Vector3d a3 = geometry::unit_normal(jet);
   const double apart = (first.phi - jet.value).norm(), turned = (first.a3 - a3).norm();
-  if (apart > tolerance * (1 + first.phi.norm())) {
+  if (apart > tolerance * examined.size) {
     examined.add(Severity::error,
                  "the charts of two regions do not meet at x = {:.6g}, y = {:.6g}: they are {:.3g} m apart; "
                  "the mid-surface must be continuous",

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace plastron::study {
@@ -27,7 +28,9 @@ struct Examined {
   std::shared_ptr<const fem::Surface> surface;
   assembly::ElementTables tables;
   std::vector<Finding> findings;
-  bool is_developable = true;  ///< no Gaussian curvature at any sample point (check_chart)
+  // Known once check_chart is through:
+  double size = 0;              ///< half the diagonal of the box that holds the mid-surface [m]
+  bool is_developable = false;  ///< no Gaussian curvature at any sample point
 };
 
 /// The nodes of the sample mesh with their supports and gaps.
@@ -38,6 +41,9 @@ struct ExaminedNodes {
   std::vector<assembly::NodalPoint> points;
   assembly::NodalCoordinates coordinates;
 };
+
+/// (x, y, z) for the user, without what is negligible beside `size` or the vector itself.
+std::string vector_text(Eigen::Vector3d v, double size = 0);
 
 /// The mesh has the boundaries that supports and loads name.
 void check_names(Examined& examined);
@@ -55,7 +61,9 @@ void check_symmetry(Examined& examined);
 void check_formulation(Examined& examined, const ExaminedNodes& nodes);
 /// The initial gap, and no support that holds the shell inside of the obstacle.
 void check_gap(Examined& examined, const ExaminedNodes& nodes);
-/// No rigid motion is left free.
+/// The face that is to touch is the near one.
+void check_face(Examined& examined, const ExaminedNodes& nodes);
+/// No rigid motion is left free but those that the loads press on the obstacle.
 void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes);
 
 }  // namespace plastron::study

@@ -6,6 +6,7 @@
 #include <plastron/study/gap.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plastron::study {
 
@@ -26,7 +27,10 @@ void check_nodes(Examined& examined) {
   try {
     check_symmetry(examined);
     const ExaminedNodes nodes(examined);
-    if (examined.problem.obstacle) check_gap(examined, nodes);
+    if (examined.problem.obstacle) {
+      check_gap(examined, nodes);
+      check_face(examined, nodes);
+    }
     check_formulation(examined, nodes);
     check_rigid_motions(examined, nodes);
   } catch (const assembly::SupportError& error) {
@@ -57,6 +61,13 @@ ExaminedNodes::ExaminedNodes(const Examined& examined)
       coordinates(assembly::nodal_coordinates(*examined.space, *examined.surface, points, examined.problem.supports,
                                               gap_function(examined.problem),
                                               examined.problem.discretisation.tangency.formulation)) {}
+
+std::string vector_text(Eigen::Vector3d v, double size) {
+  const double negligible = 5e-4 * std::max(v.norm(), size);
+  for (double& c : v)
+    if (std::abs(c) < negligible) c = 0;
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", v[0], v[1], v[2]);
+}
 
 bool has_errors(const std::vector<Finding>& findings) {
   return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
