@@ -43,7 +43,7 @@ void record(const BoxProblem& problem, FacePoint point, const ActiveSet& set, co
   solution.activity = set;
   solution.linear_residual = point.linear_residual;
   solution.tolerances = point.tolerances;
-  if (observer) observer(solution.iterations.back());
+  if (observer.iteration) observer.iteration(solution.iterations.back());
 }
 
 }  // namespace
@@ -68,6 +68,10 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
       return solution;
     }
     if (static_cast<int>(solution.iterations.size()) >= settings.max_iterations) return solution;
+    if (observer.wants_to_stop()) {
+      solution.status = Status::interrupted;
+      return solution;
+    }
     if (progress.is_lost(fingerprint(problem, verdict.next), changes)) break;
     set = verdict.next;
     point = faces.solve(set);

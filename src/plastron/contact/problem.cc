@@ -22,6 +22,8 @@ std::string_view to_string(Status status) {
       return "not_finite";
     case Status::inaccurate:
       return "inaccurate";
+    case Status::interrupted:
+      return "interrupted";
   }
   return "unknown";
 }
@@ -57,6 +59,8 @@ std::string_view explain(Status status) {
     case Status::inaccurate:
       return "The contact problem was solved, but the certificate misses a limit: rounding or the mesh spoils the "
              "result; use a thicker shell, a coarser mesh of higher degree, or a finer one where contact was missed.";
+    case Status::interrupted:
+      return "The computation was interrupted; what is reported is of the last mesh that was finished.";
   }
   return "";
 }

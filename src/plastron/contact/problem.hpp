@@ -45,6 +45,7 @@ enum class Status {
   not_held,               ///< a motion is free on the active set that came up, though more active bounds would hold it
   linear_solver_stalled,  ///< the preconditioned iteration missed its tolerance by far
   not_finite,             ///< numbers overflowed or are no numbers
+  interrupted,            ///< somebody asked to stop
   inaccurate              ///< solved, but what was recomputed independently misses its limit; set by who recomputes
 };
 std::string_view to_string(Status status);
@@ -61,8 +62,13 @@ struct Iteration {
   bool safeguarded = false;     ///< made by the safeguarded search
 };
 
-/// Called after every iteration; may be empty.
-using Observer = std::function<void(const Iteration&)>;
+/// Follows the iterations; both may be empty.
+struct Observer {
+  std::function<void(const Iteration&)> iteration{};  ///< called after every one
+  std::function<bool()> stop{};                       ///< asked before every next one; must answer alike on all ranks
+
+  bool wants_to_stop() const { return stop && stop(); }
+};
 
 /// Below which a bound or a sign counts as kept: what was asked for, or what rounding left of it where that is more.
 struct Tolerances {

@@ -115,6 +115,7 @@ class ProjectedSearch {
 
   Status run() {
     while (static_cast<int>(solution_.iterations.size()) < settings_.max_iterations) {
+      if (observer_.wants_to_stop()) return Status::interrupted;
       const auto point = faces_.solve(held_);
       if (!point && !released_.empty()) {
         held_ = release_one(problem_, held_at_minimiser_, released_, solution_.multiplier, faces_.diagonal());
@@ -173,7 +174,7 @@ class ProjectedSearch {
                                     .worst_multiplier = worst_multiplier,
                                     .linear_steps = point.linear_steps,
                                     .safeguarded = true});
-    if (observer_) observer_(solution_.iterations.back());
+    if (observer_.iteration) observer_.iteration(solution_.iterations.back());
     return solution_.iterations.back().changes;
   }
 

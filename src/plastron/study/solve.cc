@@ -63,10 +63,12 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
 
   for (int number = 0; number <= problem.discretisation.refinements; ++number) {
+    result.status = contact::Status::interrupted;
+    if (wants_to_stop(observer, comm)) break;
     std::optional<algebra::Vector> touched;
     if (number > 0) {
-      std::array fields{std::move(result.solution->nodal.touching)};
-      result.solution.reset();  // one mesh at a time in memory
+      std::array fields{result.solution->nodal.touching};
+      if (!observer.stop) result.solution.reset();  // one mesh at a time in memory, unless this may be the last one
       meshes.refine(fields);
       touched = std::move(fields[0]);
     }
@@ -75,6 +77,7 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
     if (number > 0 && supports_hold(result.levels.front())) task.settings.detect_free_motions = false;
     task.seconds_for_mesh = watch.lap();
     LevelResult level = solve_level(task, shell, surface, observer);
+    if (level.record.status == contact::Status::interrupted) break;  // what there is of the mesh before is the result
     if (observer.level) observer.level(number, level.record);
     if (observer.solution) observer.solution(number, level.solution);
     result.status = level.record.status;
@@ -90,9 +93,11 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
     if (nothing_to_refine(result.status)) break;
     watch.lap();
   }
-  judge_certificate(result);
-  warn(contact_warnings(result, problem.contact), observer, result);
-  result.probes = probe(*result.solution, problem.probes);
+  if (result.solution) {
+    judge_certificate(result);
+    warn(contact_warnings(result, problem.contact), observer, result);
+    result.probes = probe(*result.solution, problem.probes);
+  }
   result.peak_memory = peak_memory(comm);
   return result;
 }
