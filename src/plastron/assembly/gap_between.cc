@@ -9,31 +9,22 @@ namespace plastron::assembly {
 
 namespace {
 
-/// Gap and place of the nodes of a cell.
-struct NodeGaps {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  Vector3d low = Vector3d::Constant(lowest), high = -low;
-
-  void add(double gap, const Vector3d& place) {
-    lowest = std::min(lowest, gap);
-    highest = std::max(highest, gap);
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
-  }
-  /// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range, and a surface
-  /// that bulges out of its nodes, by less than their distance.
-  bool may_be_closed() const { return lowest <= highest - lowest + (high - low).norm(); }
-};
-
-bool may_touch(const DiscreteShell& discrete, const CellField& field, std::span<const algebra::LocalIndex> nodes) {
-  NodeGaps gaps;
+/// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range, and the
+/// undeformed surface, which no polynomial bounds, by less than the cell's diameter.
+bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field,
+                      std::span<const algebra::LocalIndex> nodes) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, radius = 0;
+  const Vector3d& first = discrete.points[static_cast<std::size_t>(nodes[0])].phi;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto row = field.row(static_cast<Eigen::Index>(i));
     const auto node = static_cast<std::size_t>(nodes[i]);
-    const NodalPoint& p = discrete.points[node];
-    gaps.add(discrete.coordinates.gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), p.a3)), p.phi);
+    const NodalPoint& point = discrete.points[node];
+    const double g = discrete.coordinates.gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), point.a3));
+    lowest = std::min(lowest, g);
+    highest = std::max(highest, g);
+    radius = std::max(radius, (point.phi - first).norm());
   }
-  return gaps.may_be_closed();
+  return lowest <= highest - lowest + 2 * radius;
 }
 
 }  // namespace
@@ -47,7 +38,7 @@ double min_gap_between_nodes(const DiscreteShell& discrete, const algebra::Vecto
     std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
     for (std::size_t c = 0; c < space.owned_cells; ++c) {
       const CellField field = discrete.shell.gather(c, y);
-      if (!may_touch(discrete, field, space.nodes(c))) continue;
+      if (!is_near_obstacle(discrete, field, space.nodes(c))) continue;
       discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
       discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
       discrete.thickness.evaluate(px, py, e);
