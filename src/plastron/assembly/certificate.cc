@@ -93,7 +93,7 @@ void add(Wrench& wrench, const NodalPoint& p, const Vector6& f, Sums& sums) {
   sums.moment_scale += p.phi.cross(f.head<3>()).norm() + f.tail<3>().norm();
 }
 
-/// What the gap feels of (u, r): the tangential part of r only (D2).
+/// What the gap feels of (u, r): the tangential part of r only (D4).
 Vector6 gap_row(const obstacle::Gap& gap, const Vector3d& a3) {
   Vector6 row;
   row << gap.normal, gap.z * geometry::tangential(gap.normal, a3);

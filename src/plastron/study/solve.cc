@@ -1,5 +1,5 @@
 // The story, top to bottom:
-//   find U in K with a(U, V - U) >= l(V - U) for all V in K                                        (M17, M18)
+//   find U in K with a(U, V - U) >= l(V - U) for all V in K              (M17, M18), without obstacle (M11)
 // on a sequence of nested meshes. On each: the nodal coordinates make K a box, the active set of the mesh before
 // is the first guess, and the finest solution is certified from its strains and bounds.
 #include <plastron/study/solve.hpp>
