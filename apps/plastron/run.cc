@@ -67,9 +67,9 @@ ExitCode run(const Options& options) {
   }
   report(result, c, options);
   if (result.status == contact::Status::interrupted)
-    print_error("{}: interrupted: {}\n", case_file, contact::explain(result.status));
+    print_error("{}: interrupted: {}\n", case_file, study::status_text(result));
   else if (result.status != contact::Status::solved)
-    print_error("{}: not converged: {}\n", case_file, contact::explain(result.status));
+    print_error("{}: not converged: {}\n", case_file, study::status_text(result));
   return exit_code(result.status);
 }
 

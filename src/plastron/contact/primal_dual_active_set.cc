@@ -42,6 +42,7 @@ void record(const BoxProblem& problem, FacePoint point, const ActiveSet& set, co
   solution.equation_multiplier = std::move(point.equation_multiplier);
   solution.activity = set;
   solution.linear_residual = point.linear_residual;
+  solution.tolerances = point.tolerances;
   if (observer.iteration) observer.iteration(solution.iterations.back());
 }
 
@@ -77,8 +78,8 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   }
   if (solution.iterations.empty())
     solution.status = faces.failure();
-  else if (problem.equations)
-    solution.status = point ? Status::cycling : faces.failure();  // projections onto the box leave the equations
+  else if (problem.equations)  // projections onto the box leave the equations
+    solution.status = point ? Status::cycling : after_a_first_step(faces.failure());
   else
     continue_projected_search(problem, faces, settings, observer, solution);
   return solution;

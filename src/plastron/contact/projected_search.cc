@@ -122,10 +122,9 @@ class ProjectedSearch {
         released_.clear();
         continue;
       }
-      if (!point) return faces_.failure();
+      if (!point) return after_a_first_step(faces_.failure());
       const Verdict verdict = judge(problem_, *point, held_);
-      const bool is_feasible = verdict.worst_violation <= point->gap_noise;
-      const auto outcome = is_feasible ? leave_face(*point, verdict) : approach(*point, verdict);
+      const auto outcome = verdict.is_feasible ? leave_face(*point, verdict) : approach(*point, verdict);
       if (outcome) return *outcome;
     }
     return Status::iteration_limit;
@@ -167,6 +166,7 @@ class ProjectedSearch {
                       const ActiveSet& next) {
     solution_.activity = held_;
     solution_.linear_residual = point.linear_residual;
+    solution_.tolerances = point.tolerances;
     solution_.iterations.push_back({.active = count_active(problem_, held_),
                                     .changes = count_changes(problem_, held_, next),
                                     .energy = energy,

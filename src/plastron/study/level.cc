@@ -43,6 +43,8 @@ Level record_of(const fem::Space& space, const contact::BoxSolution& z, const as
           .multiplier_norm = verdict.summary.multiplier_norm,
           .min_gap = verdict.certificate.min_gap_nodes,
           .linear_residual = z.linear_residual,
+          .tolerances = z.tolerances,
+          .max_rotation = verdict.summary.max_rotation,
           .history = z.iterations};
 }
 

@@ -12,6 +12,7 @@ struct Observer {
   std::function<void(int level, std::string_view phase)> phase{};
   std::function<void(int level, const contact::Iteration&)> iteration{};
   std::function<void(int level, const Level&)> level{};
+  std::function<void(std::string_view text)> warning{};        ///< as soon as it is known; it also stands in the result
   std::function<void(int level, const Solution&)> solution{};  ///< of every level, which is gone afterwards
   /// Asked between active-set iterations and between meshes: true ends the computation with status interrupted. Empty on all
   /// ranks or on none; one rank that says true stops all.
