@@ -5,6 +5,7 @@
 
 #include <plastron/config/case.hpp>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,8 +20,22 @@ namespace {
 
 constexpr const char* solver_name = "plastron-solver";
 
+/// The solver's libraries fill an address space of this size before it begins. A loader that runs out of it speaks of shared
+/// objects, MPI may wait for ever.
+constexpr rlim_t least_address_space = rlim_t{1} << 30;
+
+bool has_address_space() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= least_address_space)
+    return true;
+  print_error("error: not enough memory: the address space is limited to {} MB (ulimit -v), and {} MB are the least\n",
+              limit.rlim_cur >> 20, least_address_space >> 20);
+  return false;
+}
+
 /// The solver lies beside this program. Does not return but with an error.
 ExitCode hand_over(char** argv) {
+  if (!has_address_space()) return internal_error;
   std::error_code error;
   const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
   const auto solver = self.parent_path() / solver_name;

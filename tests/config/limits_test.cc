@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -18,18 +18,18 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double at_once = 2;  // [s], on a busy machine
+constexpr double at_once = 1;  // [s] of the processor, so that a busy machine does not matter
 
 template <class Read>
 std::string refusal_of(const Read& read) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   std::string text;
   try {
     read();
   } catch (const CaseErrors& errors) {
     text = errors.format();
   }
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), at_once);
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, at_once);
   EXPECT_LT(text.size(), 20000u);
   return text;
 }
@@ -79,7 +79,9 @@ TEST(Nesting, OfAnExpressionIsLimited) {
     EXPECT_THAT(refusal(case_with("0", "disk = { radius = \"" + deep + "\" }")), HasSubstr("error"));
     EXPECT_THAT(refusal(case_with("0", "disk = { radius = 1 }", "", "\"" + deep + "\"")), HasSubstr("error"));
   }
-  for (const std::string sign : {"-", "+", "2^", "x^", "x^-"})
+  for (const std::string sign : {"-", "+", "x?", "!"})
+    EXPECT_THAT(refusal(case_with(repeated(sign, 900) + "x")), HasSubstr("error"));
+  for (const std::string sign : {"2^", "x^", "x^-"})
     EXPECT_THAT(refusal(case_with(repeated(sign, 900) + "x")), AllOf(HasSubstr("error"), HasSubstr("in each other")));
   EXPECT_EQ(refusal(case_with(repeated("(", 40) + "x" + repeated(")", 40))), "");
 }
@@ -101,11 +103,16 @@ TEST(Size, OfListsAndTablesIsLimited) {
     support += "k" + std::to_string(i) + " = 1, ";
   }
   for (int i = 0; i < 3000; ++i) corners += "[" + std::to_string(i) + ", " + std::to_string(i * i) + "], ";
-  EXPECT_THAT(refusal(case_with("0", "disk = { radius = 1 }", constants)), HasSubstr("9000 entries"));
-  EXPECT_THAT(refusal(case_with("0") + loads), HasSubstr("9000 entries"));
-  EXPECT_THAT(refusal(case_with("0") + support + "z = 1 }\n"), HasSubstr("9001 entries"));
+  EXPECT_THAT(refusal(case_with("0", "disk = { radius = 1 }", constants)), HasSubstr("more than 500 entries"));
+  EXPECT_THAT(refusal(case_with("0") + loads), HasSubstr("more than 500 sections"));
+  EXPECT_THAT(refusal(case_with("0") + support + "z = 1 }\n"), HasSubstr("more than 500 entries"));
   EXPECT_THAT(refusal(case_with("0", "polygon = [" + corners + "[0, -1]]")),
-              AllOf(HasSubstr("3001 entries"), HasSubstr("at most 500 entries")));
+              HasSubstr("more than 500 entries"));
+  std::string few;
+  for (int i = 0; i < 499; ++i) few += "[" + std::to_string(i) + ", " + std::to_string(i * i) + "], ";
+  EXPECT_EQ(refusal(case_with("0", "polygon = [" + few + "[0, 300000]]")), "");
+  EXPECT_THAT(refusal(case_with("0", "polygon = [" + few + "[-1, 300000], [-1, 0]]")),
+              AllOf(HasSubstr("501 entries"), HasSubstr("at most 500 entries")));
 }
 
 TEST(Size, OfTheCoarsestMeshIsLimited) {
@@ -195,8 +202,7 @@ TEST(Quotation, IsShortAndPrintable) {
         "[" + long_word + "]\n", "a = " + long_word + "\n", case_with("0") + "[mesh]\n\"" + long_word + "\" = 1\n",
         case_with("0") + "[[support]]\nboundary = \"rim\"\nfix = [\"u\", \"" + long_word + "\"]\nvalues = { " + long_word +
             " = 1 }\n"})
-    for (const std::string message = refusal(text); const auto& line : {message})
-      EXPECT_THAT(line, AllOf(HasSubstr("error"), Not(HasSubstr(repeated("w", 110))))) << line;
+    EXPECT_THAT(refusal(text), AllOf(HasSubstr("error"), Not(HasSubstr(repeated("w", 110)))));
   const std::string message = refusal(case_with("0") + "[mesh]\n\"\\u001b]0;t\\u0007\\u009b31m\" = 1\n");
   for (const char* bad : {"\x1b", "\x07", "\xC2\x9B"}) EXPECT_THAT(message, Not(HasSubstr(bad)));
 }
@@ -218,7 +224,7 @@ TEST(File, ThatIsAPipeADeviceOrADirectoryIsRefused) {
   EXPECT_THAT(refused("/dev/zero"), HasSubstr("this is a device, not a case file"));
   EXPECT_THAT(refused("/dev/null"), HasSubstr("this is a device"));
   EXPECT_THAT(refused("/"), HasSubstr("this is a directory"));
-  for (const std::string path : {pipe.path.string(), std::string("/dev/zero"), std::string("/")})
+  for (const std::string& path : {pipe.path.string(), std::string("/dev/zero"), std::string("/")})
     EXPECT_THAT(refusal(case_with("0", "mesh = \"" + path + "\"")), HasSubstr("not a mesh file"));
 }
 

@@ -209,7 +209,8 @@ TEST(Chart, whose_derivatives_would_be_too_long_says_why) {
 
 TEST(Chart, may_have_terms_by_the_hundred) {
   std::string sum = "0";
-  for (int i = 0; i < 120; ++i) sum += "+" + std::to_string(i) + "*x^3*y^2*sin(x)";
+  for (int i = 1; i <= 10; ++i)
+    for (int j = 1; j <= 12; ++j) sum += "+x^" + std::to_string(i) + "*y^" + std::to_string(j) + "*sin(x)";
   EXPECT_NO_THROW(Chart({"x", "y", sum}, {}));
 }
 

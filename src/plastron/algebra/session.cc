@@ -32,6 +32,7 @@ void start_petsc_and_slepc() {
   char** arguments = words.data();
   petsc_check(SlepcInitialize(&count, &arguments, nullptr, nullptr), "starting");
   petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "silencing its error handler");
+  PetscErrorPrintf = PetscErrorPrintfNone;  // CHOLMOD's handler prints by itself
 }
 
 // With one process a core, threads of the BLAS would fight each other. Looked up by name: another BLAS has no such

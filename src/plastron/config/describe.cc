@@ -66,7 +66,7 @@ product of dozens of factors. An expression has at most 4000 characters, and 50 
 
 ## Limits
 
-A file has at most 256 kB; a list, a table or a repeated section at most 500 entries; names at most 60 bytes. What is wider
+A file has at most 256 kB; a list or a table at most 500 entries; all sections together at most 500; names at most 60 bytes. What is wider
 than a mesh a person would make is refused, too: a rectangle has at most a million cells on its coarsest mesh.
 )manual";
 

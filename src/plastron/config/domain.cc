@@ -110,7 +110,7 @@ Domain read_polygon(Table& domain) {
 Domain read_mesh_file(Table& domain) {
   const auto name = domain.text("mesh");
   if (!name) return {};
-  if (printable(*name) != *name || name->empty()) {
+  if (has_control_characters(*name) || name->empty()) {
     domain.report("mesh", name->empty() ? "the path of the mesh file is empty" : "the path has a control character");
     return {};
   }

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <plastron/config/limits.hpp>
 
-#include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace plastron::config {
@@ -34,22 +34,39 @@ std::size_t after_token(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-void check_nesting(const Source& source) {
+void check_shape(const Source& source) {
   const std::string_view text = source.text();
-  const auto refuse = [&](std::size_t at, const char* what) {
-    throw CaseErrors({source.mistake({at, 1}, fmt::format("{} nested deeper than {}", what, deepest_nesting), "",
-                                     "no case needs more than a few levels")});
+  const auto refuse = [&](std::size_t at, const std::string& what) {
+    throw CaseErrors({source.mistake({at, 1}, what, "", "no case needs as much")});
   };
-  std::size_t depth = 0, parts = 0;
+  const auto check_depth = [&](std::size_t at, std::size_t deep, const char* what) {
+    if (deep > deepest_nesting) refuse(at, fmt::format("{} nested deeper than {}", what, deepest_nesting));
+  };
+  std::size_t depth = 0, parts = 0, sections = 0;
+  std::array<std::size_t, deepest_nesting + 1> entries{};  // so far at each depth; at depth 0 those of the section
+  const auto count_entry = [&](std::size_t at) {
+    if (++entries[depth] > most_entries) refuse(at, fmt::format("a list or table of more than {} entries", most_entries));
+  };
+  char before = '\n';  // the last character that is no blank
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '#' || is_quote(c)) {
       i = after_token(text, i);
+      if (c != '#') before = c;
       continue;
     }
-    if ((c == '[' || c == '{') && ++depth > deepest_nesting) refuse(i, "lists or tables are");
+    if (c == '[' && depth == 0 && before == '\n') {
+      entries[0] = 0;
+      if (++sections > most_entries) refuse(i, fmt::format("more than {} sections", most_entries));
+    }
+    if (c == '[' || c == '{') {
+      check_depth(i, ++depth, "lists or tables are");
+      entries[depth] = 0;
+    }
     if ((c == ']' || c == '}') && depth > 0) --depth;
-    if (c == '.' && ++parts > deepest_nesting) refuse(i, "the parts of a key are");
+    if ((c == ',' && depth > 0) || (c == '=' && depth == 0)) count_entry(i);
+    if (c == '.') check_depth(i, ++parts, "the parts of a key are");
+    if (c != ' ' && c != '\t' && c != '\r') before = c;
     if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) parts = 0;
     ++i;
   }

@@ -36,6 +36,10 @@ std::size_t code_point_length(std::string_view text, std::size_t at) {
   return overlong || surrogate || too_large ? 0 : length;
 }
 
+bool has_control_characters(std::string_view text) {
+  return text.find('\t') != std::string_view::npos || printable(text) != text;
+}
+
 std::string printable(std::string_view text, LineBreaks breaks) {
   std::string clean;
   clean.reserve(text.size());

@@ -12,6 +12,9 @@ enum class LineBreaks { replace, keep };
 /// is no UTF-8 becomes a question mark; line breaks do so unless they are kept.
 std::string printable(std::string_view text, LineBreaks breaks = LineBreaks::replace);
 
+/// Whether there is anything in it that printable() would replace, or a tab.
+bool has_control_characters(std::string_view text);
+
 /// Bytes of the UTF-8 code point that begins at `at`, 0 if it is none.
 std::size_t code_point_length(std::string_view text, std::size_t at);
 

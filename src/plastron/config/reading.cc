@@ -192,7 +192,7 @@ std::optional<std::string> read_text(Reading& reading, const Item& item) {
 std::optional<std::string> read_name(Reading& reading, const Item& item) {
   auto name = read_text(reading, item);
   if (!name) return {};
-  const bool clean = printable(*name) == *name && name->find('\t') == std::string::npos;
+  const bool clean = !has_control_characters(*name);
   if (clean && name->size() <= longest_name) return name;
   reading.report(reading.source.value(item.value),
                  clean ? fmt::format("{} is {} bytes long", item.name, name->size())

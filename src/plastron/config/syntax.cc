@@ -120,7 +120,7 @@ Sentence translate(const std::string& message, const std::string& text, std::siz
 }  // namespace
 
 toml::value parse_toml(const Source& source) {
-  check_nesting(source);
+  check_shape(source);
   std::istringstream stream(source.text());
   try {
     toml::value value = toml::parse(stream, source.file_name());

@@ -66,7 +66,7 @@ std::vector<Expression> differentiate(const std::string& text, const Constants& 
   for (const auto& [name, value] : constants) names[name] = GiNaC::realsymbol(name);
   try {
     const GiNaC::ex f = formula(text, names);
-    constexpr double longest = 20000;
+    constexpr double longest = 1e5;
     if (derivative_size(f).second > longest)
       throw std::invalid_argument("its second derivatives are too long; multiply factors out, or use fewer of them");
     const GiNaC::ex fx = f.diff(x), fy = f.diff(y);
