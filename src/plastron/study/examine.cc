@@ -6,6 +6,7 @@
 #include <plastron/study/gap.hpp>
 #include <plastron/study/locking.hpp>
 #include <plastron/study/rigid_motions.hpp>
+#include <plastron/study/seams.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,6 +46,7 @@ class Examination {
     if (!surface()) return std::move(findings_);
     normals();
     for (const std::string& warning : locking_warnings(problem_)) add(Severity::warning, "{}", warning);
+    for (const std::string& warning : seam_warnings(*space_, surface_)) add(Severity::warning, "{}", warning);
     probes();
     nodes();
     return std::move(findings_);
