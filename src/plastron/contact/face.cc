@@ -144,6 +144,7 @@ FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linea
   point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));
   point.linear_residual = linear.relative_residual;
   point.linear_steps = linear.steps;
+  point.has_converged = linear.converged;
   measure_gap_noise(point);
   measure_multiplier_noise(point, set);
   return point;
@@ -168,7 +169,9 @@ void FaceSolver::measure_gap_noise(FacePoint& point) const {
   const MPI_Comm comm = point.z.layout()->comm;
   largest = algebra::max_over_ranks(largest, comm);
   energy = algebra::max_over_ranks(energy, comm);
-  const double asked = std::max(settings_.gap_tolerance, point.linear_residual) * largest;
+  const double asked =
+      (point.has_converged ? settings_.gap_tolerance : std::max(settings_.gap_tolerance, point.linear_residual)) *
+      largest;
   point.gap_noise = algebra::Vector(point.z.layout(), point.z.block());
   double loosest = asked;
   for (std::size_t i = 0; i < z.size(); ++i) {
