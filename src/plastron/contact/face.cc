@@ -194,9 +194,11 @@ void FaceSolver::measure_multiplier_noise(FacePoint& point, const ActiveSet& set
   double residual = 0;
   double rounding = 0;
   double largest = 0;
+  double energy = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
     const double multiplier = std::abs(point.multiplier.owned()[i]);
     double& value = noise.owned()[i];
+    energy = std::max(energy, std::sqrt(std::max(diagonal_.owned()[i], 0.0)) * std::abs(point.z.owned()[i]));
     value = epsilon * (value + std::abs(problem_.load.owned()[i]));
     if (set[i] == Activity::free && diagonal_.owned()[i] > 0) {
       residual += multiplier * multiplier / diagonal_.owned()[i];
@@ -206,7 +208,9 @@ void FaceSolver::measure_multiplier_noise(FacePoint& point, const ActiveSet& set
   }
   const MPI_Comm comm = point.z.layout()->comm;
   residual = std::sqrt(algebra::sum_over_ranks(residual, comm));
-  rounding = std::sqrt(algebra::sum_over_ranks(rounding, comm));
+  // Where symmetry cancels entries of A, A z is still rounded by a few eps of the largest energy.
+  rounding =
+      std::max(std::sqrt(algebra::sum_over_ranks(rounding, comm)), epsilon * algebra::max_over_ranks(energy, comm));
   const double factor = 4 * std::max(1.0, rounding > 0 ? residual / rounding : 1.0);
   largest = algebra::max_over_ranks(largest, comm);
   const double asked = settings_.multiplier_tolerance * largest;
