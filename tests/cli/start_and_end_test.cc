@@ -139,7 +139,7 @@ TEST(ControlCharacters, of_titles_paths_and_values_never_reach_the_terminal) {
 
 TEST(Warnings, of_the_examination_stand_in_the_results_too) {
   const Scratch scratch;
-  scratch.write("case.toml", R"([shell]
+  scratch.write("case.toml", R"toml([shell]
 E = 1.0
 nu = 0.3
 thickness = 0.05
@@ -153,7 +153,7 @@ boundary = "left"
 fix = ["u", "r"]
 [[load]]
 force = [0, 0, -1e-6]
-)");
+)toml");
   const Outcome outcome = plastron({"run", "case.toml", "-o", "out"}, scratch.path);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   ASSERT_THAT(outcome.output, HasSubstr("warning: "));
