@@ -1,3 +1,4 @@
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 #include <plastron/contact/face.hpp>
 
@@ -31,6 +32,7 @@ FaceSolver::FaceSolver(const BoxProblem& problem, algebra::Factorisation& factor
 }
 
 std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
+  PLASTRON_ASSERT(set.size() == problem_.load.owned().size(), set.size(), problem_.load.owned().size());
   if (auto point = solve_with_old_factor(set)) return point;
   failure_ = Status::singular;
   if (!factorise(set)) return {};
