@@ -23,8 +23,11 @@ algebra::Vector edge_lengths(const DiscreteShell& discrete) {
   const auto line = fem::gauss_lobatto(space.degree + 1).points;
   algebra::Vector lengths(space.layout, 1);
   std::vector<geometry::SurfaceJet> jets(line.size());
+  const fem::BoundaryFace* last = nullptr;
   for (const fem::BoundaryFace& face : space.faces) {
-    if (face.cell >= space.owned_cells) continue;
+    const bool is_seen = last && last->cell == face.cell && last->side == face.side;  // a side with several names
+    last = &face;
+    if (is_seen || face.is_inner || face.cell >= space.owned_cells) continue;
     std::vector<Eigen::Vector2d> xi;
     for (const double t : line) xi.push_back(fem::side_point(space.shape(), face.side, t));
     discrete.shell.surface().jets(space.cells[face.cell], xi, jets, false);

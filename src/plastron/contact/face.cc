@@ -146,6 +146,7 @@ FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linea
   point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));
   point.linear_residual = linear.relative_residual;
   point.linear_steps = linear.steps;
+  point.has_converged = linear.converged;
   measure_gap_noise(point);
   measure_multiplier_noise(point, set);
   return point;
@@ -170,7 +171,9 @@ void FaceSolver::measure_gap_noise(FacePoint& point) const {
   const MPI_Comm comm = point.z.layout()->comm;
   largest = algebra::max_over_ranks(largest, comm);
   energy = algebra::max_over_ranks(energy, comm);
-  const double asked = std::max(settings_.gap_tolerance, point.linear_residual) * largest;
+  const double asked =
+      (point.has_converged ? settings_.gap_tolerance : std::max(settings_.gap_tolerance, point.linear_residual)) *
+      largest;
   point.gap_noise = algebra::Vector(point.z.layout(), point.z.block());
   double loosest = asked;
   for (std::size_t i = 0; i < z.size(); ++i) {
@@ -193,9 +196,11 @@ void FaceSolver::measure_multiplier_noise(FacePoint& point, const ActiveSet& set
   double residual = 0;
   double rounding = 0;
   double largest = 0;
+  double energy = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
     const double multiplier = std::abs(point.multiplier.owned()[i]);
     double& value = noise.owned()[i];
+    energy = std::max(energy, std::sqrt(std::max(diagonal_.owned()[i], 0.0)) * std::abs(point.z.owned()[i]));
     value = epsilon * (value + std::abs(problem_.load.owned()[i]));
     if (set[i] == Activity::free && diagonal_.owned()[i] > 0) {
       residual += multiplier * multiplier / diagonal_.owned()[i];
@@ -205,7 +210,9 @@ void FaceSolver::measure_multiplier_noise(FacePoint& point, const ActiveSet& set
   }
   const MPI_Comm comm = point.z.layout()->comm;
   residual = std::sqrt(algebra::sum_over_ranks(residual, comm));
-  rounding = std::sqrt(algebra::sum_over_ranks(rounding, comm));
+  // Where symmetry cancels entries of A, A z is still rounded by a few eps of the largest energy.
+  rounding =
+      std::max(std::sqrt(algebra::sum_over_ranks(rounding, comm)), epsilon * algebra::max_over_ranks(energy, comm));
   const double factor = 4 * std::max(1.0, rounding > 0 ? residual / rounding : 1.0);
   largest = algebra::max_over_ranks(largest, comm);
   const double asked = settings_.multiplier_tolerance * largest;

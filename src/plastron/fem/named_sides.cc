@@ -21,23 +21,26 @@ bool lies_on_coarse_side(Shape shape, const Cell& cell, int side) {
 
 }  // namespace
 
+NamedSides::Side& NamedSides::at(std::size_t coarse_cell, int side) {
+  return sides_[coarse_cell * static_cast<std::size_t>(corner_count(shape_)) + static_cast<std::size_t>(side)];
+}
+
 NamedSides::NamedSides(const CoarseMesh& coarse)
-    : shape_(coarse.shape), boundaries_(coarse.cells.size() * static_cast<std::size_t>(corner_count(coarse.shape))) {
+    : shape_(coarse.shape), sides_(coarse.cells.size() * static_cast<std::size_t>(corner_count(coarse.shape))) {
   const auto edges = edges_of(coarse.cells);
-  const auto names = [&](const MeshEdge& e) -> std::vector<int>& {
-    return boundaries_[e.cell * static_cast<std::size_t>(corner_count(shape_)) + static_cast<std::size_t>(e.side)];
-  };
   for (const BoundaryEdge& named : coarse.edges) {
     const auto [a, b] = named.vertices;
     const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
     const auto [first, last] = std::ranges::equal_range(edges, ends, {}, &MeshEdge::ends);
     for (auto edge = first; edge != last; ++edge)
-      if (last - first == 1 || edge->is_forward == (a < b)) names(*edge).push_back(named.boundary);
+      if (last - first == 1 || edge->is_forward == (a < b))
+        at(edge->cell, edge->side).boundaries.push_back(named.boundary);
   }
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const bool is_inside =
+    Side& side = at(edges[i].cell, edges[i].side);
+    side.is_inner =
         (i > 0 && edges[i - 1].ends == edges[i].ends) || (i + 1 < edges.size() && edges[i + 1].ends == edges[i].ends);
-    if (!is_inside && names(edges[i]).empty()) names(edges[i]).push_back(-1);
+    if (!side.is_inner && side.boundaries.empty()) side.boundaries.push_back(-1);
   }
 }
 
@@ -46,10 +49,10 @@ void NamedSides::add_faces_of_last_cell(Space& space) const {
   const Cell& cell = space.cells[last];
   const int sides = corner_count(shape_);
   for (int side = 0; side < sides; ++side) {
-    const auto& boundaries = boundaries_[static_cast<std::size_t>(cell.coarse) * static_cast<std::size_t>(sides) +
-                                         static_cast<std::size_t>(side)];
-    if (boundaries.empty() || !lies_on_coarse_side(shape_, cell, side)) continue;
-    for (const int boundary : boundaries) space.faces.push_back({last, side, boundary});
+    const Side& coarse = sides_[static_cast<std::size_t>(cell.coarse) * static_cast<std::size_t>(sides) +
+                                static_cast<std::size_t>(side)];
+    if (coarse.boundaries.empty() || !lies_on_coarse_side(shape_, cell, side)) continue;
+    for (const int boundary : coarse.boundaries) space.faces.push_back({last, side, boundary, coarse.is_inner});
   }
 }
 

@@ -17,8 +17,13 @@ class NamedSides {
 
  private:
   Shape shape_;
-  /// Of each coarse cell and side: indices into CoarseMesh::boundaries; -1 alone on an unnamed part of the boundary.
-  std::vector<std::vector<int>> boundaries_;
+  struct Side {
+    std::vector<int> boundaries;  ///< indices into CoarseMesh::boundaries; -1 alone on an unnamed part of the boundary
+    bool is_inner = false;
+  };
+  Side& at(std::size_t coarse_cell, int side);
+
+  std::vector<Side> sides_;  ///< of each coarse cell
 };
 
 }  // namespace plastron::fem

@@ -27,6 +27,7 @@ struct BoundaryFace {
   std::size_t cell = 0;
   int side = 0;       ///< see reference_cell.hpp
   int boundary = -1;  ///< index into CoarseMesh::boundaries, -1 for an unnamed part of the domain's boundary
+  bool is_inner = false;  ///< has cells on both sides
 };
 
 struct Space {

@@ -51,6 +51,8 @@ void check_names(Examined& examined);
 void check_chart(Examined& examined);
 /// The charts of two regions meet with one normal.
 void check_normals(Examined& examined);
+/// No edges lie on each other without being joined.
+void check_seams(Examined& examined);
 /// Elements do not lock.
 void check_locking(Examined& examined);
 /// Probes lie in the domain.

@@ -44,7 +44,7 @@ std::vector<Finding> findings_of(const Problem& problem) {
     check(examined);
     if (has_errors(examined.findings)) return examined.findings;
   }
-  for (const auto check : {check_normals, check_locking, check_probes, check_nodes}) check(examined);
+  for (const auto check : {check_normals, check_seams, check_locking, check_probes, check_nodes}) check(examined);
   return examined.findings;
 }
 
