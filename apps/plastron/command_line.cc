@@ -15,8 +15,8 @@ void describe_program(CLI::App& program) {
   program.footer("Exit codes: 0 solved, 2 bad input, 3 not converged or interrupted, 4 internal error.");
 }
 
-void add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output, bool& quiet,
-                        int& threads) {
+void add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
+                        bool& quiet, int& threads) {
   command.add_option("-o,--output,--out", output, output_meaning)->required();
   command.add_flag("-q,--quiet", quiet, "Print errors only");
   command.add_option("--threads", threads, "Threads of each process; 0: as many as the work is worth")

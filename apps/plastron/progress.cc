@@ -102,12 +102,17 @@ void print_summary(const study::Result& result) {
   const double total = std::max(s.energy.total(), 1e-300);
   print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(),
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);
+  print("largest           |u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad\n", s.max_displacement,
+        s.max_relative_displacement, s.max_rotation);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
   if (result.has_obstacle) {
     print("obstacle          {} N\n", vector_text(s.reaction.force));
     print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area,
-          s.max_pressure);
+          s.edge.is_line() ? s.edge.pressure_inside : s.max_pressure);
+    if (s.edge.is_line())
+      print("on the edge       {} nodes, {:.6e} N, a line reaction of at most {:.6e} N/m\n", s.edge.nodes, s.edge.force,
+            s.edge.max_per_length);
     const double between = std::isfinite(c.min_gap_between) ? std::max(0.0, -c.min_gap_between) : 0.0;
     print("penetration       {:.2e} m between the nodes, {:.2e} m at them\n", between, std::max(0.0, -c.min_gap_nodes));
   }

@@ -13,14 +13,6 @@ namespace plastron::app {
 
 namespace {
 
-/// The warnings that the examination has not given already.
-void print_new_warnings(const std::vector<std::string>& warnings, const std::vector<study::Finding>& findings,
-                        const std::string& case_file) {
-  for (const std::string& warning : warnings)
-    if (std::ranges::find(findings, warning, &study::Finding::text) == findings.end())
-      print_error("{}: warning: {}\n", case_file, warning);
-}
-
 /// What the examination warned of belongs to the result, too.
 void add_warnings(const std::vector<study::Finding>& findings, std::vector<std::string>& warnings) {
   for (const study::Finding& finding : findings)
@@ -53,9 +45,13 @@ ExitCode run(const Options& options) {
 
   if (!options.quiet) print("{}\n\n", c.title.empty() ? case_file : shortened_title(c.title));
   Progress progress(c.problem.obstacle.has_value(), options.quiet);
-  study::Result result = study::solve(c.problem, MPI_COMM_WORLD, progress.observer());
+  study::Observer observer = progress.observer();
+  observer.warning = [&](std::string_view text) {
+    progress.finish();
+    print_error("{}: warning: {}\n", case_file, text);
+  };
+  study::Result result = study::solve(c.problem, MPI_COMM_WORLD, observer);
   progress.finish();
-  print_new_warnings(result.warnings, findings, case_file);
   add_warnings(findings, result.warnings);
   if (exit_code(result.status) == bad_input) {
     print_error("{}: error: {}\n", case_file, contact::explain(result.status));

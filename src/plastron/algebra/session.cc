@@ -1,6 +1,6 @@
 #include <plastron/algebra/session.hpp>
+#include <plastron/algebra/threads.hpp>
 
-#include <dlfcn.h>
 #include <slepcsys.h>
 
 #include <array>
@@ -35,23 +35,18 @@ void start_petsc_and_slepc() {
   PetscErrorPrintf = PetscErrorPrintfNone;  // CHOLMOD's handler prints by itself
 }
 
-// With one process a core, threads of the BLAS would fight each other. Looked up by name: another BLAS has no such
-// switch.
-void set_blas_threads(int threads) {
+int number_of_ranks() {
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (threads == 0 && ranks == 1) return;
-  using SetThreads = void (*)(int);
-  if (const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
-    set_threads(threads > 0 ? threads : 1);
+  return ranks;
 }
 
 }  // namespace
 
 Session::Session(int& argc, char**& argv, int threads) {
   start_mpi(argc, argv);
+  restrict_threads(threads, number_of_ranks());
   start_petsc_and_slepc();
-  set_blas_threads(threads);
 }
 
 Session::~Session() {
