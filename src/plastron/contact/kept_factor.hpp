@@ -8,7 +8,7 @@ namespace plastron::contact {
 /// thread. A solve waits for memory and a product counts strains, hence the weights: operations of a factorisation that take
 /// as long as one entry of the factor in a solve and as one unknown in two products (benchmarks/step_cost; docs/performance.md).
 inline int affordable_steps(const algebra::FactorisationCost& factor, double unknowns) {
-  constexpr double per_entry = 30, per_unknown = 17000;
+  constexpr double per_entry = 65, per_unknown = 19000;
   const double step = per_entry * factor.entries + per_unknown * unknowns;
   return step > 0 ? static_cast<int>(factor.operations / step) : 0;
 }
