@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "larger.hpp"
 #include "study/problems.hpp"
 
 namespace plastron::study {
@@ -54,14 +55,14 @@ Problem patch(const fem::Domain& domain, const State& state, int degree, bool ty
 /// Largest error of u and r at the nodes.
 double nodal_error(const Problem& problem, const State& state) {
   const Result result = solve(problem, MPI_COMM_SELF);
-  EXPECT_EQ(result.status, contact::Status::solved);
+  EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   const auto& points = result.solution->discrete->points;
   double most = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       const auto exact = [&](const std::string& text) { return Expression(text, {})(points[i].x[0], points[i].x[1]); };
-      most = std::max(most, std::abs(result.solution->nodal.y.local()[6 * i + c] - exact(state.u[c])));
-      most = std::max(most, std::abs(result.solution->nodal.y.local()[6 * i + 3 + c] - exact(state.r[c])));
+      most = test::larger(most, std::abs(result.solution->nodal.y.local()[6 * i + c] - exact(state.u[c])));
+      most = test::larger(most, std::abs(result.solution->nodal.y.local()[6 * i + 3 + c] - exact(state.r[c])));
     }
   return most;
 }

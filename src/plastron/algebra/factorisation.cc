@@ -1,7 +1,7 @@
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/threads.hpp>
 
-#include <cassert>
 #include <stdexcept>
 
 #include "petsc_check.hpp"
@@ -183,7 +183,9 @@ bool Factorisation::factorise(std::span<const char> pinned) {
 void Factorisation::solve(const Vector& b, Vector& x) const {
   const Storage& s = *storage_;
   if (!s.ready) throw std::logic_error("solve needs a factorise() that returned true");
-  assert(&b != &x && b.owned().size() == x.owned().size());
+  PLASTRON_ASSERT(&b != &x, &b, &x);
+  PLASTRON_ASSERT(b.owned().size() == s.A.owned_unknowns() && x.owned().size() == s.A.owned_unknowns(),
+                  b.owned().size(), x.owned().size(), s.A.owned_unknowns());
   const BorrowedVec rhs(*s.A.layout, s.A.block, b.owned().data());
   const BorrowedVec solution(*s.A.layout, s.A.block, x.owned().data());
   petsc_check(MatSolve(s.factor, rhs.vec(), solution.vec()), "solving with a factorised matrix");

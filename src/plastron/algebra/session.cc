@@ -32,6 +32,7 @@ void start_petsc_and_slepc() {
   char** arguments = words.data();
   petsc_check(SlepcInitialize(&count, &arguments, nullptr, nullptr), "starting");
   petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "silencing its error handler");
+  PetscErrorPrintf = PetscErrorPrintfNone;  // CHOLMOD's handler prints by itself
 }
 
 int number_of_ranks() {

@@ -9,20 +9,26 @@ namespace plastron::assembly {
 
 namespace {
 
-/// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range.
+/// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range, and the
+/// undeformed surface, which no polynomial bounds, by less than the cell's diameter.
 bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field,
                       std::span<const algebra::LocalIndex> nodes) {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, radius = 0;
+  const Vector3d& first = discrete.points[static_cast<std::size_t>(nodes[0])].phi;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto row = field.row(static_cast<Eigen::Index>(i));
     const auto node = static_cast<std::size_t>(nodes[i]);
-    const double g =
-        discrete.coordinates.gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), discrete.points[node].a3));
+    const NodalPoint& point = discrete.points[node];
+    const double g = discrete.coordinates.gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), point.a3));
     lowest = std::min(lowest, g);
     highest = std::max(highest, g);
+    radius = std::max(radius, (point.phi - first).norm());
   }
-  return lowest <= highest - lowest;
+  return lowest <= highest - lowest + 2 * radius;
 }
+
+/// Twice as fine as the nodes, and in elements of degree 1 four times.
+int intervals_of(int degree) { return std::max(4, 2 * degree); }
 
 }  // namespace
 
@@ -30,7 +36,8 @@ double min_gap_between_nodes(const DiscreteShell& discrete, const algebra::Vecto
   const fem::Space& space = discrete.space();
   double smallest = std::numeric_limits<double>::infinity();
   if (discrete.gap) {
-    const BasisAt basis = basis_at(space.shape(), space.degree, fem::lattice(space.shape(), 2 * space.degree));
+    const BasisAt basis =
+        basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals_of(space.degree)));
     std::vector<geometry::SurfaceJet> jets(basis.xi.size());
     std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
     for (std::size_t c = 0; c < space.owned_cells; ++c) {

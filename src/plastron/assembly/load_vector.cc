@@ -2,6 +2,9 @@
 
 #include <plastron/fem/basis.hpp>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace plastron::assembly {
@@ -53,7 +56,11 @@ void add_area_loads(const ShellOperator& shell, const std::vector<AreaLoad>& loa
 void add_edge_load(const ShellOperator& shell, const EdgeLoad& load, algebra::Vector& f) {
   const fem::Space& space = shell.space();
   const auto& names = space.coarse->boundaries;
-  const auto boundary = static_cast<int>(std::ranges::find(names, load.boundary) - names.begin());
+  const auto found = std::ranges::find(names, load.boundary);
+  if (found == names.end())
+    throw LoadError(fmt::format("a load names the boundary \"{}\", which the mesh does not have; it has: {}",
+                                load.boundary, fmt::join(names, ", ")));
+  const auto boundary = static_cast<int>(found - names.begin());
   const fem::Rule rule = fem::gauss(space.degree + 1);
   std::vector<double> x(rule.points.size()), y(rule.points.size());
   std::vector<geometry::SurfaceJet> jets(rule.points.size());

@@ -4,11 +4,17 @@
 #include <plastron/assembly/loads.hpp>
 #include <plastron/assembly/shell_operator.hpp>
 
+#include <stdexcept>
 #include <vector>
 
 namespace plastron::assembly {
 
-/// Nodal forces and couples, six a node, complete on owned nodes (collective). Edge loads name boundaries of the mesh.
+struct LoadError : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Nodal forces and couples, six a node, complete on owned nodes (collective). Throws LoadError for an
+/// edge load on a boundary that the mesh does not have.
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
                             const std::vector<EdgeLoad>& edge_loads);
 

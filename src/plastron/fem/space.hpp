@@ -4,6 +4,7 @@
 // part. Nodes are the Gauss-Lobatto points of degree k in a quadrilateral and equidistant in a triangle, where k <= 2
 // makes them Gauss-Lobatto points of every side; they are numbered lexicographically in a cell (xi_1 fastest).
 #pragma once
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/matrix.hpp>
 #include <plastron/fem/coarse_mesh.hpp>
 
@@ -20,10 +21,13 @@ struct Cell {
   double size = 1;                     ///< side in the coarse cell's coordinates, with the sign above
 };
 
+/// A side of a cell on the boundary of the domain or on a named curve inside of it. A side with several names is listed
+/// once for each; a side on an inner curve is listed for one of its two cells (named_sides.hpp).
 struct BoundaryFace {
   std::size_t cell = 0;
   int side = 0;       ///< see reference_cell.hpp
-  int boundary = -1;  ///< index into CoarseMesh::boundaries, -1 for an unnamed part
+  int boundary = -1;  ///< index into CoarseMesh::boundaries, -1 for an unnamed part of the domain's boundary
+  bool is_inner = false;  ///< has cells on both sides
 };
 
 struct Space {
@@ -38,7 +42,10 @@ struct Space {
 
   Shape shape() const { return coarse->shape; }
   int nodes_per_cell() const { return fem::nodes_per_cell(shape(), degree); }
-  std::span<const algebra::LocalIndex> nodes(std::size_t cell) const { return connectivity.element(cell); }
+  std::span<const algebra::LocalIndex> nodes(std::size_t cell) const {
+    PLASTRON_ASSERT(cell < cells.size(), cell, cells.size());
+    return connectivity.element(cell);
+  }
 };
 
 }  // namespace plastron::fem

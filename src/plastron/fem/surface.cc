@@ -1,8 +1,10 @@
 #include <plastron/fem/surface.hpp>
 
+#include <plastron/algebra/assertion.hpp>
+#include <plastron/fem/invert_map.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -25,10 +27,14 @@ Surface::Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::s
 }
 
 const geometry::Chart& Surface::chart_of(const Cell& cell) const {
+  PLASTRON_ASSERT(cell.coarse >= 0 && static_cast<std::size_t>(cell.coarse) < coarse_->cells.size(), cell.coarse,
+                  coarse_->cells.size());
   return charts_[static_cast<std::size_t>(coarse_->cells[static_cast<std::size_t>(cell.coarse)].region)];
 }
 
 PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
+  PLASTRON_ASSERT(cell.coarse >= 0 && static_cast<std::size_t>(cell.coarse) < coarse_->cells.size(), cell.coarse,
+                  coarse_->cells.size());
   PlaneJet f = coarse_->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * xi);
   for (auto& d : f.d) d *= cell.size;
   for (auto& dd : f.dd) dd *= cell.size * cell.size;
@@ -37,6 +43,7 @@ PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
 
 void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x,
                         std::span<double> y) const {
+  PLASTRON_ASSERT(x.size() == xi.size() && y.size() == xi.size(), xi.size(), x.size(), y.size());
   for (std::size_t p = 0; p < xi.size(); ++p) {
     const Vector2d position = plane_jet(cell, xi[p]).value;
     x[p] = position[0];
@@ -46,6 +53,7 @@ void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::spa
 
 void Surface::jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets,
                    bool second_derivatives) const {
+  PLASTRON_ASSERT(jets.size() == xi.size(), jets.size(), xi.size());
   std::vector<PlaneJet> plane(xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   for (std::size_t p = 0; p < xi.size(); ++p) {
@@ -59,28 +67,15 @@ void Surface::jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geo
 
 void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
                              std::span<geometry::SurfaceJet> jets) const {
+  PLASTRON_ASSERT(jets.size() == xi.size(), jets.size(), xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   positions(cell, xi, x, y);
   chart_of(cell).evaluate(x, y, jets, true);
 }
 
 std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point) {
-  constexpr double tolerance = 1e-9;
-  for (std::size_t c = 0; c < coarse.cells.size(); ++c) {
-    Vector2d xi = centre(coarse.shape);
-    for (int step = 0; step < 30; ++step) {
-      const PlaneJet f = coarse.cells[c].map(xi);
-      Eigen::Matrix2d jacobian;
-      jacobian << f.d[0], f.d[1];
-      const Vector2d change = jacobian.fullPivLu().solve(point - f.value);
-      xi += change;
-      if (change.norm() < 1e-14) break;
-      if (!(xi.norm() < 10)) break;
-    }
-    if (!holds(coarse.shape, xi, tolerance)) continue;
-    if ((coarse.cells[c].map(xi).value - point).norm() > tolerance * (1 + point.norm())) continue;
-    return Location{static_cast<int>(c), put_inside(coarse.shape, xi)};
-  }
+  for (std::size_t c = 0; c < coarse.cells.size(); ++c)
+    if (const auto xi = invert_map(coarse.shape, coarse.cells[c].map, point)) return Location{static_cast<int>(c), *xi};
   return std::nullopt;
 }
 

@@ -1,4 +1,5 @@
 #include <plastron/geometry/chart.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <fmt/format.h>
 
@@ -6,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "derivative_size.hpp"
 #include "formula.hpp"
 
 namespace plastron::geometry {
@@ -84,18 +86,18 @@ std::vector<Expression> differentiate(const std::string& text, const Constants& 
   for (const auto& [name, value] : constants) names[name] = GiNaC::realsymbol(name);
   try {
     const GiNaC::ex f = formula(text, names);
+    constexpr double longest = 1e5;
+    if (derivative_size(f).second > longest)
+      throw std::invalid_argument("its second derivatives are too long; multiply factors out, or use fewer of them");
     const GiNaC::ex fx = f.diff(x), fy = f.diff(y);
     std::vector<Expression> all;
     for (const GiNaC::ex& e : {f, fx, fy, fx.diff(x), fx.diff(y), fy.diff(y)})
-      all.emplace_back(in_muparser_syntax(e), constants);
+      all.push_back(Expression::made(in_muparser_syntax(e), constants));
     return all;
   } catch (const ExpressionError&) {
     throw;
   } catch (const std::exception& error) {
-    throw ExpressionError(fmt::format("\"{}\" is no formula with two derivatives: {} (charts allow + - * / ^ and "
-                                      "sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs)",
-                                      text, error.what()),
-                          0);
+    throw NotDifferentiable(shortened(text), shortened(error.what(), 200));
   }
 }
 

@@ -1,6 +1,5 @@
 #include <plastron/io/results.hpp>
 
-#include <plastron/io/atomic_file.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/version.hpp>
 
@@ -25,6 +24,17 @@ Json probe_json(const assembly::PointValues& values, const study::Result& result
     if (!is_present(field, result.has_obstacle, has_multiplier(result))) value = nullptr;
     json[Json::json_pointer("/" + std::string(field.key))] = std::move(value);
   }
+  return json;
+}
+
+/// Row -> its limit, whether it is kept, and why it is what it is.
+Json limits_json(const study::Result& result) {
+  Json json = Json::object();
+  for (const auto& limit : result.limits)
+    json[std::string(limit.row)] = {{limit.is_least ? "at_least" : "at_most", number(limit.limit)},
+                                    {"unit", limit.unit},
+                                    {"holds", limit.holds()},
+                                    {"reason", limit.reason}};
   return json;
 }
 
@@ -91,6 +101,7 @@ Json results_json(const study::Result& result, const Provenance& provenance) {
   json["probes"] = Json::object();
   for (const study::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
+  json["certificate_limits"] = limits_json(result);
   json["levels"] = Json::array();
   for (const study::Level& level : result.levels) json["levels"].push_back(level_json(level));
   json["settings"] = provenance.settings;
@@ -101,16 +112,23 @@ Json results_json(const study::Result& result, const Provenance& provenance) {
   return json;
 }
 
-void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
-                   MPI_Comm comm) {
+void add_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
+                 AtomicFiles& files) {
   int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_rank(files.comm(), &rank);
   const auto text = [&] {
     // A title that is no valid UTF-8 shall not cost the results.
     return rank == 0 ? results_json(result, provenance).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                      : std::string();
   };
-  write_atomically(directory / results_name, text, comm);
+  files.add(directory / results_name, text);
+}
+
+void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
+                   MPI_Comm comm) {
+  AtomicFiles files(comm);
+  add_results(result, provenance, directory, files);
+  files.commit();
 }
 
 }  // namespace plastron::io
