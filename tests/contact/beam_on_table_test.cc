@@ -94,8 +94,7 @@ TEST(BeamOnTable, is_factorised_anew_in_every_step_because_that_is_cheaper) {
 
 // Counts of the cap of benchmarks/step_cost, degree 2, where both ways were timed.
 TEST(KeptFactor, pays_on_the_cap_with_410885_unknowns_and_not_with_103045) {
-  XX
-}
+XX}
 
 TEST(BeamOnTable, takes_few_steps_from_the_active_set_of_half_as_many_nodes) {
   const GlobalIndex coarse_nodes = 51;
