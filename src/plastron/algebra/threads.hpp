@@ -4,9 +4,9 @@
 
 namespace plastron::algebra {
 
-/// Operations of a factorisation from which on a second thread of the BLAS pays. Two threads gain nothing at 103 045 unknowns (degree 2,
-/// 4e10) and halve the time at 410 885 (4e11); docs/performance.md.
-inline constexpr double many_operations = 1.5e11;
+/// Operations of a factorisation from which on a second thread of the BLAS pays. Two threads gain nothing at 103 045 unknowns
+/// (2e10 to 3e10 at degree 2 and 4) and halve the time at 410 885 (1.2e11 to 1.8e11); docs/performance.md.
+inline constexpr double many_operations = 6e10;
 
 /// Cores on which this process may run.
 int usable_cores();

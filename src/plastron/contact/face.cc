@@ -57,23 +57,19 @@ bool FaceSolver::factorise(const ActiveSet& set) {
 }
 
 /// A face that differs from the factorised one in a few unknowns: the factor is a preconditioner that is exact up to
-/// that rank. Its norm weighs the unknowns that changed wrongly, hence the sharper tolerance. Nothing if that does not converge soon, and
-/// on meshes where as many steps cost more than a factorisation.
+/// that rank. Its norm weighs the unknowns that changed wrongly, hence the sharper tolerance. Nothing where a new factor is
+/// cheaper, or if that does not converge soon.
 std::optional<FacePoint> FaceSolver::solve_with_old_factor(const ActiveSet& set) {
-  constexpr std::int64_t most_changes = 64;
-  constexpr int most_steps = 16;
   constexpr double sharper = 1e-2;
-  if (settings_.detect_free_motions || problem_.equations || !factorised_ ||
-      count_changes(problem_, *factorised_, set) > most_changes)
-    return {};
+  if (settings_.detect_free_motions || problem_.equations || !factorised_) return {};
   const auto unknowns = static_cast<double>(nearby_.layout()->global_size) * nearby_.block();
-  if (settings_.kept_factor == KeptFactor::where_cheaper &&
-      affordable_steps(factorisation_.cost(), unknowns) < most_steps)
-    return {};
+  const int steps =
+      steps_to_try(settings_.kept_factor, factorisation_.cost(), unknowns, count_changes(problem_, *factorised_, set));
+  if (steps == 0) return {};
   algebra::Vector z = nearby_;
-  const auto linear = solve_linear(
-      set, problem_.load,
-      {.tolerance = sharper * settings_.linear_tolerance, .max_steps = most_steps, .patience = most_steps}, z);
+  const auto linear =
+      solve_linear(set, problem_.load,
+                   {.tolerance = sharper * settings_.linear_tolerance, .max_steps = steps, .patience = steps}, z);
   if (!linear.converged) return {};
   return complete(std::move(z), linear, set);
 }
