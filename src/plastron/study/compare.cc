@@ -78,7 +78,7 @@ std::string nothing_to_compare(const Run& run, const Run& tangent) {
   if (tangent.status != contact::Status::solved || tangent.levels.empty())
     return "the tangent formulation has no solution";
   if (run.distance.size() < 2) return "one mesh shows no approach; take more refinements";
-  if (!(tangent.noise < 1)) return "the solution has no energy beyond rounding";
+  if (!(tangent.noise < too_noisy)) return "the solution has no energy beyond rounding";
   const double noise = std::max(run.noise, tangent.noise);
   if (last_step_above(run.distance, noise) == 0)
     return fmt::format("the difference is {:.1e} on the finest mesh, and less than {:.0e} is noise",

@@ -1,6 +1,7 @@
 // The table of errors over mesh size, with and without obstacle, and what it says about the orders that theory gives.
 #include <plastron/study/convergence.hpp>
 
+#include <plastron/study/energy_distance.hpp>
 #include <plastron/study/error_sequence.hpp>
 #include <plastron/study/exponents.hpp>
 #include <plastron/study/extent.hpp>
@@ -72,7 +73,7 @@ std::vector<double> telling(const Sequence& s, bool with_obstacle) {
 /// Why no two meshes can be compared; empty if two can.
 std::string nothing_to_compare(const Sequence& s, const std::vector<double>& errors, bool with_obstacle) {
   if (errors.size() < 2) return "one mesh has no rate; take more refinements";
-  if (!(s.energy_norm > 0) || !(s.noise < 1))
+  if (!(s.energy_norm > 0) || !(s.noise < too_noisy))
     return fmt::format("the solution has no energy beyond rounding, {:.1e} J", s.energy_norm * s.energy_norm / 2);
   if (last_step_above(errors, s.noise) > 0) return "";
   if (with_obstacle && s.levels.back().active == 0) return "the shell does not touch the obstacle";

@@ -7,7 +7,11 @@ namespace plastron::study {
 /// The relative error of the solver's solution in the energy norm: its tolerance is a thousandth of it.
 constexpr double solver_noise = 1e-9;
 
-/// The energy norm that rounding errors of the nodal values have by themselves, strains of eps |u| / h and the like
+/// With a relative noise beyond it a solution says nothing.
+constexpr double too_noisy = 1e-2;
+
+/// The energy norm that rounding errors of the nodal values have by themselves, strains of eps |u| / h and the like; where supports
+/// prescribe motions the solver leaves more than rounding
 /// [J^{1/2}]. (collective)
 double rounding_norm(const Solution& solution);
 

@@ -84,7 +84,7 @@ Table empty_table() {
 
 /// Why nothing can be said; empty if something can.
 std::string nothing_to_say(const Followed& f) {
-  if (!(f.noise < 1)) return "the solution has no energy beyond rounding";
+  if (!(f.noise < too_noisy)) return "the solution has no energy beyond rounding";
   if (f.is_idle) return "r . a_3 takes no part on this shell: it is zero up to rounding";
   if (f.p.size() < 3) return fmt::format("only {} values of p could be computed", f.p.size());
   return "";

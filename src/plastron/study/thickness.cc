@@ -74,9 +74,9 @@ Sample sample_of(const Result& result, const Problem& problem, double factor, do
           .load_factor = load_factor,
           .energy = result.summary.energy,
           .stiffness = 2 * energy / (work * work),
-          .noise = noise < 1 ? result.certificate.energy_identity : noise,
+          .noise = noise < too_noisy ? result.certificate.energy_identity : noise,
           .koiter = std::sqrt(assembly::squared_distance_to_koiter(discrete.shell, y)) / r,
-          .koiter_noise = noise < 1 ? shear_noise / r : std::numeric_limits<double>::infinity(),
+          .koiter_noise = noise < too_noisy ? shear_noise / r : std::numeric_limits<double>::infinity(),
           .mesh_size = std::sqrt(m.area / static_cast<double>(discrete.space().global_cells)),
           .layer = std::sqrt(m.mean_thickness / m.sharpest_curvature),
           .touching = result.summary.touching_nodes};
@@ -141,7 +141,7 @@ std::string no_exponents(const std::vector<Sample>& samples, const Problem& prob
   const auto e = column(samples, [](const Sample& s) { return s.thickness; });
   const auto exponents = stiffness_exponents(samples);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!(samples[i].noise < 1)) return "the loads do no work beyond rounding";
+    if (!(samples[i].noise < too_noisy)) return "the loads do no work beyond rounding";
     if (i == 0) continue;
     const double noise = (samples[i].noise + samples[i - 1].noise) / std::abs(std::log(e[i] / e[i - 1]));
     if (!(noise < tolerable) || std::isnan(exponents[i]))
