@@ -91,6 +91,15 @@ TEST(Convergence, OfAStripInTheAirSaysNothingOfContact) {
   }
 }
 
+// Where a clamped edge meets free ones the solution is not smooth, and its error falls more slowly than the degree promises.
+TEST(Convergence, OfAShellWithCornersDoesNotHaveTheOrderOfSmoothSolutions) {
+  Problem p = cantilever_plate();
+  p.discretisation.degree = 3;
+  const Table table = run("convergence", p, few()).table;
+  EXPECT_EQ(claim_on(table, "falls from mesh to mesh").verdict, Verdict::holds);
+  EXPECT_EQ(claim_on(table, "Cea").verdict, Verdict::does_not_hold) << claim_on(table, "Cea").measured;
+}
+
 // A plate stretched evenly: its strains are in every space.
 TEST(Convergence, WhoseErrorsAreRoundingSaysSo) {
   Problem p = free_plate();
@@ -152,6 +161,17 @@ TEST(SoftModesStudy, OfAPlateCountsThemAndSaysNothingOfTheirOrder) {
 }
 
 TEST(Compare, OfEqualSolutionsSaysNothing) { expect_none_judged(run("compare", cantilever_plate()).table, "noise"); }
+
+// On a fine mesh p = 1 is what one sees, not the mesh.
+TEST(Compare, FindsAPenaltyTooWeakForTheMesh) {
+  Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
+  p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  p.thickness = Expression(0.2);
+  p.discretisation.degree = 6;
+  p.discretisation.tangency.penalty = 1;
+  const Claim claim = claim_on(run("compare", p).table, "penalised");
+  EXPECT_EQ(claim.verdict, Verdict::does_not_hold) << claim.measured << claim.reason;
+}
 
 // ---- what the examination stops ------------------------------------------------------------------------------------
 

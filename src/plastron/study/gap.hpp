@@ -3,6 +3,8 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/study/problem.hpp>
 
+#include <cmath>
+
 namespace plastron::study {
 
 /// (M16) for the problem's obstacle and face; empty without obstacle.
@@ -15,10 +17,13 @@ inline assembly::GapFunction gap_function(const Problem& problem) {
   };
 }
 
-/// The supports hold the touching face inside of the obstacle at a node, and no bound can move it out.
+/// The supports hold the touching face inside of the obstacle at a node, and no bound can move it out. What its gap is
+/// summed from leaves rounding, whatever the unit of length.
 inline bool is_held_inside(const assembly::NodalCoordinates& coordinates, const assembly::NodalPoint& point,
                            std::size_t node) {
-  return !coordinates.touchable[node] && coordinates.bound_gap[node] < -1e-12 * (1 + point.phi.norm());
+  if (coordinates.touchable[node] || coordinates.gaps.empty()) return false;
+  const double terms = point.phi.norm() + point.thickness + std::abs(coordinates.gaps[node].initial);
+  return coordinates.bound_gap[node] < -1e-12 * terms;
 }
 
 }  // namespace plastron::study

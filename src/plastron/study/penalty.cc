@@ -32,7 +32,8 @@ Sample solve_for(Problem problem, const assembly::Tangency& tangency, MPI_Comm c
   problem.discretisation.tangency = tangency;
   problem.probes.clear();
   Result result = solve(problem, comm, observer);
-  Sample sample{.p = tangency.penalty, .status = result.status, .finest = result.levels.back()};
+  Sample sample{.p = tangency.penalty, .status = result.status};
+  if (!result.levels.empty()) sample.finest = result.levels.back();
   sample.tilt_energy = result.summary.tilt_energy;
   if (result.solution) sample.y = result.solution->nodal.y;
   if (keep) *keep = std::move(result.solution);
@@ -146,15 +147,19 @@ Followed follow(const std::vector<Sample>& samples, const Sample& tangent, const
   return f;
 }
 
-/// The decades of p until conditioning ends them, and a sentence on what did.
+/// The decades of p until conditioning ends them or somebody interrupts, and a sentence on what did.
 std::string solve_decades(const Problem& problem, MPI_Comm comm, const StudyObserver& observer,
-                          std::vector<Sample>& samples) {
+                          std::vector<Sample>& samples, contact::Status& status) {
   constexpr int most_decades = 16;
   Conditioning conditioning;
   for (int decade = 0; decade <= most_decades; ++decade) {
     const double p = std::pow(10.0, -decade);
     if (observer.stage) observer.stage(fmt::format("p = {:g}", p));
     Sample s = solve_for(problem, {.formulation = Formulation::penalised, .penalty = p}, comm, observer.solve);
+    if (s.status == contact::Status::interrupted) {
+      status = s.status;
+      return std::string(contact::explain(s.status));
+    }
     if (conditioning.spoils(s))
       return fmt::format(
           "conditioning stops it at p = {:g}, where rounding and no longer p decides the penalty's energy ({}, "
@@ -193,7 +198,8 @@ Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const
   report.status = tangent.status;
   if (tangent.status != contact::Status::solved) return report;
   std::vector<Sample> samples;
-  const std::string end = solve_decades(problem, comm, observer, samples);
+  const std::string end = solve_decades(problem, comm, observer, samples, report.status);
+  if (samples.empty() && report.status == contact::Status::interrupted) return report;
   if (samples.empty()) return report.status = contact::Status::linear_solver_stalled, report;
   const Followed followed = follow(samples, tangent, *kept);
   add_rows(samples, followed, report.table);

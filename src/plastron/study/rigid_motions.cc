@@ -1,5 +1,7 @@
 #include <plastron/study/rigid_motions.hpp>
 
+#include <plastron/study/checks.hpp>
+
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
@@ -13,20 +15,6 @@ using Eigen::Matrix;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Matrix6 = Matrix<double, 6, 6>;
-using Vector6 = Matrix<double, 6, 1>;
-
-/// Nodal values of the six motions at a node, a column each: translations, rotations about `centre` scaled by 1 / size,
-/// so that all move the shell by about one unit. Rotations r count times `size`, to weigh like displacements.
-Matrix6 motions_at(const assembly::NodalPoint& p, const Vector3d& centre, double size) {
-  Matrix6 m = Matrix6::Zero();
-  m.topLeftCorner<3, 3>().setIdentity();
-  for (int k = 0; k < 3; ++k) {
-    const Vector3d w = Vector3d::Unit(k) / size;
-    m.block<3, 1>(0, 3 + k) = w.cross(p.phi - centre);
-    m.block<3, 1>(3, 3 + k) = w.cross(p.a3) * size;
-  }
-  return m;
-}
 
 /// Orthonormal basis of the kernel of a positive semidefinite matrix.
 MatrixXd kernel(const MatrixXd& gram) {
@@ -37,26 +25,55 @@ MatrixXd kernel(const MatrixXd& gram) {
   return eigen.eigenvectors().leftCols(dimension);
 }
 
-std::string vector_text(Vector3d v) {
-  for (double& c : v)
-    if (std::abs(c) < 5e-4) c = 0;
-  return fmt::format("({:.3g}, {:.3g}, {:.3g})", v[0], v[1], v[2]);
+}  // namespace
+
+RigidMotions::RigidMotions(const std::vector<assembly::NodalPoint>& points) : centre_(Vector3d::Zero()), size_(0) {
+  for (const auto& p : points) centre_ += p.phi / static_cast<double>(points.size());
+  for (const auto& p : points) size_ = std::max(size_, (p.phi - centre_).norm());
 }
 
-std::string describe(const Vector6& motion, const Vector3d& centre) {
-  Vector3d translation = motion.head<3>(), rotation = motion.tail<3>();
+Matrix6 RigidMotions::at(const assembly::NodalPoint& point) const {
+  Matrix6 m = Matrix6::Zero();
+  m.topLeftCorner<3, 3>().setIdentity();
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d w = Vector3d::Unit(k) / size_;
+    m.block<3, 1>(0, 3 + k) = w.cross(point.phi - centre_);
+    m.block<3, 1>(3, 3 + k) = w.cross(point.a3) * size_;
+  }
+  return m;
+}
+
+RigidMotion RigidMotions::gap_change(const assembly::NodalPoint& point, const obstacle::Gap& gap) const {
+  RigidMotion row;
+  row << gap.normal, gap.z / size_ * gap.normal;
+  return at(point).transpose() * row;
+}
+
+RigidMotion RigidMotions::work(const std::vector<assembly::NodalPoint>& points, std::span<const double> forces) const {
+  RigidMotion sum = RigidMotion::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    RigidMotion force = Eigen::Map<const RigidMotion>(forces.data() + 6 * i);
+    force.tail<3>() /= size_;
+    sum += at(points[i]).transpose() * force;
+  }
+  return sum;
+}
+
+std::string RigidMotions::in_words(const RigidMotion& motion) const {
   constexpr double negligible = 1e-3;
+  const Vector3d translation = motion.head<3>(), rotation = motion.tail<3>();
   if (rotation.norm() < negligible * motion.norm()) return "translation along " + vector_text(translation.normalized());
-  if (translation.norm() < negligible * motion.norm())
-    return fmt::format("rotation about the axis {} through {}", vector_text(rotation.normalized()),
-                       vector_text(centre));
-  return fmt::format("rotation about the axis {} through {} with the translation {} for each unit of it",
-                     vector_text(rotation.normalized()), vector_text(centre),
-                     vector_text(translation / rotation.norm()));
+  // A translation across the axis moves the axis; one along it makes a screw.
+  const Vector3d axis = rotation.normalized();
+  const Vector3d through = centre_ + size_ * rotation.cross(translation) / rotation.squaredNorm();
+  const std::string turn =
+      fmt::format("rotation about the axis {} through {}", vector_text(axis), vector_text(through, size_));
+  const double pitch = axis.dot(translation) / rotation.norm();
+  if (std::abs(pitch) < negligible) return turn;
+  return fmt::format("{} with the translation {:.3g} m along it for each radian", turn, pitch * size_);
 }
 
-/// Columns of `basis` put in reduced echelon form, so that pure translations and rotations show as such.
-MatrixXd readable(MatrixXd basis) {
+std::vector<RigidMotion> readable(const MatrixXd& basis) {
   MatrixXd rows = basis.transpose();
   Eigen::Index next = 0;
   for (Eigen::Index column = rows.cols() - 1; column >= 0 && next < rows.rows(); --column) {
@@ -68,42 +85,30 @@ MatrixXd readable(MatrixXd basis) {
       if (i != next) rows.row(i) -= rows(i, column) * rows.row(next);
     ++next;
   }
-  return rows.transpose();
+  std::vector<RigidMotion> motions;
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) motions.emplace_back(rows.row(k).transpose());
+  return motions;
 }
 
-}  // namespace
-
-FreeMotions free_rigid_motions(const std::vector<assembly::NodalPoint>& points,
+FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<assembly::NodalPoint>& points,
                                const assembly::NodalCoordinates& coordinates) {
-  Vector3d centre = Vector3d::Zero();
-  for (const auto& p : points) centre += p.phi / static_cast<double>(points.size());
-  double size = 0;
-  for (const auto& p : points) size = std::max(size, (p.phi - centre).norm());
-
   Matrix6 by_supports = Matrix6::Zero(), by_gap = Matrix6::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Matrix6 motions = motions_at(points[i], centre, size);
+    const Matrix6 at_node = motions.at(points[i]);
     for (int k = 0; k < coordinates.width; ++k) {
       if (!coordinates.is_prescribed(i, k)) continue;
-      const Vector6 row = motions.transpose() * coordinates.basis[i].col(k);
+      const RigidMotion row = at_node.transpose() * coordinates.basis[i].col(k);
       by_supports += row * row.transpose();
     }
     if (coordinates.gaps.empty()) continue;
-    Vector6 gap;
-    gap << coordinates.gaps[i].normal, coordinates.gaps[i].z / size * coordinates.gaps[i].normal;
-    const Vector6 row = motions.transpose() * gap;
+    const RigidMotion row = motions.gap_change(points[i], coordinates.gaps[i]);
     by_gap += row * row.transpose() / static_cast<double>(points.size());
   }
-
   const MatrixXd free = kernel(by_supports);
-  FreeMotions result;
+  FreeMotions result{.unheld = MatrixXd(6, 0), .held_by_obstacle = MatrixXd(6, 0)};
   if (free.cols() == 0) return result;
-  const MatrixXd unheld = free * kernel(free.transpose() * by_gap * free);
-  const MatrixXd held = free * kernel(free.transpose() * (unheld * unheld.transpose()) * free);
-  const MatrixXd unheld_readable = readable(unheld), held_readable = readable(held);
-  for (Eigen::Index k = 0; k < unheld.cols(); ++k) result.unheld.push_back(describe(unheld_readable.col(k), centre));
-  for (Eigen::Index k = 0; k < held.cols(); ++k)
-    result.held_by_obstacle.push_back(describe(held_readable.col(k), centre));
+  result.unheld = free * kernel(free.transpose() * by_gap * free);
+  result.held_by_obstacle = free * kernel(free.transpose() * (result.unheld * result.unheld.transpose()) * free);
   return result;
 }
 

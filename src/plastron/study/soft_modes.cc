@@ -86,6 +86,7 @@ assembly::ShellDescription free_shell(const Problem& problem, Formulation formul
   return shell;
 }
 
+/// Empty if interrupted.
 Samples compute(const Problem& problem, MPI_Comm comm, const StudyObserver& observer) {
   Samples samples{.length = extent(problem)};
   if (problem.charts.size() > 1) samples.classical_left_out = refusal(problem, Formulation::classical);
@@ -97,6 +98,7 @@ Samples compute(const Problem& problem, MPI_Comm comm, const StudyObserver& obse
     if (level + 3 < finest) continue;
     for (const Formulation formulation : formulations) {
       if (formulation == Formulation::classical && !samples.classical_left_out.empty()) continue;
+      if (wants_to_stop(observer.solve, comm)) return {};
       if (observer.stage) observer.stage(fmt::format("mesh {}: {}", level, assembly::to_string(formulation)));
       const auto discrete = assembly::discretise(meshes.space(), surface, free_shell(problem, formulation));
       samples.developable = is_developable(*discrete);
@@ -221,6 +223,7 @@ Plot plot_of(const std::vector<Sample>& samples) {
 Report soft_modes(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
   const Samples samples = compute(problem, comm, observer);
   Report report{.table = empty_table(), .plot = {}};
+  if (samples.all.empty()) return report.status = contact::Status::interrupted, report;
   add_rows(samples.all, report.table);
   for (const Formulation formulation : formulations) {
     const auto some = of(samples.all, formulation);

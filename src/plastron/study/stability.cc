@@ -176,6 +176,7 @@ Report stability(const Problem& problem, const StudyOptions& options, MPI_Comm c
   const double length = extent(problem);
   const auto samples = stability_samples(problem, factors_of(options), length, comm, observer);
   Report report{.table = empty_table(), .plot = {}};
+  if (samples.empty()) return report.status = contact::Status::interrupted, report;
   add_rows(samples, length, report.table);
   report.table.remarks.push_back(fmt::format(
       "the norms take the shell's own length L = {:.4g} m, half the diagonal of the box around it, as unit of length",

@@ -29,6 +29,7 @@ class Stability {
             const StudyObserver& observer)
       : problem_(problem), factors_(factors), length_(length), comm_(comm), observer_(observer) {}
 
+  /// Empty if interrupted.
   std::vector<StabilitySample> samples() {
     const int finest = problem_.discretisation.refinements;
     fem::MeshSequence meshes = mesh_sequence(problem_, comm_);
@@ -39,6 +40,7 @@ class Stability {
       if (level + 3 < finest) continue;  // h, h/2, h/4, h/8
       const std::optional<double> b = inf_sup_of_b(meshes.space(), level);
       for (const double factor : factors_) {
+        if (wants_to_stop(observer_.solve, comm_)) return {};
         all.push_back(measure(meshes.space(), level, factor));
         all.back().b = b.value_or(StabilitySample::no_value);
       }

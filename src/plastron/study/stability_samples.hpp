@@ -20,7 +20,8 @@ struct StabilitySample {
   double b = no_value, c_dual = no_value, c_l2 = no_value;  ///< inf-sup constants
 };
 
-/// From thick to thin, for each thickness from coarse to fine; norms with the unit of length `length` [m]. (collective)
+/// From thick to thin, for each thickness from coarse to fine; norms with the unit of length `length` [m]. Empty if
+/// interrupted. (collective)
 std::vector<StabilitySample> stability_samples(const Problem& problem, const std::vector<double>& factors,
                                                double length, MPI_Comm comm, const StudyObserver& observer);
 

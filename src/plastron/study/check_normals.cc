@@ -1,0 +1,61 @@
+// phi and a_3 must agree where cells meet; second derivatives may jump (phi in W^{2,inf}, model.md section 1).
+#include <plastron/geometry/frame.hpp>
+#include <plastron/study/checks.hpp>
+
+#include <fmt/ranges.h>
+
+namespace plastron::study {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// What the first cell at a node says of it.
+struct Seen {
+  bool is = false;
+  Vector3d phi, a3;
+};
+
+bool agree(const Seen& first, const geometry::SurfaceJet& jet, double x, double y, Examined& examined) {
+  constexpr double tolerance = 1e-6;
+  const Vector3d a3 = geometry::unit_normal(jet);
+  const double apart = (first.phi - jet.value).norm(), turned = (first.a3 - a3).norm();
+  if (apart > tolerance * examined.size) {
+    examined.add(Severity::error,
+                 "the charts of two regions do not meet at x = {:.6g}, y = {:.6g}: they are {:.3g} m apart; "
+                 "the mid-surface must be continuous",
+                 x, y, apart);
+    return false;
+  }
+  if (turned <= tolerance) return true;
+  examined.add(Severity::error,
+               "the mid-surface has a kink at x = {:.6g}, y = {:.6g}: the normals of two regions differ by "
+               "{:.3g} rad; curvature may jump there, the normal may not",
+               x, y, turned);
+  return false;
+}
+
+}  // namespace
+
+void check_normals(Examined& examined) {
+  const fem::Space& space = *examined.space;
+  const auto& xi = examined.tables.nodes;
+  std::vector<Seen> seen(static_cast<std::size_t>(space.layout->owned));
+  std::vector<geometry::SurfaceJet> jets(xi.size());
+  std::vector<double> x(xi.size()), y(xi.size());
+  for (std::size_t c = 0; c < space.cells.size(); ++c) {
+    examined.surface->jets(space.cells[c], xi, jets, false);
+    examined.surface->positions(space.cells[c], xi, x, y);
+    for (std::size_t i = 0; i < jets.size(); ++i) {
+      Seen& first = seen[static_cast<std::size_t>(space.nodes(c)[i])];
+      if (!first.is)
+        first = {true, jets[i].value, geometry::unit_normal(jets[i])};
+      else if (!agree(first, jets[i], x[i], y[i], examined))
+        return;
+    }
+  }
+  if (space.coarse->regions.size() > 1)
+    examined.add(Severity::note, "regions {} meet with one normal", fmt::join(space.coarse->regions, ", "));
+}
+
+}  // namespace plastron::study
