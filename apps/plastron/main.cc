@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <new>
-#include <optional>
 
 namespace plastron::app {
 
@@ -57,8 +57,19 @@ ExitCode compute(int argc, char** argv, int threads, const std::function<ExitCod
   return guarded(command);
 }
 
+/// What is wrong with the options of a study beyond their single values.
+void check_study_options(const CLI::App& app, const study::Kind& kind, const std::vector<double>& factors) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name(), takers = study::kinds_that_take(name);
+    if (option->count() > 0 && !takers.empty() && !study::takes_option(kind, name))
+      throw CLI::ValidationError("--" + name, fmt::format("{} does not take it; it is for: {}", kind.name, takers));
+  }
+  if (std::ranges::adjacent_find(factors, std::less_equal<>{}) != factors.end())
+    throw CLI::ValidationError("--factors", "must fall from one to the next");
+}
+
 /// Declares `plastron study`: one table of kinds, and options that concern some of them.
-CLI::App* add_study(CLI::App& program, StudyCommand& command, std::optional<int>& steps) {
+CLI::App* add_study(CLI::App& program, StudyCommand& command) {
   std::vector<std::string> names;
   std::string footer = "Kinds:\n";
   for (const study::Kind& kind : study::kinds()) {
@@ -71,24 +82,26 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command, std::optional<int>
   app->add_option("KIND", command.kind, "What to examine; see below")->required()->check(CLI::IsMember(names));
   app->add_option("CASE", command.case_file, "Case file (TOML)")->required();
   add_output_options(*app, "Directory for KIND.json and KIND.svg", command.output, command.quiet, command.threads);
-  app->add_option("--reference", o.reference, "convergence: levels between the finest mesh and the reference")
+  const auto add = [app](const std::string& name, auto& value, const std::string& what) {
+    return app->add_option("--" + name, value, study::kinds_that_take(name) + ": " + what);
+  };
+  add("reference", o.reference, "levels between the finest mesh and the reference")
       ->check(CLI::Range(1, 6))
       ->capture_default_str();
-  CLI::Option* factors = app->add_option("--factors", o.factors,
-                                         "thickness, stability: multiples of the case's thickness, from thick to thin")
+  CLI::Option* factors = add("factors", o.factors, "multiples of the case's thickness, from thick to thin")
                              ->delimiter(',')
                              ->check(CLI::PositiveNumber);
-  app->add_option("--steps", steps, "thickness: that many halvings, in place of --factors")
-      ->check(CLI::Range(1, 20))
-      ->excludes(factors);
-  app->add_option("--load-exponent", o.load_exponent, "thickness: loads go with factor^P; 0 without, 3 with obstacle");
-  app->add_option("--samples", o.samples, "continuity: perturbations of each kind")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  app->add_option("--size", o.size, "continuity: largest relative perturbation")
-      ->check(CLI::Range(1e-6, 0.5))
-      ->capture_default_str();
-  app->add_option("--seed", o.seed, "continuity: of the random numbers")->capture_default_str();
+  const auto steps = std::make_shared<int>(0);
+  add("steps", *steps, "that many halvings, in place of --factors")->check(CLI::Range(1, 20))->excludes(factors);
+  add("load-exponent", o.load_exponent, "loads go with factor^P; 0 without, 3 with obstacle");
+  add("samples", o.samples, "perturbations of each kind")->check(CLI::Range(1, 100000))->capture_default_str();
+  add("size", o.size, "largest relative perturbation")->check(CLI::Range(1e-6, 0.5))->capture_default_str();
+  add("seed", o.seed, "of the random numbers")->capture_default_str();
+  app->callback([app, &command, steps] {
+    if (*steps > 0)
+      for (int i = 0; i <= *steps; ++i) command.options.factors.push_back(std::ldexp(1.0, -i));
+    check_study_options(*app, *study::find_kind(command.kind), command.options.factors);
+  });
   return app;
 }
 
@@ -101,19 +114,12 @@ int main(int argc, char** argv) {
   Options options;
   const CommonCommands commands = add_common_commands(program, options);
   StudyCommand study_options;
-  std::optional<int> steps;
-  CLI::App* study_command = add_study(program, study_options, steps);
+  CLI::App* study_command = add_study(program, study_options);
 
   try {
     program.parse(argc, argv);
-    if (const auto& f = study_options.options.factors; std::ranges::adjacent_find(f, std::less_equal<>{}) != f.end())
-      throw CLI::ValidationError("--factors", "must fall from one to the next");
   } catch (const CLI::ParseError& error) {
     return answer(program, error);
-  }
-  if (steps) {
-    study_options.options.factors.clear();
-    for (int i = 0; i <= *steps; ++i) study_options.options.factors.push_back(std::ldexp(1.0, -i));
   }
   return compute(argc, argv, study_command->parsed() ? study_options.threads : options.threads, [&] {
     if (study_command->parsed()) return study_case(study_options);

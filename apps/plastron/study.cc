@@ -4,22 +4,16 @@
 
 #include <plastron/config/case.hpp>
 #include <plastron/io/study_report.hpp>
-#include <plastron/study/compare.hpp>
 
 #include <mpi.h>
 
 namespace plastron::app {
 
-namespace {
-
-/// What `plastron compare` runs: a report like a study's.
-constexpr study::Kind comparison{"compare", "all formulations side by side", study::compare};
-
-}  // namespace
-
 ExitCode study_case(const StudyCommand& command) {
   const config::Case c = config::read_case(command.case_file);
-  const auto findings = study::examine(c.problem);
+  const study::Kind* study_kind = study::find_kind(command.kind);
+  const study::Kind& kind = study_kind ? *study_kind : study::comparison();
+  const auto findings = study::examine(kind, c.problem, command.options);
   print_findings(findings, command.case_file.string(), false);
   if (study::has_errors(findings)) return bad_input;
   const OutputDirectory output(command.output);
@@ -29,8 +23,7 @@ ExitCode study_case(const StudyCommand& command) {
   }
 
   StageProgress progress(command.quiet);
-  const study::Kind* kind = command.kind == comparison.name ? &comparison : study::find_kind(command.kind);
-  const study::Report report = kind->run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
+  const study::Report report = kind.run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
   progress.finish();
   if (exit_code(report.status) == bad_input) {
     print_error("{}: error: {}\n", command.case_file.string(), contact::explain(report.status));

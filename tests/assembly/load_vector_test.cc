@@ -18,7 +18,7 @@ Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {
 
 ShellOperator cap_on_disk(int degree, int refinements, fem::Shape shape = test::quadrilateral) {
   const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, degree, refinements, shape);
-  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true};
+  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false};
 }
 
 // The cap of height h of a sphere of radius 2 has the area 2 pi 2 h.

@@ -14,7 +14,7 @@ namespace {
 ShellOperator make(const std::array<std::string, 3>& chart, const test::Element& element, int refinements) {
   const auto [shape, degree, tying] = element;
   const auto m = test::meshed(test::skew(), chart, degree, refinements, shape);
-  return {m.space, m.surface, geometry::Expression("0.1 + 0.02*x", {}), test::steel_like(), tying};
+  return {m.space, m.surface, geometry::Expression("0.1 + 0.02*x", {}), test::steel_like(), tying, false};
 }
 
 algebra::Vector random_field(const fem::Space& space, int seed) {

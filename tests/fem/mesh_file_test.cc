@@ -74,12 +74,13 @@ TEST(MeshFile, without_physical_surfaces_has_one_unnamed_region) {
 
 TEST(WrongMeshFile, that_is_not_there_is_named) {
   try {
-    coarse_mesh(MeshFile{"/no/such/plate.msh"});
+    coarse_mesh(MeshFile{"/no/such/plate.msh"}, Shape::quadrilateral);
     FAIL();
   } catch (const DomainError& error) {
     EXPECT_STREQ(error.what(), "/no/such/plate.msh: there is no such mesh file");
   }
-  EXPECT_THROW(coarse_mesh(MeshFile{std::filesystem::temp_directory_path().string()}), DomainError);
+  EXPECT_THROW(coarse_mesh(MeshFile{std::filesystem::temp_directory_path().string()}, Shape::quadrilateral),
+               DomainError);
 }
 
 TEST(WrongMeshFile, that_is_no_mesh_is_refused) {

@@ -326,7 +326,7 @@ TEST(Triangles, of_degree_three_are_refused) {
 }
 
 TEST(Refinement, leaves_spaces_that_are_still_held_alone) {
-  MeshSequence meshes(coarse_mesh(Disk{}), 2, MPI_COMM_WORLD);
+  MeshSequence meshes(coarse_mesh(Disk{}, Shape::quadrilateral), 2, MPI_COMM_WORLD);
   const auto before = meshes.space();
   const auto cells = before->cells.size();
   meshes.refine({});
@@ -362,13 +362,14 @@ TEST(Point, is_found_in_the_cell_that_holds_it) {
 }
 
 TEST(Point, outside_of_the_domain_is_nowhere) {
-  EXPECT_FALSE(locate(coarse_mesh(Rectangle{}), {1.001, 0.5}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {0.8, 0.8}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {0, 1.00001}));
-  EXPECT_FALSE(locate(coarse_mesh(Annulus{}), {0, 0}));
-  EXPECT_FALSE(locate(coarse_mesh(Annulus{}), {0.49, 0}));
-  EXPECT_FALSE(locate(coarse_mesh(Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}), {1.5, 1.5}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {1e6, -1e6}));
+  EXPECT_FALSE(locate(coarse_mesh(Rectangle{}, Shape::quadrilateral), {1.001, 0.5}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {0.8, 0.8}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {0, 1.00001}));
+  EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), {0, 0}));
+  EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), {0.49, 0}));
+  EXPECT_FALSE(
+      locate(coarse_mesh(Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, Shape::quadrilateral), {1.5, 1.5}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {1e6, -1e6}));
   EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::triangle), {0.8, 0.8}));
   EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::triangle), {0, 0}));
 }
@@ -376,10 +377,10 @@ TEST(Point, outside_of_the_domain_is_nowhere) {
 TEST(Point, on_the_boundary_is_inside) {
   for (int k = 0; k < 16; ++k) {
     const Vector2d direction(std::cos(k * pi / 8 + 0.1), std::sin(k * pi / 8 + 0.1));
-    EXPECT_TRUE(locate(coarse_mesh(Disk{}), direction));
+    EXPECT_TRUE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), direction));
     EXPECT_TRUE(locate(coarse_mesh(Disk{}, Shape::triangle), direction));
-    EXPECT_TRUE(locate(coarse_mesh(Annulus{}), direction));
-    EXPECT_TRUE(locate(coarse_mesh(Annulus{}), direction / 2));
+    EXPECT_TRUE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), direction));
+    EXPECT_TRUE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), direction / 2));
   }
 }
 

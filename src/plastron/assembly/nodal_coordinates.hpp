@@ -71,6 +71,6 @@ std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surfa
 /// (collective) Throws SupportError.
 NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const GapFunction& gap, Formulation formulation = Formulation::tangent);
+                                   const GapFunction& gap, Formulation formulation);
 
 }  // namespace plastron::assembly

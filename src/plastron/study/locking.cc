@@ -2,6 +2,7 @@
 
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
+#include <plastron/study/extent.hpp>
 
 #include <fmt/format.h>
 
@@ -49,14 +50,8 @@ double longest_side(fem::Shape shape, const CornerPoints& corners) {
   return longest;
 }
 
-/// Longest sides and smallest thicknesses of the cells of the finest mesh, seen on a mesh of some hundred cells, and half
-/// the diagonal of the box that holds the mid-surface.
-struct Sizes {
-  std::vector<std::pair<double, double>> cells;  ///< h, e [m]
-  double extent = 0;                             ///< L [m]
-};
-
-Sizes sizes_of(const Problem& problem) {
+/// Longest sides and smallest thicknesses [m] of the cells of the finest mesh, seen on a mesh of some hundred cells.
+std::vector<std::pair<double, double>> sizes_of(const Problem& problem) {
   constexpr int enough_cells = 256;
   const Discretisation& d = problem.discretisation;
   fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, d.cells), 1, MPI_COMM_SELF);
@@ -64,17 +59,11 @@ Sizes sizes_of(const Problem& problem) {
   for (; meshes.space()->global_cells < enough_cells; ++level) meshes.refine({});
   const fem::Surface surface(meshes.space()->coarse, problem.charts);
   const double to_finest = std::exp2(level - d.refinements);
-  Sizes sizes;
-  Vector3d low = Vector3d::Constant(INFINITY), high = -low;
+  std::vector<std::pair<double, double>> sizes;
   for (const fem::Cell& cell : meshes.space()->cells) {
     const CornerPoints corners = corner_points(problem, surface, cell);
-    sizes.cells.emplace_back(to_finest * longest_side(d.cells, corners), *std::ranges::min_element(corners.thickness));
-    for (const Vector3d& p : corners.phi) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    sizes.emplace_back(to_finest * longest_side(d.cells, corners), *std::ranges::min_element(corners.thickness));
   }
-  sizes.extent = (high - low).norm() / 2;
   return sizes;
 }
 
@@ -84,11 +73,10 @@ std::vector<std::string> locking_warnings(const Problem& problem) {
   const Discretisation& d = problem.discretisation;
   const bool is_tied = d.tying && d.cells == fem::Shape::quadrilateral;
   if (is_tied || d.degree > static_cast<int>(largest_size.size())) return {};
-  const Sizes sizes = sizes_of(problem);
+  const double L = extent(problem);
   double worst = 0, size = 0, limit = 0, thickness = 0;
-  for (const auto& [h, e] : sizes.cells) {
-    const double allowed = largest_size[static_cast<std::size_t>(d.degree - 1)] * sizes.extent *
-                           std::pow(e / sizes.extent, 1.0 / d.degree);
+  for (const auto& [h, e] : sizes_of(problem)) {
+    const double allowed = largest_size[static_cast<std::size_t>(d.degree - 1)] * L * std::pow(e / L, 1.0 / d.degree);
     if (h / allowed <= worst) continue;
     worst = h / allowed;
     size = h;
