@@ -1,12 +1,12 @@
-// plastron: the command line.
+// plastron-solver: what plastron becomes when there is something to compute, with the same arguments.
 #include "commands.hpp"
-#include "console.hpp"
+#include "interruption.hpp"
+#include "terminal.hpp"
 
 #include <plastron/algebra/session.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/config/mistakes.hpp>
 #include <plastron/fem/domain.hpp>
-#include <plastron/io/version.hpp>
 
 #include <mpi.h>
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
   try {
     return command();
   } catch (const config::CaseErrors& errors) {
-    print_error("{}", errors.format());
+    if (is_first_rank()) print_text(stderr, errors.format());
     return bad_input;
   } catch (const fem::DomainError& error) {
     print_error("error: {}\n", error.what());
@@ -37,14 +37,24 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
   }
   // What follows may have struck one rank alone, so that rank speaks and takes the others down.
   catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: not enough memory; reduce mesh.refinements or mesh.degree, or use more machines\n");
+    print_text(stderr, "error: not enough memory; reduce mesh.refinements or mesh.degree, or use more machines\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "internal error: {}\n", error.what());
+    print_text(stderr, "internal error: " + config::printable(error.what()) + "\n");
   }
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   if (ranks > 1) MPI_Abort(MPI_COMM_WORLD, internal_error);
   return internal_error;
+}
+
+/// Starts what computations need and runs a command.
+ExitCode compute(int argc, char** argv, int threads, const std::function<ExitCode()>& command) {
+  listen_for_interruptions();
+  const algebra::Session session(argc, argv, threads);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  set_rank(rank);
+  return guarded(command);
 }
 
 /// Declares `plastron study`: one table of kinds, and options that concern some of them.
@@ -56,12 +66,11 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command, std::optional<int>
     footer += fmt::format("  {:<12} {}\n", kind.name, kind.question);
   }
   study::StudyOptions& o = command.options;
-  CLI::App* app = program.add_subcommand("study", "Solve a case many times and examine a theorem or a limit with it");
+  CLI::App* app = program.add_subcommand("study", study_summary);
   app->footer(footer);
   app->add_option("KIND", command.kind, "What to examine; see below")->required()->check(CLI::IsMember(names));
   app->add_option("CASE", command.case_file, "Case file (TOML)")->required();
-  app->add_option("-o,--output", command.output, "Directory for KIND.json and KIND.svg")->required();
-  app->add_flag("-q,--quiet", command.quiet, "Print errors only");
+  add_output_options(*app, "Directory for KIND.json and KIND.svg", command.output, command.quiet, command.threads);
   app->add_option("--reference", o.reference, "convergence: levels between the finest mesh and the reference")
       ->check(CLI::Range(1, 6))
       ->capture_default_str();
@@ -86,27 +95,11 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command, std::optional<int>
 }  // namespace
 
 int main(int argc, char** argv) {
-  const algebra::Session session(argc, argv);
-  CLI::App program("Plastron computes thin elastic shells (Naghdi's model) pressed on a rigid obstacle.");
-  program.set_version_flag("--version", std::string(io::version));
-  program.require_subcommand(1);
-  program.footer("Exit codes: 0 solved, 2 bad input, 3 not converged, 4 internal error.");
-
-  RunOptions options;
-  CLI::App* run_command = program.add_subcommand("run", "Solve a case and write its results");
-  run_command->add_option("CASE", options.case_file, "Case file (TOML)")->required();
-  run_command->add_option("-o,--output", options.output, "Directory for results.json and the .vtu files")->required();
-  run_command->add_flag("-q,--quiet", options.quiet, "Print errors only");
-  CLI::App* check_command = program.add_subcommand("check", "Examine a case without solving it");
-  check_command->add_option("CASE", options.case_file, "Case file (TOML)")->required();
-
-  StudyCommand comparison{.kind = "compare", .case_file = {}, .output = {}};
-  CLI::App* compare_command =
-      program.add_subcommand("compare", "Solve a case in every formulation and set them side by side");
-  compare_command->add_option("CASE", comparison.case_file, "Case file (TOML)")->required();
-  compare_command->add_option("-o,--output", comparison.output, "Directory for compare.json and compare.svg")
-      ->required();
-  compare_command->add_flag("-q,--quiet", comparison.quiet, "Print errors only");
+  secure_standard_streams();
+  CLI::App program;
+  describe_program(program);
+  Options options;
+  const CommonCommands commands = add_common_commands(program, options);
   StudyCommand study_options;
   std::optional<int> steps;
   CLI::App* study_command = add_study(program, study_options, steps);
@@ -116,16 +109,19 @@ int main(int argc, char** argv) {
     if (const auto& f = study_options.options.factors; std::ranges::adjacent_find(f, std::less_equal<>{}) != f.end())
       throw CLI::ValidationError("--factors", "must fall from one to the next");
   } catch (const CLI::ParseError& error) {
-    if (!is_first_rank()) return error.get_exit_code() == 0 ? solved : bad_input;
-    return program.exit(error) == 0 ? solved : bad_input;
+    return answer(program, error);
   }
   if (steps) {
     study_options.options.factors.clear();
     for (int i = 0; i <= *steps; ++i) study_options.options.factors.push_back(std::ldexp(1.0, -i));
   }
-  if (study_command->parsed()) return guarded([&] { return study_case(study_options); });
-  if (compare_command->parsed()) return guarded([&] { return study_case(comparison); });
-  return guarded([&] { return run_command->parsed() ? run(options) : check(options.case_file); });
+  return compute(argc, argv, study_command->parsed() ? study_options.threads : options.threads, [&] {
+    if (study_command->parsed()) return study_case(study_options);
+    if (commands.compare->parsed())
+      return study_case(
+          {.kind = "compare", .case_file = options.case_file, .output = options.output, .quiet = options.quiet});
+    return commands.run->parsed() ? run(options) : check(options.case_file);
+  });
 }
 
 }  // namespace plastron::app

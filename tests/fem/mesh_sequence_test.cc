@@ -256,11 +256,13 @@ TEST(Refinement, of_triangles_keeps_the_function) {
     const algebra::Vector before = fields[0];
     meshes.refine(fields);
     const Space& fine = *meshes.space();
+    std::int64_t compared = 0;
     for (std::size_t c = 0; c < fine.cells.size(); ++c) {
       const Vector2d xi = fine.cells[c].corner + fine.cells[c].size * Vector2d(0.2, 0.3);
       const auto parent =
           std::ranges::find(coarse->cells, fine.cells[c].coarse, [](const Cell& cell) { return cell.coarse; });
       if (parent == coarse->cells.end()) continue;  // on another rank
+      ++compared;
       const auto value = [&](const Space& space, const algebra::Vector& field, std::size_t cell, const Vector2d& at) {
         const auto basis = triangle_lagrange(k, at).value;
         double sum = 0;
@@ -271,6 +273,7 @@ TEST(Refinement, of_triangles_keeps_the_function) {
       EXPECT_NEAR(value(fine, fields[0], c, {0.2, 0.3}),
                   value(*coarse, before, static_cast<std::size_t>(parent - coarse->cells.begin()), xi), 1e-14);
     }
+    EXPECT_GE(over_ranks(compared), fine.global_cells / 2);
   }
 }
 

@@ -68,5 +68,22 @@ TEST(StudyReport, without_rows_leaves_no_plot_of_an_earlier_one) {
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
+TEST(StudyReport, that_cannot_be_written_keeps_an_earlier_one) {
+  const ScratchDirectory scratch("study-fails");
+  write_report(report(), {.title = "first", .settings = {}, .files = {}}, scratch.path, MPI_COMM_WORLD);
+  const std::string before = text_of(scratch.path / "example.json");
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (world_rank() == 0) {
+    std::filesystem::remove(scratch.path / "example.svg");
+    std::filesystem::create_directory(scratch.path / "example.svg");
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_THROW(write_report(report(), {.title = "second", .settings = {}, .files = {}}, scratch.path, MPI_COMM_WORLD),
+               std::runtime_error);
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_EQ(text_of(scratch.path / "example.json"), before);
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
 }  // namespace
 }  // namespace plastron::io

@@ -50,7 +50,10 @@ std::vector<CertificateLimit> certificate_limits(const Verdict& v, Formulation f
   const Certificate& c = v.certificate;
   std::vector<CertificateLimit> limits{
       {"stationarity", "1", c.stationarity, algebraic, false, "forces balance at every node to six digits"}};
-  add_contact_limits(v, std::max(v.summary.least_thickness, v.summary.max_displacement), limits);
+  const double length = std::max(v.summary.least_thickness, v.summary.max_displacement);
+  limits.push_back({"support_error", "m", c.support_error, algebraic * length, false,
+                    "supports hold: a millionth of the thickness or of the largest displacement, whichever is more"});
+  add_contact_limits(v, length, limits);
   const bool is_covariant = formulation == Formulation::classical;
   limits.push_back({"force_balance", "1", c.force_balance, is_covariant ? of_the_mesh : algebraic, false,
                     is_covariant ? "covariant components hold translations as well as the mesh does"

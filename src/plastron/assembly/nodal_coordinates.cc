@@ -1,5 +1,7 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 
+#include <plastron/algebra/assertion.hpp>
+
 #include <fmt/format.h>
 #include <Eigen/Dense>
 
@@ -258,6 +260,9 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
 
 void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y) const {
   using Eigen::Map, Eigen::VectorXd;
+  PLASTRON_ASSERT(z.block() == width && y.block() == 6 && z.local().size() == at(basis.size(), 0) &&
+                      y.local().size() == 6 * basis.size(),
+                  z.block(), width, y.block(), z.local().size(), y.local().size(), basis.size());
   for (std::size_t i = 0; i < basis.size(); ++i)
     Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i).noalias() =
         basis[i].leftCols(width) * Map<const VectorXd>(z.local().data() + at(i, 0), width);
@@ -265,6 +270,9 @@ void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y
 
 void NodalCoordinates::add_transposed(const algebra::Vector& f, algebra::Vector& z) const {
   using Eigen::Map, Eigen::VectorXd;
+  PLASTRON_ASSERT(
+      z.block() == width && f.block() == 6 && f.owned().size() == 6 * static_cast<std::size_t>(z.layout()->owned),
+      z.block(), width, f.block(), f.owned().size(), z.layout()->owned);
   const auto owned = static_cast<std::size_t>(z.layout()->owned);
   for (std::size_t i = 0; i < owned; ++i)
     Map<VectorXd>(z.local().data() + at(i, 0), width).noalias() +=

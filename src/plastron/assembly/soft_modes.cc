@@ -1,12 +1,12 @@
 #include <plastron/assembly/soft_modes.hpp>
 
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/assembly/h1_matrix.hpp>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <stdexcept>
 
@@ -158,7 +158,7 @@ ModeKind Mode::kind() const {
 }
 
 std::vector<Mode> softest_modes(const DiscreteShell& discrete, int count) {
-  assert(!discrete.gap);
+  PLASTRON_ASSERT(!discrete.gap, "the coordinates of a node that can touch are not orthonormal");
   const algebra::Matrix X = h1_matrix(discrete.shell, discrete.coordinates);
   const auto space = softest_space(discrete, X, count);
   if (space.empty()) return {};

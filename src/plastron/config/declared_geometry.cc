@@ -86,7 +86,7 @@ std::vector<Section> domain_shapes() {
            {{.name = "corners",
              .kind = Kind::points,
              .required = true,
-             .meaning = "three corners or more, in either sense",
+             .meaning = "three to 500 corners, in either sense",
              .example = "[[0, 0], [1, 0], [0, 1]]"}}}};
 }
 

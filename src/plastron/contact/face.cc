@@ -1,5 +1,7 @@
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 #include <plastron/contact/face.hpp>
+#include <plastron/contact/kept_factor.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +33,7 @@ FaceSolver::FaceSolver(const BoxProblem& problem, algebra::Factorisation& factor
 }
 
 std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
+  PLASTRON_ASSERT(set.size() == problem_.load.owned().size(), set.size(), problem_.load.owned().size());
   if (auto point = solve_with_old_factor(set)) return point;
   failure_ = Status::singular;
   if (!factorise(set)) return {};
@@ -54,14 +57,18 @@ bool FaceSolver::factorise(const ActiveSet& set) {
 }
 
 /// A face that differs from the factorised one in a few unknowns: the factor is a preconditioner that is exact up to
-/// that rank, and each step costs a twentieth of a factorisation on a fine mesh. Its norm weighs the unknowns that changed
-/// wrongly, hence the sharper tolerance. Nothing if that does not converge soon.
+/// that rank. Its norm weighs the unknowns that changed wrongly, hence the sharper tolerance. Nothing if that does not converge soon, and
+/// on meshes where as many steps cost more than a factorisation.
 std::optional<FacePoint> FaceSolver::solve_with_old_factor(const ActiveSet& set) {
   constexpr std::int64_t most_changes = 64;
   constexpr int most_steps = 16;
   constexpr double sharper = 1e-2;
   if (settings_.detect_free_motions || problem_.equations || !factorised_ ||
       count_changes(problem_, *factorised_, set) > most_changes)
+    return {};
+  const auto unknowns = static_cast<double>(nearby_.layout()->global_size) * nearby_.block();
+  if (settings_.kept_factor == KeptFactor::where_cheaper &&
+      affordable_steps(factorisation_.cost(), unknowns) < most_steps)
     return {};
   algebra::Vector z = nearby_;
   const auto linear = solve_linear(

@@ -122,21 +122,19 @@ void write_report(const study::Report& report, const Provenance& provenance, con
   MPI_Comm_rank(comm, &rank);
   const auto from_first = [rank](const auto& make) { return rank == 0 ? make() : std::string(); };
   make_directory(directory, comm);
-  remove_file(json_path, comm);
-  remove_file(svg_path, comm);
+  AtomicFiles files(comm);
   Provenance complete = provenance;
-  if (!report.table.rows.empty()) {
-    write_atomically(
-        svg_path, [&] { return from_first([&] { return svg_text(report.plot); }); }, comm);
+  const bool has_plot = !report.table.rows.empty();
+  if (has_plot) {
+    files.add(svg_path, [&] { return from_first([&] { return svg_text(report.plot); }); });
     complete.files = {svg_path.filename().string()};
   }
-  write_atomically(
-      json_path,
-      [&] {
-        return from_first(
-            [&] { return report_json(report, complete).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; });
-      },
-      comm);
+  files.add(json_path, [&] {
+    return from_first(
+        [&] { return report_json(report, complete).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; });
+  });
+  files.commit();
+  if (!has_plot) remove_file(svg_path, comm);
 }
 
 }  // namespace plastron::io
