@@ -31,7 +31,7 @@ struct MeshData {
   /// the other way.
   std::vector<std::vector<int>> group_sets{{}};
   std::map<std::vector<int>, std::size_t> set_numbers{{{}, 0}};  ///< where a set stands in `group_sets`
-  std::map<std::pair<int, int>, std::string> names{};              ///< of (dimension, group)
+  std::map<std::pair<int, int>, std::string> names{};            ///< of (dimension, group)
 };
 
 /// Replaces the tags of the elements' nodes by their indices. Throws DomainError for a tag that is twice or not there.

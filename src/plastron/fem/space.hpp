@@ -25,8 +25,8 @@ struct Cell {
 /// once for each; a side on an inner curve is listed for one of its two cells (named_sides.hpp).
 struct BoundaryFace {
   std::size_t cell = 0;
-  int side = 0;       ///< see reference_cell.hpp
-  int boundary = -1;  ///< index into CoarseMesh::boundaries, -1 for an unnamed part of the domain's boundary
+  int side = 0;           ///< see reference_cell.hpp
+  int boundary = -1;      ///< index into CoarseMesh::boundaries, -1 for an unnamed part of the domain's boundary
   bool is_inner = false;  ///< has cells on both sides
 };
 
