@@ -25,8 +25,8 @@ void describe_program(CLI::App& program);
 CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& summary,
                       const std::string& output_meaning, Options& options);
 /// -o, --output (or --out), -q, --threads, as every command that computes takes them.
-void add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output, bool& quiet,
-                        int& threads);
+void add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
+                        bool& quiet, int& threads);
 
 /// The commands run, check and compare, all filling one Options.
 struct CommonCommands {

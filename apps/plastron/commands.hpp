@@ -9,7 +9,6 @@
 
 namespace plastron::app {
 
-
 struct StudyCommand {
   std::string kind;
   std::filesystem::path case_file;

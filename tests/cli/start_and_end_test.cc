@@ -72,9 +72,17 @@ TEST(Start, of_what_computes_nothing_takes_a_fifth_of_a_second) {
   const Scratch scratch;
   scratch.write("syntax.toml", "title = [");
   scratch.write("wrong.toml", strip(0) + "[solver]\nmax_iterations = -1\n");
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--version"}, {"--help"}, {"run", "--help"}, {}, {"fly"}, {"run"}, {"check", "a", "b"},
-        {"check", "no-such.toml"}, {"check", "syntax.toml"}, {"check", "wrong.toml"}, {"run", "syntax.toml", "-o", "X"}})
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--version"},
+                                                    {"--help"},
+                                                    {"run", "--help"},
+                                                    {},
+                                                    {"fly"},
+                                                    {"run"},
+                                                    {"check", "a", "b"},
+                                                    {"check", "no-such.toml"},
+                                                    {"check", "syntax.toml"},
+                                                    {"check", "wrong.toml"},
+                                                    {"run", "syntax.toml", "-o", "X"}})
     EXPECT_LT(fastest(arguments, scratch.path), 0.2) << testing::PrintToString(arguments);
 }
 
@@ -111,9 +119,13 @@ TEST(Lines, fit_a_page) {
   const Scratch scratch;
   scratch.write("case.toml", strip(1, std::string(150, 'T'), "[[probe]]\nname = \"middle\"\nat = [0.5, 0.06]\n"));
   scratch.write("wrong.toml", strip(0) + "[solver]\nmax_steps = " + std::string(500, '1') + "\n[mush]\na = 1\n");
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--help"}, {"run", "--help"}, {"study", "--help"}, {"compare", "--help"},
-        {"check", "case.toml"}, {"run", "case.toml", "-o", "out"}, {"check", "wrong.toml"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"run", "--help"},
+                                                    {"study", "--help"},
+                                                    {"compare", "--help"},
+                                                    {"check", "case.toml"},
+                                                    {"run", "case.toml", "-o", "out"},
+                                                    {"check", "wrong.toml"}}) {
     const std::string output = plastron(arguments, scratch.path).output;
     EXPECT_LE(longest_line(output), 120u) << output;
     EXPECT_GT(output.size(), 20u);
@@ -126,9 +138,13 @@ TEST(ControlCharacters, of_titles_paths_and_values_never_reach_the_terminal) {
   scratch.write("case.toml", strip(0, evil));
   scratch.write("value.toml", strip(0) + "[solver]\n\"" + evil + "\" = 1\n");
   scratch.write("\x1b[31m.toml", "a = 1");
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"check", "case.toml"}, {"run", "case.toml", "-o", "out"}, {"check", "value.toml"},
-        {"check", "\x1b[31m.toml"}, {"check", "no\x1b[31m"}, {"\x1b[31m"}, {"run", "case.toml", "-o", "case.toml/\x1b[1m"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"check", "case.toml"},
+                                                    {"run", "case.toml", "-o", "out"},
+                                                    {"check", "value.toml"},
+                                                    {"check", "\x1b[31m.toml"},
+                                                    {"check", "no\x1b[31m"},
+                                                    {"\x1b[31m"},
+                                                    {"run", "case.toml", "-o", "case.toml/\x1b[1m"}}) {
     const Outcome outcome = plastron(arguments, scratch.path);
     EXPECT_NE(outcome.output, "");
     EXPECT_GE(outcome.exit_code, 0);
@@ -246,8 +262,8 @@ TEST(Memory, that_does_not_suffice_is_a_message) {
   const Scratch scratch;
   scratch.write("case.toml", strip(9));
   for (const int megabytes : {100, 400, 900}) {
-    const Outcome outcome = shell("ulimit -v " + std::to_string(megabytes * 1024) + "; $PLASTRON run case.toml -o out",
-                                  scratch.path, 60);
+    const Outcome outcome =
+        shell("ulimit -v " + std::to_string(megabytes * 1024) + "; $PLASTRON run case.toml -o out", scratch.path, 60);
     EXPECT_FALSE(outcome.timed_out) << megabytes;
     EXPECT_EQ(outcome.exit_code, 4) << megabytes << "\n" << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr("memory")) << megabytes;

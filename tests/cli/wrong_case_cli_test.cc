@@ -42,7 +42,8 @@ class WrongCase : public testing::TestWithParam<fs::path> {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
     EXPECT_NE(outcome.output.find("error"), std::string::npos);
     for (const std::string& words : expectations(GetParam()))
-      EXPECT_NE(unwrapped(outcome.output).find(words), std::string::npos) << "missing: " << words << "\nin:\n" << outcome.output;
+      EXPECT_NE(unwrapped(outcome.output).find(words), std::string::npos) << "missing: " << words << "\nin:\n"
+                                                                          << outcome.output;
   }
 };
 

@@ -1,10 +1,10 @@
 // Files that nobody writes by hand are refused at once, in one message, whatever they would cost to read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <plastron/config/case.hpp>
-#include <plastron/config/limits.hpp>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <plastron/config/case.hpp>
+#include <plastron/config/limits.hpp>
 
 #include <ctime>
 #include <filesystem>
@@ -96,7 +96,8 @@ TEST(Size, OfAFileIsLimited) {
 }
 
 TEST(Size, OfListsAndTablesIsLimited) {
-  std::string constants = "[constants]\n", corners, loads, support = "[[support]]\nboundary = \"rim\"\nfix = [\"u\"]\nvalues = { ";
+  std::string constants = "[constants]\n", corners, loads,
+              support = "[[support]]\nboundary = \"rim\"\nfix = [\"u\"]\nvalues = { ";
   for (int i = 0; i < 9000; ++i) {
     constants += "c" + std::to_string(i) + " = " + std::to_string(i) + "\n";
     loads += "[[load]]\npressure = 1\n";
@@ -106,8 +107,7 @@ TEST(Size, OfListsAndTablesIsLimited) {
   EXPECT_THAT(refusal(case_with("0", "disk = { radius = 1 }", constants)), HasSubstr("more than 500 entries"));
   EXPECT_THAT(refusal(case_with("0") + loads), HasSubstr("more than 500 sections"));
   EXPECT_THAT(refusal(case_with("0") + support + "z = 1 }\n"), HasSubstr("more than 500 entries"));
-  EXPECT_THAT(refusal(case_with("0", "polygon = [" + corners + "[0, -1]]")),
-              HasSubstr("more than 500 entries"));
+  EXPECT_THAT(refusal(case_with("0", "polygon = [" + corners + "[0, -1]]")), HasSubstr("more than 500 entries"));
   std::string few;
   for (int i = 0; i < 499; ++i) few += "[" + std::to_string(i) + ", " + std::to_string(i * i) + "], ";
   EXPECT_EQ(refusal(case_with("0", "polygon = [" + few + "[0, 300000]]")), "");
@@ -132,14 +132,15 @@ TEST(Size, OfAnExpressionIsLimited) {
 TEST(Size, OfWhatIsReportedIsLimited) {
   std::string unknown;
   for (int i = 0; i < 400; ++i) unknown += "k" + std::to_string(i) + " = 1\n";
-  EXPECT_THAT(refusal(unknown), AllOf(HasSubstr("more than 50 mistakes"), HasSubstr("\"k10\""), Not(HasSubstr("\"k70\""))));
+  EXPECT_THAT(refusal(unknown),
+              AllOf(HasSubstr("more than 50 mistakes"), HasSubstr("\"k10\""), Not(HasSubstr("\"k70\""))));
 }
 
 // ---- formulas --------------------------------------------------------------------------------------------------------
 
 TEST(Formula, WithNumbersThatFillTheMemoryIsRefused) {
-  for (const std::string formula : {"9^9^9*x", "((9*x)^1000)^1000", "x*(2*y)^99999", "9^9^9^9", "x^1e300", "(x+1)^-123456",
-                                    "2^(3^700)*x"})
+  for (const std::string formula :
+       {"9^9^9*x", "((9*x)^1000)^1000", "x*(2*y)^99999", "9^9^9^9", "x^1e300", "(x+1)^-123456", "2^(3^700)*x"})
     EXPECT_THAT(refusal(case_with(formula)), AllOf(HasSubstr("entry 3 of chart"), HasSubstr("error"))) << formula;
   EXPECT_EQ(refusal(case_with("1e-9*(x^4 + 2^10*y^12)/7^3 + (1 + x)^-3.5")), "");
 }
@@ -166,14 +167,16 @@ TEST(Formula, KnowsTheFunctionsThatTheManualLists) {
 // ---- numbers ---------------------------------------------------------------------------------------------------------
 
 TEST(Number, BeyondWhatCanBeComputedWithIsRefused) {
-  EXPECT_THAT(refusal(case_with("0") + "[[load]]\nforce = [0, 0, -1e200]\n"), HasSubstr("is -1e+200, which is too large"));
+  EXPECT_THAT(refusal(case_with("0") + "[[load]]\nforce = [0, 0, -1e200]\n"),
+              HasSubstr("is -1e+200, which is too large"));
   EXPECT_THAT(refusal(case_with("0") + "[[load]]\npressure = \"1e99*1e99\"\n"), HasSubstr("too large to compute with"));
   EXPECT_THAT(refusal(case_with("0", "disk = { radius = 1 }", "", "1e-200")), HasSubstr("too small to compute with"));
   EXPECT_EQ(refusal(case_with("0") + "[[load]]\nforce = [0, 0, \"sin(pi)^9\"]\n"), "");
 }
 
 TEST(PoissonsRatio, NearMinusOneIsRefused) {
-  const std::string rest = "thickness = 0.1\n[geometry]\ndomain = { disk = { radius = 1 } }\nchart = [\"x\", \"y\", 0]\n";
+  const std::string rest =
+      "thickness = 0.1\n[geometry]\ndomain = { disk = { radius = 1 } }\nchart = [\"x\", \"y\", 0]\n";
   EXPECT_THAT(refusal("[shell]\nE = 1\nnu = -0.9999999999999999\n" + rest), HasSubstr("allowed: -0.999 <= nu < 0.5"));
   EXPECT_THAT(refusal("[shell]\nlambda = -0.6666\nmu = 1\n" + rest), HasSubstr("Poisson's ratio is -0.9997"));
   EXPECT_EQ(refusal("[shell]\nE = 1\nnu = -0.99\n" + rest), "");
@@ -200,8 +203,8 @@ TEST(Quotation, IsShortAndPrintable) {
   for (const std::string& text :
        {case_with(long_word), case_with("0") + "[mesh]\ncells = \"" + long_word + "\"\n", long_word + " = 1\n",
         "[" + long_word + "]\n", "a = " + long_word + "\n", case_with("0") + "[mesh]\n\"" + long_word + "\" = 1\n",
-        case_with("0") + "[[support]]\nboundary = \"rim\"\nfix = [\"u\", \"" + long_word + "\"]\nvalues = { " + long_word +
-            " = 1 }\n"})
+        case_with("0") + "[[support]]\nboundary = \"rim\"\nfix = [\"u\", \"" + long_word + "\"]\nvalues = { " +
+            long_word + " = 1 }\n"})
     EXPECT_THAT(refusal(text), AllOf(HasSubstr("error"), Not(HasSubstr(repeated("w", 110)))));
   const std::string message = refusal(case_with("0") + "[mesh]\n\"\\u001b]0;t\\u0007\\u009b31m\" = 1\n");
   for (const char* bad : {"\x1b", "\x07", "\xC2\x9B"}) EXPECT_THAT(message, Not(HasSubstr(bad)));

@@ -47,9 +47,28 @@ class Mutants {
 
   /// A number of the text becomes one that is hard to bear.
   void number(std::string& text) {
-    static const std::vector<std::string> hard{"1e308",  "-1e308", "1e-308", "nan",  "-nan", "inf", "0",    "-1",
-                                               "-0.0",   "1e30",   "1e-30",  "9^9^9", "1/0",  "x",   "\"x\"", "[]",
-                                               "99999999999999999999", "0.4999999999999999", "1000000", "7", "{}", "true"};
+    static const std::vector<std::string> hard{"1e308",
+                                               "-1e308",
+                                               "1e-308",
+                                               "nan",
+                                               "-nan",
+                                               "inf",
+                                               "0",
+                                               "-1",
+                                               "-0.0",
+                                               "1e30",
+                                               "1e-30",
+                                               "9^9^9",
+                                               "1/0",
+                                               "x",
+                                               "\"x\"",
+                                               "[]",
+                                               "99999999999999999999",
+                                               "0.4999999999999999",
+                                               "1000000",
+                                               "7",
+                                               "{}",
+                                               "true"};
     const std::size_t from = text.find_first_of("0123456789", below(text.size() + 1));
     if (from == std::string::npos) return;
     const std::size_t to = text.find_first_not_of("0123456789.eE", from);
@@ -89,8 +108,9 @@ class Mutants {
   }
 
   void insert(std::string& text) {
-    static const std::vector<std::string> tokens{"\"", "'", "\"\"\"", "]", "}", "=", "\n[", "\n[[", "#", "\\", "\x1b[2J",
-                                                 ",", "u.z", "\r", "\xC2\x9B", "{}", "..", "x", "^", "?", ":", ")"};
+    static const std::vector<std::string> tokens{"\"", "'",  "\"\"\"",  "]", "}",   "=",  "\n[",      "\n[[",
+                                                 "#",  "\\", "\x1b[2J", ",", "u.z", "\r", "\xC2\x9B", "{}",
+                                                 "..", "x",  "^",       "?", ":",   ")"};
     text.insert(below(text.size() + 1), tokens[below(tokens.size())]);
   }
 

@@ -12,8 +12,10 @@ TEST(Printable, KeepsTextOfAllLanguages) {
 TEST(Printable, HasNoControlCharacters) {
   EXPECT_EQ(printable("\x1b[31mred\x07"), "?[31mred?");
   EXPECT_EQ(printable(std::string("a\0b\x7f", 4)), "a?b?");
-  EXPECT_EQ(printable("\xC2\x9B"), "?");          // the one-byte form of ESC [
-  EXPECT_EQ(printable("\xE2\x80\xAE" "abc"), "?abc");  // writing from right to left
+  EXPECT_EQ(printable("\xC2\x9B"), "?");  // the one-byte form of ESC [
+  EXPECT_EQ(printable("\xE2\x80\xAE"
+                      "abc"),
+            "?abc");  // writing from right to left
   EXPECT_EQ(printable("a\r\nb"), "a??b");
   EXPECT_EQ(printable("a\r\nb", LineBreaks::keep), "a?\nb");
 }

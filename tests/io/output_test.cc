@@ -90,8 +90,9 @@ TEST(Output, on_a_disk_that_is_full_keeps_the_results_of_an_earlier_run) {
   const std::string results = text_of(scratch.path / "results.json"), surface = text_of(scratch.path / "solution.vtu");
   for (const char* file : {"solution.vtu", "results.json"}) {
     fill_disk_under(scratch.path / file);
-    EXPECT_THROW(write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution", world),
-                 std::runtime_error);
+    EXPECT_THROW(
+        write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution", world),
+        std::runtime_error);
     MPI_Barrier(world);
     EXPECT_EQ(text_of(scratch.path / "results.json"), results);
     EXPECT_EQ(text_of(scratch.path / "solution.vtu"), surface);

@@ -37,8 +37,7 @@ class ShellOperator {
   /// Precondition: the surface is regular and the thickness positive at the quadrature points. Covariant interpolation
   /// is that of (M15).
   ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
-                const geometry::Expression& thickness, const shell::Material& material, bool tying,
-                bool is_covariant);
+                const geometry::Expression& thickness, const shell::Material& material, bool tying, bool is_covariant);
 
   const fem::Space& space() const { return *space_; }
   const fem::Surface& surface() const { return *surface_; }

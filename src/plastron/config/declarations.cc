@@ -32,50 +32,55 @@ Section file_section() {
 }
 
 Section constants_section() {
-  return {"constants",
-          "[constants]",
-          "Any name = a number or an expression of the constants above it. A name has letters, digits and _, does not "
-          "begin with a digit, has at most 60 characters, and is not x, y, pi or a function's name; nor is it a name that "
-          "the libraries behind expressions know: log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan.",
-          {}};
+  return {
+      "constants",
+      "[constants]",
+      "Any name = a number or an expression of the constants above it. A name has letters, digits and _, does not "
+      "begin with a digit, has at most 60 characters, and is not x, y, pi or a function's name; nor is it a name that "
+      "the libraries behind expressions know: log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan.",
+      {}};
 }
 
 Section shell_section() {
-  return {"shell",
-          "[shell]",
-          "The elastic constants are either E and nu, or lambda and mu.",
-          {{.name = "E", .unit = "Pa", .range = positive(), .meaning = "Young's modulus", .example = "2.1e11"},
-           {.name = "nu",
-            .range = {-0.999, 0.5, false, true},
-            .meaning = "Poisson's ratio; towards -1 the shell becomes too soft in shape and too stiff in shear for double "
-                       "precision",
-            .example = "0.3"},
-           {.name = "lambda", .unit = "Pa", .meaning = "first Lame constant, 3 lambda + 2 mu > 0 and Poisson's ratio at least -0.999", .example = "1.2e11"},
-           {.name = "mu", .unit = "Pa", .range = positive(), .meaning = "shear modulus", .example = "8e10"},
-           {.name = "thickness",
-            .kind = Kind::field,
-            .unit = "m",
-            .required = true,
-            .range = positive(),
-            .meaning = "the thickness e",
-            .example = "0.02"},
-           {.name = "shear_correction",
-            .fallback = "1",
-            .range = above_to(0, 2),
-            .meaning = "factor of the transverse shear energy: 1 in the paper, 5/6 on request"},
-           {.name = "formulation",
-            .kind = Kind::word,
-            .fallback = "\"tangent\"",
-            .words = {{"tangent"}, {"penalised"}, {"mixed"}, {"classical"}},
-            .meaning = "how r . a3 = 0 is kept: two rotations a node, a penalty, a multiplier, covariant components"},
-           {.name = "penalty",
-            .fallback = "0.1",
-            .range = above_to(0, 1),
-            .meaning = "p of the penalised formulation; the penalty is E e^3 / p"},
-           {.name = "stabilisation",
-            .fallback = "1",
-            .range = positive(),
-            .meaning = "rho of the mixed formulation; the stabilisation is rho E e^3"}}};
+  return {
+      "shell",
+      "[shell]",
+      "The elastic constants are either E and nu, or lambda and mu.",
+      {{.name = "E", .unit = "Pa", .range = positive(), .meaning = "Young's modulus", .example = "2.1e11"},
+       {.name = "nu",
+        .range = {-0.999, 0.5, false, true},
+        .meaning = "Poisson's ratio; towards -1 the shell becomes too soft in shape and too stiff in shear for double "
+                   "precision",
+        .example = "0.3"},
+       {.name = "lambda",
+        .unit = "Pa",
+        .meaning = "first Lame constant, 3 lambda + 2 mu > 0 and Poisson's ratio at least -0.999",
+        .example = "1.2e11"},
+       {.name = "mu", .unit = "Pa", .range = positive(), .meaning = "shear modulus", .example = "8e10"},
+       {.name = "thickness",
+        .kind = Kind::field,
+        .unit = "m",
+        .required = true,
+        .range = positive(),
+        .meaning = "the thickness e",
+        .example = "0.02"},
+       {.name = "shear_correction",
+        .fallback = "1",
+        .range = above_to(0, 2),
+        .meaning = "factor of the transverse shear energy: 1 in the paper, 5/6 on request"},
+       {.name = "formulation",
+        .kind = Kind::word,
+        .fallback = "\"tangent\"",
+        .words = {{"tangent"}, {"penalised"}, {"mixed"}, {"classical"}},
+        .meaning = "how r . a3 = 0 is kept: two rotations a node, a penalty, a multiplier, covariant components"},
+       {.name = "penalty",
+        .fallback = "0.1",
+        .range = above_to(0, 1),
+        .meaning = "p of the penalised formulation; the penalty is E e^3 / p"},
+       {.name = "stabilisation",
+        .fallback = "1",
+        .range = positive(),
+        .meaning = "rho of the mixed formulation; the stabilisation is rho E e^3"}}};
 }
 
 Section mesh_section() {

@@ -23,24 +23,25 @@ Section geometry_section() {
 }
 
 Section domain_section() {
-  return {"geometry.domain",
-          "domain",
-          "Exactly one of these.",
-          {{.name = "rectangle",
-            .kind = Kind::table,
-            .meaning = "boundaries left, right, bottom, top (x min, x max, y min, y max)"},
-           {.name = "disk", .kind = Kind::table, .meaning = "boundary rim"},
-           {.name = "annulus", .kind = Kind::table, .meaning = "boundaries inner, outer"},
-           {.name = "polygon",
-            .kind = Kind::table,
-            .meaning = "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]"},
-           {.name = "mesh",
-            .kind = Kind::text,
-            .meaning = "a Gmsh file (.msh, format 2.2 or 4.1, ASCII) of quadrilaterals or triangles in the plane, its path "
-                       "relative to the case file; physical surfaces name the regions, physical curves the boundaries: "
-                       "a curve may lie inside of the domain, where the conormal n of supports points to the right of "
-                       "the curve as drawn, and in several groups, which then all act on it; corners of more than one "
-                       "degree are corners, so mesh curved boundaries with order 2 or more"}}};
+  return {
+      "geometry.domain",
+      "domain",
+      "Exactly one of these.",
+      {{.name = "rectangle",
+        .kind = Kind::table,
+        .meaning = "boundaries left, right, bottom, top (x min, x max, y min, y max)"},
+       {.name = "disk", .kind = Kind::table, .meaning = "boundary rim"},
+       {.name = "annulus", .kind = Kind::table, .meaning = "boundaries inner, outer"},
+       {.name = "polygon",
+        .kind = Kind::table,
+        .meaning = "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]"},
+       {.name = "mesh",
+        .kind = Kind::text,
+        .meaning = "a Gmsh file (.msh, format 2.2 or 4.1, ASCII) of quadrilaterals or triangles in the plane, its path "
+                   "relative to the case file; physical surfaces name the regions, physical curves the boundaries: "
+                   "a curve may lie inside of the domain, where the conormal n of supports points to the right of "
+                   "the curve as drawn, and in several groups, which then all act on it; corners of more than one "
+                   "degree are corners, so mesh curved boundaries with order 2 or more"}}};
 }
 
 std::vector<Section> domain_shapes() {

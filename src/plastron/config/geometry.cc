@@ -48,7 +48,8 @@ void read_chart(const Table& geometry, const Item& item, const std::vector<std::
 void report_unknown_region(Reading& reading, const std::string& region, const toml::value& value,
                            const std::vector<std::string>& regions) {
   const bool unnamed = regions == std::vector<std::string>{""};
-  reading.report(reading.source.key(region, value), fmt::format("the domain has no region \"{}\"", geometry::shortened(region)),
+  reading.report(reading.source.key(region, value),
+                 fmt::format("the domain has no region \"{}\"", geometry::shortened(region)),
                  unnamed ? "" : joined(regions),
                  unnamed ? "the domain is one region without a name: write chart = [three expressions]"
                          : did_you_mean(region, regions));
@@ -64,13 +65,15 @@ void read_charts_by_region(const Table& geometry, const toml::value& table, cons
       report_unknown_region(reading, region, value, regions);
       continue;
     }
-    read_chart(geometry, Item{value, fmt::format("the chart of {}", geometry::shortened(region))}, {region}, problem, effective[region]);
+    read_chart(geometry, Item{value, fmt::format("the chart of {}", geometry::shortened(region))}, {region}, problem,
+               effective[region]);
   }
   if (table.as_table().empty()) geometry.report("chart", "chart is an empty table", description(Kind::formulas));
   if (regions == std::vector<std::string>{""}) return;
   for (const std::string& region : regions)
     if (table.as_table().count(region) == 0)
-      geometry.report("chart", fmt::format("the region \"{}\" has no chart", geometry::shortened(region)), joined(regions));
+      geometry.report("chart", fmt::format("the region \"{}\" has no chart", geometry::shortened(region)),
+                      joined(regions));
 }
 
 }  // namespace

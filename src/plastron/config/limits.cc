@@ -45,7 +45,8 @@ void check_shape(const Source& source) {
   std::size_t depth = 0, parts = 0, sections = 0;
   std::array<std::size_t, deepest_nesting + 1> entries{};  // so far at each depth; at depth 0 those of the section
   const auto count_entry = [&](std::size_t at) {
-    if (++entries[depth] > most_entries) refuse(at, fmt::format("a list or table of more than {} entries", most_entries));
+    if (++entries[depth] > most_entries)
+      refuse(at, fmt::format("a list or table of more than {} entries", most_entries));
   };
   char before = '\n';  // the last character that is no blank
   for (std::size_t i = 0; i < text.size();) {

@@ -155,7 +155,8 @@ void report_expression(Reading& reading, const Item& item, const geometry::Expre
   if (word == "x" || word == "y") advice = "x and y are not known here: the value must be constant";
   if (std::ranges::count(reading.later_constants, word) > 0)
     advice = fmt::format("\"{}\" is defined below: constants use those above them", word);
-  reading.report(place, fmt::format("unknown name \"{}\" in the expression of {}", geometry::shortened(word), item.name),
+  reading.report(place,
+                 fmt::format("unknown name \"{}\" in the expression of {}", geometry::shortened(word), item.name),
                  joined(known), advice);
 }
 

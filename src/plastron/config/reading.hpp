@@ -27,7 +27,8 @@ struct Reading {
 
   void report(Place place, std::string what, std::string allowed = "", std::string advice = "") {
     more_mistakes = mistakes.size() >= most_mistakes;
-    if (!more_mistakes) mistakes.push_back(source.mistake(place, std::move(what), std::move(allowed), std::move(advice)));
+    if (!more_mistakes)
+      mistakes.push_back(source.mistake(place, std::move(what), std::move(allowed), std::move(advice)));
   }
 };
 

@@ -111,8 +111,8 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
     const auto at = std::ranges::find(fixed, name, &Fixed::name);
     const Place place = reading.source.value(value);
     if (at == fixed.end() || at->by_symmetry) {
-      reading.report(place, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)), joined(allowed),
-                     did_you_mean(name, allowed));
+      reading.report(place, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)),
+                     joined(allowed), did_you_mean(name, allowed));
     } else if (std::ranges::count(seen, name) > 0) {
       reading.report(place, fmt::format("values gives {} twice", geometry::shortened(name)));
     } else if (auto field = read_field(reading, Item{value, name})) {

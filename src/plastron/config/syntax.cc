@@ -76,7 +76,8 @@ std::string vector_or_components(const std::string& name) {
 Sentence about_parts(const std::string& message) {
   const std::size_t begin = message.find("target (") + 8;
   const std::string name = geometry::shortened(message.substr(begin, message.find(')', begin) - begin));
-  return {fmt::format("\"{0}\" has a value already, so there is no \"{0}.\" besides", name), vector_or_components(name)};
+  return {fmt::format("\"{0}\" has a value already, so there is no \"{0}.\" besides", name),
+          vector_or_components(name)};
 }
 
 Sentence about_duplicate(const std::string& message) {

@@ -109,8 +109,7 @@ void flush_directory_of(const std::filesystem::path& path) {
 
 /// Directories that stand in the way are found before the first file is replaced.
 void check_replaceable(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
-    throw std::system_error(std::make_error_code(std::errc::is_a_directory));
+  if (std::filesystem::is_directory(path)) throw std::system_error(std::make_error_code(std::errc::is_a_directory));
 }
 
 }  // namespace
