@@ -21,7 +21,6 @@ using algebra::threads_for;
 constexpr double many = 100 * algebra::many_operations;
 constexpr int block = 3;
 
-
 /// What the test programs run with (test_main.cc).
 class Threads : public testing::Test {
  protected:
