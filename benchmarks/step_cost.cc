@@ -1,5 +1,6 @@
-// What a conjugate-gradient step with a kept factor costs beside a factorisation, by size: step_cost [DEGREE REFINEMENTS]. Times are those of
-// the calling thread, so that other work on the machine disturbs little. The two constants in contact/kept_factor.cc come from here.
+// What a conjugate-gradient step with a kept factor costs beside a factorisation, by size: step_cost [DEGREE REFINEMENTS].
+// Times are those of the calling thread, so that other work on the machine disturbs little. The two constants in
+// contact/kept_factor.hpp come from here.
 #include "cap.hpp"
 
 #include <plastron/algebra/factorisation.hpp>

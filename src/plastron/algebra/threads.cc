@@ -33,8 +33,8 @@ int usable_cores() {
   return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
 }
 
-// OpenBLAS starts with OPENBLAS_NUM_THREADS or all cores: what it starts with is respected as a limit. CHOLMOD asks OpenMP for four threads
-// whatever OMP_NUM_THREADS says; without active levels it gets one. MUMPS and METIS ask for the default.
+// OpenBLAS starts with OPENBLAS_NUM_THREADS or all cores: what it starts with is respected as a limit. CHOLMOD asks
+// OpenMP for four threads whatever OMP_NUM_THREADS says; without active levels it gets one. MUMPS asks for the default.
 void restrict_threads(int threads, int ranks) {
   const int by_default =
       ranks > 1 ? 1 : std::min({most_by_default, usable_cores(), ask_if_there("openblas_get_num_threads", 1)});

@@ -1,5 +1,5 @@
-// Threads follow the work. Threads of the BLAS and of OpenMP spin while they wait, which costs others their time and, on a machine with
-// other work, costs us ours: there is one, but for factorisations so large that more of them pay.
+// Threads follow the work. Threads of the BLAS and of OpenMP spin while they wait, which costs others their time and, on
+// a machine with other work, costs us ours: there is one, but for factorisations so large that more of them pay.
 #pragma once
 
 namespace plastron::algebra {

@@ -53,7 +53,8 @@ std::string order_key(const GiNaC::ex& e, const std::string& text) {
   return text.substr(begin, text.size() - 1 - begin);
 }
 
-/// GiNaC orders terms and factors by addresses, which change from run to run. Here each has its place, so that rounding is the same in every run.
+/// GiNaC orders terms and factors by addresses, which change from run to run. Here each has its place, so that rounding
+/// is the same in every run.
 std::string joined(const GiNaC::ex& e, const char* separator) {
   std::vector<std::pair<std::string, std::string>> operands;
   for (const GiNaC::ex& operand : e) {
