@@ -4,11 +4,19 @@
 #include <plastron/assembly/loads.hpp>
 #include <plastron/assembly/shell_operator.hpp>
 
+#include <stdexcept>
 #include <vector>
 
 namespace plastron::assembly {
 
+/// A load that is infinite or not a number at a quadrature point: in words for the user, with the place.
+struct LoadError : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
 /// Nodal forces and couples, six a node, complete on owned nodes (collective). Edge loads name boundaries of the mesh.
+/// Loads made of pieces (geometry::is_piecewise) are integrated by subdivision of the cells in which they are not smooth.
+/// Throws LoadError on all ranks alike.
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
                             const std::vector<EdgeLoad>& edge_loads);
 

@@ -51,8 +51,16 @@ void check_names(Examined& examined);
 void check_chart(Examined& examined);
 /// The charts of two regions meet with one normal.
 void check_normals(Examined& examined);
+/// Loads and prescribed values are finite.
+void check_finite(Examined& examined);
+/// Chart and thickness are smooth inside of each cell; loads that are not are named.
+void check_inside_cells(Examined& examined);
 /// Elements do not lock.
 void check_locking(Examined& examined);
+/// Double precision is enough for so thin a shell on the finest mesh.
+void check_precision(Examined& examined);
+/// What rounding leaves of the stationarity of a shell in bending, relative to the loads: estimated.
+double rounding_residual(const Problem& problem);
 /// Probes lie in the domain.
 void check_probes(Examined& examined);
 /// A symmetry edge lies in one plane that the shell meets at a right angle. Throws assembly::SupportError.

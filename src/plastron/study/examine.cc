@@ -1,6 +1,7 @@
 // The examination top to bottom. Names and chart come first: nothing else makes sense where they are wrong.
 #include <plastron/study/examine.hpp>
 
+#include <plastron/assembly/load_vector.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/study/checks.hpp>
 #include <plastron/study/gap.hpp>
@@ -35,6 +36,8 @@ void check_nodes(Examined& examined) {
     check_rigid_motions(examined, nodes);
   } catch (const assembly::SupportError& error) {
     examined.add(Severity::error, "{}", error.what());
+  } catch (const assembly::LoadError& error) {
+    if (!has_errors(examined.findings)) examined.add(Severity::error, "{}", error.what());
   }
 }
 
@@ -44,7 +47,10 @@ std::vector<Finding> findings_of(const Problem& problem) {
     check(examined);
     if (has_errors(examined.findings)) return examined.findings;
   }
-  for (const auto check : {check_normals, check_locking, check_probes, check_nodes}) check(examined);
+  for (const auto check : {check_normals, check_finite, check_locking, check_precision, check_probes}) check(examined);
+  // Values that are not finite would be found again, in other words.
+  if (!has_errors(examined.findings)) check_inside_cells(examined);
+  check_nodes(examined);
   return examined.findings;
 }
 
@@ -73,9 +79,12 @@ bool has_errors(const std::vector<Finding>& findings) {
   return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
 }
 
-std::vector<Finding> examine(const Problem& problem) {
+std::vector<Finding> examine(const Problem& problem, const ExamineOptions& options) {
   try {
-    return findings_of(problem);
+    if (!options.formulation) return findings_of(problem);
+    Problem changed = problem;
+    changed.discretisation.tangency.formulation = *options.formulation;
+    return findings_of(changed);
   } catch (const fem::DomainError& error) {
     return {{Severity::error, error.what()}};
   }

@@ -2,6 +2,7 @@
 #pragma once
 #include <plastron/study/problem.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,13 @@ struct Finding {
   std::string text;
 };
 
+struct ExamineOptions {
+  std::optional<assembly::Formulation> formulation{};  ///< the one to be used, if not the problem's own
+};
+
 /// Everything found, errors included; a problem with errors is not to be solved. Every rank examines the whole problem
 /// for itself and finds the same.
-std::vector<Finding> examine(const Problem& problem);
+std::vector<Finding> examine(const Problem& problem, const ExamineOptions& options = {});
 
 bool has_errors(const std::vector<Finding>& findings);
 

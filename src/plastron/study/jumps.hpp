@@ -1,0 +1,46 @@
+// Looks for jumps inside of the cells of the finest mesh: where two neighbouring samples differ, the segment between them
+// is divided again and again; what is continuous shrinks with it, a jump stays.
+#pragma once
+#include <plastron/study/checks.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace plastron::study {
+
+/// Up to nine values at a point.
+using Sample = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 9, 1>;
+/// A function of points of a cell, reference coordinates. The values are compared with 1.
+using CellFunction = std::function<Sample(const fem::Cell& cell, const Eigen::Vector2d& xi)>;
+
+struct Jump {
+  Eigen::Vector2d at;      ///< in Omega
+  double size = 0;         ///< as a multiple of what the function was scaled by
+  bool is_bounded = true;  ///< or the function grows without limit there
+};
+
+class JumpSearch {
+ public:
+  explicit JumpSearch(const Examined& examined);
+
+  /// The first jump larger than the tolerance; jumps on lines of the finest mesh do not count. Values that are not finite
+  /// are an unbounded jump.
+  std::optional<Jump> in_cells(const CellFunction& f, double tolerance) const;
+  std::optional<Jump> along_boundary(const std::string& name, const CellFunction& f, double tolerance) const;
+
+ private:
+  struct Segment {
+    Eigen::Vector2d from, to;
+  };
+  std::optional<Jump> on_segment(const fem::Cell& cell, const Segment& segment, const CellFunction& f,
+                                 double tolerance) const;
+  bool is_on_a_mesh_line(const fem::Cell& cell, const Eigen::Vector2d& xi) const;
+  Eigen::Vector2d position(const fem::Cell& cell, const Eigen::Vector2d& xi) const;
+
+  const fem::Surface& surface_;
+  std::shared_ptr<const fem::Space> space_;  ///< the finest mesh, or one before it that has cells enough
+  double finest_;                            ///< cells of the finest mesh along a side of a coarse cell
+  std::vector<Segment> segments_;            ///< of every cell
+};
+
+}  // namespace plastron::study
