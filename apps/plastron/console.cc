@@ -95,7 +95,7 @@ std::string vector_text(const Eigen::Vector3d& v) { return fmt::format("({:.6e},
 void print_summary(const study::Result& result) {
   const auto& s = result.summary;
   const auto& c = result.certificate;
-  print("\nstatus            {}\n", contact::explain(result.status));
+  print("\nstatus            {}\n", study::status_text(result));
   const double total = std::max(s.energy.total(), 1e-300);
   print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(),
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);

@@ -48,7 +48,7 @@ ExitCode run(const RunOptions& options) {
     print("\nresults           {}\n", (options.output / "results.json").string());
   }
   if (result.status != contact::Status::solved)
-    print_error("{}: not converged: {}\n", options.case_file.string(), contact::explain(result.status));
+    print_error("{}: not converged: {}\n", options.case_file.string(), study::status_text(result));
   return exit_code(result.status);
 }
 

@@ -20,6 +20,7 @@ TEST(ElementTables, TheWeightsSumToTheUnitSquare) {
   }
 }
 
+// (M22)
 TEST(ElementTables, TyingUsesTheGaussPointsOfM22) {
   for (int k = 1; k <= 8; ++k) {
     const ElementTables t = element_tables(Shape::quadrilateral, k, true);

@@ -1,4 +1,4 @@
-// Norms of fields against integrals done by hand.
+// Norms of fields, those of the space V (M10) among them, against integrals done by hand.
 #include <plastron/assembly/field_norms.hpp>
 
 #include <gtest/gtest.h>

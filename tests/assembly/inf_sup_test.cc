@@ -1,4 +1,4 @@
-// Inf-sup constants and soft modes against dense matrices made from the forms themselves.
+// Inf-sup constants of b (M14) and c (M19) and soft modes against dense matrices made from the forms themselves.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/assembly/field_norms.hpp>

@@ -48,6 +48,7 @@ std::vector<Support> assorted_supports() {
                         {Unknown::displacement, Direction::z, value}})};
 }
 
+// (M12): five unknowns a node, r tangent.
 TEST(NodalCoordinates, EveryBasisSpansTheTangentFormulation) {
   for (const auto& supports : {std::vector<Support>{}, assorted_supports()})
     for (const auto& gap : {GapFunction{}, table()}) {

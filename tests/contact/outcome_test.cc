@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <plastron/contact/projected_search.hpp>
 
 #include "contact/dense_problem.hpp"
 
@@ -120,16 +121,33 @@ TEST(Observer, sees_every_iteration) {
   algebra::Factorisation F(problem.matrix);
   std::size_t seen = 0;
   const auto solution =
-      contact::solve_primal_dual_active_set(*problem.box, {}, F, {}, [&](const contact::Iteration&) { ++seen; });
+      contact::solve_primal_dual_active_set(*problem.box, {}, F, {}, {[&](const contact::Iteration&) { ++seen; }, {}});
   EXPECT_EQ(solution.status, Status::solved);
   EXPECT_EQ(seen, solution.iterations.size());
   EXPECT_EQ(solution.iterations.back().changes, 0);
   EXPECT_EQ(solution.iterations.back().active, 11);
 }
 
+TEST(Observer, can_stop_the_solver_after_any_iteration) {
+  DenseProblem dense = held_springs(12);
+  dense.lower.tail(11).setConstant(-0.1);
+  dense.b.setConstant(-0.1);
+  const DistributedProblem problem(dense);
+  algebra::Factorisation F(problem.matrix);
+  const auto steps = contact::solve_primal_dual_active_set(*problem.box, {}, F).iterations.size();
+  ASSERT_GT(steps, 1U);
+  std::size_t seen = 0;
+  const contact::Observer first_only{.iteration = [&](const contact::Iteration&) { ++seen; },
+                                     .stop = [] { return true; }};
+  const auto solution = contact::solve_primal_dual_active_set(*problem.box, {}, F, {}, first_only);
+  EXPECT_EQ(solution.status, Status::interrupted);
+  EXPECT_EQ(seen, 1U);
+  EXPECT_EQ(contact::solve_projected_search(*problem.box, {}, F, {}, first_only).status, Status::interrupted);
+}
+
 TEST(Status, has_a_name_and_an_explanation) {
   for (const Status status : {Status::solved, Status::iteration_limit, Status::cycling, Status::infeasible,
-                              Status::singular, Status::linear_solver_stalled}) {
+                              Status::singular, Status::linear_solver_stalled, Status::interrupted}) {
     EXPECT_NE(contact::to_string(status), "unknown");
     EXPECT_GT(contact::explain(status).size(), 20u);
   }

@@ -1,4 +1,4 @@
-// The measured changes stay below the proven bounds.
+// The measured changes stay below the bounds proven from the variational inequality (M18).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/study/continuity.hpp>

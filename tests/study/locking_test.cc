@@ -48,7 +48,7 @@ TEST(LockingWarning, comes_with_the_result_and_with_the_examination) {
   const Problem p = cantilever(triangle, 1, 0.01, 1);
   const auto expected = locking_warnings(p);
   ASSERT_EQ(expected.size(), 1u);
-  EXPECT_EQ(solve(p, MPI_COMM_SELF).warnings, expected);
+  EXPECT_THAT(solve(p, MPI_COMM_SELF).warnings, testing::Contains(expected.front()));
   const auto findings = examine(p);
   EXPECT_NE(std::ranges::find(findings, expected.front(), &Finding::text), findings.end());
 }

@@ -104,6 +104,18 @@ TEST(Ranks, all_say_that_a_problem_has_no_solution) {
   EXPECT_EQ(solve(p, MPI_COMM_WORLD).status, contact::Status::infeasible);
 }
 
+TEST(Ranks, all_stop_when_one_is_asked_to) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  bool stop = false;
+  const Observer observer{.level = [&](int level, const Level&) { stop = level == 0 && rank == ranks - 1; },
+                          .stop = [&] { return stop; }};
+  const Result result = solve(pressed_strip(), MPI_COMM_WORLD, observer);
+  EXPECT_EQ(result.status, contact::Status::interrupted);
+  EXPECT_EQ(result.levels.size(), 1U);
+}
+
 TEST(Ranks, all_throw_for_a_probe_outside) {
   Problem p = cantilever_plate();
   p.probes = {{.name = "out", .at = {2, 0}}};

@@ -54,7 +54,7 @@ Problem patch(const fem::Domain& domain, const State& state, int degree, bool ty
 /// Largest error of u and r at the nodes.
 double nodal_error(const Problem& problem, const State& state) {
   const Result result = solve(problem, MPI_COMM_SELF);
-  EXPECT_EQ(result.status, contact::Status::solved);
+  EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   const auto& points = result.solution->discrete->points;
   double most = 0;
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -276,5 +276,47 @@ TEST(Observer, hears_every_iteration_that_the_levels_record) {
   }
 }
 
+/// Several active-set steps on each of four meshes.
+Problem pressed_in_several_steps() {
+  Problem p = pressed_strip();
+  p.discretisation.refinements = 3;
+  p.probes = {{.name = "middle", .at = {0.5, 0.0625}}};
+  return p;
+}
+
+TEST(Interruption, leaves_the_result_of_the_last_mesh_that_was_finished) {
+  const Problem p = pressed_in_several_steps();
+  const Result whole = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(whole.levels.size(), 4U);
+  bool stop = false;
+  Observer observer{.level = [&](int level, const Level&) { stop = level == 1; }, .stop = [&] { return stop; }};
+  const Result stopped = solve(p, MPI_COMM_WORLD, observer);
+  EXPECT_EQ(stopped.status, Status::interrupted);
+  ASSERT_EQ(stopped.levels.size(), 2U);
+  EXPECT_EQ(stopped.levels.back().status, Status::solved);
+  EXPECT_DOUBLE_EQ(stopped.summary.energy.total(), whole.levels[1].energy);
+  ASSERT_TRUE(stopped.solution);
+  EXPECT_EQ(stopped.solution->discrete->space().global_cells, whole.levels[1].cells);
+  EXPECT_EQ(stopped.probes.size(), p.probes.size());
+}
+
+TEST(Interruption, inside_of_a_mesh_drops_what_that_mesh_had) {
+  const Problem p = pressed_in_several_steps();
+  bool stop = false;
+  Observer observer{.iteration = [&](int level, const contact::Iteration&) { stop = level == 1; },
+                    .stop = [&] { return stop; }};
+  const Result stopped = solve(p, MPI_COMM_WORLD, observer);
+  EXPECT_EQ(stopped.status, Status::interrupted);
+  ASSERT_EQ(stopped.levels.size(), 1U);
+  EXPECT_EQ(stopped.solution->discrete->space().global_cells, stopped.levels[0].cells);
+}
+
+TEST(Interruption, before_the_first_mesh_leaves_nothing) {
+  const Result stopped = solve(pressed_in_several_steps(), MPI_COMM_WORLD, {.stop = [] { return true; }});
+  EXPECT_EQ(stopped.status, Status::interrupted);
+  EXPECT_TRUE(stopped.levels.empty());
+  EXPECT_FALSE(stopped.solution);
+}
+
 }  // namespace
 }  // namespace plastron::study

@@ -1,4 +1,4 @@
-// The eleven contact problems with known answers: energy, reaction, contact boundary, convergence, iterations.
+// The eleven contact problems (M17) with known answers: energy, reaction, contact boundary, convergence, iterations.
 #include "verification/reference_problems.hpp"
 
 #include <plastron/study/solve.hpp>

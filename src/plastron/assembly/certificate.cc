@@ -39,6 +39,38 @@ Wrench over_ranks(const Wrench& w, MPI_Comm comm) {
   return sum;
 }
 
+/// Forces, moments and energies as large as if the displacements were strains, relative to the shell's size.
+struct StrainScale {
+  double force = 0, squared_force = 0, moment = 0, energy = 0;
+
+  void add(const NodalPoint& p, const Vector6& y, double young, double size) {
+    const double u = y.head<3>().norm() + size * y.tail<3>().norm(), f = young * p.thickness * u;
+    force += f;
+    squared_force += f * f;
+    moment += f * (p.phi.norm() + size);
+    energy += f * u * p.weight / (size * size);
+  }
+  StrainScale over_ranks(MPI_Comm comm) const {
+    return {algebra::sum_over_ranks(force, comm), algebra::sum_over_ranks(squared_force, comm),
+            algebra::sum_over_ranks(moment, comm), algebra::sum_over_ranks(energy, comm)};
+  }
+};
+
+/// Half the diagonal of the box that holds the nodes of all ranks.
+double size_of(const DiscreteShell& discrete) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const NodalPoint& p : discrete.points) {
+    low = low.cwiseMin(p.phi);
+    high = high.cwiseMax(p.phi);
+  }
+  for (int k = 0; k < 3; ++k) {
+    low[k] = algebra::min_over_ranks(low[k], comm);
+    high[k] = algebra::max_over_ranks(high[k], comm);
+  }
+  return (high - low).norm() / 2;
+}
+
 /// Sums over the owned nodes of one rank.
 struct Sums {
   Wrench loads, obstacle, supports;
@@ -46,6 +78,9 @@ struct Sums {
   double load_work = 0, contact_work = 0, support_work = 0;
   double free_residual = 0, all_forces = 0;
   double area = 0, max_pressure = 0, complementarity = 0;
+  double displacement = 0, relative_displacement = 0, rotation = 0;
+  double thickness = std::numeric_limits<double>::infinity();
+  StrainScale strain_scale;
   double min_pressure = std::numeric_limits<double>::infinity(), min_gap = std::numeric_limits<double>::infinity();
   std::int64_t touching = 0;
 };
@@ -54,15 +89,28 @@ void add(Wrench& wrench, const NodalPoint& p, const Vector6& f, Sums& sums) {
   const Vector3d moment = p.phi.cross(f.head<3>()) + p.a3.cross(f.tail<3>());
   wrench.force += f.head<3>();
   wrench.moment += moment;
-  sums.force_scale += f.head<3>().norm();
-  sums.moment_scale += moment.norm();
+  sums.force_scale += f.head<3>().norm() + f.tail<3>().norm() / p.thickness;
+  sums.moment_scale += p.phi.cross(f.head<3>()).norm() + f.tail<3>().norm();
 }
 
-/// What the gap feels of (u, r): the tangential part of r only (D2).
+/// What the gap feels of (u, r): the tangential part of r only (D4).
 Vector6 gap_row(const obstacle::Gap& gap, const Vector3d& a3) {
   Vector6 row;
   row << gap.normal, gap.z * geometry::tangential(gap.normal, a3);
   return row;
+}
+
+/// How far a coordinate moves the material by unit, rotations at a lever of e: what works on it divided by this is a force.
+double lever(const Vector6& direction, double thickness) {
+  return direction.head<3>().norm() + thickness * direction.tail<3>().norm();
+}
+
+void note_size(const NodalPoint& p, const Vector6& y, Sums& sums) {
+  const double u = y.head<3>().norm();
+  sums.displacement = std::max(sums.displacement, u);
+  sums.relative_displacement = std::max(sums.relative_displacement, u / p.thickness);
+  sums.rotation = std::max(sums.rotation, y.tail<3>().norm());
+  sums.thickness = std::min(sums.thickness, p.thickness);
 }
 
 /// Contact at one node; returns its generalised force.
@@ -91,19 +139,21 @@ void add_node(const DiscreteShell& discrete, const NodalSolution& solution, std:
   const Vector6 y = block6(solution.y, i), load = block6(discrete.load, i);
   add(sums.loads, discrete.points[i], load, sums);
   sums.load_work += load.dot(y);
+  note_size(discrete.points[i], y, sums);
   Vector6 contact = Vector6::Zero();
   if (!coordinates.gaps.empty()) contact = add_contact(discrete, solution, i, y, sums);
   const Vector6 rest = r - contact;
   for (int k = 0; k < coordinates.width; ++k) {
     const Vector6 direction = coordinates.basis[i].col(k);
     const double component = direction.dot(rest);
-    sums.all_forces += std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2);
+    const double per_force = 1 / std::pow(lever(direction, discrete.points[i].thickness), 2);
+    sums.all_forces += per_force * (std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2));
     if (coordinates.is_prescribed(i, k)) {
       add(sums.supports, discrete.points[i], component * direction, sums);
       sums.support_work += component * direction.dot(y);
-      sums.all_forces += component * component;
+      sums.all_forces += per_force * component * component;
     } else {
-      sums.free_residual += component * component;
+      sums.free_residual += per_force * component * component;
     }
   }
 }
@@ -120,6 +170,55 @@ double max_tilt(const DiscreteShell& discrete, const algebra::Vector& y) {
       most = std::max(most, std::abs(rows.at(q).r.dot(shell.point(c, q).frame.a3)));
   }
   return algebra::max_over_ranks(most, shell.space().layout->comm);
+}
+
+/// Strains below this part of the displacements, squared, are rounding: double precision leaves 1e-32 times (L/h)^2.
+constexpr double rounding_of_energy = 1e-22;
+
+Summary summary_of(const DiscreteShell& discrete, const NodalSolution& solution, const Sums& sums) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  Summary s;
+  s.energy = discrete.shell.energies(solution.y);
+  s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
+  s.loads = over_ranks(sums.loads, comm);
+  s.reaction = over_ranks(sums.obstacle, comm);
+  s.support_reaction = over_ranks(sums.supports, comm);
+  s.contact_area = algebra::sum_over_ranks(sums.area, comm);
+  s.touching_nodes = algebra::sum_over_ranks(sums.touching, comm);
+  s.max_pressure = algebra::max_over_ranks(sums.max_pressure, comm);
+  s.max_displacement = algebra::max_over_ranks(sums.displacement, comm);
+  s.max_relative_displacement = algebra::max_over_ranks(sums.relative_displacement, comm);
+  s.max_rotation = algebra::max_over_ranks(sums.rotation, comm);
+  s.least_thickness = algebra::min_over_ranks(sums.thickness, comm);
+  s.edge = edge_contact(discrete, solution);
+  s.tilt_energy = tilt_energy(discrete.shell, discrete.tilt_factor(), solution.y);
+  s.max_tilt = max_tilt(discrete, solution.y);
+  if (solution.lambda.layout()) s.multiplier_norm = gradient_norm(discrete.shell, solution.lambda);
+  return s;
+}
+
+double ratio(double part, double whole) { return whole > 0 ? part / whole : part; }
+
+/// `least` are the scales below which forces and energies are rounding.
+Certificate certificate_of(const DiscreteShell& discrete, const NodalSolution& solution, const Sums& sums,
+                           const Summary& s, const StrainScale& least) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  const auto sum = [comm](double value) { return algebra::sum_over_ranks(value, comm); };
+  Certificate c;
+  c.stationarity =
+      ratio(std::sqrt(sum(sums.free_residual)), std::sqrt(std::max(sum(sums.all_forces), least.squared_force)));
+  c.min_pressure = s.touching_nodes > 0 ? algebra::min_over_ranks(sums.min_pressure, comm) : 0;
+  c.min_gap_nodes = algebra::min_over_ranks(sums.min_gap, comm);
+  c.min_gap_between = min_gap_between_nodes(discrete, solution.y);
+  c.complementarity = algebra::max_over_ranks(sums.complementarity, comm);
+  const Vector3d force = s.loads.force + s.reaction.force + s.support_reaction.force;
+  const Vector3d moment = s.loads.moment + s.reaction.moment + s.support_reaction.moment;
+  c.force_balance = ratio(force.norm(), std::max(sum(sums.force_scale), least.force));
+  c.moment_balance = ratio(moment.norm(), std::max(sum(sums.moment_scale), least.moment));
+  const double work = s.load_work + sum(sums.contact_work) + sum(sums.support_work);
+  const double a = 2 * (s.energy.total() + s.tilt_energy);
+  c.energy_identity = ratio(std::abs(a - work), std::max(a, least.energy));
+  return c;
 }
 
 }  // namespace
@@ -148,41 +247,20 @@ NodalSolution nodal_solution(const DiscreteShell& discrete, const contact::BoxSo
 Verdict certify(const DiscreteShell& discrete, const NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const algebra::Vector r = residual(discrete, solution);
+  const double size = size_of(discrete), young = discrete.shell.material().young();
   Sums sums;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     add_node(discrete, solution, i, block6(r, i), sums);
+    sums.strain_scale.add(discrete.points[i], block6(solution.y, i), young, size);
+  }
 
-  Verdict verdict;
-  Summary& s = verdict.summary;
-  Certificate& c = verdict.certificate;
-  s.energy = discrete.shell.energies(solution.y);
-  s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
-  s.loads = over_ranks(sums.loads, comm);
-  s.reaction = over_ranks(sums.obstacle, comm);
-  s.support_reaction = over_ranks(sums.supports, comm);
-  s.contact_area = algebra::sum_over_ranks(sums.area, comm);
-  s.touching_nodes = algebra::sum_over_ranks(sums.touching, comm);
-  s.max_pressure = algebra::max_over_ranks(sums.max_pressure, comm);
-
-  const double all_forces = algebra::sum_over_ranks(sums.all_forces, comm);
-  c.stationarity = all_forces > 0 ? std::sqrt(algebra::sum_over_ranks(sums.free_residual, comm) / all_forces) : 0;
-  c.min_pressure = s.touching_nodes > 0 ? algebra::min_over_ranks(sums.min_pressure, comm) : 0;
-  c.min_gap_nodes = algebra::min_over_ranks(sums.min_gap, comm);
-  c.min_gap_between = min_gap_between_nodes(discrete, solution.y);
-  c.complementarity = algebra::max_over_ranks(sums.complementarity, comm);
-  const auto balance = [comm](const Vector3d& sum, double scale) {
-    const double all = algebra::sum_over_ranks(scale, comm);
-    return all > 0 ? sum.norm() / all : 0.0;
-  };
-  c.force_balance = balance(s.loads.force + s.reaction.force + s.support_reaction.force, sums.force_scale);
-  c.moment_balance = balance(s.loads.moment + s.reaction.moment + s.support_reaction.moment, sums.moment_scale);
-  const double work =
-      s.load_work + algebra::sum_over_ranks(sums.contact_work, comm) + algebra::sum_over_ranks(sums.support_work, comm);
-  s.tilt_energy = tilt_energy(discrete.shell, discrete.tilt_factor(), solution.y);
-  s.max_tilt = max_tilt(discrete, solution.y);
-  if (solution.lambda.layout()) s.multiplier_norm = gradient_norm(discrete.shell, solution.lambda);
-  const double a = 2 * (s.energy.total() + s.tilt_energy);
-  c.energy_identity = a > 0 ? std::abs(a - work) / a : 0;
+  Verdict verdict{.summary = summary_of(discrete, solution, sums), .certificate = {}};
+  verdict.summary.size = size;
+  const double a = 2 * (verdict.summary.energy.total() + verdict.summary.tilt_energy);
+  const StrainScale scale = sums.strain_scale.over_ranks(comm);
+  const bool is_unstrained = a < rounding_of_energy * scale.energy;
+  verdict.certificate =
+      certificate_of(discrete, solution, sums, verdict.summary, is_unstrained ? scale : StrainScale{});
   return verdict;
 }
 

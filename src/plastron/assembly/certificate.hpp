@@ -1,6 +1,6 @@
 // The certificate of a solution (docs/model.md, section 8), recomputed from displacements, strains and bounds alone.
 #pragma once
-#include <plastron/assembly/discrete_shell.hpp>
+#include <plastron/assembly/edge_contact.hpp>
 
 #include <vector>
 
@@ -13,12 +13,14 @@ struct Wrench {
 };
 
 struct Certificate {
-  double stationarity = 0;     ///< |residual on free coordinates| / |loads and reactions|
+  // Where displacements strain the shell no more than rounding does, forces count beside those that they would need as strains.
+  /// |residual on free coordinates| / |loads and reactions|, couples counted by the force that they are on a lever of e
+  double stationarity = 0;
   double min_pressure = 0;     ///< min eta_i over touching nodes [Pa]
   double min_gap_nodes = 0;    ///< min g_i [m]
   double min_gap_between = 0;  ///< min of the gap between the nodes [m]
   double complementarity = 0;  ///< max |eta_i g_i| [Pa m]
-  double force_balance = 0;    ///< |loads + obstacle + supports| / sum of the norms of all nodal forces
+  double force_balance = 0;    ///< |loads + obstacle + supports| / sum of the norms of all nodal forces and couples / e
   double moment_balance = 0;   ///< likewise for moments about the origin; falls with h on curved charts
   double energy_identity = 0;  ///< |a(U,U) - l(U) - sum eta_i (g_i - g_i(0)) - support work| / a(U,U)
 };
@@ -28,12 +30,18 @@ struct Summary {
   Energies energy;
   double load_work = 0;  ///< l(U) [J]
   Wrench loads, reaction, support_reaction;
-  double contact_area = 0;     ///< nodal weight of the touching nodes [m^2]
-  double max_pressure = 0;     ///< max eta_i [Pa]
-  double max_tilt = 0;         ///< max |r . a_3| over nodes and quadrature points
-  double tilt_energy = 0;      ///< energy of the penalty or stabilisation [J]
-  double multiplier_norm = 0;  ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
+  double contact_area = 0;               ///< nodal weight of the touching nodes [m^2]
+  double max_pressure = 0;               ///< max eta_i [Pa]
+  double max_tilt = 0;                   ///< max |r . a_3| over nodes and quadrature points
+  double max_displacement = 0;           ///< max |u| over nodes [m]
+  double max_relative_displacement = 0;  ///< max |u| / e over nodes
+  double max_rotation = 0;               ///< max |r| over nodes [rad]
+  double least_thickness = 0;            ///< min e over nodes [m]
+  double size = 0;                       ///< half the diagonal of the box that holds the nodes [m]
+  double tilt_energy = 0;                ///< energy of the penalty or stabilisation [J]
+  double multiplier_norm = 0;            ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
+  EdgeContact edge;  ///< what of the contact lies on edges of the shell
 };
 
 /// Nodal results of a solution, per local node with valid ghosts.

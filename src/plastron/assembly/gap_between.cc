@@ -9,19 +9,22 @@ namespace plastron::assembly {
 
 namespace {
 
-/// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range.
+/// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range, and the
+/// undeformed surface, which no polynomial bounds, by less than the cell's diameter.
 bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field,
                       std::span<const algebra::LocalIndex> nodes) {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, radius = 0;
+  const Vector3d& first = discrete.points[static_cast<std::size_t>(nodes[0])].phi;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto row = field.row(static_cast<Eigen::Index>(i));
     const auto node = static_cast<std::size_t>(nodes[i]);
-    const double g =
-        discrete.coordinates.gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), discrete.points[node].a3));
+    const NodalPoint& point = discrete.points[node];
+    const double g = discrete.coordinates.gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), point.a3));
     lowest = std::min(lowest, g);
     highest = std::max(highest, g);
+    radius = std::max(radius, (point.phi - first).norm());
   }
-  return lowest <= highest - lowest;
+  return lowest <= highest - lowest + 2 * radius;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Nodal coordinates in which contact is a bound (D2).
+// Nodal coordinates in which contact is a bound (D4).
 //
 // At every node the six Cartesian values y = (u, r) are written as y = T z with five coordinates z, or six:
 //   z_0          w = n . (u + z r), the change of the gap, where the node can touch the obstacle and supports leave w

@@ -1,5 +1,5 @@
 // The discrete shell on one mesh: strains of a nodal field, and the bilinear form a(., .) of (M8) as an operator that
-// goes through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D5).
+// goes through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D6).
 #pragma once
 #include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/interpolation.hpp>

@@ -215,7 +215,7 @@ Section solver_section() {
            {.name = "gap_tolerance",
             .fallback = "1e-11",
             .range = above_to(0, 0.01),
-            .meaning = "a bound counts as violated beyond this multiple of the largest unknown"},
+            .meaning = "a bound counts as violated beyond this multiple of the largest unknown that has one"},
            {.name = "multiplier_tolerance",
             .fallback = "1e-10",
             .range = above_to(0, 0.01),

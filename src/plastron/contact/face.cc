@@ -37,7 +37,7 @@ std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
   algebra::Vector z(problem_.load.layout(), problem_.load.block());
   const auto linear = problem_.equations ? solve_with_equations(set, z)
                                          : solve_linear(set, problem_.load, refinement_settings(settings_), z);
-  failure_ = Status::linear_solver_stalled;
+  failure_ = std::isfinite(linear.relative_residual) ? Status::linear_solver_stalled : Status::not_finite;
   if (!linear.converged && !(linear.relative_residual <= usable_residual)) return {};
   return complete(std::move(z), linear, set);
 }
@@ -144,16 +144,49 @@ FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linea
   point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));
   point.linear_residual = linear.relative_residual;
   point.linear_steps = linear.steps;
-  point.gap_noise = std::max(settings_.gap_tolerance, linear.relative_residual) * algebra::max_abs(point.z);
-  point.multiplier_noise = noise_of_multipliers(point, set);
+  measure_gap_noise(point);
+  measure_multiplier_noise(point, set);
   return point;
+}
+
+bool FaceSolver::is_bounded(std::size_t i) const {
+  const double lower = problem_.lower.owned()[i], upper = problem_.upper.owned()[i];
+  return lower < upper && (std::isfinite(lower) || std::isfinite(upper));
+}
+
+// The larger of the tolerance asked for, a multiple of the largest unknown that has a bound, and of what rounding leaves of
+// an unknown. Unknowns of other units are compared by the energy sqrt(A_ii) |z_i|, of which rounding spoils a few eps of the
+// largest anywhere: so neither the unit of length nor rotations decide.
+void FaceSolver::measure_gap_noise(FacePoint& point) const {
+  constexpr double rounding = 16 * epsilon;
+  double largest = 0, energy = 0;
+  const std::span<const double> z = point.z.owned(), diagonal = diagonal_.owned();
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (is_bounded(i)) largest = std::max(largest, std::abs(z[i]));
+    if (diagonal[i] > 0) energy = std::max(energy, std::sqrt(diagonal[i]) * std::abs(z[i]));
+  }
+  const MPI_Comm comm = point.z.layout()->comm;
+  largest = algebra::max_over_ranks(largest, comm);
+  energy = algebra::max_over_ranks(energy, comm);
+  const double asked = std::max(settings_.gap_tolerance, point.linear_residual) * largest;
+  point.gap_noise = algebra::Vector(point.z.layout(), point.z.block());
+  double loosest = asked;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (!is_bounded(i)) continue;
+    double& noise = point.gap_noise.owned()[i];
+    noise = diagonal[i] > 0 ? std::max(asked, rounding * energy / std::sqrt(diagonal[i])) : asked;
+    loosest = std::max(loosest, noise);
+  }
+  loosest = algebra::max_over_ranks(loosest, comm);
+  point.tolerances.gap = largest > 0 ? loosest / largest : settings_.gap_tolerance;
 }
 
 // The larger of the tolerance asked for and what rounding does to A z - b. The latter goes like eps |A| |z|, with a
 // factor that the residuals of the free unknowns show, since they would be zero without rounding; forces and moments
 // are made comparable by the diagonal.
-algebra::Vector FaceSolver::noise_of_multipliers(const FacePoint& point, const ActiveSet& set) const {
-  algebra::Vector noise(point.z.layout(), point.z.block());
+void FaceSolver::measure_multiplier_noise(FacePoint& point, const ActiveSet& set) const {
+  algebra::Vector& noise = point.multiplier_noise;
+  noise = algebra::Vector(point.z.layout(), point.z.block());
   problem_.matrix.multiply_absolute(point.z, noise);
   double residual = 0;
   double rounding = 0;
@@ -172,22 +205,32 @@ algebra::Vector FaceSolver::noise_of_multipliers(const FacePoint& point, const A
   residual = std::sqrt(algebra::sum_over_ranks(residual, comm));
   rounding = std::sqrt(algebra::sum_over_ranks(rounding, comm));
   const double factor = 4 * std::max(1.0, rounding > 0 ? residual / rounding : 1.0);
-  const double asked = settings_.multiplier_tolerance * algebra::max_over_ranks(largest, comm);
-  for (double& value : noise.owned()) value = std::max(asked, factor * value);
-  return noise;
+  largest = algebra::max_over_ranks(largest, comm);
+  const double asked = settings_.multiplier_tolerance * largest;
+  double loosest = asked;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    double& value = noise.owned()[i];
+    value = std::max(asked, factor * value);
+    if (set[i] == Activity::at_lower || set[i] == Activity::at_upper) loosest = std::max(loosest, value);
+  }
+  loosest = algebra::max_over_ranks(loosest, comm);
+  point.tolerances.multiplier = largest > 0 ? loosest / largest : settings_.multiplier_tolerance;
 }
 
 Verdict judge(const BoxProblem& problem, const FacePoint& point, const ActiveSet& set) {
   Verdict verdict{.next = set};
   const auto z = point.z.owned();
+  std::int64_t violations = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
     if (set[i] == Activity::prescribed) continue;
     if (set[i] == Activity::free) {
       const double below = problem.lower.owned()[i] - z[i];
       const double above = z[i] - problem.upper.owned()[i];
       verdict.worst_violation = std::max({verdict.worst_violation, below, above});
-      if (below > point.gap_noise) verdict.next[i] = Activity::at_lower;
-      if (above > point.gap_noise) verdict.next[i] = Activity::at_upper;
+      const double noise = point.gap_noise.owned()[i];
+      if (below > noise) verdict.next[i] = Activity::at_lower;
+      if (above > noise) verdict.next[i] = Activity::at_upper;
+      violations += below > noise || above > noise;
     } else {
       const double multiplier = (set[i] == Activity::at_lower ? 1 : -1) * point.multiplier.owned()[i];
       verdict.worst_multiplier = std::min(verdict.worst_multiplier, multiplier);
@@ -195,6 +238,7 @@ Verdict judge(const BoxProblem& problem, const FacePoint& point, const ActiveSet
     }
   }
   const MPI_Comm comm = problem.load.layout()->comm;
+  verdict.is_feasible = algebra::sum_over_ranks(violations, comm) == 0;
   verdict.worst_violation = algebra::max_over_ranks(verdict.worst_violation, comm);
   verdict.worst_multiplier = algebra::min_over_ranks(verdict.worst_multiplier, comm);
   return verdict;

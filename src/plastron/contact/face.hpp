@@ -17,7 +17,8 @@ struct FacePoint {
   algebra::Vector equation_multiplier{};  ///< q; empty without equations
   algebra::Vector multiplier_noise{};     ///< what rounding makes of each multiplier, at least
   double energy = 0;
-  double gap_noise = 0;  ///< violations up to here are no violations
+  algebra::Vector gap_noise{};  ///< violations up to here are no violations
+  Tolerances tolerances{};
   double linear_residual = 0;
   int linear_steps = 0;
 };
@@ -40,7 +41,9 @@ class FaceSolver {
   algebra::CgResult solve_with_equations(const ActiveSet& set, algebra::Vector& z);
   bool multiplier_step(const ActiveSet& set, const algebra::Vector& violation, algebra::Vector& step) const;
   FacePoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set);
-  algebra::Vector noise_of_multipliers(const FacePoint& point, const ActiveSet& set) const;
+  bool is_bounded(std::size_t i) const;
+  void measure_gap_noise(FacePoint& point) const;
+  void measure_multiplier_noise(FacePoint& point, const ActiveSet& set) const;
 
   const BoxProblem& problem_;
   algebra::Factorisation& factorisation_;
@@ -52,9 +55,13 @@ class FaceSolver {
   Status failure_ = Status::singular;
 };
 
+/// What a failure means once some face had a minimiser: a motion that is free now was held then.
+constexpr Status after_a_first_step(Status failure) { return failure == Status::singular ? Status::not_held : failure; }
+
 /// How the point breaks the optimality conditions, and the active set that puts all of it right at once.
 struct Verdict {
   ActiveSet next{};
+  bool is_feasible = true;      ///< no free unknown is beyond a bound by more than noise
   double worst_violation = 0;   ///< of a bound by a free unknown
   double worst_multiplier = 0;  ///< most negative, the sign turned at upper bounds; 0 if none is negative
 };

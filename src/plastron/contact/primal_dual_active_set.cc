@@ -42,7 +42,8 @@ void record(const BoxProblem& problem, FacePoint point, const ActiveSet& set, co
   solution.equation_multiplier = std::move(point.equation_multiplier);
   solution.activity = set;
   solution.linear_residual = point.linear_residual;
-  if (observer) observer(solution.iterations.back());
+  solution.tolerances = point.tolerances;
+  if (observer.iteration) observer.iteration(solution.iterations.back());
 }
 
 }  // namespace
@@ -67,14 +68,18 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
       return solution;
     }
     if (static_cast<int>(solution.iterations.size()) >= settings.max_iterations) return solution;
+    if (observer.wants_to_stop()) {
+      solution.status = Status::interrupted;
+      return solution;
+    }
     if (progress.is_lost(fingerprint(problem, verdict.next), changes)) break;
     set = verdict.next;
     point = faces.solve(set);
   }
   if (solution.iterations.empty())
     solution.status = faces.failure();
-  else if (problem.equations)
-    solution.status = point ? Status::cycling : faces.failure();  // projections onto the box leave the equations
+  else if (problem.equations)  // projections onto the box leave the equations
+    solution.status = point ? Status::cycling : after_a_first_step(faces.failure());
   else
     continue_projected_search(problem, faces, settings, observer, solution);
   return solution;

@@ -14,8 +14,16 @@ std::string_view to_string(Status status) {
       return "infeasible";
     case Status::singular:
       return "singular";
+    case Status::not_held:
+      return "not_held";
     case Status::linear_solver_stalled:
       return "linear_solver_stalled";
+    case Status::not_finite:
+      return "not_finite";
+    case Status::inaccurate:
+      return "inaccurate";
+    case Status::interrupted:
+      return "interrupted";
   }
   return "unknown";
 }
@@ -37,9 +45,22 @@ std::string_view explain(Status status) {
              "an obstacle, or for obstacles too close to each other.";
     case Status::singular:
       return "A motion costs no energy and no bound stops it; add a support that holds the structure.";
+    case Status::not_held:
+      return "On the contact set that the search came to, the structure can move freely: contact alone holds it, and "
+             "the "
+             "search let go of too much, or the loads pull it off; add a support against that motion, or start closer "
+             "to "
+             "contact.";
     case Status::linear_solver_stalled:
       return "The linear systems are too ill-conditioned for double precision; use a thicker shell, a coarser mesh or "
              "higher degree.";
+    case Status::not_finite:
+      return "Numbers overflowed or are no numbers; look for loads, moduli or prescribed values beyond all measure.";
+    case Status::inaccurate:
+      return "The contact problem was solved, but the certificate misses a limit: rounding or the mesh spoils the "
+             "result; use a thicker shell, a coarser mesh of higher degree, or a finer one where contact was missed.";
+    case Status::interrupted:
+      return "The computation was interrupted; what is reported is of the last mesh that was finished.";
   }
   return "";
 }

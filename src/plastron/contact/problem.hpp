@@ -38,11 +38,15 @@ enum class Activity : char { free = 0, at_lower = 1, at_upper = 2, prescribed = 
 
 enum class Status {
   solved,
-  iteration_limit,       ///< max_iterations reached
-  cycling,               ///< the active set came back and the safeguarded search could not go on either
-  infeasible,            ///< some lower > upper
-  singular,              ///< A is not positive definite on the free unknowns: a motion is left free
-  linear_solver_stalled  ///< the preconditioned iteration missed its tolerance by far
+  iteration_limit,        ///< max_iterations reached
+  cycling,                ///< the active set came back and the safeguarded search could not go on either
+  infeasible,             ///< some lower > upper
+  singular,               ///< A is not positive definite even with every bound active: a motion is left free
+  not_held,               ///< a motion is free on the active set that came up, though more active bounds would hold it
+  linear_solver_stalled,  ///< the preconditioned iteration missed its tolerance by far
+  not_finite,             ///< numbers overflowed or are no numbers
+  interrupted,            ///< somebody asked to stop
+  inaccurate              ///< solved, but what was recomputed independently misses its limit; set by who recomputes
 };
 std::string_view to_string(Status status);
 /// One sentence for the user: what happened and what to do.
@@ -58,8 +62,19 @@ struct Iteration {
   bool safeguarded = false;     ///< made by the safeguarded search
 };
 
-/// Called after every iteration; may be empty.
-using Observer = std::function<void(const Iteration&)>;
+/// Follows the iterations; both may be empty.
+struct Observer {
+  std::function<void(const Iteration&)> iteration{};  ///< called after every one
+  std::function<bool()> stop{};                       ///< asked before every next one; must answer alike on all ranks
+
+  bool wants_to_stop() const { return stop && stop(); }
+};
+
+/// Below which a bound or a sign counts as kept: what was asked for, or what rounding left of it where that is more.
+struct Tolerances {
+  double gap = 0;         ///< of a bound, over the largest unknown that has one
+  double multiplier = 0;  ///< of a multiplier, over the largest one at a bound
+};
 
 struct BoxSolution {
   Status status = Status::iteration_limit;
@@ -70,6 +85,7 @@ struct BoxSolution {
   std::vector<Activity> activity{};       ///< of the owned unknowns
   std::vector<Iteration> iterations{};
   double linear_residual = 0;  ///< reached by the last linear solve, relative
+  Tolerances tolerances{};     ///< of the last iteration
 };
 
 }  // namespace plastron::contact

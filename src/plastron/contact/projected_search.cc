@@ -115,16 +115,16 @@ class ProjectedSearch {
 
   Status run() {
     while (static_cast<int>(solution_.iterations.size()) < settings_.max_iterations) {
+      if (observer_.wants_to_stop()) return Status::interrupted;
       const auto point = faces_.solve(held_);
       if (!point && !released_.empty()) {
         held_ = release_one(problem_, held_at_minimiser_, released_, solution_.multiplier, faces_.diagonal());
         released_.clear();
         continue;
       }
-      if (!point) return faces_.failure();
+      if (!point) return after_a_first_step(faces_.failure());
       const Verdict verdict = judge(problem_, *point, held_);
-      const bool is_feasible = verdict.worst_violation <= point->gap_noise;
-      const auto outcome = is_feasible ? leave_face(*point, verdict) : approach(*point, verdict);
+      const auto outcome = verdict.is_feasible ? leave_face(*point, verdict) : approach(*point, verdict);
       if (outcome) return *outcome;
     }
     return Status::iteration_limit;
@@ -166,6 +166,7 @@ class ProjectedSearch {
                       const ActiveSet& next) {
     solution_.activity = held_;
     solution_.linear_residual = point.linear_residual;
+    solution_.tolerances = point.tolerances;
     solution_.iterations.push_back({.active = count_active(problem_, held_),
                                     .changes = count_changes(problem_, held_, next),
                                     .energy = energy,
@@ -173,7 +174,7 @@ class ProjectedSearch {
                                     .worst_multiplier = worst_multiplier,
                                     .linear_steps = point.linear_steps,
                                     .safeguarded = true});
-    if (observer_) observer_(solution_.iterations.back());
+    if (observer_.iteration) observer_.iteration(solution_.iterations.back());
     return solution_.iterations.back().changes;
   }
 

@@ -4,8 +4,9 @@
 namespace plastron::contact {
 
 struct Settings {
-  int max_iterations = 200;             ///< active-set changes on one mesh; each costs one factorisation
-  double gap_tolerance = 1e-11;         ///< a bound counts as violated beyond this multiple of the largest unknown
+  int max_iterations = 200;  ///< active-set changes on one mesh; each costs one factorisation
+  double gap_tolerance =
+      1e-11;  ///< a bound counts as violated beyond this multiple of the largest unknown with a bound
   double multiplier_tolerance = 1e-10;  ///< a multiplier counts as negative beyond this multiple of the largest one
   double linear_tolerance = 1e-12;      ///< relative residual, in the preconditioner's norm, of the linear solves
   /// Look for motions that only rounding holds, at the cost of two solves a step. Needless once the bounds that never move are

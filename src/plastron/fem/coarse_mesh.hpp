@@ -17,6 +17,7 @@ struct CoarseCell {
   CellMap map;
 };
 
+/// An edge of a named curve, on the boundary or inside; an edge of several curves stands once for each.
 struct BoundaryEdge {
   std::array<int, 2> vertices;
   int boundary = 0;  ///< index into CoarseMesh::boundaries
@@ -35,7 +36,7 @@ struct CoarseMesh {
 /// domain are its quadrilaterals cut crosswise, polygons apart.
 CoarseMesh coarse_mesh(const Domain& domain, Shape shape = Shape::quadrilateral);
 
-/// The .msh part of coarse_mesh (Gmsh). Among triangles, quadrilaterals of the file are cut crosswise.
+/// The .msh part of coarse_mesh. Among triangles, quadrilaterals of the file are cut crosswise.
 CoarseMesh read_mesh_file(const MeshFile& file, Shape shape);
 /// The polygon part of coarse_mesh: by Gmsh unless the polygon is a convex quadrilateral itself.
 CoarseMesh mesh_polygon(const Polygon& polygon, Shape shape);

@@ -1,5 +1,7 @@
 #include <plastron/fem/quadrilateral_sequence.hpp>
 
+#include <plastron/fem/named_sides.hpp>
+
 #include <deal.II/base/multithread_info.h>
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/distributed/tria.h>
@@ -12,7 +14,7 @@
 #include <p4est.h>
 
 #include <algorithm>
-#include <map>
+#include <optional>
 
 namespace plastron::fem {
 
@@ -59,28 +61,6 @@ std::vector<dealii::CellData<2>> ordered_cells(CoarseMesh& coarse) {
   return cells;
 }
 
-/// Boundary id 0 means unnamed; name i has id i + 1. Only edges of the true boundary carry an id.
-dealii::SubCellData named_edges(const CoarseMesh& coarse) {
-  std::map<std::pair<int, int>, int> uses;
-  const auto key = [](int a, int b) { return std::pair(std::min(a, b), std::max(a, b)); };
-  for (const CoarseCell& cell : coarse.cells)
-    for (int side = 0; side < 4; ++side) {
-      const auto [from, to] = side_corners(Shape::quadrilateral, side);
-      ++uses[key(cell.vertices[static_cast<std::size_t>(from)], cell.vertices[static_cast<std::size_t>(to)])];
-    }
-  dealii::SubCellData data;
-  for (const BoundaryEdge& edge : coarse.edges) {
-    const auto found = uses.find(key(edge.vertices[0], edge.vertices[1]));
-    if (found == uses.end() || found->second != 1) continue;
-    dealii::CellData<1> line;
-    line.vertices[0] = static_cast<unsigned int>(edge.vertices[0]);
-    line.vertices[1] = static_cast<unsigned int>(edge.vertices[1]);
-    line.boundary_id = static_cast<dealii::types::boundary_id>(edge.boundary + 1);
-    data.boundary_lines.push_back(line);
-  }
-  return data;
-}
-
 /// The place of a cell in its coarse cell. Coarse cells are told apart by their index: p4est numbers its trees
 /// otherwise, and CellId's coarse cell is p4est's.
 Cell dyadic_cell(dealii::TriaIterator<dealii::CellAccessor<2>> cell) {
@@ -105,6 +85,7 @@ struct QuadrilateralSequence::Storage {
         dofs(triangulation) {}
 
   std::shared_ptr<CoarseMesh> coarse;
+  std::optional<NamedSides> sides;  ///< of the coarse cells as deal.II orders their vertices
   dealii::parallel::distributed::Triangulation<2> triangulation;
   dealii::FE_Q<2> element;
   dealii::DoFHandler<2> dofs;
@@ -123,7 +104,8 @@ void QuadrilateralSequence::Storage::create() {
   const auto cells = ordered_cells(*coarse);
   std::vector<dealii::Point<2>> vertices;
   for (const Vector2d& v : coarse->vertices) vertices.emplace_back(v[0], v[1]);
-  triangulation.create_triangulation(vertices, cells, named_edges(*coarse));
+  triangulation.create_triangulation(vertices, cells, {});
+  sides.emplace(*coarse);
 }
 
 std::shared_ptr<const algebra::Layout> QuadrilateralSequence::Storage::make_layout() {
@@ -155,11 +137,8 @@ void QuadrilateralSequence::Storage::add_cell(const Accessor& cell, const std::v
               static_cast<algebra::LocalIndex>(std::ranges::lower_bound(layout.ghosts, global) - layout.ghosts.begin());
     target.connectivity.nodes.push_back(local);
   }
-  for (unsigned int side = 0; side < 4; ++side)
-    if (cell->face(side)->at_boundary())
-      target.faces.push_back(
-          {target.cells.size(), static_cast<int>(side), static_cast<int>(cell->face(side)->boundary_id()) - 1});
   target.cells.push_back(dyadic_cell(cell));
+  sides->add_faces_of_last_cell(target);
 }
 
 void QuadrilateralSequence::Storage::flatten() {

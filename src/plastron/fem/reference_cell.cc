@@ -6,6 +6,8 @@ namespace {
 
 constexpr std::array<int, 2> square_sides[4] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
 
+bool runs_clockwise(Shape shape, int side) { return shape == Shape::quadrilateral && (side == 0 || side == 3); }
+
 }  // namespace
 
 int corner_count(Shape shape) { return shape == Shape::triangle ? 3 : 4; }
@@ -45,6 +47,12 @@ std::array<int, 2> side_corners(Shape shape, int side) {
   return square_sides[side];
 }
 
+std::array<int, 2> anticlockwise_corners(Shape shape, int side) {
+  const auto [from, to] = side_corners(shape, side);
+  if (runs_clockwise(shape, side)) return {to, from};
+  return {from, to};
+}
+
 std::vector<int> side_nodes(Shape shape, int degree, int side) {
   // Row j of the triangle begins behind rows of degree + 1, degree, ... nodes.
   const auto index = [&](int i, int j) {
@@ -66,8 +74,7 @@ Vector2d side_point(Shape shape, int side, double t) {
 
 Vector2d side_tangent(Shape shape, int side) {
   const auto [from, to] = side_corners(shape, side);
-  const bool clockwise = shape == Shape::quadrilateral && (side == 0 || side == 3);
-  return (clockwise ? -1 : 1) * (corner(shape, to) - corner(shape, from));
+  return (runs_clockwise(shape, side) ? -1 : 1) * (corner(shape, to) - corner(shape, from));
 }
 
 }  // namespace plastron::fem

@@ -31,6 +31,8 @@ Vector2d put_inside(Shape shape, const Vector2d& xi);
 
 /// The two corners of a side, in its direction.
 std::array<int, 2> side_corners(Shape shape, int side);
+/// The same two as they follow each other anticlockwise round the cell.
+std::array<int, 2> anticlockwise_corners(Shape shape, int side);
 /// Indices of the nodes on a side, in its direction.
 std::vector<int> side_nodes(Shape shape, int degree, int side);
 /// The point at parameter t of a side, 0 <= t <= 1.

@@ -20,10 +20,13 @@ struct Cell {
   double size = 1;                     ///< side in the coarse cell's coordinates, with the sign above
 };
 
+/// A side of a cell on the boundary of the domain or on a named curve inside of it. A side with several names is listed
+/// once for each; a side on an inner curve is listed for one of its two cells (named_sides.hpp).
 struct BoundaryFace {
   std::size_t cell = 0;
   int side = 0;       ///< see reference_cell.hpp
-  int boundary = -1;  ///< index into CoarseMesh::boundaries, -1 for an unnamed part
+  int boundary = -1;  ///< index into CoarseMesh::boundaries, -1 for an unnamed part of the domain's boundary
+  bool is_inner = false;  ///< has cells on both sides
 };
 
 struct Space {

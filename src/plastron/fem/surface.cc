@@ -1,8 +1,9 @@
 #include <plastron/fem/surface.hpp>
 
+#include <plastron/fem/invert_map.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -65,22 +66,8 @@ void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
 }
 
 std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point) {
-  constexpr double tolerance = 1e-9;
-  for (std::size_t c = 0; c < coarse.cells.size(); ++c) {
-    Vector2d xi = centre(coarse.shape);
-    for (int step = 0; step < 30; ++step) {
-      const PlaneJet f = coarse.cells[c].map(xi);
-      Eigen::Matrix2d jacobian;
-      jacobian << f.d[0], f.d[1];
-      const Vector2d change = jacobian.fullPivLu().solve(point - f.value);
-      xi += change;
-      if (change.norm() < 1e-14) break;
-      if (!(xi.norm() < 10)) break;
-    }
-    if (!holds(coarse.shape, xi, tolerance)) continue;
-    if ((coarse.cells[c].map(xi).value - point).norm() > tolerance * (1 + point.norm())) continue;
-    return Location{static_cast<int>(c), put_inside(coarse.shape, xi)};
-  }
+  for (std::size_t c = 0; c < coarse.cells.size(); ++c)
+    if (const auto xi = invert_map(coarse.shape, coarse.cells[c].map, point)) return Location{static_cast<int>(c), *xi};
   return std::nullopt;
 }
 

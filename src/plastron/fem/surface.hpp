@@ -1,4 +1,4 @@
-// The mid-surface over a mesh: the chart of each region seen from the cells' own coordinates (D1).
+// The mid-surface over a mesh: the chart of each region seen from the cells' own coordinates (D3).
 #pragma once
 #include <plastron/fem/space.hpp>
 #include <plastron/geometry/chart.hpp>

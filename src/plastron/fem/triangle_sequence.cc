@@ -86,6 +86,7 @@ TriangleSequence::TriangleSequence(CoarseMesh coarse, int degree, MPI_Comm comm)
     : coarse_(std::make_shared<const CoarseMesh>(std::move(coarse))),
       degree_(degree),
       comm_(comm),
+      sides_(*coarse_),
       mesh_(coarse_topology(*coarse_)) {
   if (degree != 1 && degree != 2)
     throw DomainError(fmt::format("triangles have degree 1 or 2, not {}; take quadrilaterals for more", degree));
@@ -104,12 +105,8 @@ void TriangleSequence::add_cell(std::size_t cell, Space& target) const {
               static_cast<algebra::LocalIndex>(std::ranges::lower_bound(layout.ghosts, global) - layout.ghosts.begin());
     target.connectivity.nodes.push_back(local);
   }
-  for (std::size_t side = 0; side < 3; ++side) {
-    const int boundary = mesh_.edges[static_cast<std::size_t>(mesh_.sides[cell][side])].boundary;
-    if (boundary != TriangleEdge::inside)
-      target.faces.push_back({target.cells.size(), static_cast<int>(side), boundary});
-  }
   target.cells.push_back(mesh_.cells[cell]);
+  sides_.add_faces_of_last_cell(target);
 }
 
 void TriangleSequence::flatten() {

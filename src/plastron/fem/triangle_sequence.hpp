@@ -3,6 +3,7 @@
 // to the lowest rank that has a cell with it. Nodes are numbered as the cells name them first, so that the numbers do
 // not depend on how many ranks there are.
 #pragma once
+#include <plastron/fem/named_sides.hpp>
 #include <plastron/fem/triangle_topology.hpp>
 
 #include <mpi.h>
@@ -39,6 +40,7 @@ class TriangleSequence {
   int degree_;
   MPI_Comm comm_;
   int rank_ = 0, ranks_ = 1;
+  NamedSides sides_;
   TriangleTopology mesh_;
   TriangleNumbering numbers_;
   std::shared_ptr<const Space> space_;

@@ -11,7 +11,7 @@ std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)
 
 /// The half of an edge at one of its vertices: edge e becomes 2e (at its first vertex) and 2e + 1.
 int half(const TriangleTopology& mesh, int edge, int vertex) {
-  return 2 * edge + (mesh.edges[static_cast<std::size_t>(edge)].vertices[0] == vertex ? 0 : 1);
+  return 2 * edge + (mesh.edges[static_cast<std::size_t>(edge)][0] == vertex ? 0 : 1);
 }
 
 void refine_cell(const TriangleTopology& mesh, std::size_t c, TriangleTopology& fine) {
@@ -23,8 +23,7 @@ void refine_cell(const TriangleTopology& mesh, std::size_t c, TriangleTopology& 
     middle[k] = mesh.vertex_count + e[k];
     inner[k] = static_cast<int>(2 * mesh.edges.size() + 3 * c + k);
   }
-  for (std::size_t k = 0; k < 3; ++k)
-    fine.edges[static_cast<std::size_t>(inner[k])] = {{middle[k], middle[(k + 2) % 3]}, TriangleEdge::inside};
+  for (std::size_t k = 0; k < 3; ++k) fine.edges[static_cast<std::size_t>(inner[k])] = {middle[k], middle[(k + 2) % 3]};
   for (int k = 0; k < 4; ++k) {
     const Cell child = child_cell(k);
     fine.cells.push_back({cell.coarse, cell.corner + cell.size * child.corner, cell.size * child.size});
@@ -49,7 +48,6 @@ Cell child_cell(int child) {
 TriangleTopology coarse_topology(const CoarseMesh& mesh) {
   TriangleTopology topology{.vertex_count = static_cast<int>(mesh.vertices.size())};
   std::map<std::array<int, 2>, int> edge_of;
-  std::vector<int> uses;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const auto& v = mesh.cells[c].vertices;
     topology.cells.push_back({.coarse = static_cast<int>(c)});
@@ -58,21 +56,9 @@ TriangleTopology coarse_topology(const CoarseMesh& mesh) {
     for (std::size_t s = 0; s < 3; ++s) {
       const auto ends = sorted(v[s], v[(s + 1) % 3]);
       const auto [found, is_new] = edge_of.emplace(ends, static_cast<int>(topology.edges.size()));
-      if (is_new) {
-        topology.edges.push_back({.vertices = ends});
-        uses.push_back(0);
-      }
+      if (is_new) topology.edges.push_back(ends);
       sides[s] = found->second;
-      ++uses[static_cast<std::size_t>(found->second)];
     }
-  }
-  for (std::size_t e = 0; e < uses.size(); ++e)
-    if (uses[e] == 1) topology.edges[e].boundary = TriangleEdge::unnamed;
-  for (const BoundaryEdge& named : mesh.edges) {
-    const auto found = edge_of.find(sorted(named.vertices[0], named.vertices[1]));
-    if (found == edge_of.end()) continue;
-    const auto e = static_cast<std::size_t>(found->second);
-    if (uses[e] == 1) topology.edges[e].boundary = named.boundary;
   }
   return topology;
 }
@@ -85,8 +71,7 @@ TriangleTopology refined(const TriangleTopology& mesh) {
   fine.sides.reserve(4 * mesh.cells.size());
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const int middle = mesh.vertex_count + static_cast<int>(e);
-    for (std::size_t k = 0; k < 2; ++k)
-      fine.edges[2 * e + k] = {{mesh.edges[e].vertices[k], middle}, mesh.edges[e].boundary};
+    for (std::size_t k = 0; k < 2; ++k) fine.edges[2 * e + k] = {mesh.edges[e][k], middle};
   }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) refine_cell(mesh, c, fine);
   return fine;

@@ -8,15 +8,9 @@
 
 namespace plastron::fem {
 
-struct TriangleEdge {
-  static constexpr int unnamed = -1, inside = -2;
-  std::array<int, 2> vertices{};
-  int boundary = inside;  ///< index into CoarseMesh::boundaries, or unnamed, or inside of the domain
-};
-
 struct TriangleTopology {
   int vertex_count = 0;
-  std::vector<TriangleEdge> edges{};
+  std::vector<std::array<int, 2>> edges{};  ///< their vertices
   std::vector<Cell> cells{};
   std::vector<std::array<int, 3>> vertices{};  ///< of each cell, anticlockwise
   std::vector<std::array<int, 3>> sides{};     ///< of each cell: edge s joins vertices s and s + 1

@@ -22,7 +22,7 @@ std::span<const Quantity<Result>> result_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"status", "-", "how the computation ended, in a word",
        [](const Result& r) { return Json(contact::to_string(r.status)); }},
-      {"status_text", "-", "the same in a sentence", [](const Result& r) { return Json(contact::explain(r.status)); }},
+      {"status_text", "-", "the same in a sentence", [](const Result& r) { return Json(study::status_text(r)); }},
       {"formulation", "-", "how r . a_3 = 0 is kept",
        [](const Result& r) { return Json(assembly::to_string(r.formulation)); }},
       {"energy", "J", "stored energy, 1/2 a(U, U)", [](const Result& r) { return number(r.summary.energy.total()); }},
@@ -44,6 +44,12 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return triple(r.summary.support_reaction.force); }},
       {"support_reaction/moment", "N m", "their moment about the origin",
        [](const Result& r) { return triple(r.summary.support_reaction.moment); }},
+      {"size/max_displacement", "m", "largest |u| at a node",
+       [](const Result& r) { return number(r.summary.max_displacement); }},
+      {"size/max_relative_displacement", "1", "largest |u| / e at a node",
+       [](const Result& r) { return number(r.summary.max_relative_displacement); }},
+      {"size/max_rotation", "rad", "largest |r| at a node; the linear model needs it small",
+       [](const Result& r) { return number(r.summary.max_rotation); }},
       {"tangency/max_tilt", "1", "largest |r . a_3| at nodes and quadrature points",
        [](const Result& r) { return number(r.summary.max_tilt); }},
       {"tangency/energy", "J", "energy of the penalty or the stabilisation",
@@ -66,7 +72,20 @@ std::span<const Quantity<Result>> contact_quantities() {
       {"max_penetration_between_nodes", "m",
        "depth of the shell in the obstacle between nodes, where no bound holds it",
        [](const Result& r) { return number(penetration(r.certificate.min_gap_between)); }},
-      {"max_pressure", "Pa", "largest eta at a node", [](const Result& r) { return number(r.summary.max_pressure); }},
+      {"max_pressure", "Pa",
+       "largest eta at a node; where an edge carries a line reaction, at a node that lies on no edge",
+       [](const Result& r) {
+         return number(r.summary.edge.is_line() ? r.summary.edge.pressure_inside : r.summary.max_pressure);
+       }},
+      {"edge/nodes", "1", "touching nodes on edges of the shell",
+       [](const Result& r) { return Json(r.summary.edge.nodes); }},
+      {"edge/force", "N", "sum of their reactions", [](const Result& r) { return number(r.summary.edge.force); }},
+      {"edge/max_line_reaction", "N/m",
+       "largest of their reactions over the length of edge that the node stands for; settles where the edge carries a "
+       "line reaction",
+       [](const Result& r) { return number(r.summary.edge.max_per_length); }},
+      {"edge/is_line", "-", "the edge carries a line reaction: pressures at its nodes depend on the mesh",
+       [](const Result& r) { return Json(r.summary.edge.is_line()); }},
   };
   return all;
 }
@@ -115,6 +134,11 @@ std::span<const Quantity<study::Level>> level_quantities() {
        [](const Level& l) { return number(l.min_gap); }},
       {"linear_residual", "1", "of the last linear solve, relative",
        [](const Level& l) { return number(l.linear_residual); }},
+      {"tolerances/gap", "1", "to which bounds were held, over the largest displacement at contact nodes",
+       [](const Level& l) { return number(l.tolerances.gap); }},
+      {"tolerances/multiplier", "1", "to which signs of reactions were held, over the largest reaction",
+       [](const Level& l) { return number(l.tolerances.multiplier); }},
+      {"max_rotation", "rad", "largest |r|", [](const Level& l) { return number(l.max_rotation); }},
       {"seconds/mesh", "s", "refinement, numbering, transfer", [](const Level& l) { return number(l.seconds.mesh); }},
       {"seconds/discretisation", "s", "geometry, bounds, loads",
        [](const Level& l) { return number(l.seconds.discretisation); }},

@@ -28,6 +28,17 @@ Json probe_json(const assembly::PointValues& values, const study::Result& result
   return json;
 }
 
+/// Row -> its limit, whether it is kept, and why it is what it is.
+Json limits_json(const study::Result& result) {
+  Json json = Json::object();
+  for (const auto& limit : result.limits)
+    json[std::string(limit.row)] = {{limit.is_least ? "at_least" : "at_most", number(limit.limit)},
+                                    {"unit", limit.unit},
+                                    {"holds", limit.holds()},
+                                    {"reason", limit.reason}};
+  return json;
+}
+
 Json level_json(const study::Level& level) {
   Json json = record_json(level_quantities(), level);
   json["history"] = Json::array();
@@ -91,6 +102,7 @@ Json results_json(const study::Result& result, const Provenance& provenance) {
   json["probes"] = Json::object();
   for (const study::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
+  json["certificate_limits"] = limits_json(result);
   json["levels"] = Json::array();
   for (const study::Level& level : result.levels) json["levels"].push_back(level_json(level));
   json["settings"] = provenance.settings;

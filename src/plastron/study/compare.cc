@@ -132,6 +132,7 @@ Report compare(const Problem& problem, const StudyOptions&, MPI_Comm comm, const
     if (run.status != contact::Status::solved) {
       report.table.remarks.push_back(fmt::format("{} not solved: {}", name, contact::explain(run.status)));
       report.status = run.status;
+      if (run.status == contact::Status::interrupted) break;
       continue;
     }
     if (formulation == Formulation::tangent) continue;

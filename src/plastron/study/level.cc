@@ -43,6 +43,8 @@ Level record_of(const fem::Space& space, const contact::BoxSolution& z, const as
           .multiplier_norm = verdict.summary.multiplier_norm,
           .min_gap = verdict.certificate.min_gap_nodes,
           .linear_residual = z.linear_residual,
+          .tolerances = z.tolerances,
+          .max_rotation = verdict.summary.max_rotation,
           .history = z.iterations};
 }
 
@@ -67,10 +69,12 @@ LevelResult solve_level(const LevelTask& task, const assembly::ShellDescription&
   tell("contact");
   const contact::BoxProblem box = assembly::box_problem(*discrete, A);
   const auto guess = task.touched ? first_guess(*discrete, *task.touched) : std::vector<contact::Activity>{};
-  contact::BoxSolution z =
-      contact::solve_primal_dual_active_set(box, guess, F, task.settings, [&](const contact::Iteration& i) {
-        if (observer.iteration) observer.iteration(task.number, i);
-      });
+  const contact::Observer follow{.iteration =
+                                     [&](const contact::Iteration& i) {
+                                       if (observer.iteration) observer.iteration(task.number, i);
+                                     },
+                                 .stop = [&] { return wants_to_stop(observer, task.space->layout->comm); }};
+  contact::BoxSolution z = contact::solve_primal_dual_active_set(box, guess, F, task.settings, follow);
   if (held_inside_obstacle(*discrete)) z.status = contact::Status::infeasible;
   seconds.factorisation = F.seconds_numeric();
   seconds.iteration = watch.lap() - F.seconds_numeric();

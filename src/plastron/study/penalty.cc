@@ -31,7 +31,8 @@ Sample solve_for(Problem problem, const assembly::Tangency& tangency, MPI_Comm c
   problem.discretisation.tangency = tangency;
   problem.probes.clear();
   Result result = solve(problem, comm, observer);
-  Sample sample{.p = tangency.penalty, .status = result.status, .finest = result.levels.back()};
+  Sample sample{.p = tangency.penalty, .status = result.status};
+  if (!result.levels.empty()) sample.finest = result.levels.back();
   sample.tilt_energy = result.summary.tilt_energy;
   if (result.solution) sample.y = result.solution->nodal.y;
   if (keep) *keep = std::move(result.solution);
@@ -123,6 +124,11 @@ Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const
     const double p = std::pow(10.0, -decade);
     if (observer.stage) observer.stage(fmt::format("p = {:g}", p));
     Sample s = solve_for(problem, {.formulation = Formulation::penalised, .penalty = p}, comm, observer.solve);
+    if (s.status == contact::Status::interrupted) {
+      report.status = s.status;
+      end = contact::explain(s.status);
+      break;
+    }
     if (conditioning.spoils(s)) {
       end = fmt::format(
           "conditioning stops it at p = {:g}, where rounding and no longer p decides the penalty's energy ({}, "
@@ -137,6 +143,7 @@ Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const
       break;
     }
   }
+  if (samples.empty() && report.status == contact::Status::interrupted) return report;
   if (samples.empty()) return report.status = contact::Status::linear_solver_stalled, report;
 
   std::vector<double> p, to_limit, to_tangent, tilt;

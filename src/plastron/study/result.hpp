@@ -1,6 +1,6 @@
 // What a computation returns: status, summary, certificate, the story of its levels, and the finest solution itself.
 #pragma once
-#include <plastron/assembly/certificate.hpp>
+#include <plastron/assembly/certificate_limits.hpp>
 #include <plastron/assembly/recovery.hpp>
 #include <plastron/contact/problem.hpp>
 
@@ -31,13 +31,15 @@ struct Level {
   std::int64_t active = 0;  ///< nodes in contact
   int iterations = 0;       ///< active-set iterations
   int factorisations = 0;
-  double energy = 0;           ///< 1/2 a(U, U) [J]
-  double reaction = 0;         ///< norm of the obstacle's resultant force [N]
-  double contact_area = 0;     ///< [m^2]
-  double max_tilt = 0;         ///< max |r . a_3|
-  double multiplier_norm = 0;  ///< of lambda [N m]
-  double min_gap = 0;          ///< at nodes [m]
-  double linear_residual = 0;  ///< of the last linear solve, relative
+  double energy = 0;                 ///< 1/2 a(U, U) [J]
+  double reaction = 0;               ///< norm of the obstacle's resultant force [N]
+  double contact_area = 0;           ///< [m^2]
+  double max_tilt = 0;               ///< max |r . a_3|
+  double multiplier_norm = 0;        ///< of lambda [N m]
+  double min_gap = 0;                ///< at nodes [m]
+  double linear_residual = 0;        ///< of the last linear solve, relative
+  contact::Tolerances tolerances{};  ///< that bounds and signs were held to
+  double max_rotation = 0;           ///< max |r| [rad]
   std::vector<contact::Iteration> history{};
   Seconds seconds{};
 };
@@ -56,9 +58,11 @@ struct Solution {
 
 struct Result {
   contact::Status status = contact::Status::solved;
+  std::string missed_limits{};  ///< rows of the certificate beyond their limits, in words; empty unless inaccurate
   assembly::Summary summary{};
   assembly::Certificate certificate{};
-  std::vector<ProbeValue> probes{};  ///< the same on every rank
+  std::vector<assembly::CertificateLimit> limits{};  ///< of its rows
+  std::vector<ProbeValue> probes{};                  ///< the same on every rank
   std::vector<Level> levels{};
   bool has_obstacle = false;
   assembly::Formulation formulation = assembly::Formulation::tangent;
@@ -67,5 +71,8 @@ struct Result {
   double peak_memory = 0;               ///< over all ranks together [bytes]
   std::optional<Solution> solution{};   ///< empty when nothing could be solved
 };
+
+/// How it ended, in a sentence or two.
+std::string status_text(const Result& result);
 
 }  // namespace plastron::study

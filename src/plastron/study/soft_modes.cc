@@ -71,6 +71,7 @@ double mesh_size(const assembly::DiscreteShell& discrete) {
   return std::sqrt(area / static_cast<double>(discrete.space().global_cells));
 }
 
+/// Empty if interrupted.
 Samples compute(const Problem& problem, MPI_Comm comm, const StudyObserver& observer) {
   Samples samples;
   fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), problem.discretisation.degree, comm);
@@ -80,6 +81,7 @@ Samples compute(const Problem& problem, MPI_Comm comm, const StudyObserver& obse
     if (level > 0) meshes.refine({});
     if (level + 3 < finest) continue;
     for (const Formulation formulation : formulations) {
+      if (wants_to_stop(observer.solve, comm)) return {};
       if (observer.stage) observer.stage(fmt::format("mesh {}: {}", level, assembly::to_string(formulation)));
       assembly::Tangency tangency = problem.discretisation.tangency;
       tangency.formulation = formulation;
@@ -192,6 +194,7 @@ Plot plot_of(const std::vector<Sample>& samples) {
 Report soft_modes(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
   const Samples samples = compute(problem, comm, observer);
   Report report{.table = empty_table(), .plot = {}};
+  if (samples.all.empty()) return report.status = contact::Status::interrupted, report;
   add_rows(samples.all, report.table);
   for (const Formulation formulation : formulations) {
     const auto some = of(samples.all, formulation);

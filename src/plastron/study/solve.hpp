@@ -10,7 +10,8 @@ namespace plastron::study {
 
 /// Solves on every mesh of the sequence and certifies the finest solution (collective).
 /// Throws fem::DomainError, assembly::SupportError for what is wrong with the problem itself; a computation that does
-/// not converge is no exception but a status.
+/// not converge is no exception but a status. Interrupted (Observer::stop), the result is that of the last mesh that was
+/// finished; without one there are no levels and no solution.
 Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer = {});
 
 }  // namespace plastron::study

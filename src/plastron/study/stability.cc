@@ -54,6 +54,7 @@ class Stability {
         comm_(comm),
         observer_(observer) {}
 
+  /// Empty if interrupted.
   std::vector<Sample> samples() {
     const int degree = problem_.discretisation.degree, finest = problem_.discretisation.refinements;
     fem::MeshSequence meshes(fem::coarse_mesh(problem_.domain), degree, comm_);
@@ -64,6 +65,7 @@ class Stability {
       if (level + 3 < finest) continue;  // h, h/2, h/4, h/8
       const std::optional<double> b = inf_sup_of_b(meshes.space(), level);
       for (const double factor : factors_) {
+        if (wants_to_stop(observer_.solve, comm_)) return {};
         all.push_back(measure(meshes.space(), level, factor));
         all.back().b = b.value_or(no_value);
       }
@@ -246,6 +248,7 @@ Plot plot_of(const std::vector<Sample>& samples) {
 Report stability(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer) {
   const auto samples = Stability(problem, options, comm, observer).samples();
   Report report{.table = empty_table(), .plot = {}};
+  if (samples.empty()) return report.status = contact::Status::interrupted, report;
   add_rows(samples, report.table);
   conclude(samples, problem, report.table);
   report.plot = plot_of(samples);

@@ -1,0 +1,224 @@
+#include <plastron/fem/mesh_build.hpp>
+
+#include <plastron/fem/element_type.hpp>
+#include <plastron/fem/jacobian_table.hpp>
+#include <plastron/fem/mesh_validity.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <utility>
+
+namespace plastron::fem {
+
+namespace {
+
+class Builder {
+ public:
+  Builder(const MeshData& data, Shape shape) : data_(data), shape_(shape), vertex_of_(data.nodes.size(), -1) {}
+
+  CoarseMesh build() {
+    check_flat();
+    name_groups(2, "surface", "region", cells_.mesh.regions, region_of_);
+    if (cells_.mesh.regions.empty()) cells_.mesh.regions = {""};
+    for (const MeshElement& element : data_.elements)
+      if (const ElementType type = *element_type(element.type); type.is_cell()) add_cell(element, type);
+    if (cells_.mesh.cells.empty())
+      refuse(shape_ == Shape::triangle
+                 ? "it has no triangles; mesh the surface, save it with its physical groups"
+                 : "it has no quadrilaterals; mesh the surface with Recombine, save it with its physical groups");
+    name_groups(1, "curve", "boundary", cells_.mesh.boundaries, boundary_of_);
+    const auto edges = edges_of(cells_.mesh.cells);
+    check_cells_fit(cells_, edges, data_.source);
+    add_boundaries(edges);
+    return shaped();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const { throw DomainError(data_.source + ": " + what); }
+
+  /// The names of the groups that hold elements; groups of one name are one.
+  void name_groups(int dimension, const char* kind, const char* meaning, std::vector<std::string>& names,
+                   std::map<int, int>& number_of) {
+    std::set<int> groups;
+    for (const MeshElement& element : data_.elements)
+      if (element_type(element.type)->is_cell() == (dimension == 2))
+        for (const int group : data_.group_sets[element.groups]) groups.insert(std::abs(group));
+    for (const int group : groups) {
+      const auto name = data_.names.find({dimension, group});
+      if (name == data_.names.end())
+        refuse(fmt::format("physical {} {} has no name; name it after its {}", kind, group, meaning));
+      const auto place = std::ranges::find(names, name->second);
+      number_of[group] = static_cast<int>(place - names.begin());
+      if (place == names.end()) names.push_back(name->second);
+    }
+  }
+
+  const MeshNode& node(const MeshElement& element, std::size_t i) const {
+    return data_.nodes[static_cast<std::size_t>(data_.element_nodes[element.first_node + i])];
+  }
+
+  /// The vertex index of a node, given on its first use as a corner.
+  int vertex(const MeshElement& element, std::size_t i) {
+    int& index = vertex_of_[static_cast<std::size_t>(data_.element_nodes[element.first_node + i])];
+    if (index < 0) {
+      index = static_cast<int>(cells_.mesh.vertices.size());
+      cells_.mesh.vertices.push_back(node(element, i).position.head<2>());
+    }
+    return index;
+  }
+
+  int region(const MeshElement& element) const {
+    if (region_of_.empty()) return 0;
+    const auto& groups = data_.group_sets[element.groups];
+    if (groups.empty())
+      refuse(
+          fmt::format("{} lies in no physical surface, though others do; put every cell into one", place_of(element)));
+    const int first = region_of_.at(std::abs(groups.front()));
+    for (const int group : groups)
+      if (region_of_.at(std::abs(group)) != first)
+        refuse(fmt::format("{} lies in two physical surfaces, \"{}\" and \"{}\"", place_of(element),
+                           cells_.mesh.regions[static_cast<std::size_t>(first)],
+                           cells_.mesh.regions[static_cast<std::size_t>(region_of_.at(std::abs(group)))]));
+    return first;
+  }
+
+  void check_type(const ElementType& type) const {
+    if (shape_ == Shape::quadrilateral && (type.shape() == Shape::triangle || !type.is_complete))
+      refuse(fmt::format(
+          "it has elements of type \"{}\"; with cells = \"quadrilateral\" only complete quadrilaterals are "
+          "allowed (Recombine Surface, Mesh.SecondOrderIncomplete = 0){}",
+          type.name(), type.shape() == Shape::triangle ? "; cells = \"triangle\" in [mesh] takes triangles" : ""));
+    if (!type.is_complete)
+      refuse(
+          fmt::format("it has elements of type \"{}\"; only complete triangles and quadrilaterals are allowed "
+                      "(Mesh.SecondOrderIncomplete = 0)",
+                      type.name()));
+  }
+
+  void add_cell(const MeshElement& element, const ElementType& type) {
+    check_type(type);
+    const Tables& tables = tables_of(type);
+    std::vector<Vector2d> nodes(tables.places.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[tables.places[i]] = node(element, i).position.head<2>();
+    const bool is_clockwise = check_map(element, tables.jacobian, nodes);
+    CoarseCell cell{.vertices = {vertex(element, 0), vertex(element, 1), -1, -1},
+                    .region = region(element),
+                    .map = {TriangleLagrangeMap{type.order, {}}}};
+    if (type.shape() == Shape::triangle) {
+      cell.vertices[2] = vertex(element, 2);
+      cell.map.map = TriangleLagrangeMap{type.order, std::move(nodes)};
+    } else {  // Gmsh's corners run round the cell
+      cell.vertices[3] = vertex(element, 2);
+      cell.vertices[2] = vertex(element, 3);
+      cell.map.map = LagrangeMap{type.order, std::move(nodes)};
+    }
+    if (is_clockwise) {  // swap its two coordinates, so that every a_3 points to the same side
+      std::swap(cell.vertices[1], cell.vertices[2]);
+      cell.map.axes << 0, 1, 1, 0;
+    }
+    cells_.mesh.cells.push_back(std::move(cell));
+    cells_.elements.push_back(&element);
+  }
+
+  /// True if the cell is drawn clockwise. Refuses one whose map is not one to one.
+  bool check_map(const MeshElement& element, const JacobianTable& table, const std::vector<Vector2d>& nodes) const {
+    const JacobianRange range = jacobian_range(table, nodes);
+    if (range.is_positive || range.is_negative) return range.is_negative;
+    refuse(
+        fmt::format("{} folds over or is degenerate at x = {:.6g}, y = {:.6g}: the determinant of its map vanishes or "
+                    "changes its sign; all corners must be below 180 degrees, no two nodes may coincide, and no "
+                    "curved side may reach through the cell",
+                    place_of(element), range.worst[0], range.worst[1]));
+  }
+
+  struct Tables {
+    std::vector<std::size_t> places;
+    JacobianTable jacobian;
+  };
+
+  const Tables& tables_of(const ElementType& type) {
+    const auto [found, is_new] = tables_.try_emplace({type.shape(), type.order});
+    if (is_new) found->second = {lattice_places(type.shape(), type.order), jacobian_table(type.shape(), type.order)};
+    return found->second;
+  }
+
+  /// Nodes of cells must lie in the plane, up to rounding of the lengths that the mesh has.
+  void check_flat() const {
+    constexpr double negligible = 1e-9;
+    Vector2d low = Vector2d::Constant(HUGE_VAL), high = -low;
+    const MeshNode* highest = nullptr;
+    for (const MeshElement& element : data_.elements) {
+      const ElementType type = *element_type(element.type);
+      if (!type.is_cell()) continue;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(type.nodes); ++i) {
+        const MeshNode& n = node(element, i);
+        low = low.cwiseMin(n.position.head<2>());
+        high = high.cwiseMax(n.position.head<2>());
+        if (!highest || std::abs(n.position[2]) > std::abs(highest->position[2])) highest = &n;
+      }
+    }
+    if (highest && !(std::abs(highest->position[2]) <= negligible * (high - low).maxCoeff()))
+      refuse(fmt::format("node {} has z = {:g}; the mesh must lie in the parameter plane z = 0, the chart lifts it",
+                         highest->tag, highest->position[2]));
+  }
+
+  void add_boundaries(const std::vector<MeshEdge>& edges) {
+    std::set<std::array<int, 3>> known;
+    for (const MeshElement& element : data_.elements) {
+      const auto& groups = data_.group_sets[element.groups];
+      if (element_type(element.type)->is_cell() || groups.empty()) continue;
+      const std::array<int, 2> drawn{vertex_or_none(element, 0), vertex_or_none(element, 1)};
+      const std::array<int, 2> ends{std::min(drawn[0], drawn[1]), std::max(drawn[0], drawn[1])};
+      const auto edge = std::ranges::lower_bound(edges, ends, {}, &MeshEdge::ends);
+      if (edge == edges.end() || edge->ends != ends) refuse_line(element, boundary_of_.at(std::abs(groups.front())));
+      for (const int group : groups) {
+        const int boundary = boundary_of_.at(std::abs(group));
+        if (!known.insert({ends[0], ends[1], boundary}).second) continue;
+        cells_.mesh.edges.push_back({group > 0 ? drawn : std::array{drawn[1], drawn[0]}, boundary});
+      }
+    }
+  }
+
+  int vertex_or_none(const MeshElement& element, std::size_t i) const {
+    return vertex_of_[static_cast<std::size_t>(data_.element_nodes[element.first_node + i])];
+  }
+
+  [[noreturn]] void refuse_line(const MeshElement& element, int boundary) const {
+    const auto a = node(element, 0).position, b = node(element, 1).position;
+    refuse(fmt::format(
+        "{}, from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) on the curve \"{}\", is no side of a cell; mesh curve "
+        "and surface together, so that cells have their sides on the curve",
+        place_of(element), a[0], a[1], b[0], b[1], cells_.mesh.boundaries[static_cast<std::size_t>(boundary)]));
+  }
+
+  /// Cells of the shape that is wanted: quadrilaterals among triangles are cut.
+  CoarseMesh shaped() {
+    CoarseMesh mesh = std::move(cells_.mesh);
+    mesh.shape = shape_;
+    if (shape_ == Shape::quadrilateral) return mesh;
+    const auto cells = std::exchange(mesh.cells, {});
+    for (const CoarseCell& cell : cells)
+      if (cell.vertices[3] < 0)
+        mesh.cells.push_back(cell);
+      else
+        cut_crosswise(cell, mesh);
+    return mesh;
+  }
+
+  const MeshData& data_;
+  Shape shape_;
+  FileCells cells_;
+  std::vector<int> vertex_of_;  ///< of each node
+  std::map<int, int> region_of_, boundary_of_;
+  std::map<std::pair<Shape, int>, Tables> tables_;
+};
+
+}  // namespace
+
+CoarseMesh build_coarse_mesh(const MeshData& data, Shape shape) { return Builder(data, shape).build(); }
+
+}  // namespace plastron::fem

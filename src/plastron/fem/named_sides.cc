@@ -1,0 +1,59 @@
+#include <plastron/fem/named_sides.hpp>
+
+#include <plastron/fem/mesh_validity.hpp>
+
+#include <algorithm>
+
+namespace plastron::fem {
+
+namespace {
+
+/// True if both ends of a cell's side lie on the same side of the coarse cell. Coordinates are dyadic, hence exact.
+bool lies_on_coarse_side(Shape shape, const Cell& cell, int side) {
+  const auto distance = [&](int k) {
+    const Vector2d xi = cell.corner + cell.size * corner(shape, k);
+    if (shape == Shape::triangle) return side == 0 ? xi[1] : side == 1 ? 1 - xi[0] - xi[1] : xi[0];
+    return side == 0 ? xi[0] : side == 1 ? 1 - xi[0] : side == 2 ? xi[1] : 1 - xi[1];
+  };
+  const auto [from, to] = side_corners(shape, side);
+  return distance(from) == 0 && distance(to) == 0;
+}
+
+}  // namespace
+
+NamedSides::Side& NamedSides::at(std::size_t coarse_cell, int side) {
+  return sides_[coarse_cell * static_cast<std::size_t>(corner_count(shape_)) + static_cast<std::size_t>(side)];
+}
+
+NamedSides::NamedSides(const CoarseMesh& coarse)
+    : shape_(coarse.shape), sides_(coarse.cells.size() * static_cast<std::size_t>(corner_count(coarse.shape))) {
+  const auto edges = edges_of(coarse.cells);
+  for (const BoundaryEdge& named : coarse.edges) {
+    const auto [a, b] = named.vertices;
+    const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
+    const auto [first, last] = std::ranges::equal_range(edges, ends, {}, &MeshEdge::ends);
+    for (auto edge = first; edge != last; ++edge)
+      if (last - first == 1 || edge->is_forward == (a < b))
+        at(edge->cell, edge->side).boundaries.push_back(named.boundary);
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    Side& side = at(edges[i].cell, edges[i].side);
+    side.is_inner =
+        (i > 0 && edges[i - 1].ends == edges[i].ends) || (i + 1 < edges.size() && edges[i + 1].ends == edges[i].ends);
+    if (!side.is_inner && side.boundaries.empty()) side.boundaries.push_back(-1);
+  }
+}
+
+void NamedSides::add_faces_of_last_cell(Space& space) const {
+  const std::size_t last = space.cells.size() - 1;
+  const Cell& cell = space.cells[last];
+  const int sides = corner_count(shape_);
+  for (int side = 0; side < sides; ++side) {
+    const Side& coarse = sides_[static_cast<std::size_t>(cell.coarse) * static_cast<std::size_t>(sides) +
+                                static_cast<std::size_t>(side)];
+    if (coarse.boundaries.empty() || !lies_on_coarse_side(shape_, cell, side)) continue;
+    for (const int boundary : coarse.boundaries) space.faces.push_back({last, side, boundary, coarse.is_inner});
+  }
+}
+
+}  // namespace plastron::fem
