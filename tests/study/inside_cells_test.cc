@@ -57,6 +57,12 @@ TEST(InsideACell, a_kink_on_a_mesh_line_is_an_error_too) {
               ElementsAre(AllOf(HasSubstr("kink at x = 0.5"), HasSubstr("both sides"))));
 }
 
+TEST(InsideACell, a_kink_on_a_line_of_meshes_finer_than_the_sample_is_an_error_too) {
+  Problem p = with_chart(cantilever_plate(), {"x", "y", "abs(x - 33/128)"});
+  p.discretisation.refinements = 6;
+  EXPECT_THAT(errors(p), ElementsAre(HasSubstr("has a kink")));
+}
+
 TEST(InsideACell, a_jump_of_the_curvature_is_a_warning_with_a_remedy) {
   for (const fem::Shape shape : both_shapes) {
     const Problem p = on(shape, with_chart(cantilever_plate(), {"x", "y", "(x - 0.3)*abs(x - 0.3)/2"}));

@@ -14,6 +14,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+using Lines = JumpSearch::Lines;
+
 constexpr const char* mesh_line = "put a mesh line there: breaks of a rectangle, a polygon's edge or a .msh file";
 
 geometry::SurfaceJet jet_at(const Examined& examined, const fem::Cell& cell, const Vector2d& xi, bool second) {
@@ -37,7 +39,7 @@ bool check_kinks(Examined& examined, const JumpSearch& search) {
     s << jet.value / examined.size, geometry::unit_normal(jet);
     return s;
   };
-  const auto kink = search.in_cells(surface, 1e-6);
+  const auto kink = search.in_cells(surface, 1e-6, Lines::forbidden);
   if (!kink) return true;
   examined.add(
       Severity::error,
@@ -57,7 +59,7 @@ void check_curvature(Examined& examined, const JumpSearch& search) {
   const CellFunction curvature = [&](const fem::Cell& cell, const Vector2d& xi) {
     return Sample(shape_tensor(jet_at(examined, cell, xi, true)).reshaped() / largest);
   };
-  if (const auto jump = search.in_cells(curvature, 1e-3))
+  if (const auto jump = search.in_cells(curvature, 1e-3, Lines::allowed))
     examined.add(Severity::warning,
                  "the curvature of the mid-surface jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} 1/m; "
                  "results converge slowly there; {}",
@@ -89,7 +91,7 @@ void check_thickness(Examined& examined, const JumpSearch& search) {
   const geometry::Expression& e = examined.problem.thickness;
   if (e.is_constant()) return;
   const double scale = scale_of(examined, e);
-  if (const auto jump = search.in_cells(values_of(examined, e, scale), 1e-6))
+  if (const auto jump = search.in_cells(values_of(examined, e, scale), 1e-6, Lines::allowed))
     examined.add(Severity::error,
                  "the thickness {} jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} m, and elements take "
                  "it for smooth; {}; or let it change over a length",
@@ -98,8 +100,8 @@ void check_thickness(Examined& examined, const JumpSearch& search) {
 
 void check_load(Examined& examined, const JumpSearch& search, const NamedExpression& load) {
   const CellFunction values = values_of(examined, load.f, scale_of(examined, load.f));
-  const auto jump =
-      load.boundary.empty() ? search.in_cells(values, 1e-6) : search.along_boundary(load.boundary, values, 1e-6);
+  const auto jump = load.boundary.empty() ? search.in_cells(values, 1e-6, Lines::allowed)
+                                          : search.along_boundary(load.boundary, values, 1e-6);
   if (!jump) return;
   if (!jump->is_bounded)
     examined.add(Severity::error, "{} grows without limit near x = {:.6g}, y = {:.6g}; it must be finite everywhere",

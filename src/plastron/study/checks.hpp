@@ -23,6 +23,9 @@ struct Examined {
     findings.push_back({severity, fmt::format(text, std::forward<Args>(args)...)});
   }
 
+  /// "x = ..., y = ..." for a point of Omega, rounding cleared away.
+  std::string place(const Eigen::Vector2d& x) const;
+
   const Problem& problem;
   std::shared_ptr<const fem::Space> space;  ///< of some hundred cells, all on this rank
   std::shared_ptr<const fem::Surface> surface;

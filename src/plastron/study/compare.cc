@@ -50,8 +50,9 @@ Run solve_with(Problem problem, Formulation formulation, const Run* tangent, MPI
 }
 
 /// Why the formulation cannot be used on this case; empty if it can.
-std::string refusal(const Problem& problem, Formulation formulation) {
-  for (const Finding& finding : examine(problem, {.formulation = formulation}))
+std::string refusal(Problem problem, Formulation formulation) {
+  problem.discretisation.tangency.formulation = formulation;
+  for (const Finding& finding : examine(problem))
     if (finding.severity == Severity::error) return finding.text;
   return "";
 }

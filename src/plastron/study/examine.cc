@@ -62,6 +62,13 @@ Examined::Examined(const Problem& a_problem)
       surface(std::make_shared<const fem::Surface>(space->coarse, a_problem.charts)),
       tables(assembly::element_tables(space->shape(), space->degree, false)) {}
 
+std::string Examined::place(const Eigen::Vector2d& x) const {
+  double extent = 0;
+  for (const auto& vertex : space->coarse->vertices) extent = std::max(extent, (vertex - x).norm());
+  const auto cleared = [&](double c) { return std::abs(c) < 1e-12 * extent ? 0 : c; };
+  return fmt::format("x = {:.6g}, y = {:.6g}", cleared(x[0]), cleared(x[1]));
+}
+
 ExaminedNodes::ExaminedNodes(const Examined& examined)
     : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.thickness)),
       coordinates(assembly::nodal_coordinates(*examined.space, *examined.surface, points, examined.problem.supports,
@@ -79,12 +86,9 @@ bool has_errors(const std::vector<Finding>& findings) {
   return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
 }
 
-std::vector<Finding> examine(const Problem& problem, const ExamineOptions& options) {
+std::vector<Finding> examine(const Problem& problem) {
   try {
-    if (!options.formulation) return findings_of(problem);
-    Problem changed = problem;
-    changed.discretisation.tangency.formulation = *options.formulation;
-    return findings_of(changed);
+    return findings_of(problem);
   } catch (const fem::DomainError& error) {
     return {{Severity::error, error.what()}};
   }

@@ -2,7 +2,6 @@
 #pragma once
 #include <plastron/study/problem.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,13 +15,9 @@ struct Finding {
   std::string text;
 };
 
-struct ExamineOptions {
-  std::optional<assembly::Formulation> formulation{};  ///< the one to be used, if not the problem's own
-};
-
 /// Everything found, errors included; a problem with errors is not to be solved. Every rank examines the whole problem
 /// for itself and finds the same.
-std::vector<Finding> examine(const Problem& problem, const ExamineOptions& options = {});
+std::vector<Finding> examine(const Problem& problem);
 
 bool has_errors(const std::vector<Finding>& findings);
 

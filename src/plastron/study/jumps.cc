@@ -34,10 +34,10 @@ JumpSearch::JumpSearch(const Examined& examined)
       if (fem::holds(d.cells, p + step, 1e-9)) segments_.push_back({drawn_in(d.cells, p), drawn_in(d.cells, p + step)});
 }
 
-std::optional<Jump> JumpSearch::in_cells(const CellFunction& f, double tolerance) const {
+std::optional<Jump> JumpSearch::in_cells(const CellFunction& f, double tolerance, Lines on_lines) const {
   for (const fem::Cell& cell : space_->cells)
     for (const Segment& segment : segments_)
-      if (const auto jump = on_segment(cell, segment, f, tolerance)) return jump;
+      if (const auto jump = on_segment(cell, segment, f, tolerance, on_lines)) return jump;
   return {};
 }
 
@@ -52,13 +52,14 @@ std::optional<Jump> JumpSearch::along_boundary(const std::string& name, const Ce
       return fem::side_point(space_->shape(), face.side, t);
     };
     for (int k = 0; k < pieces; ++k)
-      if (const auto jump = on_segment(space_->cells[face.cell], {at(k), at(k + 1)}, f, tolerance)) return jump;
+      if (const auto jump = on_segment(space_->cells[face.cell], {at(k), at(k + 1)}, f, tolerance, Lines::allowed))
+        return jump;
   }
   return {};
 }
 
 std::optional<Jump> JumpSearch::on_segment(const fem::Cell& cell, const Segment& segment, const CellFunction& f,
-                                           double tolerance) const {
+                                           double tolerance, Lines on_lines) const {
   // No half: f may have a value between both sides exactly there, sign(0) = 0.
   constexpr double ratio = 0.41;
   constexpr int early = 20, steps = 44;  // parts of 3e-5 and 1e-10 of the segment
@@ -84,7 +85,8 @@ std::optional<Jump> JumpSearch::on_segment(const fem::Cell& cell, const Segment&
   }
   const double size = (at_to - at_from).norm();
   // A root shrinks, though slowly.
-  if (size < tolerance || size < 0.3 * before || is_on_a_mesh_line(cell, from)) return {};
+  if (size < tolerance || size < 0.3 * before) return {};
+  if (on_lines == Lines::allowed && is_on_a_mesh_line(cell, from)) return {};
   return Jump{position(cell, from), size, size < 100};
 }
 

@@ -23,17 +23,20 @@ class JumpSearch {
  public:
   explicit JumpSearch(const Examined& examined);
 
-  /// The first jump larger than the tolerance; jumps on lines of the finest mesh do not count. Values that are not finite
-  /// are an unbounded jump.
-  std::optional<Jump> in_cells(const CellFunction& f, double tolerance) const;
+  /// Jumps on lines of the finest mesh may be allowed.
+  enum class Lines { forbidden, allowed };
+
+  /// The first jump larger than the tolerance. Values that are not finite are an unbounded jump.
+  std::optional<Jump> in_cells(const CellFunction& f, double tolerance, Lines on_lines) const;
+  /// Likewise, and lines of the finest mesh are allowed.
   std::optional<Jump> along_boundary(const std::string& name, const CellFunction& f, double tolerance) const;
 
  private:
   struct Segment {
     Eigen::Vector2d from, to;
   };
-  std::optional<Jump> on_segment(const fem::Cell& cell, const Segment& segment, const CellFunction& f,
-                                 double tolerance) const;
+  std::optional<Jump> on_segment(const fem::Cell& cell, const Segment& segment, const CellFunction& f, double tolerance,
+                                 Lines on_lines) const;
   bool is_on_a_mesh_line(const fem::Cell& cell, const Eigen::Vector2d& xi) const;
   Eigen::Vector2d position(const fem::Cell& cell, const Eigen::Vector2d& xi) const;
 
