@@ -4,6 +4,13 @@
 include(GoogleTest)
 find_package(GTest REQUIRED)
 
+# Test programs spend their time in the libraries: their own files need little optimisation, and compile a fifth faster without.
+set(test_options -O1)
+plastron_precompiled(plastron_precompiled_tests OPTIONS ${test_options} EXTERNAL GTest::gtest GTest::gmock
+                     HEADERS ${standard_headers} ${external_headers} <gmock/gmock.h> <gtest/gtest.h>)
+# All programs that quick tests run.
+add_custom_target(quick_tests)
+
 function(plastron_test name)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS;EXTERNAL;RANKS" ${ARGN})
   if(NOT ARG_LABEL)
@@ -19,6 +26,11 @@ function(plastron_test name)
   endforeach()
   target_link_libraries(${name} PRIVATE ${ARG_EXTERNAL})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_options(${name} PRIVATE ${test_options})
+  plastron_use_precompiled(${name} plastron_precompiled_tests)
+  if(ARG_LABEL STREQUAL quick)
+    add_dependencies(quick_tests ${name})
+  endif()
   set(environment OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
       OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
   # Open MPI removes its session directory when it ends, even while another process is just making its own in it.

@@ -5,7 +5,7 @@
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  const plastron::algebra::Session session(argc, argv);
+  const plastron::algebra::Session session(argc, argv, 1);  // one thread: tests run side by side
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank != 0) {

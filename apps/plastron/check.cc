@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "console.hpp"
+#include "progress.hpp"
 
 #include <plastron/config/case.hpp>
 
@@ -7,7 +7,7 @@ namespace plastron::app {
 
 ExitCode check(const std::filesystem::path& case_file) {
   const config::Case c = config::read_case(case_file);
-  print("{}: {}\n", case_file.string(), c.title.empty() ? "untitled" : c.title);
+  print("{}: {}\n", case_file.string(), c.title.empty() ? "untitled" : shortened_title(c.title));
   const auto findings = study::examine(c.problem);
   print_findings(findings, case_file.string(), true);
   if (study::has_errors(findings)) return bad_input;

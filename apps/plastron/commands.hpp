@@ -1,6 +1,6 @@
 // The commands of the program. Each returns an exit code.
 #pragma once
-#include "exit_codes.hpp"
+#include "command_line.hpp"
 
 #include <plastron/study/kinds.hpp>
 
@@ -9,21 +9,17 @@
 
 namespace plastron::app {
 
-struct RunOptions {
-  std::filesystem::path case_file;
-  std::filesystem::path output;
-  bool quiet = false;  ///< print errors only
-};
 
 struct StudyCommand {
   std::string kind;
   std::filesystem::path case_file;
   std::filesystem::path output;
   bool quiet = false;  ///< print errors only
+  int threads = 0;     ///< of each process; 0: as many as the work is worth
   study::StudyOptions options{};
 };
 
-ExitCode run(const RunOptions& options);
+ExitCode run(const Options& options);
 ExitCode study_case(const StudyCommand& command);
 ExitCode check(const std::filesystem::path& case_file);
 

@@ -1,13 +1,13 @@
-// plastron: the command line.
+// plastron-solver: what plastron becomes when there is something to compute, with the same arguments.
 #include "commands.hpp"
-#include "console.hpp"
+#include "interruption.hpp"
+#include "terminal.hpp"
 
 #include <plastron/algebra/session.hpp>
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/config/mistakes.hpp>
 #include <plastron/fem/domain.hpp>
-#include <plastron/io/version.hpp>
 
 #include <mpi.h>
 #include <CLI/CLI.hpp>
@@ -15,8 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <new>
-#include <optional>
 
 namespace plastron::app {
 
@@ -27,7 +27,7 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
   try {
     return command();
   } catch (const config::CaseErrors& errors) {
-    print_error("{}", errors.format());
+    if (is_first_rank()) print_text(stderr, errors.format());
     return bad_input;
   } catch (const fem::DomainError& error) {
     print_error("error: {}\n", error.what());
@@ -41,9 +41,9 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
   }
   // What follows may have struck one rank alone, so that rank speaks and takes the others down.
   catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: not enough memory; reduce mesh.refinements or mesh.degree, or use more machines\n");
+    print_text(stderr, "error: not enough memory; reduce mesh.refinements or mesh.degree, or use more machines\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "internal error: {}\n", error.what());
+    print_text(stderr, "internal error: " + config::printable(error.what()) + "\n");
   }
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
@@ -51,8 +51,29 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
   return internal_error;
 }
 
+/// Starts what computations need and runs a command.
+ExitCode compute(int argc, char** argv, int threads, const std::function<ExitCode()>& command) {
+  listen_for_interruptions();
+  const algebra::Session session(argc, argv, threads);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  set_rank(rank);
+  return guarded(command);
+}
+
+/// What is wrong with the options of a study beyond their single values.
+void check_study_options(const CLI::App& app, const study::Kind& kind, const std::vector<double>& factors) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name(), takers = study::kinds_that_take(name);
+    if (option->count() > 0 && !takers.empty() && !study::takes_option(kind, name))
+      throw CLI::ValidationError("--" + name, fmt::format("{} does not take it; it is for: {}", kind.name, takers));
+  }
+  if (std::ranges::adjacent_find(factors, std::less_equal<>{}) != factors.end())
+    throw CLI::ValidationError("--factors", "must fall from one to the next");
+}
+
 /// Declares `plastron study`: one table of kinds, and options that concern some of them.
-CLI::App* add_study(CLI::App& program, StudyCommand& command, std::optional<int>& steps) {
+CLI::App* add_study(CLI::App& program, StudyCommand& command) {
   std::vector<std::string> names;
   std::string footer = "Kinds:\n";
   for (const study::Kind& kind : study::kinds()) {
@@ -60,76 +81,57 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command, std::optional<int>
     footer += fmt::format("  {:<12} {}\n", kind.name, kind.question);
   }
   study::StudyOptions& o = command.options;
-  CLI::App* app = program.add_subcommand("study", "Solve a case many times and examine a theorem or a limit with it");
+  CLI::App* app = program.add_subcommand("study", study_summary);
   app->footer(footer);
   app->add_option("KIND", command.kind, "What to examine; see below")->required()->check(CLI::IsMember(names));
   app->add_option("CASE", command.case_file, "Case file (TOML)")->required();
-  app->add_option("-o,--output", command.output, "Directory for KIND.json and KIND.svg")->required();
-  app->add_flag("-q,--quiet", command.quiet, "Print errors only");
-  app->add_option("--reference", o.reference, "convergence: levels between the finest mesh and the reference")
+  add_output_options(*app, "Directory for KIND.json and KIND.svg", command.output, command.quiet, command.threads);
+  const auto add = [app](const std::string& name, auto& value, const std::string& what) {
+    return app->add_option("--" + name, value, study::kinds_that_take(name) + ": " + what);
+  };
+  add("reference", o.reference, "levels between the finest mesh and the reference")
       ->check(CLI::Range(1, 6))
       ->capture_default_str();
-  CLI::Option* factors = app->add_option("--factors", o.factors,
-                                         "thickness, stability: multiples of the case's thickness, from thick to thin")
+  CLI::Option* factors = add("factors", o.factors, "multiples of the case's thickness, from thick to thin")
                              ->delimiter(',')
                              ->check(CLI::PositiveNumber);
-  app->add_option("--steps", steps, "thickness: that many halvings, in place of --factors")
-      ->check(CLI::Range(1, 20))
-      ->excludes(factors);
-  app->add_option("--load-exponent", o.load_exponent, "thickness: loads go with factor^P; 0 without, 3 with obstacle");
-  app->add_option("--samples", o.samples, "continuity: perturbations of each kind")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  app->add_option("--size", o.size, "continuity: largest relative perturbation")
-      ->check(CLI::Range(1e-6, 0.5))
-      ->capture_default_str();
-  app->add_option("--seed", o.seed, "continuity: of the random numbers")->capture_default_str();
+  const auto steps = std::make_shared<int>(0);
+  add("steps", *steps, "that many halvings, in place of --factors")->check(CLI::Range(1, 20))->excludes(factors);
+  add("load-exponent", o.load_exponent, "loads go with factor^P; 0 without, 3 with obstacle");
+  add("samples", o.samples, "perturbations of each kind")->check(CLI::Range(1, 100000))->capture_default_str();
+  add("size", o.size, "largest relative perturbation")->check(CLI::Range(1e-6, 0.5))->capture_default_str();
+  add("seed", o.seed, "of the random numbers")->capture_default_str();
+  app->callback([app, &command, steps] {
+    if (*steps > 0)
+      for (int i = 0; i <= *steps; ++i) command.options.factors.push_back(std::ldexp(1.0, -i));
+    check_study_options(*app, *study::find_kind(command.kind), command.options.factors);
+  });
   return app;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const algebra::Session session(argc, argv);
-  CLI::App program("Plastron computes thin elastic shells (Naghdi's model) pressed on a rigid obstacle.");
-  program.set_version_flag("--version", std::string(io::version));
-  program.require_subcommand(1);
-  program.footer("Exit codes: 0 solved, 2 bad input, 3 not converged, 4 internal error.");
-
-  RunOptions options;
-  CLI::App* run_command = program.add_subcommand("run", "Solve a case and write its results");
-  run_command->add_option("CASE", options.case_file, "Case file (TOML)")->required();
-  run_command->add_option("-o,--output", options.output, "Directory for results.json and the .vtu files")->required();
-  run_command->add_flag("-q,--quiet", options.quiet, "Print errors only");
-  CLI::App* check_command = program.add_subcommand("check", "Examine a case without solving it");
-  check_command->add_option("CASE", options.case_file, "Case file (TOML)")->required();
-
-  StudyCommand comparison{.kind = "compare", .case_file = {}, .output = {}};
-  CLI::App* compare_command =
-      program.add_subcommand("compare", "Solve a case in every formulation and set them side by side");
-  compare_command->add_option("CASE", comparison.case_file, "Case file (TOML)")->required();
-  compare_command->add_option("-o,--output", comparison.output, "Directory for compare.json and compare.svg")
-      ->required();
-  compare_command->add_flag("-q,--quiet", comparison.quiet, "Print errors only");
+  secure_standard_streams();
+  CLI::App program;
+  describe_program(program);
+  Options options;
+  const CommonCommands commands = add_common_commands(program, options);
   StudyCommand study_options;
-  std::optional<int> steps;
-  CLI::App* study_command = add_study(program, study_options, steps);
+  CLI::App* study_command = add_study(program, study_options);
 
   try {
     program.parse(argc, argv);
-    if (const auto& f = study_options.options.factors; std::ranges::adjacent_find(f, std::less_equal<>{}) != f.end())
-      throw CLI::ValidationError("--factors", "must fall from one to the next");
   } catch (const CLI::ParseError& error) {
-    if (!is_first_rank()) return error.get_exit_code() == 0 ? solved : bad_input;
-    return program.exit(error) == 0 ? solved : bad_input;
+    return answer(program, error);
   }
-  if (steps) {
-    study_options.options.factors.clear();
-    for (int i = 0; i <= *steps; ++i) study_options.options.factors.push_back(std::ldexp(1.0, -i));
-  }
-  if (study_command->parsed()) return guarded([&] { return study_case(study_options); });
-  if (compare_command->parsed()) return guarded([&] { return study_case(comparison); });
-  return guarded([&] { return run_command->parsed() ? run(options) : check(options.case_file); });
+  return compute(argc, argv, study_command->parsed() ? study_options.threads : options.threads, [&] {
+    if (study_command->parsed()) return study_case(study_options);
+    if (commands.compare->parsed())
+      return study_case(
+          {.kind = "compare", .case_file = options.case_file, .output = options.output, .quiet = options.quiet});
+    return commands.run->parsed() ? run(options) : check(options.case_file);
+  });
 }
 
 }  // namespace plastron::app

@@ -1,25 +1,20 @@
 #include "outcome.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
+#include <plastron/io/atomic_file.hpp>
 
-#include <system_error>
+#include <stdexcept>
 
 namespace plastron::app {
 
-namespace fs = std::filesystem;
-
-std::string obstacle_to_writing(const fs::path& directory) {
-  std::error_code ignored;
-  if (fs::exists(directory, ignored)) {
-    if (!fs::is_directory(directory, ignored)) return "it is a file; name a directory";
-    return access(directory.c_str(), W_OK | X_OK) == 0 ? "" : "it is not writable";
+OutputDirectory::OutputDirectory(const std::filesystem::path& directory) {
+  try {
+    io::try_directory(directory, MPI_COMM_WORLD, made_);
+  } catch (const std::runtime_error& error) {
+    obstacle_ = error.what();
   }
-  fs::path parent = fs::absolute(directory, ignored).parent_path();
-  while (!fs::exists(parent, ignored) && parent.has_relative_path()) parent = parent.parent_path();
-  if (!fs::is_directory(parent, ignored)) return fmt::format("{} is a file", parent.string());
-  return access(parent.c_str(), W_OK | X_OK) == 0 ? "" : fmt::format("{} is not writable", parent.string());
 }
+
+OutputDirectory::~OutputDirectory() { io::remove_empty(made_, MPI_COMM_WORLD); }
 
 ExitCode exit_code(contact::Status status) {
   switch (status) {

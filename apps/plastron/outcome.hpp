@@ -1,4 +1,4 @@
-// How a command ends: where it may write, and with which exit code.
+// How a command ends: where it writes, and with which exit code.
 #pragma once
 #include "exit_codes.hpp"
 
@@ -6,11 +6,26 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace plastron::app {
 
-/// Why results cannot be written to `directory`; empty if they can. Makes nothing.
-std::string obstacle_to_writing(const std::filesystem::path& directory);
+/// The directory of the results, tried before anything is solved. If nothing is kept in the end it is as it was before.
+class OutputDirectory {
+ public:
+  /// Makes the directory and writes a file there, which it removes again (collective).
+  explicit OutputDirectory(const std::filesystem::path& directory);
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+  ~OutputDirectory();
+
+  /// Why results cannot be written; empty if they can. The same on every rank.
+  const std::string& obstacle() const { return obstacle_; }
+
+ private:
+  std::vector<std::filesystem::path> made_{};
+  std::string obstacle_{};
+};
 
 ExitCode exit_code(contact::Status status);
 

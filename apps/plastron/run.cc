@@ -1,6 +1,6 @@
 #include "commands.hpp"
-#include "console.hpp"
 #include "outcome.hpp"
+#include "progress.hpp"
 
 #include <plastron/config/case.hpp>
 #include <plastron/io/output.hpp>
@@ -13,42 +13,59 @@ namespace plastron::app {
 
 namespace {
 
-/// The warnings that the examination has not given already.
-void print_new_warnings(const std::vector<std::string>& warnings, const std::vector<study::Finding>& findings,
-                        const std::string& case_file) {
-  for (const std::string& warning : warnings)
-    if (std::ranges::find(findings, warning, &study::Finding::text) == findings.end())
-      print_error("{}: warning: {}\n", case_file, warning);
+/// What the examination warned of belongs to the result, too.
+void add_warnings(const std::vector<study::Finding>& findings, std::vector<std::string>& warnings) {
+  for (const study::Finding& finding : findings)
+    if (finding.severity == study::Severity::warning && std::ranges::count(warnings, finding.text) == 0)
+      warnings.push_back(finding.text);
+}
+
+/// Writes the results and tells of them.
+void report(const study::Result& result, const config::Case& c, const Options& options) {
+  io::write_output(result, {.title = c.title, .settings = c.effective, .files = {}}, options.output, "solution",
+                   MPI_COMM_WORLD);
+  if (options.quiet) return;
+  print_summary(result);
+  print("\nresults           {}\n", (options.output / "results.json").string());
 }
 
 }  // namespace
 
-ExitCode run(const RunOptions& options) {
+ExitCode run(const Options& options) {
+  const std::string case_file = options.case_file.string();
   const config::Case c = config::read_case(options.case_file);
   const auto findings = study::examine(c.problem);
-  print_findings(findings, options.case_file.string(), false);
+  print_findings(findings, case_file, false);
   if (study::has_errors(findings)) return bad_input;
-  if (const std::string reason = obstacle_to_writing(options.output); !reason.empty()) {
-    print_error("{}: error: results cannot be written here: {}\n", options.output.string(), reason);
+  const OutputDirectory output(options.output);
+  if (!output.obstacle().empty()) {
+    print_error("{}: error: results cannot be written here: {}\n", options.output.string(), output.obstacle());
     return bad_input;
   }
 
-  if (!options.quiet) print("{}\n\n", c.title.empty() ? options.case_file.string() : c.title);
+  if (!options.quiet) print("{}\n\n", c.title.empty() ? case_file : shortened_title(c.title));
   Progress progress(c.problem.obstacle.has_value(), options.quiet);
-  const study::Result result = study::solve(c.problem, MPI_COMM_WORLD, progress.observer());
-  print_new_warnings(result.warnings, findings, options.case_file.string());
+  study::Observer observer = progress.observer();
+  observer.warning = [&](std::string_view text) {
+    progress.finish();
+    print_error("{}: warning: {}\n", case_file, text);
+  };
+  study::Result result = study::solve(c.problem, MPI_COMM_WORLD, observer);
+  progress.finish();
+  add_warnings(findings, result.warnings);
   if (exit_code(result.status) == bad_input) {
-    print_error("{}: error: {}\n", options.case_file.string(), contact::explain(result.status));
+    print_error("{}: error: {}\n", case_file, contact::explain(result.status));
     return bad_input;
   }
-  io::write_output(result, {.title = c.title, .settings = c.effective, .files = {}}, options.output, "solution",
-                   MPI_COMM_WORLD);
-  if (!options.quiet) {
-    print_summary(result);
-    print("\nresults           {}\n", (options.output / "results.json").string());
+  if (result.levels.empty()) {
+    print_error("{}: interrupted before the first mesh was finished: no results\n", case_file);
+    return not_converged;
   }
-  if (result.status != contact::Status::solved)
-    print_error("{}: not converged: {}\n", options.case_file.string(), study::status_text(result));
+  report(result, c, options);
+  if (result.status == contact::Status::interrupted)
+    print_error("{}: interrupted: {}\n", case_file, study::status_text(result));
+  else if (result.status != contact::Status::solved)
+    print_error("{}: not converged: {}\n", case_file, study::status_text(result));
   return exit_code(result.status);
 }
 

@@ -1,35 +1,29 @@
 #include "commands.hpp"
-#include "console.hpp"
 #include "outcome.hpp"
+#include "progress.hpp"
 
 #include <plastron/config/case.hpp>
 #include <plastron/io/study_report.hpp>
-#include <plastron/study/compare.hpp>
 
 #include <mpi.h>
 
 namespace plastron::app {
 
-namespace {
-
-/// What `plastron compare` runs: a report like a study's.
-constexpr study::Kind comparison{"compare", "all formulations side by side", study::compare};
-
-}  // namespace
-
 ExitCode study_case(const StudyCommand& command) {
   const config::Case c = config::read_case(command.case_file);
-  const auto findings = study::examine(c.problem);
+  const study::Kind* study_kind = study::find_kind(command.kind);
+  const study::Kind& kind = study_kind ? *study_kind : study::comparison();
+  const auto findings = study::examine(kind, c.problem, command.options);
   print_findings(findings, command.case_file.string(), false);
   if (study::has_errors(findings)) return bad_input;
-  if (const std::string reason = obstacle_to_writing(command.output); !reason.empty()) {
-    print_error("{}: error: results cannot be written here: {}\n", command.output.string(), reason);
+  const OutputDirectory output(command.output);
+  if (!output.obstacle().empty()) {
+    print_error("{}: error: results cannot be written here: {}\n", command.output.string(), output.obstacle());
     return bad_input;
   }
 
   StageProgress progress(command.quiet);
-  const study::Kind* kind = command.kind == comparison.name ? &comparison : study::find_kind(command.kind);
-  const study::Report report = kind->run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
+  const study::Report report = kind.run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
   progress.finish();
   if (exit_code(report.status) == bad_input) {
     print_error("{}: error: {}\n", command.case_file.string(), contact::explain(report.status));
@@ -37,13 +31,16 @@ ExitCode study_case(const StudyCommand& command) {
   }
   io::write_report(report, {.title = c.title, .settings = c.effective, .files = {}}, command.output, MPI_COMM_WORLD);
   if (!command.quiet) {
-    print("{}\n{}", c.title.empty() ? command.case_file.string() : c.title, io::table_text(report.table));
+    print("{}\n", c.title.empty() ? command.case_file.string() : shortened_title(c.title));
+    if (is_first_rank()) print_text(stdout, io::table_text(report.table));
     print("\nresults           {}\n", (command.output / (report.table.name + ".json")).string());
     if (!report.table.rows.empty())
       print("plot              {}\n", (command.output / (report.table.name + ".svg")).string());
   }
   if (report.status != contact::Status::solved)
-    print_error("{}: not converged: {}\n", command.case_file.string(), contact::explain(report.status));
+    print_error("{}: {}: {}\n", command.case_file.string(),
+                report.status == contact::Status::interrupted ? "interrupted" : "not converged",
+                contact::explain(report.status));
   return exit_code(report.status);
 }
 

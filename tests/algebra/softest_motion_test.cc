@@ -7,21 +7,19 @@
 namespace plastron::test {
 namespace {
 
-// Pinning one node of a beam leaves it free to rotate; rounding alone decides whether the factorisation notices.
-TEST(SoftestMotion, is_free_for_a_beam_that_can_rotate) {
-  int went_through = 0;
+// Pinning one node of a beam leaves it free to rotate. Springs as weak as rounding make the factorisation go through: the
+// operator alone knows that the rotation costs nothing.
+TEST(SoftestMotion, is_free_for_a_beam_that_can_rotate_though_its_matrix_was_factorised) {
   for (const GlobalIndex nodes : {11, 20, 57, 200, 999}) {
-    const Beam beam(nodes, 1.0 / 3);
+    const Beam beam(nodes, 1.0 / 3, MPI_COMM_WORLD, 1e-12);
     const auto apply = [&](const Vector& z, Vector& y) { beam.apply(z, y); };
     std::vector<char> fixed = beam.ends(1);
     if (rank() == ranks() - 1) fixed.back() = 0;
     algebra::Factorisation F(beam.matrix);
-    if (!F.factorise(fixed)) continue;
-    ++went_through;
+    ASSERT_TRUE(F.factorise(fixed)) << nodes;
     const auto softest = algebra::softest_motion(apply, F, fixed, beam.matrix.diagonal());
     EXPECT_TRUE(softest.is_free()) << softest.stiffness << " " << softest.factor_stiffness;
   }
-  RecordProperty("factorisations_that_went_through", went_through);
 }
 
 TEST(SoftestMotion, is_not_free_for_a_slender_beam_that_is_held) {

@@ -42,6 +42,18 @@ TEST(Vector, accumulated_ghosts_end_at_their_owners_and_are_zero_afterwards) {
   for (std::size_t i = v.owned().size(); i < v.local().size(); ++i) EXPECT_EQ(v.local()[i], 0.0);
 }
 
+TEST(Vector, knows_whether_its_ghosts_are_those_of_their_owners) {
+  const auto layout = example_layout();
+  Vector v = vector_of(layout, block, number_of);
+  EXPECT_TRUE(algebra::ghosts_are_current(v));
+  v.owned().front() = 0;  // the rank before sees this node
+  EXPECT_EQ(algebra::ghosts_are_current(v), ranks() == 1);
+  v.update_ghosts();
+  EXPECT_TRUE(algebra::ghosts_are_current(v));
+  for (double& value : v.local()) value = std::nan("");
+  EXPECT_TRUE(algebra::ghosts_are_current(v));
+}
+
 TEST(Vector, copies_are_independent) {
   const auto layout = example_layout();
   const Vector a = vector_of(layout, block, number_of);

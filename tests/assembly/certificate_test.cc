@@ -1,11 +1,13 @@
-// Every row of the certificate notices what it is there for: a solved shell on a table is corrupted, and that row reacts.
+// Every row of the certificate notices what it is there for: a solved shell on a table is corrupted, and that row reacts and
+// leaves its limit.
 // Where a corruption leaves another row alone, that is tested too: it shows that the rows are not one number eight times.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/certificate.hpp>
+#include <plastron/assembly/certificate_limits.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,6 +18,11 @@
 
 namespace plastron::assembly {
 namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::IsSupersetOf;
 
 constexpr double rounding = 1e-9;  // rows at rest lie below it; corruptions must lift them a thousandfold above
 constexpr double clear = 1000 * rounding;
@@ -63,6 +70,13 @@ struct Solved {
   NodalSolution nodal;
 
   Certificate certificate() const { return certify(*discrete, nodal).certificate; }
+  /// The rows beyond their limits.
+  std::vector<std::string> broken_rows() const {
+    std::vector<std::string> rows;
+    for (const CertificateLimit& limit : certificate_limits(certify(*discrete, nodal), discrete->tangency.formulation))
+      if (!limit.holds()) rows.emplace_back(limit.row);
+    return rows;
+  }
   bool touches(std::size_t i) const { return nodal.touching.local()[i] != 0; }
   std::size_t owned() const { return static_cast<std::size_t>(mesh.space->layout->owned); }
   double largest_displacement() const { return algebra::max_abs(nodal.y); }
@@ -162,19 +176,23 @@ TEST_P(Rows, AreAtRoundingForTheSolutionItself) {
   EXPECT_LT(rest.moment_balance, GetParam().is_flat() ? rounding : 1e-3);
   EXPECT_GT(rest.min_pressure, 0);
   EXPECT_GT(rest.min_gap_nodes, -1e-12);
+  EXPECT_LT(rest.support_error, rounding * solved.largest_displacement());
   EXPECT_LT(rest.complementarity, rounding * max_pressure() * solved.largest_displacement());
   EXPECT_LE(rest.min_gap_between, rest.min_gap_nodes + 1e-12);
   EXPECT_GT(rest.min_gap_between, -0.1 * solved.largest_displacement());
+  EXPECT_THAT(solved.broken_rows(), IsEmpty());
 }
 
 TEST_P(Rows, StationarityNoticesAFreeNodeThatIsMoved) {
   move(free_node(), 2, 1e-4 * solved.largest_displacement());
   EXPECT_GT(solved.certificate().stationarity, clear);
+  EXPECT_THAT(solved.broken_rows(), Contains("stationarity"));
 }
 
 TEST_P(Rows, StationarityNoticesARotationThatIsChanged) {
   move(free_node(), 3, 1e-4 * solved.largest_displacement());
   EXPECT_GT(solved.certificate().stationarity, clear);
+  EXPECT_THAT(solved.broken_rows(), Contains("stationarity"));
 }
 
 TEST_P(Rows, StationarityNoticesASupportedNodeThatIsMoved) {
@@ -182,6 +200,7 @@ TEST_P(Rows, StationarityNoticesASupportedNodeThatIsMoved) {
                               [&](std::size_t i) { return solved.discrete->coordinates.supported[i] != 0; });
   move(held, 0, 1e-4 * solved.largest_displacement());
   EXPECT_GT(solved.certificate().stationarity, clear);
+  EXPECT_THAT(solved.broken_rows(), Contains("stationarity"));
 }
 
 TEST_P(Rows, MinPressureNoticesAPressureOfTheWrongSignAndTheBalanceToo) {
@@ -193,6 +212,7 @@ TEST_P(Rows, MinPressureNoticesAPressureOfTheWrongSignAndTheBalanceToo) {
   solved.nodal.pressure.update_ghosts();
   const Certificate c = solved.certificate();
   EXPECT_EQ(c.min_pressure, turned);
+  EXPECT_THAT(solved.broken_rows(), Contains("min_pressure"));
   EXPECT_GT(c.stationarity, clear);
   EXPECT_GT(c.force_balance, clear);
 }
@@ -204,6 +224,7 @@ TEST_P(Rows, MinGapAtNodesAndComplementarityNoticeATouchingNodeInTheObstacle) {
   const double pressure = algebra::max_over_ranks(node ? solved.nodal.pressure.local()[*node] : 0, MPI_COMM_WORLD);
   const Certificate c = solved.certificate();
   EXPECT_NEAR(c.min_gap_nodes, -depth, 1e-6 * depth);
+  EXPECT_THAT(solved.broken_rows(), Contains("min_gap_nodes"));
   EXPECT_NEAR(c.complementarity, pressure * depth, 1e-6 * pressure * depth);
 }
 
@@ -214,6 +235,7 @@ TEST_P(Rows, ComplementarityNoticesATouchingNodeThatIsLiftedWhileItsPressureStay
   const double pressure = algebra::max_over_ranks(node ? solved.nodal.pressure.local()[*node] : 0, MPI_COMM_WORLD);
   const Certificate c = solved.certificate();
   EXPECT_NEAR(c.complementarity, pressure * height, 1e-6 * pressure * height);
+  EXPECT_THAT(solved.broken_rows(), Contains("complementarity"));
   EXPECT_GT(c.min_gap_nodes, -1e-12);  // this row cannot know
 }
 
@@ -244,6 +266,9 @@ TEST_P(Rows, TheBalanceOfForcesNoticesALoadThatWasNotTheSolutionsOne) {
   EXPECT_GT(c.force_balance, 1e-3);
   EXPECT_GT(c.stationarity, 1e-3);
   EXPECT_GT(c.energy_identity, 1e-3);
+  if (GetParam().formulation != Formulation::classical) {
+    EXPECT_THAT(solved.broken_rows(), Contains("force_balance"));
+  }
 }
 
 TEST_P(Rows, TheBalanceOfForcesNoticesAReactionThatIsTooSmall) {
@@ -253,15 +278,28 @@ TEST_P(Rows, TheBalanceOfForcesNoticesAReactionThatIsTooSmall) {
   EXPECT_GT(c.stationarity, 1e-4);
 }
 
+// A shell that slides along the table strains no more and touches as before: nothing but its supports can tell.
+TEST_P(Rows, SupportErrorNoticesAShellThatSlidOffItsSupports) {
+  const double slide = 0.01 * solved.largest_displacement();
+  for (std::size_t i = 0; i < solved.nodal.y.local().size(); i += 6) solved.nodal.y.local()[i] += slide;
+  EXPECT_NEAR(solved.certificate().support_error, slide, 1e-9 * slide);
+  if (GetParam().is_flat()) {
+    EXPECT_THAT(solved.broken_rows(), ElementsAre("support_error"));
+  } else {
+    EXPECT_THAT(solved.broken_rows(), Contains("support_error"));
+  }
+}
+
 // A couple has no resultant force: only the moments can tell.
 TEST_P(Rows, TheBalanceOfMomentsNoticesACoupleThatTheBalanceOfForcesCannotSee) {
   double most = 0;
   for (std::size_t i = 0; i < solved.owned(); ++i)
     most = std::max(most, std::abs(solved.discrete->load.local()[6 * i + 2]));
   const auto node = free_node();
-  if (node) solved.discrete->load.local()[6 * *node + 3] += 100 * most;
+  if (node) solved.discrete->load.local()[6 * *node + 3] += 1000 * most;
   const Certificate c = solved.certificate();
   EXPECT_GT(c.moment_balance, rest.moment_balance + 1e-2);
+  EXPECT_THAT(solved.broken_rows(), Contains("moment_balance"));
   EXPECT_NEAR(c.force_balance, rest.force_balance, rounding);
 }
 
@@ -269,6 +307,21 @@ TEST_P(Rows, TheBalanceOfMomentsNoticesACoupleThatTheBalanceOfForcesCannotSee) {
 TEST_P(Rows, TheEnergyIdentityNoticesDisplacementsThatAreTooLarge) {
   for (double& value : solved.nodal.y.local()) value *= 1.001;
   EXPECT_NEAR(solved.certificate().energy_identity, 0.001 / 1.001, 1e-5);
+  EXPECT_THAT(solved.broken_rows(), Contains("energy_identity"));
+}
+
+TEST_P(Rows, StationarityAndEnergyNoticeADisplacementThatIsNoNumber) {
+  move(free_node(), 2, std::nan(""));
+  EXPECT_THAT(solved.broken_rows(), IsSupersetOf({"stationarity", "energy_identity"}));
+}
+
+// Where nothing touches at a node, the depth between the nodes alone tells of the contact that was missed.
+TEST_P(Rows, MinGapBetweenNodesHasALimitWhereNoNodeTouches) {
+  solved.nodal.touching.fill(0);
+  const double depth = algebra::max_over_ranks(-rest.min_gap_between, MPI_COMM_WORLD);
+  for (std::size_t i = 2; i < solved.nodal.y.local().size(); i += 6) solved.nodal.y.local()[i] -= 0.01;
+  EXPECT_LT(solved.certificate().min_gap_between, -0.009 - depth);
+  EXPECT_THAT(solved.broken_rows(), Contains("min_gap_between"));
 }
 
 TEST(MixedRows, StationarityNoticesAMultiplierOfTheTangencyThatIsWrong) {
@@ -277,6 +330,7 @@ TEST(MixedRows, StationarityNoticesAMultiplierOfTheTangencyThatIsWrong) {
   ASSERT_GT(algebra::max_abs(s.nodal.lambda), 0);
   for (double& value : s.nodal.lambda.local()) value *= 1.01;
   EXPECT_GT(s.certificate().stationarity, clear);
+  EXPECT_THAT(s.broken_rows(), Contains("stationarity"));
 }
 
 }  // namespace

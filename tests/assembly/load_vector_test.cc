@@ -18,7 +18,7 @@ Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {
 
 ShellOperator cap_on_disk(int degree, int refinements, fem::Shape shape = test::quadrilateral) {
   const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, degree, refinements, shape);
-  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true};
+  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false};
 }
 
 // The cap of height h of a sphere of radius 2 has the area 2 pi 2 h.
@@ -77,7 +77,7 @@ TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
 
 ShellOperator plate(int degree, fem::Shape shape, int refinements = 1) {
   const auto m = test::meshed(fem::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, degree, refinements, shape);
-  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true};
+  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false};
 }
 
 TEST(PiecewiseLoad, SumsToItsIntegralThoughItJumpsInsideOfCells) {

@@ -3,6 +3,7 @@
 #include <plastron/assembly/stiffness.hpp>
 
 #include <gtest/gtest.h>
+#include <algebra/assertions_are_live.hpp>
 
 #include <cmath>
 #include <random>
@@ -13,7 +14,7 @@ namespace {
 ShellOperator make(const std::array<std::string, 3>& chart, const test::Element& element, int refinements) {
   const auto [shape, degree, tying] = element;
   const auto m = test::meshed(test::skew(), chart, degree, refinements, shape);
-  return {m.space, m.surface, geometry::Expression("0.1 + 0.02*x", {}), test::steel_like(), tying};
+  return {m.space, m.surface, geometry::Expression("0.1 + 0.02*x", {}), test::steel_like(), tying, false};
 }
 
 algebra::Vector random_field(const fem::Space& space, int seed) {
@@ -120,6 +121,15 @@ TEST(ShellOperator, TheRateOfARotationsEnergyIsAtMostWhatTheInterpolationGives) 
     energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
   }
   EXPECT_GT(energy[1], 1e-14);
+}
+
+TEST(ShellOperatorDeathTest, TakesFieldsOfSixValuesANodeAndCellsThatAreThere) {
+  if (test::cannot_watch_a_program_die()) GTEST_SKIP() << "assertions are off, or several ranks";
+  const ShellOperator shell = make(test::flat, {test::quadrilateral, 2, true}, 0);
+  const algebra::Vector five(shell.space().layout, 5), six(shell.space().layout, 6);
+  EXPECT_DEATH(shell.gather(0, five), "y.block\\(\\) == 6.* = gathered, 5, 45, 9");
+  EXPECT_DEATH(shell.gather(1, six), "cell < cells.size\\(\\); cell, cells.size\\(\\) = 1, 1");
+  EXPECT_DEATH(shell.strains(0, CellField::Zero(4, 6)), "= 4, 9");
 }
 
 }  // namespace

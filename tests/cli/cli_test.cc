@@ -243,6 +243,35 @@ TEST(Study, that_is_asked_for_wrongly_is_bad_input) {
   EXPECT_FALSE(fs::exists(scratch.path / "X"));
 }
 
+TEST(Study, is_told_which_studies_take_an_option_that_is_foreign_to_it) {
+  const Scratch scratch;
+  const std::string file = scratch.write("case.toml", case_with(0)).string();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> foreign{
+      {{"study", "convergence", file, "-o", "X", "--samples", "3"}, "continuity"},
+      {{"study", "continuity", file, "-o", "X", "--reference", "1"}, "convergence"},
+      {{"study", "soft-modes", file, "-o", "X", "--factors", "1,0.5"}, "thickness, stability"},
+      {{"study", "stability", file, "-o", "X", "--steps", "2"}, "thickness"},
+      {{"study", "penalty", file, "-o", "X", "--seed", "2"}, "continuity"}};
+  for (const auto& [arguments, takers] : foreign) {
+    const Outcome outcome = plastron(arguments, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(arguments) << outcome.output;
+    EXPECT_THAT(outcome.output, AllOf(HasSubstr(arguments[5]), HasSubstr("does not take it"), HasSubstr(takers)));
+  }
+  EXPECT_FALSE(fs::exists(scratch.path / "X"));
+}
+
+TEST(Study, stops_where_a_formulation_that_it_computes_is_refused) {
+  const Scratch scratch;
+  std::string file = case_with(0);
+  for (std::size_t at; (at = file.find("\"r\"")) != std::string::npos;) file.replace(at, 3, "\"u\"");
+  for (std::size_t at; (at = file.find("\"r.y\"")) != std::string::npos;) file.replace(at, 5, "\"u.y\"");
+  scratch.write("case.toml", file);
+  const Outcome outcome = plastron({"study", "penalty", "case.toml", "-o", "X"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("penalised formulation"), HasSubstr("sees only the gradient")));
+  EXPECT_FALSE(fs::exists(scratch.path / "X"));
+}
+
 TEST(Study, that_does_not_converge_says_so) {
   const Scratch scratch;
   scratch.write("case.toml", case_with(1, "[solver]\nmax_iterations = 1\n"));

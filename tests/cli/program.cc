@@ -36,6 +36,7 @@ std::vector<std::string> environment(const fs::path& session) {
     if (!begins("OMPI_") && !begins("PMIX_") && !begins("OMP_NUM_THREADS=")) all.push_back(text);
   }
   all.emplace_back("OMP_NUM_THREADS=1");
+  all.emplace_back("PLASTRON=" PLASTRON_PROGRAM);
   all.emplace_back("OMPI_MCA_orte_tmpdir_base=" + session.string());
   for (const char* setting : {"OMPI_MCA_ess_singleton_isolated=1", "OMPI_MCA_pml=ob1", "OMPI_MCA_btl=self",
                               "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"})
@@ -57,11 +58,15 @@ fs::path fresh_path(const char* ending) {
          ("plastron-cli-" + std::to_string(getpid()) + "-" + std::to_string(++number) + ending);
 }
 
-pid_t start(const std::vector<std::string>& arguments, const fs::path& directory, const fs::path& log,
-            const fs::path& session) {
-  fs::create_directories(session);
-  std::vector<std::string> words{PLASTRON_PROGRAM}, variables = environment(session);
+std::vector<std::string> plastron_words(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{PLASTRON_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+pid_t start(std::vector<std::string> words, const fs::path& directory, const fs::path& log, const fs::path& session) {
+  fs::create_directories(session);
+  std::vector<std::string> variables = environment(session);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
@@ -70,19 +75,31 @@ pid_t start(const std::vector<std::string>& arguments, const fs::path& directory
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   pid_t process = -1;
   const int error =
-      posix_spawn(&process, PLASTRON_PROGRAM, &actions, nullptr, pointers(words).data(), pointers(variables).data());
+      posix_spawn(&process, words[0].c_str(), &actions, nullptr, pointers(words).data(), pointers(variables).data());
   posix_spawn_file_actions_destroy(&actions);
-  if (error) throw std::runtime_error(std::string("cannot start " PLASTRON_PROGRAM ": ") + std::strerror(error));
+  if (error) throw std::runtime_error("cannot start " + words[0] + ": " + std::strerror(error));
   return process;
 }
+
+Outcome outcome_of(const std::vector<std::string>& words, const fs::path& directory, double patience);
 
 }  // namespace
 
 Outcome plastron(const std::vector<std::string>& arguments, const fs::path& directory, double patience) {
+  return outcome_of(plastron_words(arguments), directory, patience);
+}
+
+Outcome shell(const std::string& line, const fs::path& directory, double patience) {
+  return outcome_of({"/bin/bash", "-c", line}, directory, patience);
+}
+
+namespace {
+
+Outcome outcome_of(const std::vector<std::string>& words, const fs::path& directory, double patience) {
   const fs::path log = fresh_path(".log"), session = fresh_path(".mpi");
   Outcome outcome;
   const auto begin = Clock::now();
-  const pid_t process = start(arguments, directory, log, session);
+  const pid_t process = start(words, directory, log, session);
   int status = 0;
   while (waitpid(process, &status, WNOHANG) == 0) {
     if (!outcome.timed_out && seconds_since(begin) > patience) {
@@ -95,12 +112,34 @@ Outcome plastron(const std::vector<std::string>& arguments, const fs::path& dire
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
   outcome.output = text_of(log);
   fs::remove(log);
-  fs::remove_all(session);
+  std::error_code ignored;
+  fs::remove_all(session, ignored);
   return outcome;
 }
 
+}  // namespace
+
 Running::Running(const std::vector<std::string>& arguments, const fs::path& directory)
-    : session_(fresh_path(".mpi")), process_(start(arguments, directory, "/dev/null", session_)) {}
+    : log_(fresh_path(".log")),
+      session_(fresh_path(".mpi")),
+      process_(start(plastron_words(arguments), directory, log_, session_)) {}
+
+void Running::send(int signal) {
+  if (process_ > 0) ::kill(process_, signal);
+}
+
+std::optional<int> Running::end(double patience) {
+  const auto begin = Clock::now();
+  int status = 0;
+  while (waitpid(process_, &status, WNOHANG) == 0) {
+    if (seconds_since(begin) > patience) return {};
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  process_ = -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+std::string Running::output() const { return text_of(log_); }
 
 bool Running::is_alive() {
   if (process_ > 0 && waitpid(process_, nullptr, WNOHANG) != 0) process_ = -1;
@@ -108,12 +147,14 @@ bool Running::is_alive() {
 }
 
 void Running::kill() {
-  if (!is_alive()) return;
-  ::kill(process_, SIGKILL);
-  waitpid(process_, nullptr, 0);
-  process_ = -1;
+  if (is_alive()) {
+    ::kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+    process_ = -1;
+  }
   std::error_code ignored;
   fs::remove_all(session_, ignored);
+  fs::remove(log_, ignored);
 }
 
 Scratch::Scratch() {

@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Outcome {
 /// Waits for the end, but not longer than `patience` seconds; then the run is killed.
 Outcome plastron(const std::vector<std::string>& arguments, const fs::path& directory, double patience = 60);
 
+/// A line of the shell, in which $PLASTRON is the program; for pipes, limits and closed streams.
+Outcome shell(const std::string& line, const fs::path& directory, double patience = 60);
+
 /// A run in the background.
 class Running {
  public:
@@ -30,9 +34,14 @@ class Running {
   Running& operator=(const Running&) = delete;
   bool is_alive();
   void kill();  ///< SIGKILL, and waits for the end
+  void send(int signal);
+  /// Waits for the end, and not longer than so many seconds: the exit code, or minus the signal that ended it; nothing if it
+  /// goes on.
+  std::optional<int> end(double patience);
+  std::string output() const;  ///< so far
 
  private:
-  fs::path session_;  // where its MPI keeps its files
+  fs::path log_, session_;  // what it prints, and where its MPI keeps its files
   pid_t process_ = -1;
 };
 

@@ -1,5 +1,6 @@
 // A beam clamped at both ends and pressed on a table below it: it lies flat in the middle, and the free boundary
 // carries point reactions. The model problem of thin structures in contact.
+#include <plastron/contact/kept_factor.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 #include <plastron/contact/projected_search.hpp>
 
@@ -69,13 +70,14 @@ TEST(BeamOnTable, is_checked_by_one_solve_from_its_own_active_set) {
   EXPECT_EQ(gather(warm.z), gather(cold.z));
 }
 
-TEST(BeamOnTable, keeps_its_factor_while_few_unknowns_change) {
+TEST(BeamOnTable, keeps_its_factor_while_few_unknowns_change_if_told_to) {
   BeamOnTable table(61);
   const auto afresh = contact::solve_primal_dual_active_set(table.problem, {}, table.factorisation);
   const int factorisations = table.factorisation.factorisations();
   EXPECT_EQ(factorisations, static_cast<int>(afresh.iterations.size()));
   const auto kept =
-      contact::solve_primal_dual_active_set(table.problem, {}, table.factorisation, {.detect_free_motions = false});
+      contact::solve_primal_dual_active_set(table.problem, {}, table.factorisation,
+                                            {.detect_free_motions = false, .kept_factor = contact::KeptFactor::always});
   EXPECT_LT(table.factorisation.factorisations() - factorisations, factorisations / 2);
   ASSERT_EQ(kept.status, Status::solved);
   EXPECT_EQ(kept.activity, afresh.activity);
@@ -83,6 +85,28 @@ TEST(BeamOnTable, keeps_its_factor_while_few_unknowns_change) {
   const auto a = gather(kept.z);
   const auto b = gather(afresh.z);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-10);
+}
+
+TEST(BeamOnTable, is_factorised_anew_in_every_step_because_that_is_cheaper) {
+  BeamOnTable table(61);
+  const auto z =
+      contact::solve_primal_dual_active_set(table.problem, {}, table.factorisation, {.detect_free_motions = false});
+  EXPECT_EQ(table.factorisation.factorisations(), static_cast<int>(z.iterations.size()));
+}
+
+// Counts and times of the cap of benchmarks/step_cost, degree 2: a factorisation takes as long as 5.0, 6.3 and 8.5 steps.
+TEST(KeptFactor, affords_the_steps_that_were_measured) {
+  EXPECT_NEAR(contact::affordable_steps({.operations = 3.51e9, .entries = 4.07e6}, 25925), 5, 1);
+  EXPECT_NEAR(contact::affordable_steps({.operations = 2.13e10, .entries = 2.00e7}, 103045), 6, 1);
+  EXPECT_NEAR(contact::affordable_steps({.operations = 1.21e11, .entries = 9.50e7}, 410885), 8, 1);
+}
+
+TEST(KeptFactor, is_tried_where_fewer_unknowns_changed_than_steps_are_affordable) {
+  using contact::KeptFactor;
+  const algebra::FactorisationCost cost{.operations = 1.21e11, .entries = 9.50e7};
+  EXPECT_GT(contact::steps_to_try(KeptFactor::where_cheaper, cost, 410885, 4), 4);
+  EXPECT_EQ(contact::steps_to_try(KeptFactor::where_cheaper, cost, 410885, 40), 0);
+  EXPECT_GT(contact::steps_to_try(KeptFactor::always, cost, 410885, 40), 0);
 }
 
 TEST(BeamOnTable, takes_few_steps_from_the_active_set_of_half_as_many_nodes) {

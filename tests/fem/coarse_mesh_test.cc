@@ -26,7 +26,7 @@ std::map<std::string, double> chords(const CoarseMesh& mesh) {
 }
 
 TEST(Rectangle, is_cut_into_the_cells_asked_for) {
-  const CoarseMesh mesh = coarse_mesh(Rectangle{.from = {-1, 2}, .to = {2, 4}, .cells = {3, 5}});
+  const CoarseMesh mesh = coarse_mesh(Rectangle{.from = {-1, 2}, .to = {2, 4}, .cells = {3, 5}}, Shape::quadrilateral);
   expect_cells_fit(mesh);
   EXPECT_EQ(mesh.cells.size(), 15u);
   EXPECT_EQ(mesh.vertices.size(), 24u);
@@ -40,7 +40,7 @@ TEST(Rectangle, is_cut_into_the_cells_asked_for) {
 }
 
 TEST(Rectangle, has_its_boundaries_where_their_names_say) {
-  const CoarseMesh mesh = coarse_mesh(Rectangle{.from = {-1, 2}, .to = {2, 4}, .cells = {3, 5}});
+  const CoarseMesh mesh = coarse_mesh(Rectangle{.from = {-1, 2}, .to = {2, 4}, .cells = {3, 5}}, Shape::quadrilateral);
   const int axis[4] = {0, 0, 1, 1};
   const double at[4] = {-1, 2, 2, 4};
   for (const BoundaryEdge& e : mesh.edges)
@@ -49,15 +49,15 @@ TEST(Rectangle, has_its_boundaries_where_their_names_say) {
 }
 
 TEST(Rectangle, without_cells_gets_square_ones_but_not_too_many) {
-  EXPECT_EQ(coarse_mesh(Rectangle{}).cells.size(), 1u);
-  EXPECT_EQ(coarse_mesh(Rectangle{.to = {3, 1}}).cells.size(), 3u);
-  EXPECT_EQ(coarse_mesh(Rectangle{.to = {1, 4.2}}).cells.size(), 4u);
-  EXPECT_EQ(coarse_mesh(Rectangle{.to = {100, 1}}).cells.size(), 8u);
+  EXPECT_EQ(coarse_mesh(Rectangle{}, Shape::quadrilateral).cells.size(), 1u);
+  EXPECT_EQ(coarse_mesh(Rectangle{.to = {3, 1}}, Shape::quadrilateral).cells.size(), 3u);
+  EXPECT_EQ(coarse_mesh(Rectangle{.to = {1, 4.2}}, Shape::quadrilateral).cells.size(), 4u);
+  EXPECT_EQ(coarse_mesh(Rectangle{.to = {100, 1}}, Shape::quadrilateral).cells.size(), 8u);
 }
 
 TEST(Rectangle, of_regions_has_a_line_of_the_mesh_at_every_break) {
   const Rectangle rectangle{.to = {3, 1}, .cells = {6, 1}, .breaks = {0.7, 1.9}, .regions = {"a", "b", "c"}};
-  const CoarseMesh mesh = coarse_mesh(rectangle);
+  const CoarseMesh mesh = coarse_mesh(rectangle, Shape::quadrilateral);
   expect_cells_fit(mesh);
   EXPECT_THAT(mesh.regions, ElementsAre("a", "b", "c"));
   EXPECT_NEAR(area(mesh), 3, 1e-14);
@@ -70,7 +70,7 @@ TEST(Rectangle, of_regions_has_a_line_of_the_mesh_at_every_break) {
 
 TEST(Disk, has_its_exact_area_and_its_rim_is_round) {
   const Disk disk{.centre = {1, -2}, .radius = 0.7};
-  const CoarseMesh mesh = coarse_mesh(disk);
+  const CoarseMesh mesh = coarse_mesh(disk, Shape::quadrilateral);
   expect_cells_fit(mesh);
   EXPECT_NEAR(area(mesh), pi * 0.49, 1e-13);
   EXPECT_THAT(mesh.boundaries, ElementsAre("rim"));
@@ -83,7 +83,7 @@ TEST(Disk, has_its_exact_area_and_its_rim_is_round) {
 TEST(Annulus, has_its_exact_area_and_both_its_boundaries_are_round) {
   for (const double inner : {0.05, 0.5, 0.97}) {
     const Annulus annulus{.centre = {1, -2}, .inner = inner, .outer = 1};
-    const CoarseMesh mesh = coarse_mesh(annulus);
+    const CoarseMesh mesh = coarse_mesh(annulus, Shape::quadrilateral);
     expect_cells_fit(mesh);
     EXPECT_NEAR(area(mesh), pi * (1 - inner * inner), 1e-13);
     EXPECT_THAT(mesh.boundaries, ElementsAre("inner", "outer"));
@@ -116,7 +116,7 @@ std::vector<NamedPolygon> polygons() {
 }
 
 void expect_polygon(const std::vector<Vector2d>& corners, double expected_area) {
-  const CoarseMesh mesh = coarse_mesh(Polygon{corners});
+  const CoarseMesh mesh = coarse_mesh(Polygon{corners}, Shape::quadrilateral);
   expect_cells_fit(mesh);
   EXPECT_NEAR(area(mesh), expected_area, 1e-13);
   EXPECT_THAT(mesh.regions, ElementsAre(""));
@@ -151,14 +151,15 @@ TEST(Polygon, may_be_drawn_clockwise) {
 }
 
 TEST(Polygon, that_is_a_convex_quadrilateral_is_one_cell) {
-  EXPECT_EQ(coarse_mesh(Polygon{polygons()[0].corners}).cells.size(), 1u);
-  EXPECT_GT(coarse_mesh(Polygon{polygons()[3].corners}).cells.size(), 1u);
+  EXPECT_EQ(coarse_mesh(Polygon{polygons()[0].corners}, Shape::quadrilateral).cells.size(), 1u);
+  EXPECT_GT(coarse_mesh(Polygon{polygons()[3].corners}, Shape::quadrilateral).cells.size(), 1u);
 }
 
 TEST(Polygon, gets_the_same_mesh_every_time) {  // examine() and solve() each mesh it
   for (const auto& [name, corners, area] : polygons()) {
     SCOPED_TRACE(name);
-    const CoarseMesh first = coarse_mesh(Polygon{corners}), second = coarse_mesh(Polygon{corners});
+    const CoarseMesh first = coarse_mesh(Polygon{corners}, Shape::quadrilateral),
+                     second = coarse_mesh(Polygon{corners}, Shape::quadrilateral);
     ASSERT_EQ(first.vertices.size(), second.vertices.size());
     for (std::size_t i = 0; i < first.vertices.size(); ++i) EXPECT_EQ(first.vertices[i], second.vertices[i]);
     ASSERT_EQ(first.cells.size(), second.cells.size());
@@ -170,7 +171,7 @@ TEST(Polygon, that_is_small_is_meshed_like_a_large_one) {
   const auto scaled = [](double factor) {
     std::vector<Vector2d> corners = polygons()[1].corners;
     for (Vector2d& c : corners) c *= factor;
-    return coarse_mesh(Polygon{corners});
+    return coarse_mesh(Polygon{corners}, Shape::quadrilateral);
   };
   const std::size_t cells = scaled(1).cells.size();
   EXPECT_EQ(scaled(1.0 / 1024).cells.size(), cells);
@@ -182,7 +183,7 @@ TEST(Polygon, that_is_small_is_meshed_like_a_large_one) {
 TEST(Triangles, of_a_domain_are_its_quadrilaterals_cut_crosswise) {
   const Rectangle regions{.to = {3, 1}, .cells = {3, 1}, .breaks = {1}, .regions = {"flat", "round"}};
   for (const Domain& domain : std::vector<Domain>{Rectangle{}, regions, Disk{.radius = 2}, Annulus{}}) {
-    const CoarseMesh whole = coarse_mesh(domain), cut = coarse_mesh(domain, Shape::triangle);
+    const CoarseMesh whole = coarse_mesh(domain, Shape::quadrilateral), cut = coarse_mesh(domain, Shape::triangle);
     EXPECT_EQ(cut.shape, Shape::triangle);
     expect_cells_fit(cut);
     EXPECT_EQ(cut.cells.size(), 4 * whole.cells.size());
@@ -212,7 +213,7 @@ TEST(Triangles, of_polygons_fill_them) {
     const CoarseMesh mesh = coarse_mesh(Polygon{polygon.corners}, Shape::triangle);
     EXPECT_EQ(mesh.shape, Shape::triangle);
     expect_cells_fit(mesh);
-    EXPECT_NEAR(area(mesh), area(coarse_mesh(Polygon{polygon.corners})), 1e-12);
+    EXPECT_NEAR(area(mesh), area(coarse_mesh(Polygon{polygon.corners}, Shape::quadrilateral)), 1e-12);
     EXPECT_EQ(mesh.regions, std::vector<std::string>{""});
   }
 }

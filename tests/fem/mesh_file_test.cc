@@ -1,50 +1,21 @@
 // Meshes from Gmsh files: what is read, and what is refused in which words.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 
 #include "fem/mesh_measure.hpp"
+#include "fem/written_mesh.hpp"
 
 namespace plastron::fem {
 namespace {
 
+using namespace written;
+
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
-
-CoarseMesh read(const std::string& name, Shape shape = Shape::quadrilateral) {
-  return coarse_mesh(MeshFile{std::string(PLASTRON_MESH_DIR "/") + name}, shape);
-}
-
-const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
-const std::string names = "$PhysicalNames\n2\n1 1 \"edge\"\n2 2 \"plate\"\n$EndPhysicalNames\n";
-const std::string square = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n";
-const std::string edges = "1 1 2 1 1 1 2\n2 1 2 1 2 2 3\n3 1 2 1 3 3 4\n4 1 2 1 4 4 1\n";
-const std::string cell = "$Elements\n5\n" + edges + "5 3 2 2 1 1 2 3 4\n$EndElements\n";
-
-CoarseMesh read_text(const std::string& text, Shape shape = Shape::quadrilateral) {
-  const auto path = std::filesystem::temp_directory_path() / ("plastron-" + std::to_string(getpid()) + ".msh");
-  std::ofstream(path) << text;
-  struct Removed {
-    std::filesystem::path path;
-    ~Removed() { std::filesystem::remove(path); }
-  } const removed{path};
-  return coarse_mesh(MeshFile{path.string()}, shape);
-}
-
-std::string refusal(const std::string& text, Shape shape = Shape::quadrilateral) {
-  try {
-    read_text(text, shape);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "accepted";
-  return "";
-}
 
 TEST(MeshFile, of_either_version_gives_the_same_mesh) {
   const CoarseMesh old_mesh = read("quarter-annulus-2.2.msh"), new_mesh = read("quarter-annulus-4.1.msh");
@@ -103,12 +74,13 @@ TEST(MeshFile, without_physical_surfaces_has_one_unnamed_region) {
 
 TEST(WrongMeshFile, that_is_not_there_is_named) {
   try {
-    coarse_mesh(MeshFile{"/no/such/plate.msh"});
+    coarse_mesh(MeshFile{"/no/such/plate.msh"}, Shape::quadrilateral);
     FAIL();
   } catch (const DomainError& error) {
     EXPECT_STREQ(error.what(), "/no/such/plate.msh: there is no such mesh file");
   }
-  EXPECT_THROW(coarse_mesh(MeshFile{std::filesystem::temp_directory_path().string()}), DomainError);
+  EXPECT_THROW(coarse_mesh(MeshFile{std::filesystem::temp_directory_path().string()}, Shape::quadrilateral),
+               DomainError);
 }
 
 TEST(WrongMeshFile, that_is_no_mesh_is_refused) {
@@ -116,6 +88,50 @@ TEST(WrongMeshFile, that_is_no_mesh_is_refused) {
   refusal("hello\n");
   refusal(header + square + "$Elements\n1\n1 3 2 2 1 1 2 3");
   refusal(header + names + square + "$Elements\n1\n5 3 2 2 1 1 2 3 9\n$EndElements\n");
+}
+
+// Every node of the file is used, in Gmsh's order: sides would not fit otherwise, and the area would be wrong.
+TEST(MeshFile, of_fourth_order_has_its_nodes_in_place) {
+  for (const char* name : {"arcs-of-order-4-4.1.msh", "arcs-of-order-4-2.2.msh"}) {
+    const CoarseMesh mesh = read(name);
+    expect_cells_fit(mesh);
+    EXPECT_EQ(mesh.cells.size(), 4u);
+    EXPECT_NEAR(area(mesh), 0.75 * std::numbers::pi, 1e-5);
+  }
+  const CoarseMesh triangles = read("arc-triangles-of-order-4-4.1.msh", Shape::triangle);
+  expect_cells_fit(triangles);
+  EXPECT_EQ(triangles.cells.size(), 16u);
+  EXPECT_NEAR(area(triangles), 0.75 * std::numbers::pi, 1e-5);
+}
+
+// "rim" is the whole boundary and contains "south"; format 2.2 lists the common lines once for each.
+TEST(MeshFile, may_have_curves_in_several_groups) {
+  for (const char* name : {"arcs-of-order-4-4.1.msh", "arcs-of-order-4-2.2.msh", "arcs-2.2.msh"}) {
+    const CoarseMesh mesh = read(name);
+    std::map<std::string, int> edges;
+    for (const BoundaryEdge& e : mesh.edges) ++edges[mesh.boundaries[static_cast<std::size_t>(e.boundary)]];
+    EXPECT_EQ(edges["rim"], 8) << name;
+    EXPECT_EQ(edges["south"], 2) << name;
+    EXPECT_EQ(edges["mid"], 2) << name;
+  }
+}
+
+TEST(MeshFile, joins_groups_of_one_name) {
+  const CoarseMesh mesh =
+      read_text(header + "$PhysicalNames\n3\n1 1 \"edge\"\n1 7 \"edge\"\n2 2 \"plate\"\n$EndPhysicalNames\n" + square +
+                "$Elements\n3\n1 1 2 1 1 1 2\n2 1 2 7 2 2 3\n" + "5 3 2 2 1 1 2 3 4\n$EndElements\n");
+  EXPECT_THAT(mesh.boundaries, ElementsAre("edge"));
+  EXPECT_EQ(mesh.edges.size(), 2u);
+}
+
+TEST(MeshFile, may_have_points_unused_nodes_other_sections_and_windows_line_ends) {
+  std::string text = header + "$Comments\nSystemCall \"touch /tmp/x\";\n$EndComments\n" + names +
+                     "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n99 7 7 7\n$EndNodes\n" +
+                     "$Elements\n2\n1 15 2 0 1 1\n5 3 2 2 1 1 2 3 4\n$EndElements\n$NodeData\n1\n$EndNodeData\n";
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
+  const CoarseMesh mesh = read_text(text);
+  EXPECT_EQ(mesh.cells.size(), 1u);
+  EXPECT_EQ(mesh.vertices.size(), 4u);
 }
 
 // Four triangles of second order round the origin on the unit circle, the third one drawn clockwise.

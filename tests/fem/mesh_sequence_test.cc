@@ -31,31 +31,30 @@ struct Sample {
 };
 
 std::vector<Sample> samples() {
-  return {
-      {"one cell", Rectangle{}, 1, {{"left", 1}, {"right", 1}, {"bottom", 1}, {"top", 1}}},
-      {"rectangle",
-       Rectangle{.from = {-1, 0}, .to = {2, 1}, .cells = {3, 2}},
-       3,
-       {{"left", 1}, {"right", 1}, {"bottom", 3}, {"top", 3}}},
-      {"disk", Disk{.centre = {1, 2}, .radius = 0.5}, pi / 4, {{"rim", pi}}},
-      {"annulus", Annulus{.inner = 0.5, .outer = 1}, 0.75 * pi, {{"inner", pi}, {"outer", 2 * pi}}},
-      {"quadrilateral",
-       Polygon{{{0, 0}, {0, 1}, {2, 2}, {1, 0}}},
-       2,
-       {{"edge1", 1}, {"edge2", std::sqrt(5.0)}, {"edge3", std::sqrt(5.0)}, {"edge4", 1}}},
-      {"L",
-       Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}},
-       3,
-       {{"edge1", 2}, {"edge2", 1}, {"edge3", 1}, {"edge4", 1}, {"edge5", 1}, {"edge6", 2}}},
-      {"clockwise cells",
-       MeshFile{PLASTRON_MESH_DIR "/clockwise-2.2.msh"},
-       2.75,
-       {{"edge", 3.5 + std::sqrt(1.25) + std::sqrt(0.8125) + std::sqrt(1.8125)}}},
-      // "junction" lies inside, where two cells meet, and counts once.
-      {"two regions",
-       MeshFile{PLASTRON_MESH_DIR "/two-regions-4.1.msh"},
-       3,
-       {{"clamped", 1}, {"junction", 1}, {"free", 1}, {"", 6}}}};
+  return {{"one cell", Rectangle{}, 1, {{"left", 1}, {"right", 1}, {"bottom", 1}, {"top", 1}}},
+          {"rectangle",
+           Rectangle{.from = {-1, 0}, .to = {2, 1}, .cells = {3, 2}},
+           3,
+           {{"left", 1}, {"right", 1}, {"bottom", 3}, {"top", 3}}},
+          {"disk", Disk{.centre = {1, 2}, .radius = 0.5}, pi / 4, {{"rim", pi}}},
+          {"annulus", Annulus{.inner = 0.5, .outer = 1}, 0.75 * pi, {{"inner", pi}, {"outer", 2 * pi}}},
+          {"quadrilateral",
+           Polygon{{{0, 0}, {0, 1}, {2, 2}, {1, 0}}},
+           2,
+           {{"edge1", 1}, {"edge2", std::sqrt(5.0)}, {"edge3", std::sqrt(5.0)}, {"edge4", 1}}},
+          {"L",
+           Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}},
+           3,
+           {{"edge1", 2}, {"edge2", 1}, {"edge3", 1}, {"edge4", 1}, {"edge5", 1}, {"edge6", 2}}},
+          {"clockwise cells",
+           MeshFile{PLASTRON_MESH_DIR "/clockwise-2.2.msh"},
+           2.75,
+           {{"edge", 3.5 + std::sqrt(1.25) + std::sqrt(0.8125) + std::sqrt(1.8125)}}},
+          // "junction" lies inside, where two cells meet, and counts once.
+          {"two regions",
+           MeshFile{PLASTRON_MESH_DIR "/two-regions-4.1.msh"},
+           3,
+           {{"clamped", 1}, {"junction", 1}, {"free", 1}, {"", 6}}}};
 }
 
 template <class Check>
@@ -257,11 +256,13 @@ TEST(Refinement, of_triangles_keeps_the_function) {
     const algebra::Vector before = fields[0];
     meshes.refine(fields);
     const Space& fine = *meshes.space();
+    std::int64_t compared = 0;
     for (std::size_t c = 0; c < fine.cells.size(); ++c) {
       const Vector2d xi = fine.cells[c].corner + fine.cells[c].size * Vector2d(0.2, 0.3);
       const auto parent =
           std::ranges::find(coarse->cells, fine.cells[c].coarse, [](const Cell& cell) { return cell.coarse; });
       if (parent == coarse->cells.end()) continue;  // on another rank
+      ++compared;
       const auto value = [&](const Space& space, const algebra::Vector& field, std::size_t cell, const Vector2d& at) {
         const auto basis = triangle_lagrange(k, at).value;
         double sum = 0;
@@ -272,6 +273,7 @@ TEST(Refinement, of_triangles_keeps_the_function) {
       EXPECT_NEAR(value(fine, fields[0], c, {0.2, 0.3}),
                   value(*coarse, before, static_cast<std::size_t>(parent - coarse->cells.begin()), xi), 1e-14);
     }
+    EXPECT_GE(over_ranks(compared), fine.global_cells / 2);
   }
 }
 
@@ -324,7 +326,7 @@ TEST(Triangles, of_degree_three_are_refused) {
 }
 
 TEST(Refinement, leaves_spaces_that_are_still_held_alone) {
-  MeshSequence meshes(coarse_mesh(Disk{}), 2, MPI_COMM_WORLD);
+  MeshSequence meshes(coarse_mesh(Disk{}, Shape::quadrilateral), 2, MPI_COMM_WORLD);
   const auto before = meshes.space();
   const auto cells = before->cells.size();
   meshes.refine({});
@@ -360,13 +362,14 @@ TEST(Point, is_found_in_the_cell_that_holds_it) {
 }
 
 TEST(Point, outside_of_the_domain_is_nowhere) {
-  EXPECT_FALSE(locate(coarse_mesh(Rectangle{}), {1.001, 0.5}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {0.8, 0.8}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {0, 1.00001}));
-  EXPECT_FALSE(locate(coarse_mesh(Annulus{}), {0, 0}));
-  EXPECT_FALSE(locate(coarse_mesh(Annulus{}), {0.49, 0}));
-  EXPECT_FALSE(locate(coarse_mesh(Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}), {1.5, 1.5}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}), {1e6, -1e6}));
+  EXPECT_FALSE(locate(coarse_mesh(Rectangle{}, Shape::quadrilateral), {1.001, 0.5}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {0.8, 0.8}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {0, 1.00001}));
+  EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), {0, 0}));
+  EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), {0.49, 0}));
+  EXPECT_FALSE(
+      locate(coarse_mesh(Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, Shape::quadrilateral), {1.5, 1.5}));
+  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {1e6, -1e6}));
   EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::triangle), {0.8, 0.8}));
   EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::triangle), {0, 0}));
 }
@@ -374,10 +377,10 @@ TEST(Point, outside_of_the_domain_is_nowhere) {
 TEST(Point, on_the_boundary_is_inside) {
   for (int k = 0; k < 16; ++k) {
     const Vector2d direction(std::cos(k * pi / 8 + 0.1), std::sin(k * pi / 8 + 0.1));
-    EXPECT_TRUE(locate(coarse_mesh(Disk{}), direction));
+    EXPECT_TRUE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), direction));
     EXPECT_TRUE(locate(coarse_mesh(Disk{}, Shape::triangle), direction));
-    EXPECT_TRUE(locate(coarse_mesh(Annulus{}), direction));
-    EXPECT_TRUE(locate(coarse_mesh(Annulus{}), direction / 2));
+    EXPECT_TRUE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), direction));
+    EXPECT_TRUE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), direction / 2));
   }
 }
 

@@ -15,7 +15,7 @@ using geometry::Chart;
 using testing::HasSubstr;
 
 std::shared_ptr<const CoarseMesh> shared(const Domain& domain) {
-  return std::make_shared<const CoarseMesh>(coarse_mesh(domain));
+  return std::make_shared<const CoarseMesh>(coarse_mesh(domain, Shape::quadrilateral));
 }
 
 /// Some cells of a mesh: whole coarse cells and a dyadic part of each.

@@ -147,6 +147,12 @@ TEST(Chart, differentiates_atan2_abs_and_exp_by_the_known_formulas) {
     EXPECT_EQ(size.d[0][0], s / 2);
     EXPECT_EQ(size.dd[0][0], 0);
   }
+  // Both derivatives exist where x |x| is zero.
+  const SurfaceJet signed_square = jet_of("x*abs(x)", 0, 0);
+  EXPECT_EQ(signed_square.value[0], 0);
+  EXPECT_EQ(signed_square.d[0][0], 0);
+  EXPECT_EQ(signed_square.dd[0][0], 0);
+  EXPECT_EQ(jet_of("x*abs(x)", -3, 0).dd[0][0], -2);
   const SurfaceJet growth = jet_of("exp(2*x)", 0.5, 0);
   EXPECT_DOUBLE_EQ(growth.dd[0][0], 4 * std::exp(1.0));
 }
@@ -188,6 +194,30 @@ TEST(WrongChart, without_two_derivatives_is_told_what_charts_allow) {
 TEST(WrongChart, that_is_no_expression_is_refused_as_an_expression) {
   EXPECT_THAT(refusal({"x", "y", "x + foo"}), HasSubstr("unknown name \"foo\""));
   EXPECT_THAT(refusal({"x", "y +", "0"}), HasSubstr("ends too early"));
+}
+
+TEST(Chart, whose_derivatives_would_be_too_long_says_why) {
+  const auto reason_of = [](const std::string& formula) {
+    try {
+      const Chart chart({"x", "y", formula}, {});
+    } catch (const NotDifferentiable& error) {
+      return error.reason;
+    }
+    return std::string();
+  };
+  std::string product = "x";
+  for (int i = 1; i < 300; ++i) product += "*(x+" + std::to_string(i) + ")";
+  EXPECT_NE(reason_of(product).find("second derivatives are too long"), std::string::npos);
+  EXPECT_NE(reason_of("9^9^9*x").find("exponent"), std::string::npos);
+  EXPECT_NE(reason_of("((9*x)^1000)^1000").find("digits"), std::string::npos);
+  EXPECT_NE(reason_of("max(x, y)").find("\"max\" has no derivatives"), std::string::npos);
+}
+
+TEST(Chart, may_have_terms_by_the_hundred) {
+  std::string sum = "0";
+  for (int i = 1; i <= 10; ++i)
+    for (int j = 1; j <= 12; ++j) sum += "+x^" + std::to_string(i) + "*y^" + std::to_string(j) + "*sin(x)";
+  EXPECT_NO_THROW(Chart({"x", "y", sum}, {}));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/geometry/expression.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <cmath>
 #include <functional>
@@ -130,6 +131,24 @@ TEST(WrongExpression, points_into_its_own_text) {
     EXPECT_LE(error.position, text.size());
     EXPECT_STRNE(error.what(), "");
   }
+}
+
+TEST(WrongExpression, that_is_too_long_or_too_deep_is_refused_and_quoted_shortly) {
+  std::string longer = "x", deep = "x";
+  while (longer.size() <= longest_expression) longer += "+x";
+  for (std::size_t i = 0; i <= deepest_brackets; ++i) deep = "(" + deep + ")";
+  EXPECT_THAT(error_of(longer).what(), HasSubstr("at most 4000"));
+  EXPECT_THAT(error_of(deep).what(), HasSubstr("brackets in each other"));
+  EXPECT_EQ(error_of(deep).position, deepest_brackets);
+  EXPECT_LT(std::string(error_of(longer).what()).size(), 150u);
+  EXPECT_THROW(evaluate_constant(deep, {}), ExpressionError);
+}
+
+TEST(Quotation, is_cut_between_characters) {
+  EXPECT_EQ(shortened("short"), "short");
+  EXPECT_EQ(shortened("abcdef", 6), "abcdef");
+  EXPECT_EQ(shortened("abcdefg", 6), "abc...");
+  EXPECT_EQ(shortened("\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9", 4), "\xC3\xA9...");
 }
 
 TEST(WrongExpression, that_ends_too_early_is_wrong_at_its_end) { EXPECT_EQ(error_of("x +").position, 3u); }

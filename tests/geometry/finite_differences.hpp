@@ -6,6 +6,8 @@
 
 #include <functional>
 
+#include "larger.hpp"
+
 namespace plastron::geometry {
 
 inline constexpr double difference_step = 0.02;
@@ -36,12 +38,12 @@ Jet<Point> jet_by_differences(const Map& f, const Vector2d& x) {
   return jet;
 }
 
-/// The largest difference of two jets, second derivatives included.
+/// The largest difference of two jets, second derivatives included; NaN where there is one.
 template <class Point>
 double distance(const Jet<Point>& a, const Jet<Point>& b) {
   double most = (a.value - b.value).norm();
-  for (std::size_t k = 0; k < 2; ++k) most = std::max(most, (a.d[k] - b.d[k]).norm());
-  for (std::size_t k = 0; k < 3; ++k) most = std::max(most, (a.dd[k] - b.dd[k]).norm());
+  for (std::size_t k = 0; k < 2; ++k) most = test::larger(most, (a.d[k] - b.d[k]).norm());
+  for (std::size_t k = 0; k < 3; ++k) most = test::larger(most, (a.dd[k] - b.dd[k]).norm());
   return most;
 }
 

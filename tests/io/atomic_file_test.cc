@@ -103,6 +103,88 @@ TEST(AtomicFile, a_full_disk_is_one_error_with_its_reason) {
   EXPECT_THAT(scratch.names(), IsEmpty());
 }
 
+// ---- several files that belong together ------------------------------------------------------------------------------
+
+std::string only_on_first(const char* text) { return world_rank() == 0 ? text : ""; }
+
+TEST(AtomicFiles, appear_together_and_in_their_order) {
+  const ScratchDirectory scratch("together");
+  AtomicFiles files(world);
+  files.add(scratch.path / "a", [] { return only_on_first("first"); });
+  files.add(scratch.path / "b", [] { return only_on_first("second"); });
+  MPI_Barrier(world);
+  for (const std::string& name : scratch.names()) EXPECT_TRUE(name.ends_with(".partial")) << name;
+  MPI_Barrier(world);
+  files.commit();
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("a", "b"));
+  EXPECT_EQ(text_of(scratch.path / "b"), "second");
+  MPI_Barrier(world);
+}
+
+TEST(AtomicFiles, leave_those_of_before_when_one_of_them_cannot_be_written) {
+  const ScratchDirectory scratch("one-fails");
+  write_atomically(
+      scratch.path / "a", [] { return only_on_first("old"); }, world);
+  const std::string message = complaint([&] {
+    AtomicFiles files(world);
+    files.add(scratch.path / "a", [] { return only_on_first("new"); });
+    files.add(scratch.path / "b", []() -> std::string { throw std::runtime_error("no more ink"); });
+    files.commit();
+  });
+  EXPECT_THAT(message, HasSubstr("no more ink"));
+  MPI_Barrier(world);
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("a"));
+  EXPECT_EQ(text_of(scratch.path / "a"), "old");
+  MPI_Barrier(world);
+}
+
+TEST(AtomicFiles, replace_none_when_a_directory_is_in_the_way_of_one) {
+  const ScratchDirectory scratch("in-the-way");
+  make_directory(scratch.path / "b", world);
+  const std::string message = complaint([&] {
+    AtomicFiles files(world);
+    files.add(scratch.path / "a", [] { return only_on_first("new"); });
+    files.add(scratch.path / "b", [] { return only_on_first("new"); });
+    files.commit();
+  });
+  EXPECT_THAT(message, HasSubstr("Is a directory"));
+  MPI_Barrier(world);
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("b"));
+  MPI_Barrier(world);
+}
+
+TEST(TriedDirectory, is_left_empty_and_can_be_removed_with_those_above_it) {
+  const ScratchDirectory scratch("tried");
+  std::vector<std::filesystem::path> made;
+  try_directory(scratch.path / "x" / "y", world, made);
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.path / "x" / "y"));
+  MPI_Barrier(world);
+  remove_empty(made, world);
+  MPI_Barrier(world);
+  EXPECT_THAT(scratch.names(), IsEmpty());
+  MPI_Barrier(world);
+}
+
+TEST(TriedDirectory, stays_when_it_was_there_before_or_holds_something) {
+  const ScratchDirectory scratch("kept");
+  std::vector<std::filesystem::path> none, made;
+  try_directory(scratch.path, world, none);
+  try_directory(scratch.path / "x", world, made);
+  write_atomically(
+      scratch.path / "x" / "file", [] { return only_on_first("kept"); }, world);
+  remove_empty(none, world);
+  remove_empty(made, world);
+  MPI_Barrier(world);
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / "x" / "file"));
+  MPI_Barrier(world);
+}
+
+TEST(TriedDirectory, that_takes_no_files_is_an_error_with_its_reason) {
+  std::vector<std::filesystem::path> made;
+  EXPECT_THAT(complaint([&] { try_directory("/proc/self", world, made); }), HasSubstr("/proc/self"));
+  EXPECT_THAT(complaint([&] { try_directory("/dev/null/below", world, made); }), HasSubstr("Not a directory"));
+}
+
 TEST(AtomicFile, a_directory_that_cannot_be_made_is_named) {
   const ScratchDirectory scratch("parent");
   write_atomically(

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <generated_table.hpp>
 #include <io/scratch_directory.hpp>
 
 #include <algorithm>
@@ -53,17 +54,7 @@ std::string fields_table() {
   return text;
 }
 
-/// `text` with what stands between the markers of a table replaced.
-std::string with_table(const std::string& text, const std::string& name, const std::string& table) {
-  const std::string begin = fmt::format("<!-- table: {} -->\n", name), end = "<!-- end of table -->";
-  const std::size_t at = text.find(begin);
-  if (at == std::string::npos) {
-    ADD_FAILURE() << page << " has no line " << begin;
-    return text;
-  }
-  const std::size_t from = at + begin.size(), to = text.find(end, from);
-  return text.substr(0, from) + table + text.substr(to);
-}
+using test::with_table;
 
 TEST(Documentation, holds_the_tables_of_the_code) {
   if (world_rank() != 0) return;

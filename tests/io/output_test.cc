@@ -6,6 +6,8 @@
 #include <io/scratch_directory.hpp>
 #include <io/vtu_reader.hpp>
 
+#include <unistd.h>
+
 #include <limits>
 
 namespace plastron::io {
@@ -53,17 +55,49 @@ TEST(Output, of_displacements_that_are_not_finite_has_no_surface) {
   EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json"));
 }
 
-TEST(Output, that_fails_does_not_keep_the_results_of_an_earlier_run) {
+TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
   const ScratchDirectory scratch("stale");
   const study::Result result = study::solve(pressed_plate({.refinements = 0}), world);
-  write_output(result, {}, scratch.path, "solution", world);
+  write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", world);
+  const std::string before = text_of(scratch.path / "results.json");
+  MPI_Barrier(world);
   if (world_rank() == 0) {  // a directory in the way of the .vtu file
     std::filesystem::remove(scratch.path / "solution.vtu");
     std::filesystem::create_directory(scratch.path / "solution.vtu");
   }
   MPI_Barrier(world);
-  EXPECT_THROW(write_output(result, {}, scratch.path, "solution", world), std::runtime_error);
-  EXPECT_FALSE(std::filesystem::exists(scratch.path / "results.json"));
+  EXPECT_THROW(write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution", world),
+               std::runtime_error);
+  MPI_Barrier(world);
+  EXPECT_EQ(text_of(scratch.path / "results.json"), before);
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
+  MPI_Barrier(world);
+}
+
+/// A link under the temporary name of the next process's file sends the text to the device that is always full.
+void fill_disk_under(const std::filesystem::path& file) {
+  auto process = static_cast<std::int64_t>(getpid());
+  MPI_Bcast(&process, 1, MPI_INT64_T, 0, world);
+  if (world_rank() == 0)
+    std::filesystem::create_symlink("/dev/full", file.string() + "." + std::to_string(process) + ".partial");
+  MPI_Barrier(world);
+}
+
+TEST(Output, on_a_disk_that_is_full_keeps_the_results_of_an_earlier_run) {
+  const ScratchDirectory scratch("full-output");
+  const study::Result result = study::solve(pressed_plate({.refinements = 0}), world);
+  write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", world);
+  const std::string results = text_of(scratch.path / "results.json"), surface = text_of(scratch.path / "solution.vtu");
+  for (const char* file : {"solution.vtu", "results.json"}) {
+    fill_disk_under(scratch.path / file);
+    EXPECT_THROW(write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution", world),
+                 std::runtime_error);
+    MPI_Barrier(world);
+    EXPECT_EQ(text_of(scratch.path / "results.json"), results);
+    EXPECT_EQ(text_of(scratch.path / "solution.vtu"), surface);
+    EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
+    MPI_Barrier(world);
+  }
 }
 
 }  // namespace

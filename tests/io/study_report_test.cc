@@ -20,7 +20,8 @@ study::Report report() {
       .columns = {{"mesh size", "h", "m"}, {"cells", "", "1"}, {"kind", "", "-"}, {"rate", "p", "1"}},
       .rows = {{0.5, std::int64_t{4}, std::string("coarse"), NAN}, {0.25, std::int64_t{16}, std::string("fine"), 2.0}},
       .fits = {{"error", "h", 1.98}},
-      .claims = {{"it works", "two of two", true}, {"it is fast", "no", false}},
+      .claims = {study::judged("it works", "two of two", true), study::judged("it is fast", "no", false),
+                 study::not_judged("it is free", "nobody asked")},
       .remarks = {"nothing else"}};
   r.plot = {.title = "Plot", .x = {"h [m]", true}, .y = {"error", true}, .series = {{"error", {0.5, 0.25}, {1, NAN}}}};
   return r;
@@ -30,7 +31,8 @@ TEST(StudyReport, is_a_table_with_units_and_plain_findings) {
   const std::string text = table_text(report().table);
   EXPECT_THAT(text, AllOf(HasSubstr("Does it work?"), HasSubstr("mesh size"), HasSubstr("[m]"), HasSubstr("coarse"),
                           HasSubstr("error ~ h^1.98"), HasSubstr("it works: two of two: holds\n"),
-                          HasSubstr("it is fast: no: does not hold\n"), HasSubstr("nothing else")));
+                          HasSubstr("it is fast: no: does not hold\n"),
+                          HasSubstr("it is free: cannot be judged: nobody asked\n"), HasSubstr("nothing else")));
   EXPECT_THAT(text, testing::Not(HasSubstr("nan")));
 }
 
@@ -42,9 +44,21 @@ TEST(StudyReport, in_JSON_has_rows_of_the_columns_and_null_for_what_is_not_there
   EXPECT_TRUE(json.at("rows")[0][3].is_null());
   EXPECT_EQ(json.at("rows")[1][1], 16);
   EXPECT_EQ(json.at("columns")[0].at("unit"), "m");
+  EXPECT_EQ(json.at("claims")[0].at("holds"), true);
   EXPECT_EQ(json.at("claims")[1].at("holds"), false);
+  EXPECT_EQ(json.at("claims")[1].at("verdict"), "does not hold");
+  EXPECT_TRUE(json.at("claims")[2].at("holds").is_null());
+  EXPECT_EQ(json.at("claims")[2].at("verdict"), "cannot be judged");
+  EXPECT_EQ(json.at("claims")[2].at("reason"), "nobody asked");
   EXPECT_EQ(json.at("settings").at("a"), 1);
   EXPECT_TRUE(json.at("plot").at("series")[0].at("y")[1].is_null());
+}
+
+TEST(StudyReport, has_no_exponent_where_none_could_be_fitted) {
+  study::Report none = report();
+  none.table.fits = {{"error", "h", NAN}};
+  EXPECT_THAT(table_text(none.table), AllOf(HasSubstr("error: no exponent of h"), testing::Not(HasSubstr("nan"))));
+  EXPECT_TRUE(report_json(none, {}).at("fits")[0].at("exponent").is_null());
 }
 
 TEST(StudyReport, is_written_as_two_whole_files) {
@@ -65,6 +79,23 @@ TEST(StudyReport, without_rows_leaves_no_plot_of_an_earlier_one) {
   write_report(failed, {}, scratch.path, MPI_COMM_WORLD);
   EXPECT_THAT(scratch.names(), testing::ElementsAre("example.json"));
   EXPECT_EQ(Json::parse(text_of(scratch.path / "example.json")).at("status"), "singular");
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST(StudyReport, that_cannot_be_written_keeps_an_earlier_one) {
+  const ScratchDirectory scratch("study-fails");
+  write_report(report(), {.title = "first", .settings = {}, .files = {}}, scratch.path, MPI_COMM_WORLD);
+  const std::string before = text_of(scratch.path / "example.json");
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (world_rank() == 0) {
+    std::filesystem::remove(scratch.path / "example.svg");
+    std::filesystem::create_directory(scratch.path / "example.svg");
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_THROW(write_report(report(), {.title = "second", .settings = {}, .files = {}}, scratch.path, MPI_COMM_WORLD),
+               std::runtime_error);
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_EQ(text_of(scratch.path / "example.json"), before);
   MPI_Barrier(MPI_COMM_WORLD);
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "study/problems.hpp"
+#include "study/tables.hpp"
 
 namespace plastron::study {
 namespace {
@@ -36,7 +37,7 @@ TEST(Compare, PutsAllFormulationsOfABowlSideBySide) {
   EXPECT_EQ(report.status, contact::Status::solved);
   ASSERT_EQ(report.table.rows.size(), 12U);
   EXPECT_EQ(formulations_of(report.table), (std::set<std::string>{"tangent", "penalised", "mixed", "classical"}));
-  for (const Claim& claim : report.table.claims) EXPECT_TRUE(claim.holds) << claim.statement << ": " << claim.measured;
+  expect_all_hold(report.table);
   EXPECT_EQ(report.table.claims.size(), 3U);
   for (std::size_t f = 0; f < 4; ++f) {
     const std::size_t finest = 3 * f + 2;
@@ -76,7 +77,7 @@ TEST(Penalty, FollowsPUntilRoundingDecides) {
   const Report report = penalty(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(report.status, contact::Status::solved);
   ASSERT_GT(report.table.rows.size(), 4U);
-  for (const Claim& claim : report.table.claims) EXPECT_TRUE(claim.holds) << claim.statement << ": " << claim.measured;
+  expect_all_hold(report.table);
   EXPECT_GT(report.table.fits.front().exponent, 0.6);
   EXPECT_NEAR(number(report.table, 1, "penalty"), 0.1, 1e-15);
   EXPECT_NEAR(number(report.table, 1, "tilt") / number(report.table, 0, "tilt"), 0.1, 0.03);
@@ -87,7 +88,7 @@ TEST(Penalty, DoesNothingOnAFlatShell) {
   const Report report = penalty(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(report.table.rows.size(), 3U);
   EXPECT_NE(report.table.remarks.back().find("takes no part"), std::string::npos);
-  for (const Claim& claim : report.table.claims) EXPECT_TRUE(claim.holds);
+  expect_none_judged(report.table, "takes no part");
 }
 
 }  // namespace

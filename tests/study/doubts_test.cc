@@ -15,6 +15,8 @@ namespace plastron::study {
 namespace {
 
 using contact::Status;
+using testing::AllOf;
+using testing::AnyOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -33,7 +35,9 @@ Problem bumpy_plate(int cells, double depth) {
 
 TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
-    Problem p = with_chart(bumpy_plate(1, 0), {"x", "y", "0.07 - 0.06*(sin(2*pi*x)*sin(2*pi*y))^2"});
+    // Cut crosswise, the square has a vertex in its middle, and the bumps lie around it.
+    const double bumps = shape == fem::Shape::triangle ? 2 : 1;
+    Problem p = with_chart(bumpy_plate(1, 0), {"x", "y", "0.07 - 0.06*(sin(n*pi*x)*sin(n*pi*y))^2"}, {{"n", bumps}});
     p.discretisation.cells = shape;
     p.discretisation.tying = shape == fem::Shape::quadrilateral;
     const Result missed = solve(p, MPI_COMM_SELF);
@@ -49,7 +53,9 @@ TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
 }
 
 TEST(Penetration, between_nodes_is_told_where_the_mesh_is_too_coarse) {
-  EXPECT_THAT(solve(bumpy_plate(2, 0.12), MPI_COMM_SELF).warnings, Contains(HasSubstr("between its nodes")));
+  const Result coarse = solve(bumpy_plate(2, 0.12), MPI_COMM_SELF);
+  EXPECT_THAT(coarse.warnings, Contains(HasSubstr("between its nodes")));
+  EXPECT_THAT(coarse.warnings, Not(Contains(HasSubstr("loosened"))));
   Problem fine = bumpy_plate(2, 0.12);
   fine.discretisation.refinements = 4;
   EXPECT_THAT(solve(fine, MPI_COMM_SELF).warnings, Not(Contains(HasSubstr("between its nodes"))));
@@ -94,7 +100,9 @@ TEST(LineReaction, of_a_dome_on_its_rim_settles_while_the_pressure_there_doubles
     EXPECT_NEAR(r.summary.edge.force, 1e-4 * area, 1e-3 * 1e-4 * area);
     EXPECT_NEAR(r.summary.edge.max_per_length, 1e-4 * area / rim, 0.02 * 1e-4 * area / rim);
     EXPECT_THAT(r.warnings, Contains(HasSubstr("stands on its edge")));
-    if (last_pressure > 0) EXPECT_NEAR(r.summary.max_pressure / last_pressure, 2, 0.2);
+    if (last_pressure > 0) {
+      EXPECT_NEAR(r.summary.max_pressure / last_pressure, 2, 0.2);
+    }
     last_pressure = r.summary.max_pressure;
   }
 }
@@ -124,11 +132,11 @@ TEST(Certificate, of_a_shell_too_thin_for_double_precision_does_not_pass) {
   p.thickness = Expression(1e-7);
   p.supports = {clamped("left"), in_plane("bottom"), in_plane("top")};
   p.area_loads = {force(0, 0, -4e-21)};
-  p.discretisation.degree = 4;
-  p.discretisation.refinements = 3;
+  p.discretisation.refinements = 1;
+  p.contact.max_iterations = 10;
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_NE(r.status, Status::solved);
-  if (r.status == Status::inaccurate) EXPECT_THAT(status_text(r), HasSubstr("its limit"));
+  EXPECT_THAT(status_text(r), AnyOf(HasSubstr("its limit"), HasSubstr("ill-conditioned"), HasSubstr("ran out")));
 }
 
 TEST(Certificate, of_a_rigid_motion_that_supports_prescribe_passes) {

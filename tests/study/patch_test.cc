@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "larger.hpp"
 #include "study/problems.hpp"
 
 namespace plastron::study {
@@ -60,8 +61,8 @@ double nodal_error(const Problem& problem, const State& state) {
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       const auto exact = [&](const std::string& text) { return Expression(text, {})(points[i].x[0], points[i].x[1]); };
-      most = std::max(most, std::abs(result.solution->nodal.y.local()[6 * i + c] - exact(state.u[c])));
-      most = std::max(most, std::abs(result.solution->nodal.y.local()[6 * i + 3 + c] - exact(state.r[c])));
+      most = test::larger(most, std::abs(result.solution->nodal.y.local()[6 * i + c] - exact(state.u[c])));
+      most = test::larger(most, std::abs(result.solution->nodal.y.local()[6 * i + 3 + c] - exact(state.r[c])));
     }
   return most;
 }

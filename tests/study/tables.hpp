@@ -23,7 +23,25 @@ inline std::vector<double> numbers(const Table& table, const std::string& column
 
 inline void expect_all_hold(const Table& table) {
   EXPECT_FALSE(table.claims.empty());
-  for (const Claim& claim : table.claims) EXPECT_TRUE(claim.holds) << claim.statement << ": " << claim.measured;
+  for (const Claim& claim : table.claims)
+    EXPECT_EQ(claim.verdict, Verdict::holds) << claim.statement << ": " << claim.measured << claim.reason;
+}
+
+/// Nothing can be said, for a reason that contains `reason`.
+inline void expect_none_judged(const Table& table, const std::string& reason) {
+  EXPECT_FALSE(table.claims.empty());
+  for (const Claim& claim : table.claims) {
+    EXPECT_EQ(claim.verdict, Verdict::cannot_be_judged) << claim.statement << ": " << claim.measured;
+    EXPECT_NE(claim.reason.find(reason), std::string::npos) << claim.statement << ": " << claim.reason;
+  }
+}
+
+/// The claim whose statement contains `part`.
+inline Claim claim_on(const Table& table, const std::string& part) {
+  for (const Claim& claim : table.claims)
+    if (claim.statement.find(part) != std::string::npos) return claim;
+  ADD_FAILURE() << "no claim on " << part;
+  return {};
 }
 
 }  // namespace plastron::study

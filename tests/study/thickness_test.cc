@@ -73,7 +73,8 @@ TEST(Thickness, does_not_judge_the_stiffness_of_prescribed_motions) {
   p.supports.push_back(
       {.boundary = "right", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
   const Report report = thickness(p, halvings(1), MPI_COMM_SELF, {});
-  EXPECT_EQ(report.table.claims.size(), 1u);
+  EXPECT_EQ(claim_on(report.table, "stiffness").verdict, Verdict::cannot_be_judged);
+  EXPECT_NE(claim_on(report.table, "Koiter").verdict, Verdict::cannot_be_judged);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // The four formulations (docs/model.md, section 5) on the same problems: rates, references, the multipliers.
+#include "larger.hpp"
 #include "verification/error_norm.hpp"
+#include "verification/figures.hpp"
 #include "verification/reference_problems.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
@@ -17,6 +19,8 @@ namespace plastron::verification {
 namespace {
 
 using assembly::Formulation;
+
+const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsHeld("verification_formulations"));
 
 constexpr std::array formulations{Formulation::tangent, Formulation::penalised, Formulation::mixed,
                                   Formulation::classical};
@@ -79,8 +83,10 @@ TEST_P(InEachFormulation, ContactReferencesAreMetAtDegreeTwo) {
     EXPECT_LT(result.levels.back().unknowns, 60'000);
     const double energy = result.summary.energy.total() * reference.factor / reference.energy - 1;
     const double reaction = result.summary.reaction.force[2] * reference.factor / reference.reaction - 1;
-    fmt::print("{:<10} {:<24} unknowns {:>6}: energy {:+.1e} reaction {:+.1e}\n", assembly::to_string(GetParam()), name,
-               result.levels.back().unknowns, energy, reaction);
+    const std::string row = fmt::format("{}, {}", contact_reference_title(name), assembly::to_string(GetParam()));
+    expect_figure("formulations", row, "unknowns", result.levels.back().unknowns);
+    expect_figure("formulations", row, "energy", energy);
+    expect_figure("formulations", row, "reaction", reaction);
     EXPECT_LT(std::abs(energy), 2e-3) << name;
     EXPECT_LT(std::abs(reaction), 2e-3) << name;
     EXPECT_LT(result.certificate.stationarity, 1e-9) << name;
@@ -93,9 +99,9 @@ TEST_P(InEachFormulation, TheClampedSaddleHasItsDeflectionToFourDigits) {
   LinearReference reference = clamped_saddle(4, 4);
   reference.problem.discretisation.tangency = {.formulation = GetParam(), .penalty = 1e-3};
   const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved);
   const double u = result.probes.front().values.u.dot(reference.direction);
-  fmt::print("{:<10} unknowns {:>6}: u_3 at the centre {:.7f}\n", assembly::to_string(GetParam()),
-             result.levels.back().unknowns, -u);
+  expect_figure("clamped saddle", std::string(assembly::to_string(GetParam())), "u_3", -u);
   EXPECT_NEAR(u / reference.displacement, 1, 5e-5);
 }
 
@@ -124,6 +130,8 @@ double multiplier_error(int refinements) {
   const study::Result tangent = study::solve(reference.problem, MPI_COMM_WORLD);
   reference.problem.discretisation.tangency.formulation = Formulation::mixed;
   const study::Result mixed = study::solve(reference.problem, MPI_COMM_WORLD);
+  EXPECT_EQ(tangent.status, contact::Status::solved);
+  EXPECT_EQ(mixed.status, contact::Status::solved);
   const auto& discrete = *mixed.solution->discrete;
   const algebra::Matrix gradients = assembly::gradient_matrix(discrete.shell);
   algebra::Factorisation factor(gradients);
@@ -152,6 +160,8 @@ TEST(Multiplier, LambdaVanishesOnAFlatShell) {
   ContactReference reference = contact_reference("R3_e0.1_P0.5", 2, 2);
   reference.problem.discretisation.tangency.formulation = Formulation::mixed;
   const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved);
+  ASSERT_GT(result.summary.load_work, 0);
   EXPECT_LT(result.summary.multiplier_norm, 1e-9 * result.summary.load_work);
 }
 
@@ -159,6 +169,8 @@ TEST(Multiplier, EtaIntegratesToTheTotalReaction) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 3);
   reference.problem.discretisation.tangency.formulation = Formulation::mixed;
   const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved);
+  ASSERT_GT(result.summary.reaction.force[2], 0);
   double sum = 0;
   const auto& points = result.solution->discrete->points;
   for (std::size_t i = 0; i < static_cast<std::size_t>(result.solution->discrete->space().layout->owned); ++i)
@@ -174,6 +186,7 @@ TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidua
   study::Problem& problem = reference.problem;
   problem.discretisation.tangency.formulation = Formulation::mixed;
   const study::Result reduced = study::solve(problem, MPI_COMM_SELF);
+  ASSERT_EQ(reduced.status, contact::Status::solved);
   const auto& discrete = *reduced.solution->discrete;
   const algebra::Matrix matrix = assembly::stiffness_matrix(discrete);
   const contact::BoxProblem box = assembly::box_problem(discrete, matrix);
@@ -227,7 +240,7 @@ TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidua
   c.to_cartesian(z, y);
   double difference = 0, size = 0;
   for (std::size_t i = 0; i < y.local().size(); ++i) {
-    difference = std::max(difference, std::abs(y.local()[i] - reduced.solution->nodal.y.local()[i]));
+    difference = test::larger(difference, std::abs(y.local()[i] - reduced.solution->nodal.y.local()[i]));
     size = std::max(size, std::abs(y.local()[i]));
   }
   EXPECT_LT(difference, 1e-8 * size);
@@ -271,9 +284,9 @@ TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) 
       const Eigen::Vector3d u = Eigen::Map<const Eigen::Vector3d>(y.local().data() + 6 * i),
                             r = Eigen::Map<const Eigen::Vector3d>(y.local().data() + 6 * i + 3);
       const Eigen::Vector3d& a3 = discrete.points[i].a3;
-      outcome.tilt = std::max(outcome.tilt, std::abs(r.dot(a3)));
+      outcome.tilt = test::larger(outcome.tilt, std::abs(r.dot(a3)));
       outcome.penetration =
-          std::max(outcome.penetration, -discrete.coordinates.gaps[i](u, geometry::tangential(r, a3)));
+          test::larger(outcome.penetration, -discrete.coordinates.gaps[i](u, geometry::tangential(r, a3)));
     }
     return outcome;
   };

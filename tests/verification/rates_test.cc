@@ -1,5 +1,6 @@
 // Convergence rates against the manufactured solutions, uniformly in thickness, degree and tying.
 #include "verification/error_norm.hpp"
+#include "verification/figures.hpp"
 #include "verification/reference_problems.hpp"
 
 #include <plastron/study/solve.hpp>
@@ -10,6 +11,8 @@
 
 namespace plastron::verification {
 namespace {
+
+const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsHeld("verification_rates"));
 
 struct Errors {
   std::vector<double> energy, l2;
@@ -66,8 +69,8 @@ TEST(TriangleRate, TheEnergyErrorOfTheClampedSolutionFallsWithTheDegree) {
       const Manufactured exact(ManufacturedSolution::clamped, {.thickness = thickness});
       const int last = degree == 1 ? 5 : 4;
       const Errors e = errors(exact, degree, false, last - 1, last, fem::Shape::triangle);
-      fmt::print("ms1 triangles e = {:g}, degree {}: energy errors {:.3e}, rate {:.2f}, L2 rate {:.2f}\n", thickness,
-                 degree, fmt::join(e.energy, " "), rates(e.energy).back(), rates(e.l2).back());
+      expect_figure("rates, triangles", fmt::format("clamped, e = {:g}", thickness), fmt::format("degree {}", degree),
+                    rates(e.energy));
       EXPECT_NEAR(rates(e.energy).back(), degree, 0.15)
           << fmt::format("energy errors {:.3e}", fmt::join(e.energy, " "));
       EXPECT_GT(rates(e.l2).back(), degree + 0.75) << fmt::format("L2 errors {:.3e}", fmt::join(e.l2, " "));
@@ -80,8 +83,7 @@ TEST(TriangleContactRate, TheSolutionWithAKnownFreeBoundaryConvergesWithTheDegre
     const Manufactured exact(ManufacturedSolution::contact, {.thickness = 0.1});
     const int last = degree == 1 ? 5 : 4;
     const Errors e = errors(exact, degree, false, last - 2, last, fem::Shape::triangle);
-    fmt::print("ms3 triangles e = 0.1, degree {}: energy errors {:.3e}, rates {:.2f}\n", degree,
-               fmt::join(e.energy, " "), fmt::join(rates(e.energy), " "));
+    expect_figure("rates, triangles", "contact, e = 0.1", fmt::format("degree {}", degree), rates(e.energy));
     EXPECT_GT(std::log2(e.energy.front() / e.energy.back()) / 2, degree - 0.2);
   }
 }
@@ -95,8 +97,8 @@ TEST(ContactRate, TheSolutionWithAKnownFreeBoundaryConvergesUntilThatBoundaryLim
       const int last = degree == 1 ? 5 : 4;
       const Errors e = errors(exact, degree, true, last - 2, last);
       const double mean = std::log2(e.energy.front() / e.energy.back()) / 2;
-      fmt::print("ms3 e = {:g}, degree {}: energy errors {:.3e}, rates {:.2f}\n", thickness, degree,
-                 fmt::join(e.energy, " "), fmt::join(rates(e.energy), " "));
+      expect_figure("rates, contact", fmt::format("{:g}", thickness), fmt::format("degree {}", degree),
+                    rates(e.energy));
       EXPECT_GT(mean, std::min(degree, 2) - 0.2) << "e = " << thickness << ", degree " << degree;
     }
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -155,6 +156,23 @@ std::vector<std::string> contact_reference_names() {
   std::vector<std::string> names;
   for (const auto& [name, entry] : reference_file().items()) names.push_back(name);
   return names;
+}
+
+std::string contact_reference_title(const std::string& name) {
+  static const std::map<std::string, std::string> titles{
+      {"R1_e0.1_P0.2", "R1 strip, e = 0.1, no contact"},
+      {"R1_e0.1_P3", "R1 strip, e = 0.1"},
+      {"R1_e0.01_P3", "R1 strip, e = 0.01"},
+      {"R2bowl_e0.1_p0.02", "R2 bowl, e = 0.1"},
+      {"R2bowl_e0.02_p0.0008", "R2 bowl, e = 0.02"},
+      {"R2incl_al0.3_e0.1_p0.02", "R2 incline, e = 0.1"},
+      {"R3_e0.1_P0.5", "R3 plate, e = 0.1"},
+      {"R3_e0.01_P0.5", "R3 plate, e = 0.01"},
+      {"R4cap_e0.1_p0.02", "R4 cap, e = 0.1"},
+      {"R4cap_e0.02_p0.002", "R4 cap, e = 0.02"},
+      {"R4hat_e0.05_p0.00125", "R4 hat, e = 0.05"},
+  };
+  return titles.at(name);
 }
 
 ContactReference contact_reference(const std::string& name, int degree, int refinements) {

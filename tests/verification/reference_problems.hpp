@@ -39,6 +39,8 @@ struct ContactReference {
 
 /// The names in the order of the file.
 std::vector<std::string> contact_reference_names();
+/// What docs/verification.md calls a problem.
+std::string contact_reference_title(const std::string& name);
 /// The coarsest mesh of a strip has 8 x 1 square cells, that of a disk is the domain's own.
 ContactReference contact_reference(const std::string& name, int degree, int refinements);
 

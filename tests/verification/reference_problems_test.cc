@@ -18,7 +18,11 @@ obstacle::Gap gap_of(const study::Problem& problem, double x, double y) {
 
 }  // namespace
 
-TEST(ReferenceProblems, AreElevenContactProblems) { EXPECT_EQ(contact_reference_names().size(), 11u); }
+TEST(ReferenceProblems, AreElevenContactProblemsWithTitlesOfTheirOwn) {
+  std::set<std::string> titles;
+  for (const auto& name : contact_reference_names()) titles.insert(contact_reference_title(name));
+  EXPECT_EQ(titles.size(), 11u);
+}
 
 TEST(ReferenceProblems, HaveTheGapsOfTheirRows) {
   for (const auto& name : contact_reference_names()) {

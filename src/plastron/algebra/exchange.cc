@@ -1,6 +1,8 @@
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/exchange.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace plastron::algebra {
@@ -14,6 +16,15 @@ std::vector<int> count_by_owner(const Layout& layout, int ranks) {
   for (const GlobalIndex ghost : layout.ghosts)
     ++counts[static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), ghost) - ends.begin())];
   return counts;
+}
+
+// For the assertion below.
+[[maybe_unused]] bool ghosts_are_ascending_and_others(const Layout& layout) {
+  const auto is_wrong = [&](GlobalIndex ghost) {
+    return ghost < 0 || ghost >= layout.global_size || (ghost >= layout.first && ghost < layout.first + layout.owned);
+  };
+  return std::ranges::adjacent_find(layout.ghosts, std::ranges::greater_equal()) == layout.ghosts.end() &&
+         std::ranges::none_of(layout.ghosts, is_wrong);
 }
 
 std::vector<int> offsets_of(const std::vector<int>& counts) {
@@ -44,6 +55,8 @@ struct BlockType {
 }  // namespace
 
 Exchange::Exchange(const Layout& layout) : comm_(layout.comm), owned_(layout.owned) {
+  PLASTRON_ASSERT(ghosts_are_ascending_and_others(layout), layout.first, layout.owned, layout.global_size,
+                  layout.ghosts.size());
   std::int64_t ghosts = static_cast<std::int64_t>(layout.ghosts.size());
   MPI_Allreduce(MPI_IN_PLACE, &ghosts, 1, MPI_INT64_T, MPI_SUM, comm_);
   alone_ = ghosts == 0;
@@ -61,7 +74,13 @@ Exchange::Exchange(const Layout& layout) : comm_(layout.comm), owned_(layout.own
                  [&](GlobalIndex node) { return static_cast<LocalIndex>(node - layout.first); });
 }
 
+std::size_t Exchange::local_nodes() const {
+  return static_cast<std::size_t>(owned_) +
+         std::accumulate(ghosts_of_rank_.begin(), ghosts_of_rank_.end(), std::size_t{0});
+}
+
 void Exchange::to_ghosts(std::span<double> local, int block) const {
+  PLASTRON_ASSERT(local.size() == local_nodes() * static_cast<std::size_t>(block), local.size(), local_nodes(), block);
   if (alone_) return;
   const auto width = static_cast<std::size_t>(block);
   std::vector<double> out(seen_.size() * width);
@@ -72,6 +91,7 @@ void Exchange::to_ghosts(std::span<double> local, int block) const {
 }
 
 void Exchange::to_owners(std::span<double> local, int block) const {
+  PLASTRON_ASSERT(local.size() == local_nodes() * static_cast<std::size_t>(block), local.size(), local_nodes(), block);
   if (alone_) return;
   const auto width = static_cast<std::size_t>(block);
   std::vector<double> in(seen_.size() * width);

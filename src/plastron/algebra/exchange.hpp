@@ -21,6 +21,8 @@ class Exchange {
   const std::vector<int>& ghosts_of_rank() const { return ghosts_of_rank_; }
 
  private:
+  std::size_t local_nodes() const;
+
   MPI_Comm comm_;
   LocalIndex owned_;
   bool alone_;                       ///< no rank has ghosts

@@ -8,6 +8,12 @@
 
 namespace plastron::algebra {
 
+/// As the analysis of the pattern foresees it, the same in every run; over all ranks.
+struct FactorisationCost {
+  double operations = 0;  ///< of one numeric factorisation
+  double entries = 0;     ///< of the factor: a solve reads each of them twice
+};
+
 class Factorisation {
  public:
   /// Symbolic analysis of the pattern of A (collective). A must outlive this object.
@@ -24,6 +30,7 @@ class Factorisation {
   /// x = F^{-1} b for the factorised F; on pinned unknowns x = b / (their diagonal). Owned values. (collective)
   void solve(const Vector& b, Vector& x) const;
 
+  FactorisationCost cost() const;
   int factorisations() const;  ///< numeric factorisations so far
   double seconds_symbolic() const;
   double seconds_numeric() const;  ///< all of them together

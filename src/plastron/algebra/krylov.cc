@@ -1,3 +1,4 @@
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/krylov.hpp>
 
 #include <algorithm>
@@ -131,6 +132,11 @@ class Direction {
 CgResult conjugate_gradients(const Operator& apply, const Operator& precondition, const Vector& b,
                              std::span<const char> fixed, const Vector& diagonal, Vector& x,
                              const CgSettings& settings) {
+  PLASTRON_ASSERT(b.block() == x.block() && b.owned().size() == x.owned().size(), b.block(), x.block(),
+                  b.owned().size(), x.owned().size());
+  PLASTRON_ASSERT(fixed.empty() || fixed.size() == x.owned().size(), fixed.size(), x.owned().size());
+  PLASTRON_ASSERT(!diagonal.layout() || diagonal.owned().size() == x.owned().size(), diagonal.owned().size(),
+                  x.owned().size());
   const RestrictedSystem system{apply, precondition, b, fixed};
   Vector full(x.layout(), x.block());
   Vector z(x.layout(), x.block());

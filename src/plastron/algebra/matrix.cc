@@ -1,8 +1,8 @@
 #include <fmt/core.h>
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/matrix.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -16,7 +16,10 @@ namespace {
 // factors.
 template <class Map>
 void multiply_mapped(const Matrix::Storage& A, const Vector& x, Vector& y, Map map) {
-  assert(&x != &y && x.block() == A.block && x.owned().size() == y.owned().size());
+  PLASTRON_ASSERT(&x != &y, &x, &y);
+  PLASTRON_ASSERT(x.block() == A.block && y.block() == A.block, x.block(), y.block(), A.block);
+  PLASTRON_ASSERT(x.owned().size() == A.owned_unknowns() && y.owned().size() == A.owned_unknowns(), x.owned().size(),
+                  y.owned().size(), A.owned_unknowns());
   const auto m = static_cast<std::size_t>(A.block);
   const auto owned = x.owned().size();
   std::vector<double> u(A.global.size() * m, 0.0);
@@ -85,7 +88,7 @@ std::size_t Matrix::Storage::find(LocalIndex row, GlobalIndex column_global) con
 
 Matrix::Matrix(std::shared_ptr<const Layout> layout, int block, const Connectivity& elements)
     : storage_(std::make_unique<Storage>()) {
-  assert(layout && block > 0);
+  PLASTRON_ASSERT(layout && block > 0, layout.get(), block);
   storage_->layout = std::move(layout);
   storage_->block = block;
   build_pattern(*storage_, elements);

@@ -23,6 +23,9 @@ struct Matrix::Storage {
   std::shared_ptr<const Exchange> exchange{};  ///< for `wide`
 
   std::size_t block_area() const { return static_cast<std::size_t>(block) * static_cast<std::size_t>(block); }
+  std::size_t owned_unknowns() const {
+    return static_cast<std::size_t>(layout->owned) * static_cast<std::size_t>(block);
+  }
   std::size_t row_begin(LocalIndex row) const {
     return static_cast<std::size_t>(row_start[static_cast<std::size_t>(row)]);
   }

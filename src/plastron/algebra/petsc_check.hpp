@@ -2,12 +2,18 @@
 #pragma once
 #include <petscsys.h>
 
+#include <new>
 #include <stdexcept>
 #include <string>
 
 namespace plastron::algebra {
 
-/// Throws std::runtime_error with PETSc's own words. `doing` names what we asked for.
+/// Whether memory was short; CHOLMOD's word for that is its status -2.
+inline bool is_out_of_memory(PetscErrorCode code, const std::string& message) {
+  return code == PETSC_ERR_MEM || message.find("CHOLMOD factorization failed with status -2") != std::string::npos;
+}
+
+/// Throws std::runtime_error with PETSc's own words, std::bad_alloc where memory was short. `doing` names what we asked for.
 inline void petsc_check(PetscErrorCode code, const char* doing) {
   if (code == 0) return;
   const char* general = nullptr;
@@ -15,6 +21,7 @@ inline void petsc_check(PetscErrorCode code, const char* doing) {
   PetscErrorMessage(code, &general, &specific);
   std::string message = std::string("PETSc failed while ") + doing + ": " + (general ? general : "unknown error");
   if (specific && *specific) message += std::string(" (") + specific + ")";
+  if (is_out_of_memory(code, message)) throw std::bad_alloc();
   throw std::runtime_error(message);
 }
 

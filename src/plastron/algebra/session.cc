@@ -1,6 +1,6 @@
 #include <plastron/algebra/session.hpp>
+#include <plastron/algebra/threads.hpp>
 
-#include <dlfcn.h>
 #include <slepcsys.h>
 
 #include <array>
@@ -32,25 +32,21 @@ void start_petsc_and_slepc() {
   char** arguments = words.data();
   petsc_check(SlepcInitialize(&count, &arguments, nullptr, nullptr), "starting");
   petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "silencing its error handler");
+  PetscErrorPrintf = PetscErrorPrintfNone;  // CHOLMOD's handler prints by itself
 }
 
-// With one process a core, threads of the BLAS would fight each other. Looked up by name: another BLAS has no such
-// switch.
-void one_blas_thread_per_rank() {
+int number_of_ranks() {
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (ranks == 1) return;
-  using SetThreads = void (*)(int);
-  if (const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
-    set_threads(1);
+  return ranks;
 }
 
 }  // namespace
 
-Session::Session(int& argc, char**& argv) {
+Session::Session(int& argc, char**& argv, int threads) {
   start_mpi(argc, argv);
+  restrict_threads(threads, number_of_ranks());
   start_petsc_and_slepc();
-  one_blas_thread_per_rank();
 }
 
 Session::~Session() {

@@ -1,4 +1,5 @@
 #include <plastron/algebra/arbitrary_values.hpp>
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 
 #include <cmath>
@@ -25,6 +26,7 @@ bool SoftestMotion::is_free() const {
 
 SoftestMotion softest_motion(const Operator& apply, const Factorisation& factor, std::span<const char> fixed,
                              const Vector& diagonal) {
+  PLASTRON_ASSERT(fixed.empty() || fixed.size() == diagonal.owned().size(), fixed.size(), diagonal.owned().size());
   SoftestMotion softest{Vector(diagonal.layout(), diagonal.block())};
   Vector& v = softest.motion;
   Vector force(v);

@@ -1,8 +1,8 @@
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/exchange.hpp>
 #include <plastron/algebra/vector.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -26,7 +26,7 @@ struct Vector::Storage {
 Vector::Vector() : storage_(std::make_unique<Storage>()) {}
 
 Vector::Vector(std::shared_ptr<const Layout> layout, int block) : storage_(std::make_unique<Storage>()) {
-  assert(layout && block > 0);
+  PLASTRON_ASSERT(layout && block > 0, layout.get(), block);
   storage_->values.assign(static_cast<std::size_t>(layout->local_size()) * static_cast<std::size_t>(block), 0.0);
   storage_->layout = std::move(layout);
   storage_->block = block;
@@ -81,10 +81,24 @@ Value reduce(Value value, MPI_Datatype type, MPI_Op operation, MPI_Comm comm) {
 
 }  // namespace
 
+bool ghosts_are_current(const Vector& v) {
+  Vector fresh = v;
+  fresh.update_ghosts();
+  constexpr double rounding = 1e-10;
+  const double allowed = rounding * max_abs(v);
+  double stale = 0;
+  for (std::size_t i = v.owned().size(); i < v.local().size(); ++i) {
+    const double is = v.local()[i], should_be = fresh.local()[i];
+    const bool are_nan = std::isnan(is) && std::isnan(should_be), are_equal = is == should_be;
+    if (!are_nan && !are_equal && !(std::abs(is - should_be) <= allowed)) ++stale;
+  }
+  return max_over_ranks(stale, comm_of(v)) == 0;
+}
+
 double dot(const Vector& a, const Vector& b) {
   const auto u = a.owned();
   const auto v = b.owned();
-  assert(u.size() == v.size());
+  PLASTRON_ASSERT(a.block() == b.block() && u.size() == v.size(), a.block(), b.block(), u.size(), v.size());
   double sum = 0;
   for (std::size_t i = 0; i < u.size(); ++i) sum += u[i] * v[i];
   return sum_over_ranks(sum, comm_of(a));
@@ -101,7 +115,7 @@ double max_abs(const Vector& a) {
 void axpy(double s, const Vector& x, Vector& y) {
   const auto u = x.owned();
   const auto v = y.owned();
-  assert(u.size() == v.size());
+  PLASTRON_ASSERT(x.block() == y.block() && u.size() == v.size(), x.block(), y.block(), u.size(), v.size());
   for (std::size_t i = 0; i < u.size(); ++i) v[i] += s * u[i];
 }
 

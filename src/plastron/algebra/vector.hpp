@@ -40,6 +40,10 @@ class Vector {
   std::unique_ptr<Storage> storage_;
 };
 
+/// Whether every ghost holds its owner's value up to rounding, on all ranks; a NaN equals a NaN (collective). For assertions:
+/// as costly as update_ghosts().
+bool ghosts_are_current(const Vector& v);
+
 // Over owned values, all ranks (collective).
 double dot(const Vector& a, const Vector& b);
 double norm(const Vector& a);

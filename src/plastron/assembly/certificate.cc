@@ -77,7 +77,7 @@ struct Sums {
   double force_scale = 0, moment_scale = 0;  // sums of the norms of all nodal contributions
   double load_work = 0, contact_work = 0, support_work = 0;
   double free_residual = 0, all_forces = 0;
-  double area = 0, max_pressure = 0, complementarity = 0;
+  double area = 0, max_pressure = 0, complementarity = 0, support_error = 0;
   double displacement = 0, relative_displacement = 0, rotation = 0;
   double thickness = std::numeric_limits<double>::infinity();
   StrainScale strain_scale;
@@ -151,6 +151,9 @@ void add_node(const DiscreteShell& discrete, const NodalSolution& solution, std:
     if (coordinates.is_prescribed(i, k)) {
       add(sums.supports, discrete.points[i], component * direction, sums);
       sums.support_work += component * direction.dot(y);
+      // Prescribed directions are unit vectors orthogonal to all others of the node: the coordinate is a projection.
+      const double error = std::abs(direction.dot(y) - coordinates.lower.local()[coordinates.at(i, k)]);
+      sums.support_error = std::max(sums.support_error, lever(direction, discrete.points[i].thickness) * error);
       sums.all_forces += per_force * component * component;
     } else {
       sums.free_residual += per_force * component * component;
@@ -210,6 +213,7 @@ Certificate certificate_of(const DiscreteShell& discrete, const NodalSolution& s
   c.min_pressure = s.touching_nodes > 0 ? algebra::min_over_ranks(sums.min_pressure, comm) : 0;
   c.min_gap_nodes = algebra::min_over_ranks(sums.min_gap, comm);
   c.min_gap_between = min_gap_between_nodes(discrete, solution.y);
+  c.support_error = algebra::max_over_ranks(sums.support_error, comm);
   c.complementarity = algebra::max_over_ranks(sums.complementarity, comm);
   const Vector3d force = s.loads.force + s.reaction.force + s.support_reaction.force;
   const Vector3d moment = s.loads.moment + s.reaction.moment + s.support_reaction.moment;

@@ -19,6 +19,7 @@ struct Certificate {
   double min_pressure = 0;     ///< min eta_i over touching nodes [Pa]
   double min_gap_nodes = 0;    ///< min g_i [m]
   double min_gap_between = 0;  ///< min of the gap between the nodes [m]
+  double support_error = 0;    ///< max |u.d - its value| and e |r.d - its value| over prescribed components [m]
   double complementarity = 0;  ///< max |eta_i g_i| [Pa m]
   double force_balance = 0;    ///< |loads + obstacle + supports| / sum of the norms of all nodal forces and couples / e
   double moment_balance = 0;   ///< likewise for moments about the origin; falls with h on curved charts

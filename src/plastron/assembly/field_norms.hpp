@@ -9,9 +9,12 @@ struct SquaredNorms {
   double u = 0, grad_u = 0;  ///< [m^4], [m^2]
   double r = 0, grad_r = 0;  ///< [m^2], [1]
 
-  /// (u, r) in L2 x L2 and H1 x H1: sums of squares as in the paper's spaces, so in metres.
-  double l2() const { return u + r; }
-  double h1() const { return u + grad_u + r + grad_r; }
+  /// (u, r) in L2 x L2 and H1 x H1: the sums of squares of the paper's spaces with `length` [m], the shell's own, as unit
+  /// of length (h1_matrix.hpp), so pure numbers.
+  double l2(double length) const { return (u / (length * length) + r) / (length * length); }
+  double h1(double length) const { return h1_u(length) + h1_r(length); }
+  double h1_u(double length) const { return (u / (length * length) + grad_u) / (length * length); }
+  double h1_r(double length) const { return r / (length * length) + grad_r; }
 };
 
 /// Of Cartesian nodal values y = (u, r), block 6 with valid ghosts, at the Gauss points of the stiffness (collective).

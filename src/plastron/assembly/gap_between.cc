@@ -27,13 +27,17 @@ bool is_near_obstacle(const DiscreteShell& discrete, const CellField& field,
   return lowest <= highest - lowest + 2 * radius;
 }
 
+/// Twice as fine as the nodes, and in elements of degree 1 four times.
+int intervals_of(int degree) { return std::max(4, 2 * degree); }
+
 }  // namespace
 
 double min_gap_between_nodes(const DiscreteShell& discrete, const algebra::Vector& y) {
   const fem::Space& space = discrete.space();
   double smallest = std::numeric_limits<double>::infinity();
   if (discrete.gap) {
-    const BasisAt basis = basis_at(space.shape(), space.degree, fem::lattice(space.shape(), 2 * space.degree));
+    const BasisAt basis =
+        basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals_of(space.degree)));
     std::vector<geometry::SurfaceJet> jets(basis.xi.size());
     std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
     for (std::size_t c = 0; c < space.owned_cells; ++c) {

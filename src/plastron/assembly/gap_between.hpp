@@ -4,7 +4,7 @@
 
 namespace plastron::assembly {
 
-/// Smallest gap on a lattice of 2k + 1 points a side in every cell that is near the obstacle; +infinity without
+/// Smallest gap on a lattice of 2k + 1 points a side, five at least, in every cell that is near the obstacle; +infinity without
 /// obstacle or without such cells (collective).
 double min_gap_between_nodes(const DiscreteShell& discrete, const algebra::Vector& y);
 

@@ -6,21 +6,26 @@ namespace plastron::assembly {
 
 namespace {
 
-/// Scalar element matrix: int N_i N_j + a^{ab} d_a N_i d_b N_j sqrt(a) dx.
-RowMatrix scalar_element(const ShellOperator& shell, std::size_t cell) {
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Scalar element matrix: 1/L^2 int N_i N_j / L^2 + a^{ab} d_a N_i d_b N_j sqrt(a) dx. That of s is L^2 times as large.
+RowMatrix scalar_element(const ShellOperator& shell, std::size_t cell, double length) {
+  const double unit_area = length * length;
   const BasisAt& basis = shell.tables().quadrature;
   RowMatrix k = RowMatrix::Zero(basis.value.cols(), basis.value.cols());
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
     const QuadraturePoint& p = shell.point(cell, q);
     Eigen::Matrix2Xd g(2, basis.value.cols());
     g << basis.d1.row(q), basis.d2.row(q);
-    k += p.area * (basis.value.row(q).transpose() * basis.value.row(q) + g.transpose() * p.frame.metric_con * g);
+    k += p.area / unit_area *
+         (basis.value.row(q).transpose() * basis.value.row(q) / unit_area + g.transpose() * p.frame.metric_con * g);
   }
   return k;
 }
 
 /// Cartesian element matrix, 6 values a node, for values interpolated in moving bases (M15): field by field.
-RowMatrix covariant_element(const ShellOperator& shell, std::size_t cell) {
+RowMatrix covariant_element(const ShellOperator& shell, std::size_t cell, double length) {
   const int points = shell.tables().points_per_cell(), columns = 6 * shell.tables().nodes_per_cell();
   RowMatrix value(6 * points, columns), d1 = value, d2 = value;
   CellField unit = CellField::Zero(shell.tables().nodes_per_cell(), 6);
@@ -35,10 +40,12 @@ RowMatrix covariant_element(const ShellOperator& shell, std::size_t cell) {
   }
   for (int q = 0; q < points; ++q) {
     const QuadraturePoint& p = shell.point(cell, q);
-    const Eigen::Matrix2d root = (p.area * p.frame.metric_con).llt().matrixU();
-    value.middleRows<6>(6 * q) *= std::sqrt(p.area);
+    const double area = p.area / (length * length);
+    const Eigen::Matrix2d root = (area * p.frame.metric_con).llt().matrixU();
+    value.middleRows<6>(6 * q) *= std::sqrt(area) / length;
     d1.middleRows<6>(6 * q) = (root(0, 0) * d1.middleRows<6>(6 * q) + root(0, 1) * d2.middleRows<6>(6 * q)).eval();
     d2.middleRows<6>(6 * q) *= root(1, 1);
+    for (RowMatrix* rows : {&value, &d1, &d2}) rows->middleRows<3>(6 * q + 3) *= length;
   }
   return value.transpose() * value + d1.transpose() * d1 + d2.transpose() * d2;
 }
@@ -61,19 +68,24 @@ RowMatrix in_coordinates(const NodalCoordinates& coordinates, std::span<const al
 
 }  // namespace
 
-algebra::Matrix h1_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates) {
+algebra::Matrix h1_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates, double length) {
+  const double weight_of_s = length * length;
+  const Vector6 weights = (Vector6() << 1, 1, 1, weight_of_s, weight_of_s, weight_of_s).finished();
   const fem::Space& space = shell.space();
   algebra::Matrix matrix(space.layout, coordinates.width, space.connectivity);
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const auto nodes = space.nodes(c);
     RowMatrix k;
     if (shell.quadrature_bases(c).empty()) {
-      const RowMatrix scalar = scalar_element(shell, c);
-      k = in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) { return scalar(i, j); });
+      const RowMatrix scalar = scalar_element(shell, c, length);
+      k = in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
+        return (scalar(i, j) * weights).asDiagonal();
+      });
     } else {
-      const RowMatrix cartesian = covariant_element(shell, c);
-      k = in_coordinates(coordinates, nodes,
-                         [&](Eigen::Index i, Eigen::Index j) { return cartesian.block<6, 6>(6 * i, 6 * j); });
+      const RowMatrix cartesian = covariant_element(shell, c, length);
+      k = in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
+        return cartesian.block<6, 6>(6 * i, 6 * j);
+      });
     }
     matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
   }
@@ -81,11 +93,11 @@ algebra::Matrix h1_matrix(const ShellOperator& shell, const NodalCoordinates& co
   return matrix;
 }
 
-algebra::Matrix scalar_h1_matrix(const ShellOperator& shell) {
+algebra::Matrix scalar_h1_matrix(const ShellOperator& shell, double length) {
   const fem::Space& space = shell.space();
   algebra::Matrix matrix(space.layout, 1, space.connectivity);
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const RowMatrix k = scalar_element(shell, c);
+    const RowMatrix k = scalar_element(shell, c, length);
     matrix.add(space.nodes(c), {k.data(), static_cast<std::size_t>(k.size())});
   }
   matrix.finish();

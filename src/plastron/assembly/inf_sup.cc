@@ -44,10 +44,10 @@ std::vector<char> without_multiplier(const DiscreteShell& discrete) {
 /// w -> S w: the Schur complement of X on the coordinate w of the nodes with a multiplier.
 class Lifting {
  public:
-  Lifting(const DiscreteShell& discrete, std::span<const char> without)
+  Lifting(const DiscreteShell& discrete, double length, std::span<const char> without)
       : width_(static_cast<std::size_t>(discrete.coordinates.width)),
         without_(without),
-        X_(h1_matrix(discrete.shell, discrete.coordinates)),
+        X_(h1_matrix(discrete.shell, discrete.coordinates, length)),
         factor_(X_),
         held_(prescribed(discrete)),
         z_(X_.layout(), X_.block()),
@@ -79,8 +79,8 @@ class Lifting {
   Vector z_, force_, reply_;
 };
 
-double dual_inf_sup(const DiscreteShell& discrete, std::span<const char> without, Lifting& lifting) {
-  const algebra::Matrix K = scalar_h1_matrix(discrete.shell);
+double dual_inf_sup(const DiscreteShell& discrete, double length, std::span<const char> without, Lifting& lifting) {
+  const algebra::Matrix K = scalar_h1_matrix(discrete.shell, length);
   algebra::Factorisation factor(K);
   if (!factor.factorise(without)) throw std::runtime_error("the matrix of the H1 norm is not positive definite");
   Vector Sw(K.layout(), 1);
@@ -94,8 +94,9 @@ double dual_inf_sup(const DiscreteShell& discrete, std::span<const char> without
   return 1 / std::sqrt(largest);
 }
 
-double l2_inf_sup(const DiscreteShell& discrete, std::span<const char> without, Lifting& lifting) {
-  const auto weight = [&](std::size_t i) { return discrete.points[i].weight; };
+double l2_inf_sup(const DiscreteShell& discrete, double length, std::span<const char> without, Lifting& lifting) {
+  const double unit = std::pow(length, 4);  // of an area and of the square of a gap
+  const auto weight = [&](std::size_t i) { return discrete.points[i].weight / unit; };
   // M = W here: with t = W eta the sum of weight eta^2 is t' W^{-1} t, and its dual in w is w' W w.
   const double largest = extreme({discrete.space().layout, 1,
                                   [&](const Vector& w, Vector& result) {
@@ -114,7 +115,7 @@ double l2_inf_sup(const DiscreteShell& discrete, std::span<const char> without, 
 
 }  // namespace
 
-std::optional<double> tangency_inf_sup(const DiscreteShell& discrete) {
+std::optional<double> tangency_inf_sup(const DiscreteShell& discrete, double length) {
   const auto& layout = discrete.space().layout;
   const auto zeros = multiplier_zeros(discrete.coordinates, *layout);
   std::int64_t held = 0;
@@ -122,7 +123,8 @@ std::optional<double> tangency_inf_sup(const DiscreteShell& discrete) {
   held = algebra::sum_over_ranks(held, layout->comm);
   if (held == 0 || held == layout->global_size) return {};
 
-  const algebra::Matrix X = h1_matrix(discrete.shell, discrete.coordinates), K = gradient_matrix(discrete.shell);
+  const algebra::Matrix X = h1_matrix(discrete.shell, discrete.coordinates, length),
+                        K = gradient_matrix(discrete.shell);
   algebra::Factorisation X_factor(X), K_factor(K);
   const auto fixed = prescribed(discrete);
   if (!X_factor.factorise(fixed) || !K_factor.factorise(zeros))
@@ -146,15 +148,15 @@ std::optional<double> tangency_inf_sup(const DiscreteShell& discrete) {
   return std::sqrt(std::max(0.0, smallest));
 }
 
-std::optional<ContactInfSup> contact_inf_sup(const DiscreteShell& discrete) {
+std::optional<ContactInfSup> contact_inf_sup(const DiscreteShell& discrete, double length) {
   const auto without = without_multiplier(discrete);
   std::int64_t with = 0;
   for (const char none : without) with += !none;
   with = algebra::sum_over_ranks(with, discrete.space().layout->comm);
   if (with == 0) return {};
-  Lifting lifting(discrete, without);
-  return ContactInfSup{.dual = dual_inf_sup(discrete, without, lifting),
-                       .l2 = l2_inf_sup(discrete, without, lifting),
+  Lifting lifting(discrete, length, without);
+  return ContactInfSup{.dual = dual_inf_sup(discrete, length, without, lifting),
+                       .l2 = l2_inf_sup(discrete, length, without, lifting),
                        .multipliers = with};
 }
 

@@ -1,5 +1,7 @@
 #include <plastron/assembly/interpolation.hpp>
 
+#include <plastron/algebra/assertion.hpp>
+
 namespace plastron::assembly {
 
 using geometry::Matrix3d;
@@ -50,6 +52,8 @@ std::vector<MovingBasis> Interpolation::bases(std::size_t cell, std::span<const 
 
 /// Covariant components u_1 u_2 u_3 r_1 r_2 0 at the nodes.
 CellField Interpolation::components(std::size_t cell, const CellField& nodal) const {
+  // Bases are known at the nodes of owned cells.
+  PLASTRON_ASSERT(cell < space_->owned_cells, cell, space_->owned_cells);
   CellField result(nodal.rows(), 6);
   const auto nodes = space_->nodes(cell);
   for (Eigen::Index i = 0; i < nodal.rows(); ++i) {
@@ -97,6 +101,8 @@ algebra::Vector Interpolation::nodal_values(const algebra::Vector& interpolated)
 }
 
 FieldRows Interpolation::fields(std::size_t cell, const BasisAt& at, Bases bases, const CellField& nodal) const {
+  PLASTRON_ASSERT(nodal.rows() == at.value.cols(), nodal.rows(), at.value.cols());
+  PLASTRON_ASSERT(bases.size() == (is_covariant_ ? at.xi.size() : 0), bases.size(), at.xi.size(), is_covariant_);
   if (!is_covariant_) return {at.d1 * nodal, at.d2 * nodal, at.value * nodal};
   const CellField c = components(cell, nodal);
   FieldRows rows{at.d1 * c, at.d2 * c, at.value * c};

@@ -5,6 +5,7 @@
 #include <plastron/geometry/piecewise.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -62,7 +63,11 @@ class LoadSum {
   void add_edge_load(const EdgeLoad& load) {
     constexpr int levels = 20;  // halving a side costs little
     const auto& names = space_.coarse->boundaries;
-    const auto boundary = static_cast<int>(std::ranges::find(names, load.boundary) - names.begin());
+    const auto found = std::ranges::find(names, load.boundary);
+    if (found == names.end())
+      throw LoadError(fmt::format("a load names the boundary \"{}\", which the mesh does not have; it has: {}",
+                                  load.boundary, fmt::join(names, ", ")));
+    const auto boundary = static_cast<int>(found - names.begin());
     const bool divide = is_piecewise(load.force) || is_piecewise(load.couple);
     for (const fem::BoundaryFace& face : space_.faces) {
       if (face.boundary != boundary || face.cell >= space_.owned_cells) continue;

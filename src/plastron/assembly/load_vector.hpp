@@ -9,7 +9,8 @@
 
 namespace plastron::assembly {
 
-/// A load that is infinite or not a number at a quadrature point: in words for the user, with the place.
+/// A load that is infinite or not a number at a quadrature point, or that names a boundary which the mesh does not have:
+/// in words for the user.
 struct LoadError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };

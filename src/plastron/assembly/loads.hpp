@@ -22,7 +22,7 @@ struct AreaLoad {
   VectorFunction couple_function{};  ///< added to `couple`
 };
 
-/// Dead load per unit length of the boundary curve phi(Gamma).
+/// Dead load per unit length of the curve phi(Gamma), on the boundary or inside of the shell.
 struct EdgeLoad {
   std::string boundary{};
   VectorExpression force{};   ///< n [N/m]

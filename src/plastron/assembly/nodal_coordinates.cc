@@ -1,10 +1,14 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 
+#include <plastron/algebra/assertion.hpp>
+
 #include <fmt/format.h>
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace plastron::assembly {
 
@@ -28,10 +32,20 @@ std::array<Vector3d, 2> across(const Vector3d& n) {
   return {first, n.cross(first)};
 }
 
+/// What one unknown's rows at a node are judged by.
+struct Scales {
+  double value;     ///< the largest value that the node's supports prescribe
+  double rounding;  ///< rounding of a value that should be zero
+};
+
 /// Splits the plane or space orthogonal to `excluded` (empty: all of R^3) by the prescribed rows.
 Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vector<Vector3d>& excluded,
-            const Vector2d& x) {
-  constexpr double negligible = 1e-8;
+            const Vector2d& x, const Scales& scales) {
+  // Directions that differ by less than this angle are one. Conormals of two boundaries that meet smoothly differ by
+  // the rounding of the mesh's nodes, 1e-16 to 1e-7, and a component that is the quotient of two such differences
+  // would be noise; beyond the angle a value's rounding is magnified by 1e4 at most.
+  constexpr double negligible = 1e-4;
+  constexpr double precision = 1e-9;
   Split result;
   std::vector<Vector3d> basis(excluded);
   for (const auto& [direction, value] : rows) {
@@ -48,7 +62,7 @@ Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vec
       result.values.push_back((value - known) / d.norm());
       result.prescribed.push_back(d.normalized());
       basis.push_back(result.prescribed.back());
-    } else if (std::abs(value - known) > 1e-9 * (std::abs(value) + std::abs(known))) {
+    } else if (!(std::abs(value - known) <= (precision + d.norm()) * scales.value + scales.rounding)) {
       throw SupportError(
           fmt::format("supports contradict each other at x = {:g}, y = {:g}: a component that is already "
                       "prescribed as {:g} is to be {:g}",
@@ -126,8 +140,11 @@ bool add_contact_columns(const obstacle::Gap& gap, const Split& u, const Split& 
   return false;
 }
 
-NodeResult node_columns(const NodalPoint& point, const NodeSupport& support, const obstacle::Gap* gap) {
-  const Split u = split(support.displacement, {}, point.x), r = split(support.rotation, {point.a3}, point.x);
+/// `size`: of the shell [m].
+NodeResult node_columns(const NodalPoint& point, const NodeSupport& support, const obstacle::Gap* gap, double size) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const Split u = split(support.displacement, {}, point.x, {support.displacement_scale, rounding * size}),
+              r = split(support.rotation, {point.a3}, point.x, {support.rotation_scale, rounding});
   NodeResult node;
   if (gap) {
     node.bound_gap = gap->initial;
@@ -163,6 +180,34 @@ void pack(const NodeResult& node, bool supported, double* out) {
   out[50] = supported;
 }
 
+/// The largest extent of the shell along an axis [m] (collective).
+double extent(const std::vector<NodalPoint>& points, MPI_Comm comm) {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    double low = infinity, high = -infinity;
+    for (const NodalPoint& p : points) {
+      low = std::min(low, p.phi[k]);
+      high = std::max(high, p.phi[k]);
+    }
+    largest = std::max(largest, algebra::max_over_ranks(high, comm) - algebra::min_over_ranks(low, comm));
+  }
+  return largest;
+}
+
+/// Throws on every rank what one of them found, the lowest one's; nothing where all are empty (collective).
+void throw_alike(std::string found, MPI_Comm comm) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &ranks);
+  const int first = static_cast<int>(algebra::min_over_ranks(found.empty() ? ranks : rank, comm));
+  if (first == ranks) return;
+  auto length = static_cast<int>(found.size());
+  MPI_Bcast(&length, 1, MPI_INT, first, comm);
+  found.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(found.data(), length, MPI_CHAR, first, comm);
+  throw SupportError(found);
+}
+
 }  // namespace
 
 NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
@@ -183,13 +228,20 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
 
   // Owners decide, the others take over: a basis must be the same on every rank to the last bit.
   const auto node_support = node_supports(space, surface, points, supports);
+  const double size = extent(points, space.layout->comm);
   algebra::Vector packed(space.layout, packed_size);
-  for (std::size_t i = 0; i < node_support.size(); ++i) {
-    const NodeSupport& s = node_support[i];
-    // Vertices of triangles of degree 2 carry no weight in (M21), hence no bound.
-    pack(node_columns(points[i], s, gap && points[i].weight > 0 ? &coordinates.gaps[i] : nullptr),
-         !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
+  std::string contradiction;
+  try {
+    for (std::size_t i = 0; i < node_support.size(); ++i) {
+      const NodeSupport& s = node_support[i];
+      // Vertices of triangles of degree 2 carry no weight in (M21), hence no bound.
+      pack(node_columns(points[i], s, gap && points[i].weight > 0 ? &coordinates.gaps[i] : nullptr, size),
+           !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
+    }
+  } catch (const SupportError& error) {
+    contradiction = error.what();
   }
+  throw_alike(std::move(contradiction), space.layout->comm);
   packed.update_ghosts();
 
   for (std::size_t i = 0; i < local; ++i) {
@@ -208,6 +260,9 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
 
 void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y) const {
   using Eigen::Map, Eigen::VectorXd;
+  PLASTRON_ASSERT(z.block() == width && y.block() == 6 && z.local().size() == at(basis.size(), 0) &&
+                      y.local().size() == 6 * basis.size(),
+                  z.block(), width, y.block(), z.local().size(), y.local().size(), basis.size());
   for (std::size_t i = 0; i < basis.size(); ++i)
     Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i).noalias() =
         basis[i].leftCols(width) * Map<const VectorXd>(z.local().data() + at(i, 0), width);
@@ -215,6 +270,9 @@ void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y
 
 void NodalCoordinates::add_transposed(const algebra::Vector& f, algebra::Vector& z) const {
   using Eigen::Map, Eigen::VectorXd;
+  PLASTRON_ASSERT(
+      z.block() == width && f.block() == 6 && f.owned().size() == 6 * static_cast<std::size_t>(z.layout()->owned),
+      z.block(), width, f.block(), f.owned().size(), z.layout()->owned);
   const auto owned = static_cast<std::size_t>(z.layout()->owned);
   for (std::size_t i = 0; i < owned; ++i)
     Map<VectorXd>(z.local().data() + at(i, 0), width).noalias() +=

@@ -61,14 +61,16 @@ struct NodalCoordinates {
 /// Rows of one node's supports: the directions in which u and r are prescribed, and the values.
 struct NodeSupport {
   std::vector<std::pair<Vector3d, double>> displacement, rotation;
+  /// The largest values that these supports prescribe anywhere on their boundaries: what values are small against.
+  double displacement_scale = 0, rotation_scale = 0;
 };
-/// Supports of owned nodes by local index; empty where there are none (throws SupportError).
+/// Supports of owned nodes by local index; empty where there are none (collective, throws SupportError).
 std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
                                        const std::vector<NodalPoint>& points, const std::vector<Support>& supports);
 
 /// (collective) Throws SupportError.
 NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const GapFunction& gap, Formulation formulation = Formulation::tangent);
+                                   const GapFunction& gap, Formulation formulation);
 
 }  // namespace plastron::assembly

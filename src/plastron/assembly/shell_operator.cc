@@ -51,7 +51,14 @@ void ShellOperator::prepare_cell(std::size_t cell, const geometry::Expression& t
   }
 }
 
+void ShellOperator::assert_is_field([[maybe_unused]] const algebra::Vector& y,
+                                    [[maybe_unused]] const char* what) const {
+  PLASTRON_ASSERT(y.block() == 6 && y.local().size() == 6 * static_cast<std::size_t>(space_->layout->local_size()),
+                  what, y.block(), y.local().size(), space_->layout->local_size());
+}
+
 CellField ShellOperator::gather(std::size_t cell, const algebra::Vector& y) const {
+  assert_is_field(y, "gathered");
   const auto nodes = space_->nodes(cell);
   const auto values = y.local();
   CellField field(static_cast<Eigen::Index>(nodes.size()), 6);
@@ -77,6 +84,7 @@ ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::
 }
 
 CellStrain ShellOperator::strains(std::size_t cell, const CellField& field) const {
+  PLASTRON_ASSERT(field.rows() == tables_.nodes_per_cell(), field.rows(), tables_.nodes_per_cell());
   CellStrain strains = CellStrain::Zero(tables_.points_per_cell(), 8);
   const FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), field);
   for (int q = 0; q < tables_.points_per_cell(); ++q)
@@ -96,6 +104,8 @@ CellStrain ShellOperator::strains(std::size_t cell, const CellField& field) cons
 CellStrain ShellOperator::strains_at(std::size_t cell, const CellField& field, const BasisAt& basis,
                                      const std::vector<MatrixXd>& tied,
                                      std::span<const geometry::SurfaceJet> jets) const {
+  PLASTRON_ASSERT(jets.size() == basis.xi.size() && (tied.empty() || tied.size() == tables_.samplings.size()),
+                  jets.size(), basis.xi.size(), tied.size(), tables_.samplings.size());
   CellStrain strains = CellStrain::Zero(basis.value.rows(), 8);
   const FieldRows rows = interpolation_.fields(cell, basis, interpolation_.bases(cell, basis.xi), field);
   for (Eigen::Index p = 0; p < strains.rows(); ++p) {
@@ -114,6 +124,7 @@ CellStrain ShellOperator::strains_at(std::size_t cell, const CellField& field, c
 }
 
 CellStrain ShellOperator::weighted_stresses(std::size_t cell, const CellStrain& strains) const {
+  PLASTRON_ASSERT(strains.rows() == tables_.points_per_cell(), strains.rows(), tables_.points_per_cell());
   CellStrain stresses(strains.rows(), 8);
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
     const QuadraturePoint& p = point(cell, q);
@@ -125,6 +136,7 @@ CellStrain ShellOperator::weighted_stresses(std::size_t cell, const CellStrain& 
 }
 
 CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) const {
+  PLASTRON_ASSERT(stresses.rows() == tables_.points_per_cell(), stresses.rows(), tables_.points_per_cell());
   CellField forces = CellField::Zero(tables_.nodes_per_cell(), 6);
   FieldRows bending = FieldRows::zero(tables_.points_per_cell());
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
@@ -192,6 +204,8 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
 }
 
 void ShellOperator::scatter(std::size_t cell, const CellField& forces, algebra::Vector& f) const {
+  assert_is_field(f, "scattered to");
+  PLASTRON_ASSERT(forces.rows() == tables_.nodes_per_cell(), forces.rows(), tables_.nodes_per_cell());
   const auto nodes = space_->nodes(cell);
   const auto out = f.local();
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -201,6 +215,7 @@ void ShellOperator::scatter(std::size_t cell, const CellField& forces, algebra::
 }
 
 void ShellOperator::apply(const algebra::Vector& y, algebra::Vector& f) const {
+  PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before apply()");
   f.fill(0);
   for (std::size_t c = 0; c < space_->owned_cells; ++c)
     scatter(c, forces(c, weighted_stresses(c, strains(c, gather(c, y)))), f);
@@ -208,6 +223,7 @@ void ShellOperator::apply(const algebra::Vector& y, algebra::Vector& f) const {
 }
 
 Energies ShellOperator::energies(const algebra::Vector& y) const {
+  PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before energies()");
   Energies sum;
   for (std::size_t c = 0; c < space_->owned_cells; ++c) {
     const CellStrain s = strains(c, gather(c, y));

@@ -1,6 +1,7 @@
 // The discrete shell on one mesh: strains of a nodal field, and the bilinear form a(., .) of (M8) as an operator that
 // goes through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D6).
 #pragma once
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/interpolation.hpp>
 #include <plastron/geometry/expression.hpp>
@@ -37,7 +38,7 @@ class ShellOperator {
   /// is that of (M15).
   ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
                 const geometry::Expression& thickness, const shell::Material& material, bool tying,
-                bool is_covariant = false);
+                bool is_covariant);
 
   const fem::Space& space() const { return *space_; }
   const fem::Surface& surface() const { return *surface_; }
@@ -73,6 +74,8 @@ class ShellOperator {
   Energies energies(const algebra::Vector& y) const;
 
   const QuadraturePoint& point(std::size_t cell, int q) const {
+    PLASTRON_ASSERT(cell < space_->owned_cells && q >= 0 && q < tables_.points_per_cell(), cell, space_->owned_cells, q,
+                    tables_.points_per_cell());
     return points_[cell * static_cast<std::size_t>(tables_.points_per_cell()) + static_cast<std::size_t>(q)];
   }
 
@@ -84,6 +87,8 @@ class ShellOperator {
   /// Sampled membrane and shear strains: a row per sampling point, gamma_11 gamma_22 2gamma_12 2delta_1 2delta_2.
   using SampledStrain = Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor>;
 
+  /// Asserts six values for every node that this rank sees.
+  void assert_is_field(const algebra::Vector& y, const char* what) const;
   void prepare_cell(std::size_t cell, const geometry::Expression& thickness);
   const SamplingPoint* sampling_points(std::size_t sampling, std::size_t cell) const {
     return sampling_points_[sampling].data() + cell * tables_.samplings[sampling].basis.xi.size();

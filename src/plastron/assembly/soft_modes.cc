@@ -1,12 +1,12 @@
 #include <plastron/assembly/soft_modes.hpp>
 
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/assembly/h1_matrix.hpp>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <stdexcept>
 
@@ -82,8 +82,17 @@ std::vector<Vector> energy_forces(const DiscreteShell& discrete, const std::vect
   return result;
 }
 
-/// Three translations, then three rotations, in nodal coordinates, which are orthonormal.
+Vector3d centre_of(const DiscreteShell& discrete) {
+  Vector3d sum = Vector3d::Zero();
+  const auto& layout = *discrete.space().layout;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(layout.owned); ++i) sum += discrete.points[i].phi;
+  for (double& component : sum) component = algebra::sum_over_ranks(component, layout.comm);
+  return sum / static_cast<double>(layout.global_size);
+}
+
+/// Three translations, then three rotations about the middle, in nodal coordinates, which are orthonormal.
 std::vector<Vector> rigid_motions(const DiscreteShell& discrete) {
+  const Vector3d centre = centre_of(discrete);
   std::vector<Vector> motions;
   for (int k = 0; k < 6; ++k) {
     const Vector3d c = k < 3 ? Vector3d(Vector3d::Unit(k)) : Vector3d::Zero();
@@ -91,7 +100,7 @@ std::vector<Vector> rigid_motions(const DiscreteShell& discrete) {
     Vector y(discrete.space().layout, 6);
     for (std::size_t i = 0; i < discrete.points.size(); ++i) {
       const NodalPoint& p = discrete.points[i];
-      Eigen::Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i) << c + w.cross(p.phi), w.cross(p.a3);
+      Eigen::Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i) << c + w.cross(p.phi - centre), w.cross(p.a3);
     }
     Vector& z = motions.emplace_back(discrete.space().layout, discrete.coordinates.width);
     discrete.coordinates.add_transposed(y, z);
@@ -157,9 +166,9 @@ ModeKind Mode::kind() const {
   return tilt > 0.1 ? ModeKind::tilt : ModeKind::deformation;
 }
 
-std::vector<Mode> softest_modes(const DiscreteShell& discrete, int count) {
-  assert(!discrete.gap);
-  const algebra::Matrix X = h1_matrix(discrete.shell, discrete.coordinates);
+std::vector<Mode> softest_modes(const DiscreteShell& discrete, int count, double length) {
+  PLASTRON_ASSERT(!discrete.gap, "the coordinates of a node that can touch are not orthonormal");
+  const algebra::Matrix X = h1_matrix(discrete.shell, discrete.coordinates, length);
   const auto space = softest_space(discrete, X, count);
   if (space.empty()) return {};
   const auto ys = cartesian(discrete, space);

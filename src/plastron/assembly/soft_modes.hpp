@@ -13,14 +13,14 @@ namespace plastron::assembly {
 /// What a mode is for the most part.
 enum class ModeKind {
   translation,  ///< u = c
-  rotation,     ///< u = w x phi, r = w x a_3, less its part among the translations
+  rotation,     ///< u = w x (phi - c), r = w x a_3, less its part among the translations
   tilt,         ///< r . a_3 is constant and not zero
   deformation
 };
 std::string_view to_string(ModeKind kind);
 
 struct Mode {
-  double stiffness = 0;    ///< theta = a(V, V) / |V|_X^2 through strains; 0 if below rounding
+  double stiffness = 0;    ///< theta = a(V, V) / |V|_X^2 through strains [J]; 0 if below rounding
   double translation = 0;  ///< share of |V|_X^2 in the translations
   double rotation = 0;     ///< share in the rotations that is not in the translations
   double tilt = 0;         ///< share of int |r|^2 in constant multiples of a_3
@@ -29,8 +29,8 @@ struct Mode {
 };
 
 /// Ascending. Modes that all cost nothing are turned among themselves so that translations come first, then rotations, then
-/// the rest. Precondition: no obstacle, whose nodal coordinates are not orthonormal. (collective) Throws
-/// std::runtime_error if the eigenvalues do not converge.
-std::vector<Mode> softest_modes(const DiscreteShell& discrete, int count);
+/// the rest. `length` is L of the norm [m]. Precondition: no obstacle, whose nodal coordinates are not orthonormal.
+/// (collective) Throws std::runtime_error if the eigenvalues do not converge.
+std::vector<Mode> softest_modes(const DiscreteShell& discrete, int count, double length);
 
 }  // namespace plastron::assembly

@@ -1,29 +1,51 @@
 #include <plastron/config/case.hpp>
+#include <plastron/config/limits.hpp>
 #include <plastron/config/sections.hpp>
 
 #include <fstream>
-#include <iterator>
+#include <string>
 
 namespace plastron::config {
 
 namespace {
 
-constexpr std::uintmax_t largest_file = 1 << 20;
-
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what) {
   throw CaseErrors({{.file = path.string(), .what = what}});
 }
 
+/// What the entry of a file system is that is no regular file.
+std::string kind_of(std::filesystem::file_type type) {
+  switch (type) {
+    case std::filesystem::file_type::directory:
+      return "a directory";
+    case std::filesystem::file_type::fifo:
+      return "a pipe";
+    case std::filesystem::file_type::character:
+    case std::filesystem::file_type::block:
+      return "a device";
+    case std::filesystem::file_type::socket:
+      return "a socket";
+    default:
+      return "no file with contents";
+  }
+}
+
+/// Reads no more than one byte beyond the limit, whatever the file says of its size.
 std::string contents(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) refuse(path, "there is no such file");
-  if (std::filesystem::is_directory(status)) refuse(path, "this is a directory, not a case file");
+  if (!std::filesystem::is_regular_file(status))
+    refuse(path, fmt::format("this is {}, not a case file", kind_of(status.type())));
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse(path, "the file cannot be read");
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && size > largest_file) refuse(path, "the file is larger than 1 MB, which no case file is");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::string text(largest_file + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) refuse(path, "the file cannot be read");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > largest_file)
+    refuse(path, fmt::format("the file is larger than {} kB, which no case file is", largest_file / 1024));
+  return text;
 }
 
 }  // namespace
@@ -45,6 +67,9 @@ Case parse_case(std::string text, std::string file_name) {
   read_obstacles(root, result.problem);
   read_probes(root, domain, result.problem);
   read_solver(root, result.problem);
+  if (reading.more_mistakes)
+    reading.mistakes.push_back(
+        {.file = source.file_name(), .what = fmt::format("more than {} mistakes; these are the first", most_mistakes)});
   if (!reading.mistakes.empty()) throw CaseErrors(std::move(reading.mistakes));
   result.constants = std::move(reading.constants);
   result.effective = std::move(root.effective);

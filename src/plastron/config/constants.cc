@@ -1,5 +1,6 @@
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -17,16 +18,16 @@ bool is_identifier(const std::string& name) {
 
 // Names the expressions' libraries give a meaning of their own.
 bool is_taken(const std::string& name) {
-  static const std::vector<std::string> more{"sq",  "cube",  "step",  "ln",    "log2", "log10", "rint",  "sum",
-                                             "avg", "asinh", "acosh", "atanh", "Pi",   "I",     "Euler", "Catalan"};
+  static const std::vector<std::string> more{"sq",  "cube", "step", "log2", "log10", "rint",
+                                             "sum", "avg",  "Pi",   "I",    "Euler", "Catalan"};
   return std::ranges::count(expression_names(), name) + std::ranges::count(more, name) > 0;
 }
 
 bool check_name(Reading& reading, const std::string& name, const toml::value& value) {
   const Place place = reading.source.key(name, value);
-  if (!is_identifier(name)) {
-    reading.report(place, fmt::format("\"{}\" cannot name a constant", name),
-                   "letters, digits and _, the first no digit");
+  if (!is_identifier(name) || name.size() > longest_name) {
+    reading.report(place, fmt::format("\"{}\" cannot name a constant", geometry::shortened(name)),
+                   fmt::format("letters, digits and _, the first no digit, at most {} of them", longest_name));
     return false;
   }
   if (!is_taken(name)) return true;

@@ -32,12 +32,18 @@ std::vector<std::string> available_names(const std::vector<Word>& words) {
   return all;
 }
 
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+std::string joined(const std::vector<std::string>& words) {
+  constexpr std::size_t most = 40;
+  if (words.size() <= most) return fmt::format("{}", fmt::join(words, ", "));
+  return fmt::format("{} and {} more", fmt::join(words.begin(), words.begin() + most, ", "), words.size() - most);
+}
 
 std::string description(Kind kind) {
   switch (kind) {
     case Kind::text:
       return "text in quotes";
+    case Kind::name:
+      return "a name in quotes";
     case Kind::word:
       return "a word in quotes";
     case Kind::boolean:

@@ -35,7 +35,8 @@ Section constants_section() {
   return {"constants",
           "[constants]",
           "Any name = a number or an expression of the constants above it. A name has letters, digits and _, does not "
-          "begin with a digit, and is not x, y, pi or a function's name.",
+          "begin with a digit, has at most 60 characters, and is not x, y, pi or a function's name; nor is it a name that "
+          "the libraries behind expressions know: log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan.",
           {}};
 }
 
@@ -44,8 +45,12 @@ Section shell_section() {
           "[shell]",
           "The elastic constants are either E and nu, or lambda and mu.",
           {{.name = "E", .unit = "Pa", .range = positive(), .meaning = "Young's modulus", .example = "2.1e11"},
-           {.name = "nu", .range = {-1, 0.5, true, true}, .meaning = "Poisson's ratio", .example = "0.3"},
-           {.name = "lambda", .unit = "Pa", .meaning = "first Lame constant, 3 lambda + 2 mu > 0", .example = "1.2e11"},
+           {.name = "nu",
+            .range = {-0.999, 0.5, false, true},
+            .meaning = "Poisson's ratio; towards -1 the shell becomes too soft in shape and too stiff in shear for double "
+                       "precision",
+            .example = "0.3"},
+           {.name = "lambda", .unit = "Pa", .meaning = "first Lame constant, 3 lambda + 2 mu > 0 and Poisson's ratio at least -0.999", .example = "1.2e11"},
            {.name = "mu", .unit = "Pa", .range = positive(), .meaning = "shear modulus", .example = "8e10"},
            {.name = "thickness",
             .kind = Kind::field,
@@ -104,7 +109,7 @@ Section support_section() {
       "[[support]]",
       "Components of the displacement u and of the rotation r prescribed on a boundary.",
       {{.name = "boundary",
-        .kind = Kind::text,
+        .kind = Kind::name,
         .required = true,
         .meaning = "a boundary of the domain",
         .example = "\"left\""},
@@ -145,7 +150,7 @@ Section load_section() {
           "Dead loads, at least one of force, pressure and couple: per area of the mid-surface, or per length of a "
           "boundary's curve if a boundary is named. Several loads add up.",
           {{.name = "boundary",
-            .kind = Kind::text,
+            .kind = Kind::name,
             .meaning = "a boundary of the domain; without it the load acts on the whole surface"},
            {.name = "force", .kind = Kind::field_vector, .unit = "N/m^2, N/m", .meaning = "Cartesian force"},
            {.name = "pressure",
@@ -192,7 +197,7 @@ Section probe_section() {
       "[[probe]]",
       "A point where displacements, resultants and gap are reported.",
       {{.name = "name",
-        .kind = Kind::text,
+        .kind = Kind::name,
         .required = true,
         .meaning = "a name no other probe has",
         .example = "\"centre\""},

@@ -9,6 +9,7 @@ namespace plastron::config {
 
 enum class Kind {
   text,
+  name,  ///< a text of few characters that the user chooses
   word,  ///< one of Key::words
   boolean,
   integer,

@@ -36,8 +36,11 @@ Section domain_section() {
             .meaning = "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]"},
            {.name = "mesh",
             .kind = Kind::text,
-            .meaning = "a Gmsh file of quadrilaterals or triangles in the plane, its path relative to the case file; "
-                       "physical curves name the boundaries, physical surfaces the regions"}}};
+            .meaning = "a Gmsh file (.msh, format 2.2 or 4.1, ASCII) of quadrilaterals or triangles in the plane, its path "
+                       "relative to the case file; physical surfaces name the regions, physical curves the boundaries: "
+                       "a curve may lie inside of the domain, where the conormal n of supports points to the right of "
+                       "the curve as drawn, and in several groups, which then all act on it; corners of more than one "
+                       "degree are corners, so mesh curved boundaries with order 2 or more"}}};
 }
 
 std::vector<Section> domain_shapes() {
@@ -83,7 +86,7 @@ std::vector<Section> domain_shapes() {
            {{.name = "corners",
              .kind = Kind::points,
              .required = true,
-             .meaning = "three corners or more, in either sense",
+             .meaning = "three to 500 corners, in either sense",
              .example = "[[0, 0], [1, 0], [0, 1]]"}}}};
 }
 

@@ -58,9 +58,16 @@ the parameters x and y. An expression has
 
 - numbers, pi, the constants of `[constants]`, and x and y where allowed;
 - `+ - * / ^`, comparisons `== != < <= > >=`, `&& ||`, and the choice `condition ? a : b`;
-- sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs min max sign.
+- sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log ln sqrt abs, and min max sign; log and ln
+  are both the natural logarithm.
 
-A chart is differentiated twice and therefore has no comparisons, choices, min or max.
+A chart is differentiated twice and therefore has no comparisons, choices, min, max or sign, no exponent beyond 1000 and no
+product of dozens of factors. An expression has at most 4000 characters, and 50 brackets in each other.
+
+## Limits
+
+A file has at most 256 kB; a list or a table at most 500 entries; all sections together at most 500; names at most 60 bytes. What is wider
+than a mesh a person would make is refused, too: a rectangle has at most a million cells on its coarsest mesh.
 )manual";
 
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }

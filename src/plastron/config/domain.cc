@@ -1,4 +1,5 @@
 // [geometry] domain.
+#include <plastron/config/printable.hpp>
 #include <plastron/config/sections.hpp>
 
 #include <algorithm>
@@ -50,6 +51,11 @@ Domain read_rectangle(Table& rectangle) {
   const auto regions = rectangle.texts("regions");
   if (!from || !to || !breaks || !regions || (rectangle.has("cells") && !cells)) return {};
   const fem::Rectangle r{*from, *to, cells.value_or(std::array{0, 0}), *breaks, *regions};
+  if (static_cast<double>(r.cells[0]) * r.cells[1] > most_cells) {
+    rectangle.report("cells", fmt::format("{} x {} cells on the coarsest mesh", r.cells[0], r.cells[1]),
+                     fmt::format("at most {:.0f} together", most_cells), "refine with mesh.refinements instead");
+    return {};
+  }
   if (!(r.from.array() < r.to.array()).all()) {
     rectangle.report("to", fmt::format("to = [{}, {}] does not lie right of and above from = [{}, {}]", r.to[0],
                                        r.to[1], r.from[0], r.from[1]));
@@ -104,12 +110,19 @@ Domain read_polygon(Table& domain) {
 Domain read_mesh_file(Table& domain) {
   const auto name = domain.text("mesh");
   if (!name) return {};
+  if (has_control_characters(*name) || name->empty()) {
+    domain.report("mesh", name->empty() ? "the path of the mesh file is empty" : "the path has a control character");
+    return {};
+  }
   const auto folder = std::filesystem::path(domain.reading().source.file_name()).parent_path();
   const auto path = folder / *name;
   std::error_code error;
   if (std::filesystem::is_regular_file(path, error)) return fem::MeshFile{path.string()};
-  domain.report("mesh", fmt::format("there is no mesh file {}", path.string()), "",
-                "the path is relative to the folder of the case file");
+  const bool is_there = std::filesystem::exists(path, error);
+  domain.report("mesh",
+                is_there ? fmt::format("{} is a directory, a pipe or a device, not a mesh file", path.string())
+                         : fmt::format("there is no mesh file {}", path.string()),
+                "", is_there ? "name a Gmsh file (.msh)" : "the path is relative to the folder of the case file");
   return {};
 }
 

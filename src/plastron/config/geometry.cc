@@ -1,6 +1,7 @@
 // [geometry]: the domain and its charts.
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <algorithm>
 
@@ -20,10 +21,12 @@ std::optional<std::string> read_formula(Reading& reading, const Item& item) {
 void report_chart(Reading& reading, const Item& item, const Formulas& formulas) {
   for (std::size_t i = 0; i < 3; ++i) try {
       const geometry::Chart alone({formulas[i], "0", "0"}, reading.constants);
-    } catch (const geometry::ExpressionError&) {
+    } catch (const geometry::NotDifferentiable& error) {
       reading.report(reading.source.value(item.value.as_array()[i]),
-                     fmt::format("entry {} of {} cannot be differentiated twice", i + 1, item.name),
-                     "+ - * / ^ and sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs");
+                     fmt::format("entry {} of {} cannot be differentiated twice: {}", i + 1, item.name, error.reason),
+                     fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
+    } catch (const geometry::ExpressionError& error) {
+      reading.report(reading.source.value(item.value.as_array()[i]), error.what());
     }
 }
 
@@ -45,7 +48,7 @@ void read_chart(const Table& geometry, const Item& item, const std::vector<std::
 void report_unknown_region(Reading& reading, const std::string& region, const toml::value& value,
                            const std::vector<std::string>& regions) {
   const bool unnamed = regions == std::vector<std::string>{""};
-  reading.report(reading.source.key(region, value), fmt::format("the domain has no region \"{}\"", region),
+  reading.report(reading.source.key(region, value), fmt::format("the domain has no region \"{}\"", geometry::shortened(region)),
                  unnamed ? "" : joined(regions),
                  unnamed ? "the domain is one region without a name: write chart = [three expressions]"
                          : did_you_mean(region, regions));
@@ -61,13 +64,13 @@ void read_charts_by_region(const Table& geometry, const toml::value& table, cons
       report_unknown_region(reading, region, value, regions);
       continue;
     }
-    read_chart(geometry, Item{value, fmt::format("the chart of {}", region)}, {region}, problem, effective[region]);
+    read_chart(geometry, Item{value, fmt::format("the chart of {}", geometry::shortened(region))}, {region}, problem, effective[region]);
   }
   if (table.as_table().empty()) geometry.report("chart", "chart is an empty table", description(Kind::formulas));
   if (regions == std::vector<std::string>{""}) return;
   for (const std::string& region : regions)
     if (table.as_table().count(region) == 0)
-      geometry.report("chart", fmt::format("the region \"{}\" has no chart", region), joined(regions));
+      geometry.report("chart", fmt::format("the region \"{}\" has no chart", geometry::shortened(region)), joined(regions));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <plastron/config/mistakes.hpp>
+#include <plastron/config/printable.hpp>
 
 #include <fmt/format.h>
 
@@ -8,14 +9,6 @@
 namespace plastron::config {
 
 namespace {
-
-// One character of the terminal for each code point; control characters would disturb it.
-std::string printable(const std::string& text) {
-  std::string clean = text;
-  for (char& c : clean)
-    if (static_cast<unsigned char>(c) < 0x20 && c != '\t') c = '?';
-  return clean;
-}
 
 bool starts_code_point(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
@@ -34,6 +27,28 @@ std::string caret_line(const std::string& line, int column, int length) {
   return carets;
 }
 
+/// The part of a long line around the mistake, and where it stands in that.
+struct Excerpt {
+  std::string line;
+  int column;
+};
+
+Excerpt excerpt(const std::string& line, int column) {
+  constexpr int most = 100, before = 50;
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (starts_code_point(line[i])) begins.push_back(i);
+  const int count = static_cast<int>(begins.size());
+  if (count <= most) return {line, column};
+  const int first = std::clamp(column - 1 - before, 0, count - most), end = first + most;
+  const auto at = [&](int character) {
+    return character < count ? begins[static_cast<std::size_t>(character)] : line.size();
+  };
+  const std::string dots = "...";
+  return {(first > 0 ? dots : "") + line.substr(at(first), at(end) - at(first)) + (end < count ? dots : ""),
+          column - first + (first > 0 ? static_cast<int>(dots.size()) : 0)};
+}
+
 std::string format_all(const std::vector<Mistake>& mistakes) {
   std::string text;
   for (const Mistake& mistake : mistakes) text += format(mistake);
@@ -50,16 +65,18 @@ std::vector<Mistake> in_file_order(std::vector<Mistake> mistakes) {
 }  // namespace
 
 std::string format(const Mistake& mistake) {
+  const std::string file = printable(mistake.file), what = printable(mistake.what);
   std::string text;
   if (mistake.line == 0) {
-    text = fmt::format("{}: error: {}\n", mistake.file, mistake.what);
+    text = fmt::format("{}: error: {}\n", file, what);
   } else {
-    text = fmt::format("{}:{}:{}: error: {}\n", mistake.file, mistake.line, mistake.column, mistake.what);
-    text += fmt::format("{:5} | {}\n", mistake.line, printable(mistake.source_line));
-    text += fmt::format("      | {}\n", caret_line(mistake.source_line, mistake.column, mistake.length));
+    const Excerpt quoted = excerpt(mistake.source_line, mistake.column);
+    text = fmt::format("{}:{}:{}: error: {}\n", file, mistake.line, mistake.column, what);
+    text += fmt::format("{:5} | {}\n", mistake.line, printable(quoted.line));
+    text += fmt::format("      | {}\n", caret_line(quoted.line, quoted.column, mistake.length));
   }
-  if (!mistake.allowed.empty()) text += fmt::format("   allowed: {}\n", mistake.allowed);
-  if (!mistake.advice.empty()) text += fmt::format("   {}\n", mistake.advice);
+  if (!mistake.allowed.empty()) text += fmt::format("   allowed: {}\n", printable(mistake.allowed));
+  if (!mistake.advice.empty()) text += fmt::format("   {}\n", printable(mistake.advice));
   return text;
 }
 

@@ -1,3 +1,4 @@
+#include <plastron/config/limits.hpp>
 #include <plastron/config/nearest.hpp>
 
 #include <algorithm>
@@ -38,6 +39,7 @@ int edit_distance(const std::string& first, const std::string& second) {
 
 std::string nearest(const std::string& word, std::span<const std::string> candidates) {
   std::string best;
+  if (word.size() > longest_name) return best;  // nobody mistyped that
   int best_distance = 0;
   for (const std::string& candidate : candidates) {
     const int length = static_cast<int>(std::max(word.size(), candidate.size()));

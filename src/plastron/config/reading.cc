@@ -1,15 +1,19 @@
 #include <plastron/config/nearest.hpp>
+#include <plastron/config/printable.hpp>
 #include <plastron/config/reading.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace plastron::config {
 
 namespace {
 
-// toml11 turns a number that is too large into the largest one.
-constexpr double largest = 1e300;
+// Products of six such numbers, E e^3 |u|^2 with an area, are still finite. Whatever the units, no shell comes near.
+constexpr double largest = 1e50, smallest = 1e-50;
 constexpr std::size_t most_digits = 18;
 
 std::string found(const toml::value& value) {
@@ -33,9 +37,13 @@ std::string found(const toml::value& value) {
 // The value if it may be used; NaN is silent where it comes from a constant already reported.
 std::optional<double> finite(Reading& reading, const Item& item, double value) {
   if (std::abs(value) < largest) return value;
-  if (reading.constants_complete || !item.value.is_string())
-    reading.report(reading.source.value(item.value),
-                   fmt::format("{} is {}, which is no finite number", item.name, value));
+  if (!reading.constants_complete && item.value.is_string()) return {};
+  // toml11 turns a number that is too large into the largest one.
+  const bool is_finite = std::abs(value) < std::numeric_limits<double>::max();
+  reading.report(reading.source.value(item.value),
+                 fmt::format("{} is {:g}, which is {}", item.name, value,
+                             is_finite ? "too large to compute with" : "no finite number"),
+                 is_finite ? fmt::format("|{}| < {:g}", item.name, largest) : "");
   return {};
 }
 
@@ -47,10 +55,27 @@ std::optional<double> plain_number(Reading& reading, const Item& item) {
   return {};
 }
 
+bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
+bool in_name(char c) { return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)); }
+
+/// Where the text calls a function that the manual does not list, though the library behind expressions may know it.
+std::optional<std::size_t> unlisted_function(const std::string& text) {
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
+    end = begin + 1;
+    if (!in_name(text[begin]) && text[begin] != '.') continue;
+    while (end < text.size() && (in_name(text[end]) || text[end] == '.')) ++end;
+    const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
+    const bool is_call = begins_name(text[begin]) && next < text.size() && text[next] == '(';
+    if (is_call && std::ranges::count(expression_names(), text.substr(begin, end - begin)) == 0) return begin;
+  }
+  return {};
+}
+
 std::optional<geometry::Expression> expression(Reading& reading, const Item& item, bool parameters_allowed) {
   if (!check_expression_text(reading, item)) return {};
   const std::string& text = item.value.as_string().str;
   try {
+    if (const auto at = unlisted_function(text)) throw geometry::ExpressionError("unknown name", *at);
     geometry::Expression parsed(text, reading.constants);
     if (!parsed.is_constant()) {
       if (!parameters_allowed) [[maybe_unused]]
@@ -65,7 +90,12 @@ std::optional<geometry::Expression> expression(Reading& reading, const Item& ite
 }
 
 bool in_range(Reading& reading, const Item& item, double value) {
-  if (item.range.contains(value)) return true;
+  const bool is_tiny = item.range.low == 0 && item.range.low_open && value > 0 && value < smallest;
+  if (is_tiny)
+    reading.report(reading.source.value(item.value),
+                   fmt::format("{} is {:g}, which is too small to compute with", item.name, value),
+                   fmt::format("{} >= {:g}", item.name, smallest));
+  if (item.range.contains(value)) return !is_tiny;
   report_range(reading, item, value);
   return false;
 }
@@ -79,17 +109,21 @@ std::string identifier_at(const std::string& text, std::size_t begin) {
 }  // namespace
 
 const std::vector<std::string>& expression_names() {
-  static const std::vector<std::string> all{"x",    "y",    "pi",    "sin",  "cos",  "tan",  "asin",
-                                            "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp",
-                                            "log",  "sqrt", "abs",   "min",  "max",  "sign"};
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names{"x", "y", "pi"};
+    for (const auto* functions : {&geometry::smooth_functions(), &geometry::other_functions()})
+      names.insert(names.end(), functions->begin(), functions->end());
+    return names;
+  }();
   return all;
 }
 
 std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading, const toml::value& table) {
-  std::vector<std::pair<std::string, toml::value>> all(table.as_table().begin(), table.as_table().end());
-  std::ranges::sort(all, {}, [&](const auto& entry) {
-    return std::pair(reading.source.key(entry.first, entry.second).offset, entry.first);
-  });
+  std::map<std::pair<std::size_t, std::string>, const toml::value*> in_order;
+  for (const auto& [name, value] : table.as_table())
+    in_order.emplace(std::pair(reading.source.key(name, value).offset, name), &value);
+  std::vector<std::pair<std::string, toml::value>> all;
+  for (const auto& [place, value] : in_order) all.emplace_back(place.second, *value);
   return all;
 }
 
@@ -121,8 +155,8 @@ void report_expression(Reading& reading, const Item& item, const geometry::Expre
   if (word == "x" || word == "y") advice = "x and y are not known here: the value must be constant";
   if (std::ranges::count(reading.later_constants, word) > 0)
     advice = fmt::format("\"{}\" is defined below: constants use those above them", word);
-  reading.report(place, fmt::format("unknown name \"{}\" in the expression of {}", word, item.name), joined(known),
-                 advice);
+  reading.report(place, fmt::format("unknown name \"{}\" in the expression of {}", geometry::shortened(word), item.name),
+                 joined(known), advice);
 }
 
 bool check_expression_text(Reading& reading, const Item& item) {
@@ -152,6 +186,18 @@ std::optional<bool> read_boolean(Reading& reading, const Item& item) {
 std::optional<std::string> read_text(Reading& reading, const Item& item) {
   if (item.value.is_string()) return item.value.as_string().str;
   report_kind(reading, item, Kind::text);
+  return {};
+}
+
+std::optional<std::string> read_name(Reading& reading, const Item& item) {
+  auto name = read_text(reading, item);
+  if (!name) return {};
+  const bool clean = !has_control_characters(*name);
+  if (clean && name->size() <= longest_name) return name;
+  reading.report(reading.source.value(item.value),
+                 clean ? fmt::format("{} is {} bytes long", item.name, name->size())
+                       : fmt::format("{} has a control character", item.name),
+                 fmt::format("at most {} bytes, no control characters", longest_name));
   return {};
 }
 

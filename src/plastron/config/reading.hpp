@@ -3,6 +3,7 @@
 #pragma once
 #include <fmt/format.h>
 #include <plastron/config/declarations.hpp>
+#include <plastron/config/limits.hpp>
 #include <plastron/config/source.hpp>
 #include <plastron/geometry/expression.hpp>
 
@@ -22,9 +23,11 @@ struct Reading {
   bool constants_complete =
       true;  ///< false: some constant is wrong and stands as NaN; what follows from it is not reported
   std::vector<Mistake> mistakes{};
+  bool more_mistakes = false;  ///< than most_mistakes: those were not kept
 
   void report(Place place, std::string what, std::string allowed = "", std::string advice = "") {
-    mistakes.push_back(source.mistake(place, std::move(what), std::move(allowed), std::move(advice)));
+    more_mistakes = mistakes.size() >= most_mistakes;
+    if (!more_mistakes) mistakes.push_back(source.mistake(place, std::move(what), std::move(allowed), std::move(advice)));
   }
 };
 
@@ -37,6 +40,8 @@ struct Item {
 
 std::optional<bool> read_boolean(Reading& reading, const Item& item);
 std::optional<std::string> read_text(Reading& reading, const Item& item);
+/// A name of the user's choice: not empty, not long, without control characters.
+std::optional<std::string> read_name(Reading& reading, const Item& item);
 /// A number or an expression of the constants, finite and in the item's range.
 std::optional<double> read_number(Reading& reading, const Item& item);
 std::optional<int> read_integer(Reading& reading, const Item& item);

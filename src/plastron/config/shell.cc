@@ -25,6 +25,12 @@ std::optional<shell::Material> from_lame(Table& shell, double shear_correction) 
                  "3 lambda + 2 mu > 0");
     return {};
   }
+  const double nu = *lambda / (2 * (*lambda + *mu));
+  if (nu < -0.999) {
+    shell.report("lambda", fmt::format("lambda is {} and mu is {}: Poisson's ratio is {:.6g}", *lambda, *mu, nu),
+                 "lambda / (2 (lambda + mu)) >= -0.999", "nearer to -1 double precision does not suffice");
+    return {};
+  }
   return shell::Material{*lambda, *mu, shear_correction};
 }
 

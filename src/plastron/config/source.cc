@@ -1,3 +1,4 @@
+#include <plastron/config/printable.hpp>
 #include <plastron/config/source.hpp>
 
 #include <fmt/format.h>
@@ -12,23 +13,6 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool in_identifier(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool in_bare_key(char c) { return in_identifier(c) || c == '-'; }
-
-// Bytes of the UTF-8 code point that begins at `at`, 0 if it is none.
-std::size_t code_point_length(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const unsigned first = byte(at), second = byte(at + 1);
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xC2 ? 0
-                             : first < 0xE0 ? 2
-                             : first < 0xF0 ? 3
-                             : first < 0xF5 ? 4
-                                            : 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(at + i) & 0xC0) != 0x80) return 0;
-  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool surrogate = first == 0xED && second > 0x9F, too_large = first == 0xF4 && second > 0x8F;
-  return overlong || surrogate || too_large ? 0 : length;
-}
 
 // Bytes of source that stand for one character of a string.
 std::size_t source_length(const std::string& text, std::size_t at, bool escapes) {

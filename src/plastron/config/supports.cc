@@ -1,6 +1,7 @@
 // [[support]].
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <algorithm>
 #include <map>
@@ -69,14 +70,27 @@ struct NamedValue {
   toml::value value;
 };
 
+// u and r are vectors: one number, or a list of other than three, does not say which component is meant.
+bool names_no_component(Reading& reading, const std::string& name, const toml::value& value) {
+  if ((name != "u" && name != "r") || value.is_table()) return false;
+  if (value.is_array() && value.as_array().size() == 3) return false;
+  reading.report(reading.source.value(value),
+                 value.is_array() ? fmt::format("{} has {} entries, but must have 3", name, value.as_array().size())
+                                  : fmt::format("{} is a vector, and one value does not say which component", name),
+                 fmt::format("{0}.x = ..., {0}.n = ... and their like, or {0} = [three values]", name),
+                 fmt::format("for example values = {{ {0}.z = -0.02 }} or values = {{ {0} = [0, 0, -0.02] }}", name));
+  return true;
+}
+
 // { u.z = 1 }, { "u.z" = 1 } and { u = [0, 0, 1] } name components in the same way.
 std::vector<NamedValue> named_values(Reading& reading, const toml::value& table) {
   std::vector<NamedValue> all;
   for (const auto& [name, value] : entries(reading, table)) {
+    if (names_no_component(reading, name, value)) continue;
     if (value.is_table()) {
       for (const auto& [direction, inner] : entries(reading, value))
         all.push_back({fmt::format("{}.{}", name, direction), inner});
-    } else if (value.is_array() && (name == "u" || name == "r") && value.as_array().size() == 3) {
+    } else if (value.is_array() && (name == "u" || name == "r")) {
       for (std::size_t i = 0; i < 3; ++i) all.push_back({fmt::format("{}.{}", name, "xyz"[i]), value.as_array()[i]});
     } else {
       all.push_back({name, value});
@@ -97,10 +111,10 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
     const auto at = std::ranges::find(fixed, name, &Fixed::name);
     const Place place = reading.source.value(value);
     if (at == fixed.end() || at->by_symmetry) {
-      reading.report(place, fmt::format("values gives {}, which fix does not name", name), joined(allowed),
+      reading.report(place, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)), joined(allowed),
                      did_you_mean(name, allowed));
     } else if (std::ranges::count(seen, name) > 0) {
-      reading.report(place, fmt::format("values gives {} twice", name));
+      reading.report(place, fmt::format("values gives {} twice", geometry::shortened(name)));
     } else if (auto field = read_field(reading, Item{value, name})) {
       effective[name] = as_json(*field);
       result.components[static_cast<std::size_t>(at - fixed.begin())].value = std::move(*field);

@@ -1,7 +1,9 @@
 // toml11's several-line syntax errors put into one sentence with one caret. Its message quotes the text as
 // "12 | line" above a line with carets, several times when two places matter: the last one is where reading stopped.
 #include <fmt/format.h>
+#include <plastron/config/limits.hpp>
 #include <plastron/config/source.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <cctype>
 #include <sstream>
@@ -25,12 +27,12 @@ std::size_t last_caret(const Source& source, const std::string& message, std::si
 }
 
 std::string up_to(const std::string& text, std::size_t at, const char* ends) {
-  return text.substr(at, text.find_first_of(ends, at) - at);
+  return geometry::shortened(text.substr(at, text.find_first_of(ends, at) - at));
 }
 
 std::string quoted_name(const std::string& message) {
   const std::size_t begin = message.find("(\"") + 2;
-  return message.substr(begin, message.find("\")", begin) - begin);
+  return geometry::shortened(message.substr(begin, message.find("\")", begin) - begin));
 }
 
 constexpr const char* key_letters = "a key has letters, digits, _ and -, and then comes =";
@@ -65,10 +67,22 @@ Sentence about_key(const std::string& text, std::size_t at) {
   return {fmt::format("\"{}\" is not a key", up_to(text, at, " \t\r\n=")), key_letters};
 }
 
+std::string vector_or_components(const std::string& name) {
+  if (name != "u" && name != "r") return "";
+  return fmt::format("either {0} = [three values] or {0}.x, {0}.y, {0}.z one by one", name);
+}
+
+/// A key with a value, and below it a dotted key that begins with the same name.
+Sentence about_parts(const std::string& message) {
+  const std::size_t begin = message.find("target (") + 8;
+  const std::string name = geometry::shortened(message.substr(begin, message.find(')', begin) - begin));
+  return {fmt::format("\"{0}\" has a value already, so there is no \"{0}.\" besides", name), vector_or_components(name)};
+}
+
 Sentence about_duplicate(const std::string& message) {
   const std::string name = quoted_name(message);
   if (message.find(": table (") == std::string::npos && message.find("array of table") == std::string::npos)
-    return {fmt::format("\"{}\" is given twice", name), ""};
+    return {fmt::format("\"{}\" is given twice", name), vector_or_components(name)};
   return {fmt::format("section [{}] is given twice", name), fmt::format("a repeated section is written [[{}]]", name)};
 }
 
@@ -78,6 +92,7 @@ Sentence translate(const std::string& message, const std::string& text, std::siz
   if (says("not a valid string") || says("not a valid literal string")) return about_string(text, at);
   if (says("multiline string")) return {"the quotes are never closed", "add three quotes at the end of the text"};
   if (says("already exists") || says("collides") || says("cannot be defined")) return about_duplicate(message);
+  if (says("neither table nor an array of tables")) return about_parts(message);
   if (says("missing value after")) return {"the value is missing after =", ""};
   if (says("missing key-value separator")) return {"expected = and a value after the key", "write key = value"};
   if (says("invalid character in key"))
@@ -105,15 +120,20 @@ Sentence translate(const std::string& message, const std::string& text, std::siz
 }  // namespace
 
 toml::value parse_toml(const Source& source) {
+  check_shape(source);
   std::istringstream stream(source.text());
   try {
-    return toml::parse(stream, source.file_name());
+    toml::value value = toml::parse(stream, source.file_name());
+    check_counts(source, value);
+    return value;
   } catch (const toml::syntax_error& error) {
     const auto& location = error.location();
     const std::string message = error.what();
     const std::size_t at = last_caret(source, message, source.offset(location.line(), location.column()));
     const Sentence sentence = translate(message, source.text(), at);
     throw CaseErrors({source.mistake({at, 1}, sentence.what, "", sentence.advice)});
+  } catch (const CaseErrors&) {
+    throw;
   } catch (const std::exception&) {
     throw CaseErrors({{.file = source.file_name(), .what = "the file cannot be read as TOML"}});
   }

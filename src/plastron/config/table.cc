@@ -1,5 +1,6 @@
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/table.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -69,8 +70,8 @@ void Table::report_unknown(const std::string& name, const toml::value& value) co
   std::string advice = did_you_mean(name, known);
   if (advice.empty()) advice = belongs(name);
   reading_->report(reading_->source.key(name, value),
-                   is_section ? fmt::format("unknown section [{}]", name)
-                              : fmt::format("unknown key \"{}\" in {}", name, section_->header),
+                   is_section ? fmt::format("unknown section [{}]", geometry::shortened(name))
+                              : fmt::format("unknown key \"{}\" in {}", geometry::shortened(name), section_->header),
                    joined(known), advice);
 }
 
@@ -146,21 +147,22 @@ bool Table::check_word(const Key& key, const Item& item, const std::string& word
   const bool later = known != key.words.end();
   reading_->report(reading_->source.value(item.value),
                    later ? fmt::format("{} \"{}\" is not available in this version", item.name, word)
-                         : fmt::format("unknown word \"{}\" for {}", word, item.name),
+                         : fmt::format("unknown word \"{}\" for {}", geometry::shortened(word), item.name),
                    joined(allowed), later ? fmt::format("use \"{}\"", allowed.front()) : did_you_mean(word, allowed));
   return false;
 }
 
 std::optional<std::string> Table::text(const std::string& name) {
   return read(name, [&](Reading& reading, const Item& item) {
-    auto word = read_text(reading, item);
-    return word && check_word(declared(name), item, *word) ? word : std::nullopt;
+    const Key& key = declared(name);
+    auto word = key.kind == Kind::name ? read_name(reading, item) : read_text(reading, item);
+    return word && check_word(key, item, *word) ? word : std::nullopt;
   });
 }
 
 std::optional<std::vector<std::string>> Table::texts(const std::string& name) {
   const auto read_one = [this, &key = declared(name)](Reading& reading, const Item& item) {
-    auto word = read_text(reading, item);
+    auto word = key.words.empty() ? read_name(reading, item) : read_text(reading, item);
     return word && check_word(key, item, *word) ? word : std::nullopt;
   };
   return read(name, list_reader(Kind::names, 0, read_one));

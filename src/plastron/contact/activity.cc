@@ -1,3 +1,4 @@
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/scramble.hpp>
 #include <plastron/contact/activity.hpp>
 
@@ -17,6 +18,20 @@ std::int64_t count_over_ranks(const BoxProblem& problem, std::int64_t here) {
 }
 
 }  // namespace
+
+void assert_fits_together([[maybe_unused]] const BoxProblem& problem) {
+  PLASTRON_ASSERT(problem.apply, "an operator is missing");
+  PLASTRON_ASSERT(problem.matrix.layout()->owned == problem.load.layout()->owned &&
+                      problem.matrix.layout()->first == problem.load.layout()->first,
+                  problem.matrix.layout()->first, problem.matrix.layout()->owned, problem.load.layout()->first,
+                  problem.load.layout()->owned);
+  PLASTRON_ASSERT(problem.load.block() == problem.matrix.block() && problem.lower.block() == problem.matrix.block() &&
+                      problem.upper.block() == problem.matrix.block(),
+                  problem.matrix.block(), problem.load.block(), problem.lower.block(), problem.upper.block());
+  PLASTRON_ASSERT(problem.lower.owned().size() == problem.load.owned().size() &&
+                      problem.upper.owned().size() == problem.load.owned().size(),
+                  problem.load.owned().size(), problem.lower.owned().size(), problem.upper.owned().size());
+}
 
 bool bounds_are_consistent(const BoxProblem& problem) {
   std::int64_t contradictions = 0;
@@ -52,6 +67,7 @@ ActiveSet everything_active(const BoxProblem& problem) {
 }
 
 BoxSolution unsolved(const BoxProblem& problem, Status status) {
+  assert_fits_together(problem);
   const algebra::Vector zero(problem.load.layout(), problem.load.block());
   return {.status = status,
           .z = zero,
@@ -62,6 +78,8 @@ BoxSolution unsolved(const BoxProblem& problem, Status status) {
 }
 
 double held_at(const BoxProblem& problem, std::size_t i, Activity activity) {
+  PLASTRON_ASSERT(i < problem.lower.owned().size() && activity != Activity::free, i, problem.lower.owned().size(),
+                  static_cast<int>(activity));
   return activity == Activity::at_upper ? problem.upper.owned()[i] : problem.lower.owned()[i];
 }
 
@@ -72,6 +90,7 @@ std::int64_t count_active(const BoxProblem& problem, const ActiveSet& set) {
 }
 
 std::int64_t count_changes(const BoxProblem& problem, const ActiveSet& before, const ActiveSet& after) {
+  PLASTRON_ASSERT(before.size() == after.size(), before.size(), after.size());
   std::int64_t changes = 0;
   for (std::size_t i = 0; i < before.size(); ++i) changes += before[i] != after[i];
   return count_over_ranks(problem, changes);

@@ -11,6 +11,9 @@ namespace plastron::contact {
 /// Of the owned unknowns, one after the other.
 using ActiveSet = std::vector<Activity>;
 
+/// Asserts that load and bounds fit the matrix: layout, block, sizes. What they say is another matter (bounds_are_consistent).
+void assert_fits_together(const BoxProblem& problem);
+
 /// lower <= upper everywhere, on all ranks, and no bound is NaN.
 bool bounds_are_consistent(const BoxProblem& problem);
 

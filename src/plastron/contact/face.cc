@@ -1,5 +1,7 @@
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 #include <plastron/contact/face.hpp>
+#include <plastron/contact/kept_factor.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +33,7 @@ FaceSolver::FaceSolver(const BoxProblem& problem, algebra::Factorisation& factor
 }
 
 std::optional<FacePoint> FaceSolver::solve(const ActiveSet& set) {
+  PLASTRON_ASSERT(set.size() == problem_.load.owned().size(), set.size(), problem_.load.owned().size());
   if (auto point = solve_with_old_factor(set)) return point;
   failure_ = Status::singular;
   if (!factorise(set)) return {};
@@ -54,19 +57,19 @@ bool FaceSolver::factorise(const ActiveSet& set) {
 }
 
 /// A face that differs from the factorised one in a few unknowns: the factor is a preconditioner that is exact up to
-/// that rank, and each step costs a twentieth of a factorisation on a fine mesh. Its norm weighs the unknowns that changed
-/// wrongly, hence the sharper tolerance. Nothing if that does not converge soon.
+/// that rank. Its norm weighs the unknowns that changed wrongly, hence the sharper tolerance. Nothing where a new factor is
+/// cheaper, or if that does not converge soon.
 std::optional<FacePoint> FaceSolver::solve_with_old_factor(const ActiveSet& set) {
-  constexpr std::int64_t most_changes = 64;
-  constexpr int most_steps = 16;
   constexpr double sharper = 1e-2;
-  if (settings_.detect_free_motions || problem_.equations || !factorised_ ||
-      count_changes(problem_, *factorised_, set) > most_changes)
-    return {};
+  if (settings_.detect_free_motions || problem_.equations || !factorised_) return {};
+  const auto unknowns = static_cast<double>(nearby_.layout()->global_size) * nearby_.block();
+  const int steps =
+      steps_to_try(settings_.kept_factor, factorisation_.cost(), unknowns, count_changes(problem_, *factorised_, set));
+  if (steps == 0) return {};
   algebra::Vector z = nearby_;
-  const auto linear = solve_linear(
-      set, problem_.load,
-      {.tolerance = sharper * settings_.linear_tolerance, .max_steps = most_steps, .patience = most_steps}, z);
+  const auto linear =
+      solve_linear(set, problem_.load,
+                   {.tolerance = sharper * settings_.linear_tolerance, .max_steps = steps, .patience = steps}, z);
   if (!linear.converged) return {};
   return complete(std::move(z), linear, set);
 }
@@ -144,6 +147,7 @@ FacePoint FaceSolver::complete(algebra::Vector z, const algebra::CgResult& linea
   point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));
   point.linear_residual = linear.relative_residual;
   point.linear_steps = linear.steps;
+  point.has_converged = linear.converged;
   measure_gap_noise(point);
   measure_multiplier_noise(point, set);
   return point;
@@ -168,7 +172,9 @@ void FaceSolver::measure_gap_noise(FacePoint& point) const {
   const MPI_Comm comm = point.z.layout()->comm;
   largest = algebra::max_over_ranks(largest, comm);
   energy = algebra::max_over_ranks(energy, comm);
-  const double asked = std::max(settings_.gap_tolerance, point.linear_residual) * largest;
+  const double asked =
+      (point.has_converged ? settings_.gap_tolerance : std::max(settings_.gap_tolerance, point.linear_residual)) *
+      largest;
   point.gap_noise = algebra::Vector(point.z.layout(), point.z.block());
   double loosest = asked;
   for (std::size_t i = 0; i < z.size(); ++i) {
@@ -191,9 +197,11 @@ void FaceSolver::measure_multiplier_noise(FacePoint& point, const ActiveSet& set
   double residual = 0;
   double rounding = 0;
   double largest = 0;
+  double energy = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
     const double multiplier = std::abs(point.multiplier.owned()[i]);
     double& value = noise.owned()[i];
+    energy = std::max(energy, std::sqrt(std::max(diagonal_.owned()[i], 0.0)) * std::abs(point.z.owned()[i]));
     value = epsilon * (value + std::abs(problem_.load.owned()[i]));
     if (set[i] == Activity::free && diagonal_.owned()[i] > 0) {
       residual += multiplier * multiplier / diagonal_.owned()[i];
@@ -203,7 +211,9 @@ void FaceSolver::measure_multiplier_noise(FacePoint& point, const ActiveSet& set
   }
   const MPI_Comm comm = point.z.layout()->comm;
   residual = std::sqrt(algebra::sum_over_ranks(residual, comm));
-  rounding = std::sqrt(algebra::sum_over_ranks(rounding, comm));
+  // Where symmetry cancels entries of A, A z is still rounded by a few eps of the largest energy.
+  rounding =
+      std::max(std::sqrt(algebra::sum_over_ranks(rounding, comm)), epsilon * algebra::max_over_ranks(energy, comm));
   const double factor = 4 * std::max(1.0, rounding > 0 ? residual / rounding : 1.0);
   largest = algebra::max_over_ranks(largest, comm);
   const double asked = settings_.multiplier_tolerance * largest;

@@ -19,6 +19,7 @@ struct FacePoint {
   double energy = 0;
   algebra::Vector gap_noise{};  ///< violations up to here are no violations
   Tolerances tolerances{};
+  bool has_converged = true;  ///< the linear solve: to its tolerance or to what rounding permits
   double linear_residual = 0;
   int linear_steps = 0;
 };

@@ -3,6 +3,9 @@
 
 namespace plastron::contact {
 
+/// Whether a face near the factorised one is solved with the factor at hand.
+enum class KeptFactor { where_cheaper, always };
+
 struct Settings {
   int max_iterations = 200;  ///< active-set changes on one mesh; each costs one factorisation
   double gap_tolerance =
@@ -12,6 +15,7 @@ struct Settings {
   /// Look for motions that only rounding holds, at the cost of two solves a step. Needless once the bounds that never move are
   /// known to hold the structure.
   bool detect_free_motions = true;
+  KeptFactor kept_factor = KeptFactor::where_cheaper;
   int max_refinement_steps = 30;  ///< conjugate-gradient steps of one linear solve
 };
 

@@ -34,7 +34,7 @@ struct CoarseMesh {
 
 /// Throws DomainError where the domain cannot be meshed or a mesh file is not as it should be. Triangles of a built-in
 /// domain are its quadrilaterals cut crosswise, polygons apart.
-CoarseMesh coarse_mesh(const Domain& domain, Shape shape = Shape::quadrilateral);
+CoarseMesh coarse_mesh(const Domain& domain, Shape shape);
 
 /// The .msh part of coarse_mesh. Among triangles, quadrilaterals of the file are cut crosswise.
 CoarseMesh read_mesh_file(const MeshFile& file, Shape shape);

@@ -4,6 +4,7 @@
 // part. Nodes are the Gauss-Lobatto points of degree k in a quadrilateral and equidistant in a triangle, where k <= 2
 // makes them Gauss-Lobatto points of every side; they are numbered lexicographically in a cell (xi_1 fastest).
 #pragma once
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/matrix.hpp>
 #include <plastron/fem/coarse_mesh.hpp>
 
@@ -41,7 +42,10 @@ struct Space {
 
   Shape shape() const { return coarse->shape; }
   int nodes_per_cell() const { return fem::nodes_per_cell(shape(), degree); }
-  std::span<const algebra::LocalIndex> nodes(std::size_t cell) const { return connectivity.element(cell); }
+  std::span<const algebra::LocalIndex> nodes(std::size_t cell) const {
+    PLASTRON_ASSERT(cell < cells.size(), cell, cells.size());
+    return connectivity.element(cell);
+  }
 };
 
 }  // namespace plastron::fem

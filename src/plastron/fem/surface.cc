@@ -1,5 +1,6 @@
 #include <plastron/fem/surface.hpp>
 
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/fem/invert_map.hpp>
 
 #include <fmt/format.h>
@@ -26,10 +27,14 @@ Surface::Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::s
 }
 
 const geometry::Chart& Surface::chart_of(const Cell& cell) const {
+  PLASTRON_ASSERT(cell.coarse >= 0 && static_cast<std::size_t>(cell.coarse) < coarse_->cells.size(), cell.coarse,
+                  coarse_->cells.size());
   return charts_[static_cast<std::size_t>(coarse_->cells[static_cast<std::size_t>(cell.coarse)].region)];
 }
 
 PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
+  PLASTRON_ASSERT(cell.coarse >= 0 && static_cast<std::size_t>(cell.coarse) < coarse_->cells.size(), cell.coarse,
+                  coarse_->cells.size());
   PlaneJet f = coarse_->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * xi);
   for (auto& d : f.d) d *= cell.size;
   for (auto& dd : f.dd) dd *= cell.size * cell.size;
@@ -38,6 +43,7 @@ PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
 
 void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x,
                         std::span<double> y) const {
+  PLASTRON_ASSERT(x.size() == xi.size() && y.size() == xi.size(), xi.size(), x.size(), y.size());
   for (std::size_t p = 0; p < xi.size(); ++p) {
     const Vector2d position = plane_jet(cell, xi[p]).value;
     x[p] = position[0];
@@ -47,6 +53,7 @@ void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::spa
 
 void Surface::jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets,
                    bool second_derivatives) const {
+  PLASTRON_ASSERT(jets.size() == xi.size(), jets.size(), xi.size());
   std::vector<PlaneJet> plane(xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   for (std::size_t p = 0; p < xi.size(); ++p) {
@@ -60,6 +67,7 @@ void Surface::jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geo
 
 void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
                              std::span<geometry::SurfaceJet> jets) const {
+  PLASTRON_ASSERT(jets.size() == xi.size(), jets.size(), xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   positions(cell, xi, x, y);
   chart_of(cell).evaluate(x, y, jets, true);

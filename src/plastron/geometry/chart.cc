@@ -1,7 +1,13 @@
 #include <plastron/geometry/chart.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "derivative_size.hpp"
 #include "formula.hpp"
 
 namespace plastron::geometry {
@@ -32,15 +38,32 @@ std::string power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
 
 std::string call(const GiNaC::function& f) {
   std::string name = f.get_name();
-  if (name == "csgn") name = "sign";
+  if (name == "csgn" || name == "sign_of_real") name = "sign";
+  if (name == "magnitude_of_real") name = "abs";
   std::string arguments;
   for (std::size_t i = 0; i < f.nops(); ++i) arguments += (i ? "," : "") + in_muparser_syntax(f.op(i));
   return fmt::format("{}({})", name, arguments);
 }
 
+/// What terms and factors are ordered by: their text without parentheses and numerical factor; numbers come first.
+std::string order_key(const GiNaC::ex& e, const std::string& text) {
+  if (GiNaC::is_a<GiNaC::numeric>(e)) return {};
+  if (!GiNaC::is_a<GiNaC::mul>(e)) return text;
+  const bool has_number = GiNaC::is_a<GiNaC::numeric>(e.op(e.nops() - 1));
+  const std::size_t begin = has_number ? text.find(")*") + 2 : 1;
+  return text.substr(begin, text.size() - 1 - begin);
+}
+
+/// GiNaC orders terms and factors by addresses, which change from run to run. Here each has its place, so that rounding is the same in every run.
 std::string joined(const GiNaC::ex& e, const char* separator) {
+  std::vector<std::pair<std::string, std::string>> operands;
+  for (const GiNaC::ex& operand : e) {
+    const std::string text = in_muparser_syntax(operand);
+    operands.emplace_back(order_key(operand, text), text);
+  }
+  std::ranges::sort(operands);
   std::string text = "(";
-  for (std::size_t i = 0; i < e.nops(); ++i) text += (i ? separator : "") + in_muparser_syntax(e.op(i));
+  for (std::size_t i = 0; i < operands.size(); ++i) text += (i ? separator : "") + operands[i].second;
   return text + ")";
 }
 
@@ -64,18 +87,18 @@ std::vector<Expression> differentiate(const std::string& text, const Constants& 
   for (const auto& [name, value] : constants) names[name] = GiNaC::realsymbol(name);
   try {
     const GiNaC::ex f = formula(text, names);
+    constexpr double longest = 1e5;
+    if (derivative_size(f).second > longest)
+      throw std::invalid_argument("its second derivatives are too long; multiply factors out, or use fewer of them");
     const GiNaC::ex fx = f.diff(x), fy = f.diff(y);
     std::vector<Expression> all;
     for (const GiNaC::ex& e : {f, fx, fy, fx.diff(x), fx.diff(y), fy.diff(y)})
-      all.emplace_back(in_muparser_syntax(e), constants);
+      all.push_back(Expression::made(in_muparser_syntax(e), constants));
     return all;
   } catch (const ExpressionError&) {
     throw;
   } catch (const std::exception& error) {
-    throw ExpressionError(fmt::format("\"{}\" is no formula with two derivatives: {} (charts allow + - * / ^ and "
-                                      "sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs)",
-                                      text, error.what()),
-                          0);
+    throw NotDifferentiable(shortened(text), shortened(error.what(), 200));
   }
 }
 

@@ -1,4 +1,5 @@
 #include <plastron/geometry/expression.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <fmt/format.h>
 #include <muParser.h>
@@ -32,19 +33,45 @@ mu::Parser parser_with(const Constants& constants) {
   return parser;
 }
 
+void check_size(const std::string& text) {
+  if (text.size() > longest_expression)
+    throw ExpressionError(fmt::format("\"{}\" is {} characters long, at most {} are allowed", shortened(text),
+                                      text.size(), longest_expression),
+                          longest_expression);
+  std::size_t depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(' && ++depth > deepest_brackets)
+      throw ExpressionError(
+          fmt::format("\"{}\" has more than {} brackets in each other", shortened(text), deepest_brackets), i);
+    if (text[i] == ')' && depth > 0) --depth;
+  }
+}
+
 [[noreturn]] void rethrow(const mu::ParserError& error, const std::string& text) {
   const auto position = error.GetPos() < 0 ? std::size_t{0} : static_cast<std::size_t>(error.GetPos());
   switch (error.GetCode()) {
     case mu::ecUNASSIGNABLE_TOKEN:
-      throw ExpressionError(fmt::format("unknown name \"{}\" in \"{}\"", error.GetToken(), text), position);
+      throw ExpressionError(fmt::format("unknown name \"{}\" in \"{}\"", shortened(error.GetToken()), shortened(text)), position);
     case mu::ecUNEXPECTED_EOF:
-      throw ExpressionError(fmt::format("\"{}\" ends too early", text), text.size());
+      throw ExpressionError(fmt::format("\"{}\" ends too early", shortened(text)), text.size());
     default:
-      throw ExpressionError(fmt::format("\"{}\": {}", text, error.GetMsg()), std::min(position, text.size()));
+      throw ExpressionError(fmt::format("\"{}\": {}", shortened(text), shortened(error.GetMsg(), 200)),
+                            std::min(position, text.size()));
   }
 }
 
 }  // namespace
+
+const std::vector<std::string>& smooth_functions() {
+  static const std::vector<std::string> all{"sin",  "cos",  "tan",   "asin",  "acos",  "atan", "atan2", "sinh", "cosh",
+                                            "tanh", "asinh", "acosh", "atanh", "exp", "log",  "ln",    "sqrt", "abs"};
+  return all;
+}
+
+const std::vector<std::string>& other_functions() {
+  static const std::vector<std::string> all{"min", "max", "sign"};
+  return all;
+}
 
 // muParser keeps the addresses of its variables, so they live as long as the compiled program.
 struct Expression::Program {
@@ -55,6 +82,18 @@ struct Expression::Program {
 Expression::Expression(double value) : text_(fmt::format("{}", value)), constant_(value) {}
 
 Expression::Expression(std::string text, const Constants& constants) : text_(std::move(text)) {
+  check_size(text_);
+  compile(constants);
+}
+
+Expression Expression::made(std::string text, const Constants& constants) {
+  Expression result;
+  result.text_ = std::move(text);
+  result.compile(constants);
+  return result;
+}
+
+void Expression::compile(const Constants& constants) {
   auto program = std::make_shared<Program>();
   try {
     program->parser = parser_with(constants);
@@ -63,7 +102,7 @@ Expression::Expression(std::string text, const Constants& constants) : text_(std
     program->parser.SetExpr(text_);
     const double first = program->parser.Eval();
     if (program->parser.GetNumResults() != 1)
-      throw ExpressionError(fmt::format("\"{}\" has more than one value", text_), 0);
+      throw ExpressionError(fmt::format("\"{}\" has more than one value", shortened(text_)), 0);
     if (program->parser.GetUsedVar().empty()) {
       constant_ = first;
       return;
@@ -103,6 +142,7 @@ void Expression::evaluate(std::span<const double> x, std::span<const double> y, 
 }
 
 double evaluate_constant(const std::string& text, const Constants& constants) {
+  check_size(text);
   try {
     mu::Parser parser = parser_with(constants);
     parser.SetExpr(text);

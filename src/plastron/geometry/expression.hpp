@@ -20,8 +20,23 @@ struct ExpressionError : std::invalid_argument {
   std::size_t position;
 };
 
-/// f(x, y). Known names: x, y, pi, the constants; + - * / ^, comparisons, c ? a : b, and the functions
-/// sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs min max sign.
+/// An expression that cannot be differentiated twice, and why not.
+struct NotDifferentiable : ExpressionError {
+  NotDifferentiable(const std::string& text, std::string reason_in_words)
+      : ExpressionError("\"" + text + "\" cannot be differentiated twice: " + reason_in_words, 0),
+        reason(std::move(reason_in_words)) {}
+  std::string reason;
+};
+
+/// The functions that expressions know and that have two derivatives, and those that have not.
+const std::vector<std::string>& smooth_functions();
+const std::vector<std::string>& other_functions();
+
+/// What an expression may have at most, so that reading one takes no time and no stack.
+inline constexpr std::size_t longest_expression = 4000;  ///< characters
+inline constexpr std::size_t deepest_brackets = 50;
+
+/// f(x, y). Known names: x, y, pi, the constants; + - * / ^, comparisons, c ? a : b, and the functions above.
 class Expression {
  public:
   /// The zero function.
@@ -30,6 +45,8 @@ class Expression {
   explicit Expression(double value);
   /// Throws ExpressionError.
   Expression(std::string text, const Constants& constants);
+  /// Of a text that the program made, however long.
+  static Expression made(std::string text, const Constants& constants);
 
   double operator()(double x, double y) const;
   /// values[i] = f(x[i], y[i]).
@@ -43,6 +60,7 @@ class Expression {
 
  private:
   struct Program;
+  void compile(const Constants& constants);
   std::string text_;
   double constant_ = 0;
   double factor_ = 1;  // of what the program gives

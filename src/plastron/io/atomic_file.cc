@@ -101,40 +101,84 @@ std::int64_t offset_of(std::int64_t size, MPI_Comm comm) {
   return rank_in(comm) == 0 ? 0 : offset;  // Exscan leaves rank 0's result undefined
 }
 
-void rename_for_good(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::filesystem::rename(from, to);
-  const auto directory = to.parent_path();
+void flush_directory_of(const std::filesystem::path& path) {
+  const auto directory = path.parent_path();
   OpenFile(directory.empty() ? "." : directory, O_RDONLY | O_DIRECTORY)
       .flush();  // the new name, too, survives a power cut
 }
 
+/// Directories that stand in the way are found before the first file is replaced.
+void check_replaceable(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path))
+    throw std::system_error(std::make_error_code(std::errc::is_a_directory));
+}
+
 }  // namespace
 
-void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI_Comm comm) {
+void AtomicFiles::add(const std::filesystem::path& path, const Piece& piece) {
   constexpr std::string_view what = "write";
-  const bool root = rank_in(comm) == 0;
+  const bool root = rank_in(comm_) == 0;
   std::string text;
-  together(what, path, comm, [&] { text = piece(); });
-  const std::int64_t offset = offset_of(static_cast<std::int64_t>(text.size()), comm);
-  const std::filesystem::path temporary = temporary_name(path, comm);
-  try {
-    together(what, path, comm, [&] {
-      if (root) OpenFile(temporary, O_WRONLY | O_CREAT | O_TRUNC).close();
+  together(what, path, comm_, [&] { text = piece(); });
+  const std::int64_t offset = offset_of(static_cast<std::int64_t>(text.size()), comm_);
+  files_.push_back({path, temporary_name(path, comm_)});
+  const std::filesystem::path& temporary = files_.back().temporary;
+  together(what, path, comm_, [&] {
+    if (root) OpenFile(temporary, O_WRONLY | O_CREAT | O_TRUNC).close();
+  });
+  together(what, path, comm_, [&] {
+    OpenFile file(temporary, O_WRONLY);
+    file.write(text, offset);
+    file.flush();
+    file.close();
+  });
+}
+
+void AtomicFiles::commit() {
+  const bool root = rank_in(comm_) == 0;
+  for (const File& file : files_)
+    together("write", file.path, comm_, [&] {
+      if (root) check_replaceable(file.path);
     });
-    together(what, path, comm, [&] {
-      OpenFile file(temporary, O_WRONLY);
-      file.write(text, offset);
-      file.flush();
-      file.close();
+  for (const File& file : files_)
+    together("write", file.path, comm_, [&] {
+      if (root) std::filesystem::rename(file.temporary, file.path);
     });
-    together(what, path, comm, [&] {
-      if (root) rename_for_good(temporary, path);
+  const std::vector<File> done = std::move(files_);
+  files_.clear();
+  for (const File& file : done)
+    together("write", file.path, comm_, [&] {
+      if (root) flush_directory_of(file.path);
     });
-  } catch (...) {
-    std::error_code ignored;  // the first error is the one to tell
-    if (root) std::filesystem::remove(temporary, ignored);
-    throw;
+}
+
+AtomicFiles::~AtomicFiles() {
+  std::error_code ignored;  // the first error is the one to tell
+  if (rank_in(comm_) == 0)
+    for (const File& file : files_) std::filesystem::remove(file.temporary, ignored);
+}
+
+void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI_Comm comm) {
+  AtomicFiles one(comm);
+  one.add(path, piece);
+  one.commit();
+}
+
+void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::vector<std::filesystem::path>& made) {
+  for (auto above = directory; !above.empty() && !std::filesystem::exists(above); above = above.parent_path()) {
+    made.insert(made.begin(), above);
+    if (above == above.parent_path()) break;
   }
+  make_directory(directory, comm);
+  // Enough to be refused by a disk that is full: one block may lie ready in the directory's own.
+  constexpr std::size_t some = 1 << 16;
+  AtomicFiles attempt(comm);
+  attempt.add(directory / ".plastron-may-write", [&] { return std::string(rank_in(comm) == 0 ? some : 0, '\n'); });
+}
+
+void remove_empty(const std::vector<std::filesystem::path>& directories, MPI_Comm comm) {
+  if (rank_in(comm) == 0)
+    for (auto d = directories.rbegin(); d != directories.rend(); ++d) ::rmdir(d->c_str());
 }
 
 void make_directory(const std::filesystem::path& directory, MPI_Comm comm) {

@@ -23,10 +23,11 @@ bool can_be_drawn(const study::Result& result, MPI_Comm comm) {
 void write_output(const study::Result& result, Provenance provenance, const std::filesystem::path& directory,
                   const std::string& base_name, MPI_Comm comm) {
   make_directory(directory, comm);
-  remove_file(directory / results_name, comm);
+  AtomicFiles files(comm);
   provenance.files.clear();
-  if (can_be_drawn(result, comm)) provenance.files = write_vtu(*result.solution, directory, base_name);
-  write_results(result, provenance, directory, comm);
+  if (can_be_drawn(result, comm)) provenance.files = add_vtu(*result.solution, directory, base_name, files);
+  add_results(result, provenance, directory, files);
+  files.commit();
 }
 
 }  // namespace plastron::io

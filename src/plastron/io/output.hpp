@@ -4,9 +4,9 @@
 
 namespace plastron::io {
 
-/// Makes the directory, removes results.json of an earlier run, writes base_name.vtu and .pvd (unless there is no
-/// finite solution to draw) and, last, results.json; provenance.files is filled here (collective). Throws
-/// std::runtime_error.
+/// Makes the directory and writes base_name.vtu and .pvd (unless there is no finite solution to draw) and results.json;
+/// those of an earlier run stay until all are complete, results.json is replaced last; provenance.files is filled here
+/// (collective). Throws std::runtime_error.
 void write_output(const study::Result& result, Provenance provenance, const std::filesystem::path& directory,
                   const std::string& base_name, MPI_Comm comm);
 

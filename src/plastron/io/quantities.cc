@@ -101,6 +101,8 @@ std::span<const Quantity<assembly::Certificate>> certificate_quantities() {
        [](const Certificate& c) { return number(c.min_gap_nodes); }},
       {"min_gap_between", "m", "smallest gap between nodes; null if no cell is near the obstacle",
        [](const Certificate& c) { return number(c.min_gap_between); }},
+      {"support_error", "m", "largest distance of a supported component from its value, rotations times the thickness",
+       [](const Certificate& c) { return number(c.support_error); }},
       {"complementarity", "Pa m", "largest |eta g| at a node",
        [](const Certificate& c) { return number(c.complementarity); }},
       {"force_balance", "1", "sum of loads and reactions over the largest of them",

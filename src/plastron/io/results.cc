@@ -1,6 +1,5 @@
 #include <plastron/io/results.hpp>
 
-#include <plastron/io/atomic_file.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/version.hpp>
 
@@ -113,16 +112,23 @@ Json results_json(const study::Result& result, const Provenance& provenance) {
   return json;
 }
 
-void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
-                   MPI_Comm comm) {
+void add_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
+                 AtomicFiles& files) {
   int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_rank(files.comm(), &rank);
   const auto text = [&] {
     // A title that is no valid UTF-8 shall not cost the results.
     return rank == 0 ? results_json(result, provenance).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                      : std::string();
   };
-  write_atomically(directory / results_name, text, comm);
+  files.add(directory / results_name, text);
+}
+
+void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
+                   MPI_Comm comm) {
+  AtomicFiles files(comm);
+  add_results(result, provenance, directory, files);
+  files.commit();
 }
 
 }  // namespace plastron::io

@@ -1,6 +1,7 @@
 // results.json: what a computation found, with what certificate, from which settings. Its numbers are listed in
 // quantities.cc and fields.cc, and for the reader in docs/results.md.
 #pragma once
+#include <plastron/io/atomic_file.hpp>
 #include <plastron/io/quantities.hpp>
 
 #include <mpi.h>
@@ -23,7 +24,10 @@ inline constexpr std::string_view results_name = "results.json";
 
 Json results_json(const study::Result& result, const Provenance& provenance);
 
-/// Writes directory/results.json (collective; the text is rank 0's; atomic). Throws std::runtime_error.
+/// Adds directory/results.json to the files (collective; the text is rank 0's). Throws std::runtime_error.
+void add_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
+                 AtomicFiles& files);
+/// Writes it alone.
 void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
                    MPI_Comm comm);
 

@@ -51,6 +51,26 @@ std::string aligned(const std::vector<Line>& lines) {
 
 std::string unit_text(const std::string& unit) { return unit == "-" || unit == "1" ? "" : "[" + unit + "]"; }
 
+std::string fit_text(const study::Fit& fit) {
+  if (!std::isfinite(fit.exponent)) return fmt::format("{}: no exponent of {}\n", fit.quantity, fit.against);
+  return fmt::format("{} ~ {}^{:.2f}\n", fit.quantity, fit.against, fit.exponent);
+}
+
+std::string claim_text(const study::Claim& claim) {
+  if (claim.verdict == study::Verdict::cannot_be_judged)
+    return fmt::format("{}: {}: {}\n", claim.statement, to_string(claim.verdict), claim.reason);
+  return fmt::format("{}: {}: {}\n", claim.statement, claim.measured, to_string(claim.verdict));
+}
+
+/// "holds" is null where nothing can be said; then "reason" says why.
+Json claim_json(const study::Claim& claim) {
+  Json json{{"claim", claim.statement}, {"measured", claim.measured}, {"holds", nullptr}};
+  if (claim.verdict != study::Verdict::cannot_be_judged) json["holds"] = claim.verdict == study::Verdict::holds;
+  json["verdict"] = to_string(claim.verdict);
+  json["reason"] = claim.reason;
+  return json;
+}
+
 Json plot_json(const study::Plot& plot) {
   const auto numbers = [](const std::vector<double>& values) {
     Json list = Json::array();
@@ -76,10 +96,9 @@ std::string table_text(const study::Table& table) {
   }
   std::string text = table.title + "\n\n" + aligned(lines);
   if (!table.fits.empty()) text += "\n";
-  for (const study::Fit& f : table.fits) text += fmt::format("{} ~ {}^{:.2f}\n", f.quantity, f.against, f.exponent);
+  for (const study::Fit& f : table.fits) text += fit_text(f);
   if (!table.claims.empty()) text += "\n";
-  for (const study::Claim& c : table.claims)
-    text += fmt::format("{}: {}: {}\n", c.statement, c.measured, c.holds ? "holds" : "does not hold");
+  for (const study::Claim& c : table.claims) text += claim_text(c);
   if (!table.remarks.empty()) text += "\n";
   for (const std::string& r : table.remarks) text += r + "\n";
   return text;
@@ -105,8 +124,7 @@ Json report_json(const study::Report& report, const Provenance& provenance) {
   for (const study::Fit& f : table.fits)
     json["fits"].push_back({{"quantity", f.quantity}, {"against", f.against}, {"exponent", number(f.exponent)}});
   json["claims"] = Json::array();
-  for (const study::Claim& c : table.claims)
-    json["claims"].push_back({{"claim", c.statement}, {"measured", c.measured}, {"holds", c.holds}});
+  for (const study::Claim& c : table.claims) json["claims"].push_back(claim_json(c));
   json["remarks"] = table.remarks;
   json["plot"] = plot_json(report.plot);
   json["files"] = provenance.files;
@@ -122,21 +140,19 @@ void write_report(const study::Report& report, const Provenance& provenance, con
   MPI_Comm_rank(comm, &rank);
   const auto from_first = [rank](const auto& make) { return rank == 0 ? make() : std::string(); };
   make_directory(directory, comm);
-  remove_file(json_path, comm);
-  remove_file(svg_path, comm);
+  AtomicFiles files(comm);
   Provenance complete = provenance;
-  if (!report.table.rows.empty()) {
-    write_atomically(
-        svg_path, [&] { return from_first([&] { return svg_text(report.plot); }); }, comm);
+  const bool has_plot = !report.table.rows.empty();
+  if (has_plot) {
+    files.add(svg_path, [&] { return from_first([&] { return svg_text(report.plot); }); });
     complete.files = {svg_path.filename().string()};
   }
-  write_atomically(
-      json_path,
-      [&] {
-        return from_first(
-            [&] { return report_json(report, complete).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; });
-      },
-      comm);
+  files.add(json_path, [&] {
+    return from_first(
+        [&] { return report_json(report, complete).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; });
+  });
+  files.commit();
+  if (!has_plot) remove_file(svg_path, comm);
 }
 
 }  // namespace plastron::io

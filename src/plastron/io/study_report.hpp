@@ -16,7 +16,8 @@ std::string table_text(const study::Table& table);
 /// name, title, status, columns, rows, fits, claims, remarks, plot; and the settings of the case.
 Json report_json(const study::Report& report, const Provenance& provenance);
 
-/// Writes directory/NAME.svg and, last, directory/NAME.json, atomically (collective). A report without rows has no plot.
+/// Writes directory/NAME.svg and, last, directory/NAME.json (collective). A report without rows has no plot. Those of an
+/// earlier run stay until the new ones are complete.
 /// Throws std::runtime_error.
 void write_report(const study::Report& report, const Provenance& provenance, const std::filesystem::path& directory,
                   MPI_Comm comm);

@@ -1,6 +1,5 @@
 #include <plastron/io/vtu.hpp>
 
-#include <plastron/io/atomic_file.hpp>
 #include <plastron/io/fields.hpp>
 
 #include <deal.II/base/data_out_base.h>
@@ -107,16 +106,16 @@ std::string pvd_text(const std::string& vtu_name) {
 
 }  // namespace
 
-std::vector<std::string> write_vtu(const study::Solution& solution, const std::filesystem::path& directory,
-                                   const std::string& base_name, double displacement_scale) {
-  const MPI_Comm comm = solution.discrete->space().layout->comm;
+std::vector<std::string> add_vtu(const study::Solution& solution, const std::filesystem::path& directory,
+                                 const std::string& base_name, AtomicFiles& files, double displacement_scale) {
+  const MPI_Comm comm = files.comm();
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
   const std::vector<Field> present = fields_of(static_cast<bool>(solution.discrete->gap),
                                                solution.discrete->tangency.formulation == assembly::Formulation::mixed);
   const auto flags = flags_of(present);
-  std::vector<std::string> files{base_name + ".vtu", base_name + ".pvd"};
+  std::vector<std::string> names{base_name + ".vtu", base_name + ".pvd"};
   const auto vtu_piece = [&] {
     std::ostringstream out;
     if (rank == 0) dealii::DataOutBase::write_vtu_header(out, flags);
@@ -124,10 +123,17 @@ std::vector<std::string> write_vtu(const study::Solution& solution, const std::f
     if (rank == ranks - 1) dealii::DataOutBase::write_vtu_footer(out);
     return std::move(out).str();
   };
-  write_atomically(directory / files[0], vtu_piece, comm);
-  write_atomically(
-      directory / files[1], [&] { return rank == 0 ? pvd_text(files[0]) : std::string(); }, comm);
-  return files;
+  files.add(directory / names[0], vtu_piece);
+  files.add(directory / names[1], [&] { return rank == 0 ? pvd_text(names[0]) : std::string(); });
+  return names;
+}
+
+std::vector<std::string> write_vtu(const study::Solution& solution, const std::filesystem::path& directory,
+                                   const std::string& base_name, double displacement_scale) {
+  AtomicFiles files(solution.discrete->space().layout->comm);
+  auto names = add_vtu(solution, directory, base_name, files, displacement_scale);
+  files.commit();
+  return names;
 }
 
 }  // namespace plastron::io

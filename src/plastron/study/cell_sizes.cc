@@ -43,7 +43,7 @@ double longest_side(fem::Shape shape, const CornerPoints& corners) {
 
 }  // namespace
 
-CellSizes cell_sizes(const Problem& problem) {
+std::vector<CellSize> cell_sizes(const Problem& problem) {
   constexpr int enough_cells = 256;
   const Discretisation& d = problem.discretisation;
   fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, d.cells), 1, MPI_COMM_SELF);
@@ -51,17 +51,11 @@ CellSizes cell_sizes(const Problem& problem) {
   for (; meshes.space()->global_cells < enough_cells; ++level) meshes.refine({});
   const fem::Surface surface(meshes.space()->coarse, problem.charts);
   const double to_finest = std::exp2(level - d.refinements);
-  CellSizes sizes;
-  Vector3d low = Vector3d::Constant(INFINITY), high = -low;
+  std::vector<CellSize> sizes;
   for (const fem::Cell& cell : meshes.space()->cells) {
     const CornerPoints corners = corner_points(problem, surface, cell);
-    sizes.cells.push_back({to_finest * longest_side(d.cells, corners), *std::ranges::min_element(corners.thickness)});
-    for (const Vector3d& p : corners.phi) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    sizes.push_back({to_finest * longest_side(d.cells, corners), *std::ranges::min_element(corners.thickness)});
   }
-  sizes.extent = (high - low).norm() / 2;
   return sizes;
 }
 

@@ -1,4 +1,4 @@
-// How large the cells of the finest mesh are, how thick the shell is there, and how large the shell is.
+// How large the cells of the finest mesh are, and how thick the shell is there.
 #pragma once
 #include <plastron/study/problem.hpp>
 
@@ -6,17 +6,13 @@
 
 namespace plastron::study {
 
-/// Of the finest mesh, seen on a mesh of some hundred cells.
-struct CellSizes {
-  struct Cell {
-    double longest_side;  ///< h [m]
-    double thickness;     ///< the smallest at its corners, e [m]
-  };
-  std::vector<Cell> cells;
-  double extent = 0;  ///< L: half the diagonal of the box that holds the mid-surface [m]
+struct CellSize {
+  double longest_side;  ///< h [m]
+  double thickness;     ///< the smallest at its corners, e [m]
 };
 
-/// Each rank looks at the whole problem for itself. Precondition: a regular chart and a positive thickness.
-CellSizes cell_sizes(const Problem& problem);
+/// Cells of the finest mesh, seen on a mesh of some hundred cells; each rank looks at the whole problem for itself.
+/// Precondition: a regular chart and a positive thickness.
+std::vector<CellSize> cell_sizes(const Problem& problem);
 
 }  // namespace plastron::study

@@ -39,7 +39,7 @@ bool check_kinks(Examined& examined, const JumpSearch& search) {
     s << jet.value / examined.size, geometry::unit_normal(jet);
     return s;
   };
-  const auto kink = search.in_cells(surface, 1e-6, Lines::forbidden);
+  const auto kink = search.in_cells(surface, 1e-5, Lines::forbidden);
   if (!kink) return true;
   examined.add(
       Severity::error,

@@ -10,7 +10,9 @@ namespace {
 
 algebra::Vector load_of(const Examined& examined) {
   const Problem& problem = examined.problem;
-  const assembly::ShellOperator shell(examined.space, examined.surface, problem.thickness, problem.material, false);
+  constexpr bool tying = false, is_covariant = false;  // the work on rigid motions, which are Cartesian fields
+  const assembly::ShellOperator shell(examined.space, examined.surface, problem.thickness, problem.material, tying,
+                                      is_covariant);
   return assembly::load_vector(shell, problem.area_loads, problem.edge_loads);
 }
 

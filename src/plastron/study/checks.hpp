@@ -54,6 +54,8 @@ void check_names(Examined& examined);
 void check_chart(Examined& examined);
 /// The charts of two regions meet with one normal.
 void check_normals(Examined& examined);
+/// No edges lie on each other without being joined.
+void check_seams(Examined& examined);
 /// Loads and prescribed values are finite.
 void check_finite(Examined& examined);
 /// Chart and thickness are smooth inside of each cell; loads that are not are named.
@@ -62,7 +64,7 @@ void check_inside_cells(Examined& examined);
 void check_locking(Examined& examined);
 /// Double precision is enough for so thin a shell on the finest mesh.
 void check_precision(Examined& examined);
-/// What rounding leaves of the stationarity of a shell in bending, relative to the loads: estimated.
+/// What rounding spoils of forces and energy where a shell bends, relative: the order of magnitude.
 double rounding_residual(const Problem& problem);
 /// Probes lie in the domain.
 void check_probes(Examined& examined);

@@ -3,6 +3,7 @@
 #include <plastron/study/continuity.hpp>
 
 #include <plastron/assembly/tilt.hpp>
+#include <plastron/study/energy_distance.hpp>
 #include <plastron/study/lifting.hpp>
 #include <plastron/study/random_field.hpp>
 #include <plastron/study/solve.hpp>
@@ -24,6 +25,40 @@ struct Change {
   double size = 0;    ///< in the unit of its kind
   double change = 0;  ///< |U_2 - U_1|_a [J^{1/2}]
   double bound = 0;   ///< [J^{1/2}]
+  double noise = 0;   ///< of either, from the two solutions' own [J^{1/2}]
+};
+
+/// The samples of one kind. Where change and bound both are noise nothing can be said: their ratio may be anything.
+class Tally {
+ public:
+  Verdict add(const Change& c) {
+    constexpr double clear = 10;  // times the noise
+    ++samples_;
+    if (!(std::max(c.change, c.bound) > clear * c.noise)) {
+      noise_ = std::max(noise_, c.noise);
+      return Verdict::cannot_be_judged;
+    }
+    ++judged_;
+    worst_ = std::max(worst_, c.change / c.bound);
+    const bool holds = c.change <= c.bound * (1 + 1e-6) + c.noise;
+    all_hold_ = all_hold_ && holds;
+    return holds ? Verdict::holds : Verdict::does_not_hold;
+  }
+
+  Claim claim(const std::string& statement, const std::string& why_left_out) const {
+    if (samples_ == 0) return not_judged(statement, why_left_out);
+    if (judged_ == 0)
+      return not_judged(statement, fmt::format("changes and bounds of all {} samples are noise, less than {:.1e} "
+                                               "J^(1/2)",
+                                               samples_, noise_));
+    const std::string others = judged_ < samples_ ? fmt::format("; {} more are noise", samples_ - judged_) : "";
+    return judged(statement, fmt::format("ratio at most {:.4f} in {} samples{}", worst_, judged_, others), all_hold_);
+  }
+
+ private:
+  int samples_ = 0, judged_ = 0;
+  double worst_ = 0, noise_ = 0;
+  bool all_hold_ = true;
 };
 
 class Continuity {
@@ -70,27 +105,25 @@ class Continuity {
 
   /// Samples of one kind, until one cannot be computed.
   void examine(const std::string& kind, const std::string& statement, Measure measure) {
-    double worst = 0;
-    int number = 0;
-    bool all_hold = true;
+    Tally tally;
     Series series{.label = kind, .x = {}, .y = {}, .with_line = false};
-    for (; number < options_.samples; ++number) {
-      stage_ = fmt::format("{} {} of {}", kind, number + 1, options_.samples);
+    why_left_out_.clear();
+    for (int number = 1; number <= options_.samples; ++number) {
+      stage_ = fmt::format("{} {} of {}", kind, number, options_.samples);
       const auto found = (this->*measure)();
       if (!found) break;
-      const bool holds = found->change <= found->bound * (1 + 1e-6) + rounding * norm_;
-      const double ratio = found->bound > 0 ? found->change / found->bound : 0;
-      worst = std::max(worst, ratio);
-      all_hold = all_hold && holds;
-      report_.table.rows.push_back({static_cast<std::int64_t>(number + 1), kind, found->size, found->change,
-                                    found->bound, ratio, std::string(holds ? "yes" : "no")});
+      const Verdict verdict = tally.add(*found);
+      const double ratio = verdict == Verdict::cannot_be_judged ? NAN : found->change / found->bound;
+      report_.table.rows.push_back({static_cast<std::int64_t>(number), kind, found->size, found->change, found->bound,
+                                    ratio,
+                                    std::string(verdict == Verdict::holds           ? "yes"
+                                                : verdict == Verdict::does_not_hold ? "no"
+                                                                                    : "noise")});
       series.x.push_back(found->bound);
       series.y.push_back(found->change);
     }
-    if (number == 0) return;
-    report_.table.claims.push_back(
-        {statement, fmt::format("ratio at most {:.4f} in {} samples", worst, number), all_hold});
-    report_.plot.series.push_back(std::move(series));
+    report_.table.claims.push_back(tally.claim(statement, why_left_out_));
+    if (!series.x.empty()) report_.plot.series.push_back(std::move(series));
   }
 
   /// a(U_2 - U_1, U_2 - U_1) <= (l_2 - l_1)(U_2 - U_1) = a(W, U_2 - U_1), W the linear solution for l_2 - l_1.
@@ -109,9 +142,9 @@ class Continuity {
     if (w.status != Status::solved) return failed(w.status);
     Problem changed = problem_;
     changed.area_loads.push_back(extra);
-    const auto d = change_of(changed);
-    if (!d) return {};
-    return Change{options_.size, *d, std::sqrt(std::max(0.0, w.summary.load_work))};
+    const auto solution = solve_changed(changed);
+    if (!solution) return {};
+    return change_to(*solution, options_.size, std::sqrt(std::max(0.0, w.summary.load_work)));
   }
 
   /// a_1(U_2 - U_1, U_2 - U_1) <= (a_1 - a_2)(U_2, U_2 - U_1); the face stays where it is, so K does too.
@@ -119,11 +152,10 @@ class Continuity {
     const double factor = 1 + options_.size * random_();
     Problem changed = with_thickness_scaled(problem_, factor);
     if (changed.obstacle) changed.obstacle->face_scale /= factor;
-    double norm_of_changed = 0;
-    const auto d = change_of(changed, &norm_of_changed);
-    if (!d) return {};
+    const auto solution = solve_changed(changed);
+    if (!solution) return {};
     const double kappa = std::max(std::abs(factor - 1), std::abs(factor * factor * factor - 1));
-    return Change{factor - 1, *d, kappa * norm_of_changed};
+    return change_to(*solution, factor - 1, kappa * norm_of(solution->nodal.y));
   }
 
   /// a(U_2 - U_1, U_2 - U_1) <= a(U_2 - U_1, W) for any W that lifts the nodes in contact before or after by the shift.
@@ -132,15 +164,15 @@ class Continuity {
     const double shift = relative * (largest_ > 0 ? largest_ : base_.solution->discrete->points.front().thickness);
     Problem changed = problem_;
     changed.obstacle->raised += shift;
-    algebra::Vector touching;
-    const auto d = change_of(changed, nullptr, &touching);
-    if (!d) return {};
-    std::vector<char> contact(touching.owned().size());
+    const auto solution = solve_changed(changed);
+    if (!solution) return {};
+    const auto after = solution->nodal.touching.owned();
+    std::vector<char> contact(after.size());
     for (std::size_t i = 0; i < contact.size(); ++i)
-      contact[i] = touching.owned()[i] != 0 || base_.solution->nodal.touching.owned()[i] != 0;
+      contact[i] = after[i] != 0 || base_.solution->nodal.touching.owned()[i] != 0;
     const auto bound = lifting_norm(*base_.solution->discrete, contact, shift);
     if (!bound) return leave_out("the height: the lifting could not be computed");
-    return Change{relative, *d, *bound};
+    return change_to(*solution, relative, *bound);
   }
 
   using AreaForce = std::function<Eigen::Vector3d(double, double)>;
@@ -156,9 +188,9 @@ class Continuity {
     return result;
   }
 
-  /// |U_2 - U_1|_a and, on request, |U_2|_a and the nodes in contact. Nothing, with the reason, if U_2 is not there.
-  std::optional<double> change_of(const Problem& changed, double* norm = nullptr, algebra::Vector* touching = nullptr) {
-    const Result result = solve_for(changed, "changed");
+  /// U_2. Nothing, with the reason, if it is not there.
+  std::optional<Solution> solve_changed(const Problem& changed) {
+    Result result = solve_for(changed, "changed");
     if (result.status == Status::infeasible) {
       leave_out("the rest of the samples: the support would hold the shell inside the obstacle; try a smaller --size");
       return {};
@@ -167,15 +199,22 @@ class Continuity {
       failed(result.status);
       return {};
     }
-    algebra::Vector difference = result.solution->nodal.y;
-    if (norm) *norm = norm_of(difference);
-    if (touching) *touching = result.solution->nodal.touching;
+    return std::move(result.solution);
+  }
+
+  /// |U_2 - U_1|_a against its bound.
+  Change change_to(const Solution& solution, double size, double bound) const {
+    algebra::Vector difference = solution.nodal.y;
     const auto before = base_.solution->nodal.y.local();
     for (std::size_t i = 0; i < before.size(); ++i) difference.local()[i] -= before[i];
-    return norm_of(difference);
+    const double norm = norm_of(solution.nodal.y);
+    const double noise =
+        std::max({tolerance * norm_, tolerance * norm, rounding_norm(*base_.solution), rounding_norm(solution)});
+    return {.size = size, .change = norm_of(difference), .bound = bound, .noise = noise};
   }
 
   std::optional<Change> leave_out(const std::string& why) {
+    why_left_out_ = why;
     report_.table.remarks.push_back("left out: " + why);
     return {};
   }
@@ -216,10 +255,10 @@ class Continuity {
     for (const Series& s : report_.plot.series)
       for (const double x : s.x)
         if (x > 0) low = std::min(low, x), high = std::max(high, x);
-    return {low, high};
+    return {std::min(low, high), high};
   }
 
-  static constexpr double rounding = 1e-8;  // of the two solutions, relative
+  static constexpr double tolerance = 1e-8;  // of the two solutions, relative
 
   Problem problem_;
   const StudyOptions& options_;
@@ -228,11 +267,17 @@ class Continuity {
   Random random_;
   Report report_{};
   Result base_{};
-  std::string stage_{};
+  std::string stage_{}, why_left_out_{};
   double norm_ = 0, largest_ = 0;
 };
 
 }  // namespace
+
+std::vector<Variant> continuity_variants(const Problem& problem, const StudyOptions& options) {
+  Problem thick = with_thickness_scaled(problem, 1 + options.size);
+  if (thick.obstacle) thick.obstacle->face_scale /= 1 + options.size;
+  return {{fmt::format("{:g} times the thickness", 1 + options.size), thick}};
+}
 
 Report continuity(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer) {
   return Continuity(problem, options, comm, observer).run();

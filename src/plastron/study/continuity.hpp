@@ -7,4 +7,7 @@ namespace plastron::study {
 /// (collective)
 Report continuity(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
 
+/// The thickest shell it may compute.
+std::vector<Variant> continuity_variants(const Problem& problem, const StudyOptions& options);
+
 }  // namespace plastron::study

@@ -32,7 +32,14 @@ double fitted_exponent(std::span<const double> x, std::span<const double> y, std
     sxx += a * a;
     sxy += a * b;
   }
-  return n < 2 ? no_value : (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  const double spread = n * sxx - sx * sx;
+  return n < 2 || !(spread > 1e-12 * n * sxx) ? no_value : (n * sxy - sx * sy) / spread;
+}
+
+std::size_t last_step_above(std::span<const double> values, double noise) {
+  for (std::size_t i = values.size(); i-- > 1;)
+    if (values[i - 1] > noise && values[i] > noise) return i;
+  return 0;
 }
 
 }  // namespace plastron::study

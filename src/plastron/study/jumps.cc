@@ -18,6 +18,66 @@ Vector2d drawn_in(fem::Shape shape, const Vector2d& xi) {
   return centre + (1 - margin) * (xi - centre);
 }
 
+/// A segment in a cell with three samples. The one between is not in the middle: f may have a value between both sides
+/// exactly on a jump, sign(0) = 0.
+struct Part {
+  static constexpr double ratio = 0.41;
+  Vector2d from, between, to;
+  Sample at_from, at_between, at_to;
+
+  /// How far f is from linear. What is smooth leaves h^2; a jump J leaves 0.41 J at least, half of it where it lies at an
+  /// end. Changes would hide a small jump where f rises steeply.
+  double bend() const { return (at_between - (1 - ratio) * at_from - ratio * at_to).norm(); }
+};
+
+/// Divides a segment towards what does not shrink.
+class Descent {
+ public:
+  struct Found {
+    Vector2d xi;
+    double size = 0;
+    bool is_bounded = true;
+  };
+
+  Descent(const fem::Cell& cell, const CellFunction& f, double tolerance)
+      : cell_(cell), f_(f), least_bend_(Part::ratio / 2 * tolerance), tolerance_(tolerance) {}
+
+  std::optional<Found> operator()(const Vector2d& from, const Sample& at_from, const Vector2d& to,
+                                  const Sample& at_to) {
+    return search(part(from, at_from, to, at_to), 0, 0);
+  }
+
+ private:
+  static constexpr int early = 20, steps = 44;  // parts of 3e-5 and 1e-10 of the segment
+
+  Part part(const Vector2d& a, const Sample& at_a, const Vector2d& b, const Sample& at_b) {
+    const Vector2d between = a + Part::ratio * (b - a);
+    return Part{a, between, b, at_a, f_(cell_, between), at_b};
+  }
+
+  /// `before`: the change over the part of step `early`.
+  std::optional<Found> search(const Part& p, int step, double before) {
+    if (!std::isfinite(p.bend())) return Found{p.between, INFINITY, false};
+    if (p.bend() < least_bend_) return {};
+    const double change = (p.at_to - p.at_from).norm();
+    if (step == early) before = change;
+    if (step == steps) return jump(p, change, before);
+    const Part first = part(p.from, p.at_from, p.between, p.at_between);
+    const Part second = part(p.between, p.at_between, p.to, p.at_to);
+    return search(first.bend() < second.bend() ? second : first, step + 1, before);
+  }
+
+  std::optional<Found> jump(const Part& p, double change, double before) const {
+    // A root shrinks, though slowly; a pole grows.
+    if (change < tolerance_ || change < 0.3 * before) return {};
+    return Found{p.from, change, change < 3 * before};
+  }
+
+  const fem::Cell& cell_;
+  const CellFunction& f_;
+  double least_bend_, tolerance_;
+};
+
 }  // namespace
 
 JumpSearch::JumpSearch(const Examined& examined)
@@ -29,15 +89,23 @@ JumpSearch::JumpSearch(const Examined& examined)
   space_ = meshes.space();
   const auto cells = static_cast<double>(space_->global_cells);
   const int n = std::clamp(static_cast<int>(std::sqrt(enough_lines * 4 / cells)), 1, 32);
-  for (const Vector2d& p : fem::lattice(d.cells, n))
-    for (const Vector2d& step : {Vector2d(1.0 / n, 0), Vector2d(0, 1.0 / n)})
-      if (fem::holds(d.cells, p + step, 1e-9)) segments_.push_back({drawn_in(d.cells, p), drawn_in(d.cells, p + step)});
+  const std::vector<Vector2d> lattice = fem::lattice(d.cells, n);
+  for (const Vector2d& p : lattice) points_.push_back(drawn_in(d.cells, p));
+  for (std::size_t i = 0; i < lattice.size(); ++i)
+    for (std::size_t k = 0; k < lattice.size(); ++k) {
+      const Vector2d step = n * (lattice[k] - lattice[i]);
+      if ((step - Vector2d(1, 0)).norm() < 1e-6 || (step - Vector2d(0, 1)).norm() < 1e-6) segments_.emplace_back(i, k);
+    }
 }
 
 std::optional<Jump> JumpSearch::in_cells(const CellFunction& f, double tolerance, Lines on_lines) const {
-  for (const fem::Cell& cell : space_->cells)
-    for (const Segment& segment : segments_)
-      if (const auto jump = on_segment(cell, segment, f, tolerance, on_lines)) return jump;
+  std::vector<Sample> values(points_.size());
+  for (const fem::Cell& cell : space_->cells) {
+    for (std::size_t i = 0; i < points_.size(); ++i) values[i] = f(cell, points_[i]);
+    for (const auto& [i, k] : segments_)
+      if (const auto jump = between(cell, {points_[i], values[i]}, {points_[k], values[k]}, f, tolerance, on_lines))
+        return jump;
+  }
   return {};
 }
 
@@ -47,52 +115,29 @@ std::optional<Jump> JumpSearch::along_boundary(const std::string& name, const Ce
   const auto boundary = static_cast<int>(std::ranges::find(names, name) - names.begin());
   for (const fem::BoundaryFace& face : space_->faces) {
     if (face.boundary != boundary) continue;
-    const auto at = [&](int k) {
+    const fem::Cell& cell = space_->cells[face.cell];
+    const auto end = [&](int k) {
       const double t = 0.5 + (1 - 1e-6) * (static_cast<double>(k) / pieces - 0.5);
-      return fem::side_point(space_->shape(), face.side, t);
+      const Vector2d xi = fem::side_point(space_->shape(), face.side, t);
+      return End{xi, f(cell, xi)};
     };
     for (int k = 0; k < pieces; ++k)
-      if (const auto jump = on_segment(space_->cells[face.cell], {at(k), at(k + 1)}, f, tolerance, Lines::allowed))
-        return jump;
+      if (const auto jump = between(cell, end(k), end(k + 1), f, tolerance, Lines::at_corners)) return jump;
   }
   return {};
 }
 
-std::optional<Jump> JumpSearch::on_segment(const fem::Cell& cell, const Segment& segment, const CellFunction& f,
-                                           double tolerance, Lines on_lines) const {
-  // No half: f may have a value between both sides exactly there, sign(0) = 0.
-  constexpr double ratio = 0.41;
-  constexpr int early = 20, steps = 44;  // parts of 3e-5 and 1e-10 of the segment
-  Vector2d from = segment.from, to = segment.to;
-  Sample at_from = f(cell, from), at_to = f(cell, to);
-  double before = 0;
-  for (int step = 0; step < steps; ++step) {
-    const Vector2d middle = from + ratio * (to - from);
-    const Sample at_middle = f(cell, middle);
-    if (!at_from.allFinite() || !at_middle.allFinite() || !at_to.allFinite())
-      return Jump{position(cell, middle), INFINITY, false};
-    // A jump, half of it if `from` or `to` lies on it, leaves at least this much between f and its interpolant.
-    const double bend = (at_middle - (1 - ratio) * at_from - ratio * at_to).norm();
-    if (bend < ratio / 2 * tolerance) return {};
-    if ((at_middle - at_from).norm() > (at_to - at_middle).norm()) {
-      to = middle;
-      at_to = at_middle;
-    } else {
-      from = middle;
-      at_from = at_middle;
-    }
-    if (step == early) before = (at_to - at_from).norm();
-  }
-  const double size = (at_to - at_from).norm();
-  // A root shrinks, though slowly.
-  if (size < tolerance || size < 0.3 * before) return {};
-  if (on_lines == Lines::allowed && is_on_a_mesh_line(cell, from)) return {};
-  return Jump{position(cell, from), size, size < 100};
+std::optional<Jump> JumpSearch::between(const fem::Cell& cell, const End& from, const End& to, const CellFunction& f,
+                                        double tolerance, Lines on_lines) const {
+  const auto found = Descent(cell, f, tolerance)(from.xi, from.value, to.xi, to.value);
+  if (!found || (on_lines != Lines::forbidden && is_allowed(cell, found->xi, on_lines))) return {};
+  return Jump{position(cell, found->xi), found->size, found->is_bounded};
 }
 
-bool JumpSearch::is_on_a_mesh_line(const fem::Cell& cell, const Vector2d& xi) const {
+bool JumpSearch::is_allowed(const fem::Cell& cell, const Vector2d& xi, Lines on_lines) const {
   const auto is_whole = [](double t) { return std::abs(t - std::round(t)) < 1e-5; };
   const Vector2d t = finest_ * (cell.corner + cell.size * xi);
+  if (on_lines == Lines::at_corners) return is_whole(t[0]) && is_whole(t[1]);
   return is_whole(t[0]) || is_whole(t[1]) || (space_->shape() == fem::Shape::triangle && is_whole(t.sum()));
 }
 

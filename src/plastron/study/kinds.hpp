@@ -1,5 +1,6 @@
 // The studies: each computes a case many times and examines a theorem or a limit with what it finds.
 #pragma once
+#include <plastron/study/examine.hpp>
 #include <plastron/study/observer.hpp>
 #include <plastron/study/plot.hpp>
 #include <plastron/study/problem.hpp>
@@ -11,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,14 +41,34 @@ struct Report {
   Plot plot;
 };
 
+/// A problem that a study computes beside the case, in words and as it is.
+struct Variant {
+  std::string what;
+  Problem problem;
+};
+
 struct Kind {
   std::string_view name, question;
   Report (*run)(const Problem&, const StudyOptions&, MPI_Comm, const StudyObserver&);  ///< collective
+  /// Members of StudyOptions it looks at, as the command line calls them ("steps" are "factors" in other words).
+  std::span<const std::string_view> options{};
+  /// What it computes beside the case and cannot do without; null if nothing of its own could be refused.
+  std::vector<Variant> (*variants)(const Problem&, const StudyOptions&) = nullptr;
 };
 
 /// All studies. A new one is a line in kinds.cc.
 std::span<const Kind> kinds();
 /// Null if there is no study of this name.
 const Kind* find_kind(std::string_view name);
+/// What `plastron compare` runs: a report like a study's.
+const Kind& comparison();
+
+bool takes_option(const Kind& kind, std::string_view option);
+/// The names of the studies that take an option, separated by commas.
+std::string kinds_that_take(std::string_view option);
+
+/// The findings of the case, as for `run`, and the errors of what the study computes beside it: with errors the study is
+/// not to be run. The same on every rank.
+std::vector<Finding> examine(const Kind& kind, const Problem& problem, const StudyOptions& options);
 
 }  // namespace plastron::study

@@ -1,6 +1,7 @@
 #include <plastron/study/locking.hpp>
 
 #include <plastron/study/cell_sizes.hpp>
+#include <plastron/study/extent.hpp>
 
 #include <fmt/format.h>
 
@@ -23,11 +24,10 @@ std::vector<std::string> locking_warnings(const Problem& problem) {
   const Discretisation& d = problem.discretisation;
   const bool is_tied = d.tying && d.cells == fem::Shape::quadrilateral;
   if (is_tied || d.degree > static_cast<int>(largest_size.size())) return {};
-  const CellSizes sizes = cell_sizes(problem);
+  const double L = extent(problem);
   double worst = 0, size = 0, limit = 0, thickness = 0;
-  for (const auto& [h, e] : sizes.cells) {
-    const double allowed = largest_size[static_cast<std::size_t>(d.degree - 1)] * sizes.extent *
-                           std::pow(e / sizes.extent, 1.0 / d.degree);
+  for (const auto& [h, e] : cell_sizes(problem)) {
+    const double allowed = largest_size[static_cast<std::size_t>(d.degree - 1)] * L * std::pow(e / L, 1.0 / d.degree);
     if (h / allowed <= worst) continue;
     worst = h / allowed;
     size = h;

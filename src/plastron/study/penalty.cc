@@ -2,7 +2,9 @@
 // the rate in p undisturbed by the mesh, and the tangent solution, which shows where the mesh and locking take over.
 #include <plastron/study/penalty.hpp>
 
+#include <plastron/study/energy_distance.hpp>
 #include <plastron/study/exponents.hpp>
+#include <plastron/study/formulations.hpp>
 #include <plastron/study/solve.hpp>
 
 #include <fmt/format.h>
@@ -10,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace plastron::study {
 
@@ -39,12 +40,6 @@ Sample solve_for(Problem problem, const assembly::Tangency& tangency, MPI_Comm c
   return sample;
 }
 
-/// || y - reference ||_a / || reference ||_a
-double relative_distance(const assembly::ShellOperator& shell, algebra::Vector y, const algebra::Vector& reference) {
-  for (std::size_t i = 0; i < y.local().size(); ++i) y.local()[i] -= reference.local()[i];
-  return std::sqrt(shell.energies(y).total() / shell.energies(reference).total());
-}
-
 /// The penalty's energy falls like p once p is small. Where it rises again, or the solver fails, rounding decides.
 class Conditioning {
  public:
@@ -63,8 +58,16 @@ class Conditioning {
   double least_ = std::numeric_limits<double>::infinity();
 };
 
-/// r . a_3 takes no part: flat shells.
-bool is_idle(const Sample& s) { return s.tilt_energy < 1e-20 * s.finest.energy; }
+/// r . a_3 takes no part: flat shells, and such as do not move.
+bool is_idle(const Sample& s) { return s.tilt_energy <= 1e-20 * s.finest.energy; }
+
+/// What the rows say, from p = 1 downwards.
+struct Followed {
+  std::vector<double> p{}, to_limit{}, to_tangent{}, tilt{};
+  std::vector<double> step{};  ///< |U_p - U_{10 p}|_a, relative; NaN for the first
+  double noise = 0;            ///< relative, in the energy norm
+  bool is_idle = false;
+};
 
 Table empty_table() {
   return {.name = "penalty",
@@ -80,95 +83,137 @@ Table empty_table() {
                       {"residual", "", "1"}}};
 }
 
-/// Theorem 3 and Remark 4: r . a_3 and with it U_p - U_0 go to zero with p.
-void add_claims(const std::vector<double>& p, const std::vector<double>& to_limit, const std::vector<double>& tilt,
-                bool is_idle, Table& table) {
-  const double exponent = fitted_exponent(p, tilt, p.size());
-  const auto falls = [](std::span<const double> values) {
-    return std::ranges::adjacent_find(values, std::less_equal<>{}) == values.end();
-  };
-  const std::string none = "zero up to rounding: r . a_3 takes no part on this shell";
-  table.fits.push_back({"tilt", "p", exponent});
-  table.claims.push_back(
-      {.statement = "the largest |r . a_3| falls with p",
-       .measured = is_idle ? none : fmt::format("like p^{:.2f} from p = 1 to {:g}", exponent, p.back()),
-       .holds = is_idle || falls(tilt)});
-  table.claims.push_back({.statement = "U_p approaches its limit on this mesh with p",
-                          .measured = is_idle
-                                          ? none
-                                          : fmt::format("relative distance from the last U_p {:.1e} at p = 1, {:.1e} "
-                                                        "at the last p before",
-                                                        to_limit.front(), to_limit[to_limit.size() - 2]),
-                          .holds = is_idle || falls(std::span(to_limit))});
+/// Why nothing can be said; empty if something can.
+std::string nothing_to_say(const Followed& f) {
+  if (!(f.noise < too_noisy)) return "the solution has no energy beyond rounding";
+  if (f.is_idle) return "r . a_3 takes no part on this shell: it is zero up to rounding";
+  if (f.p.size() < 3) return fmt::format("only {} values of p could be computed", f.p.size());
+  return "";
 }
 
-}  // namespace
+/// Theorem 3 and Remark 4: r . a_3 and with it U_p - U_0 go to zero with p. A sequence that only drifts, like log p, has steps
+/// that do not fall; those to a limit fall like p, wherever they begin to (before, the mesh's locking sets in).
+void add_claims(const Followed& f, Table& table) {
+  constexpr double least_exponent = 0.5;
+  const std::string falling = "the largest |r . a_3| falls with p", approaching =
+                                                                        "U_p approaches its limit on this mesh "
+                                                                        "with p";
+  if (const std::string why = nothing_to_say(f); !why.empty()) {
+    table.claims = {not_judged(falling, why), not_judged(approaching, why)};
+    return;
+  }
+  const double exponent = fitted_exponent(f.p, f.tilt, f.p.size());
+  table.fits.push_back({"tilt", "p", exponent});
+  table.claims.push_back(
+      judged(falling, fmt::format("like p^{:.2f} from p = 1 to {:g}", exponent, f.p.back()),
+             exponent > least_exponent && std::ranges::adjacent_find(f.tilt, std::less_equal<>{}) == f.tilt.end()));
+  const std::size_t last = last_step_above(f.step, f.noise);
+  if (last == 0) {
+    table.claims.push_back(not_judged(
+        approaching, fmt::format("from one p to the next U_p changes by less than the noise, {:.0e}", f.noise)));
+    return;
+  }
+  const double rate = local_exponents(f.p, f.step)[last];
+  table.fits.push_back({"change of U_p", "p", rate});
+  table.claims.push_back(
+      judged(approaching,
+             fmt::format("its changes from one p to the next fall like p^{:.2f}, down to {:.1e} at p "
+                         "= {:g}",
+                         rate, f.step[last], f.p[last]),
+             rate > least_exponent));
+}
 
-Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
+void add_rows(const std::vector<Sample>& samples, const Followed& f, Table& table) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Sample& s = samples[i];
+    table.rows.push_back({s.p, i + 1 == samples.size() ? NAN : f.to_limit[i], f.to_tangent[i], f.tilt[i], s.tilt_energy,
+                          s.finest.energy, s.finest.reaction, static_cast<std::int64_t>(s.finest.iterations),
+                          s.finest.linear_residual});
+  }
+}
+
+Followed follow(const std::vector<Sample>& samples, const Sample& tangent, const Solution& kept) {
+  const assembly::ShellOperator& shell = kept.discrete->shell;
+  Followed f{.noise = relative_noise(kept, std::sqrt(2 * tangent.finest.energy)), .is_idle = is_idle(samples.back())};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Sample& s = samples[i];
+    f.p.push_back(s.p);
+    f.to_limit.push_back(relative_distance(shell, s.y, samples.back().y));
+    f.to_tangent.push_back(relative_distance(shell, s.y, tangent.y));
+    f.tilt.push_back(s.finest.max_tilt);
+    f.step.push_back(i > 0 ? relative_distance(shell, s.y, samples[i - 1].y) : NAN);
+    f.noise = std::max(f.noise, s.finest.linear_residual);
+  }
+  return f;
+}
+
+/// The decades of p until conditioning ends them or somebody interrupts, and a sentence on what did.
+std::string solve_decades(const Problem& problem, MPI_Comm comm, const StudyObserver& observer,
+                          std::vector<Sample>& samples, contact::Status& status) {
   constexpr int most_decades = 16;
-  Report report{.table = empty_table(),
-                .plot = {.title = "Penalised formulation as p goes to zero",
-                         .x = {"penalty p", true},
-                         .y = {"relative difference in the energy norm, largest |r.a3|", true}}};
-  if (observer.stage) observer.stage("tangent");
-  std::optional<Solution> kept;
-  const Sample tangent = solve_for(problem, {}, comm, observer.solve, &kept);
-  report.status = tangent.status;
-  if (tangent.status != contact::Status::solved) return report;
-  const assembly::ShellOperator& shell = kept->discrete->shell;
-
-  std::vector<Sample> samples;
   Conditioning conditioning;
-  std::string end = "no end was met";
   for (int decade = 0; decade <= most_decades; ++decade) {
     const double p = std::pow(10.0, -decade);
     if (observer.stage) observer.stage(fmt::format("p = {:g}", p));
     Sample s = solve_for(problem, {.formulation = Formulation::penalised, .penalty = p}, comm, observer.solve);
     if (s.status == contact::Status::interrupted) {
-      report.status = s.status;
-      end = contact::explain(s.status);
-      break;
+      status = s.status;
+      return std::string(contact::explain(s.status));
     }
-    if (conditioning.spoils(s)) {
-      end = fmt::format(
+    if (conditioning.spoils(s))
+      return fmt::format(
           "conditioning stops it at p = {:g}, where rounding and no longer p decides the penalty's energy ({}, "
           "relative "
           "residual {:.1e}, {:.1e} J)",
           p, contact::to_string(s.status), s.finest.linear_residual, s.tilt_energy);
-      break;
-    }
     samples.push_back(std::move(s));
-    if (samples.size() > 2 && is_idle(samples.back())) {
-      end = "r . a_3 takes no part on this shell: no smaller p was tried";
-      break;
-    }
+    if (samples.size() > 2 && is_idle(samples.back()))
+      return "r . a_3 takes no part on this shell: no smaller p was tried";
   }
+  return "no end was met";
+}
+
+Plot plot_of(const Followed& f) {
+  return {.title = "Penalised formulation as p goes to zero",
+          .x = {"penalty p", true},
+          .y = {"relative difference in the energy norm, largest |r.a3|", true},
+          .series = {{"to the limit", {f.p.begin(), f.p.end() - 1}, {f.to_limit.begin(), f.to_limit.end() - 1}},
+                     {"to the tangent formulation", f.p, f.to_tangent},
+                     {"largest |r.a3|", f.p, f.tilt, true}},
+          .slopes = {{1, "slope 1"}}};
+}
+
+}  // namespace
+
+std::vector<Variant> penalty_variants(const Problem& problem, const StudyOptions&) {
+  return {{"the tangent formulation", in_formulation(problem, Formulation::tangent)},
+          {"the penalised formulation", in_formulation(problem, Formulation::penalised)}};
+}
+
+Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
+  Report report{.table = empty_table(), .plot = {}};
+  if (observer.stage) observer.stage("tangent");
+  std::optional<Solution> kept;
+  const Sample tangent = solve_for(problem, {.formulation = Formulation::tangent}, comm, observer.solve, &kept);
+  report.status = tangent.status;
+  if (tangent.status != contact::Status::solved) return report;
+  std::vector<Sample> samples;
+  const std::string end = solve_decades(problem, comm, observer, samples, report.status);
   if (samples.empty() && report.status == contact::Status::interrupted) return report;
   if (samples.empty()) return report.status = contact::Status::linear_solver_stalled, report;
-
-  std::vector<double> p, to_limit, to_tangent, tilt;
-  for (const Sample& s : samples) {
-    p.push_back(s.p);
-    to_limit.push_back(relative_distance(shell, s.y, samples.back().y));
-    to_tangent.push_back(relative_distance(shell, s.y, tangent.y));
-    tilt.push_back(s.finest.max_tilt);
-    report.table.rows.push_back({s.p, &s == &samples.back() ? std::nan("") : to_limit.back(), to_tangent.back(),
-                                 tilt.back(), s.tilt_energy, s.finest.energy, s.finest.reaction,
-                                 static_cast<std::int64_t>(s.finest.iterations), s.finest.linear_residual});
+  const Followed followed = follow(samples, tangent, *kept);
+  add_rows(samples, followed, report.table);
+  add_claims(followed, report.table);
+  if (nothing_to_say(followed).empty()) {
+    const auto nearest = std::ranges::min_element(followed.to_tangent);
+    report.table.remarks.push_back(fmt::format(
+        "closest to the tangent formulation at p = {:g}: {:.2e}; with smaller p the elements lock, for polynomials "
+        "cannot "
+        "keep r . a_3 = 0 between the nodes of a curved chart: the less, the higher the degree and the finer the mesh",
+        followed.p[static_cast<std::size_t>(nearest - followed.to_tangent.begin())], *nearest));
   }
-  add_claims(p, to_limit, tilt, is_idle(samples.back()), report.table);
-  const auto nearest = std::ranges::min_element(to_tangent);
-  report.table.remarks.push_back(fmt::format(
-      "closest to the tangent formulation at p = {:g}: {:.2e}; with smaller p the elements lock, for polynomials "
-      "cannot "
-      "keep r . a_3 = 0 between the nodes of a curved chart: the less, the higher the degree and the finer the mesh",
-      p[static_cast<std::size_t>(nearest - to_tangent.begin())], *nearest));
   report.table.remarks.push_back(end);
-  to_limit.pop_back();
-  report.plot.series = {{"to the limit", {p.begin(), p.end() - 1}, to_limit},
-                        {"to the tangent formulation", p, to_tangent},
-                        {"largest |r.a3|", p, tilt, true}};
-  report.plot.slopes = {{1, "slope 1"}};
+  report.plot = plot_of(followed);
   return report;
 }
 

@@ -4,9 +4,11 @@
 #include <plastron/study/stability.hpp>
 
 #include <plastron/assembly/soft_modes.hpp>
-#include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/study/description.hpp>
 #include <plastron/study/exponents.hpp>
+#include <plastron/study/extent.hpp>
+#include <plastron/study/formulations.hpp>
 
 #include <fmt/format.h>
 
@@ -25,6 +27,7 @@ using assembly::ModeKind;
 constexpr int first_modes = 8;
 constexpr std::array formulations{Formulation::tangent, Formulation::penalised, Formulation::mixed,
                                   Formulation::classical};
+constexpr double rounding = 1e-13;  // of the eighth stiffness: smaller ones have no digits
 
 /// One formulation on one mesh.
 struct Sample {
@@ -61,6 +64,8 @@ bool is_developable(const assembly::DiscreteShell& discrete) {
 struct Samples {
   std::vector<Sample> all{};
   bool developable = false;
+  double length = 0;                    ///< L of the norm [m]
+  std::string classical_left_out = "";  ///< why; empty if it is not
 };
 
 double mesh_size(const assembly::DiscreteShell& discrete) {
@@ -71,28 +76,34 @@ double mesh_size(const assembly::DiscreteShell& discrete) {
   return std::sqrt(area / static_cast<double>(discrete.space().global_cells));
 }
 
+/// The shell in one formulation, with nothing that holds or loads it.
+assembly::ShellDescription free_shell(const Problem& problem, Formulation formulation) {
+  assembly::ShellDescription shell = shell_description(in_formulation(problem, formulation));
+  shell.supports.clear();
+  shell.area_loads.clear();
+  shell.edge_loads.clear();
+  shell.gap = {};
+  return shell;
+}
+
 /// Empty if interrupted.
 Samples compute(const Problem& problem, MPI_Comm comm, const StudyObserver& observer) {
-  Samples samples;
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), problem.discretisation.degree, comm);
+  Samples samples{.length = extent(problem)};
+  if (problem.charts.size() > 1) samples.classical_left_out = refusal(problem, Formulation::classical);
+  fem::MeshSequence meshes = mesh_sequence(problem, comm);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   const int finest = problem.discretisation.refinements;
   for (int level = 0; level <= finest; ++level) {
     if (level > 0) meshes.refine({});
     if (level + 3 < finest) continue;
     for (const Formulation formulation : formulations) {
+      if (formulation == Formulation::classical && !samples.classical_left_out.empty()) continue;
       if (wants_to_stop(observer.solve, comm)) return {};
       if (observer.stage) observer.stage(fmt::format("mesh {}: {}", level, assembly::to_string(formulation)));
-      assembly::Tangency tangency = problem.discretisation.tangency;
-      tangency.formulation = formulation;
-      const auto discrete = assembly::discretise(meshes.space(), surface,
-                                                 {.thickness = problem.thickness,
-                                                  .material = problem.material,
-                                                  .tying = problem.discretisation.tying,
-                                                  .tangency = tangency});
+      const auto discrete = assembly::discretise(meshes.space(), surface, free_shell(problem, formulation));
       samples.developable = is_developable(*discrete);
       samples.all.push_back(
-          {formulation, level, mesh_size(*discrete), assembly::softest_modes(*discrete, first_modes)});
+          {formulation, level, mesh_size(*discrete), assembly::softest_modes(*discrete, first_modes, samples.length)});
     }
   }
   std::ranges::stable_sort(samples.all, {}, &Sample::formulation);
@@ -106,7 +117,7 @@ Table empty_table() {
                       {"level", "", "1"},
                       {"mesh", "h", "m"},
                       {"mode", "", "1"},
-                      {"stiffness", "theta", "N/m"},
+                      {"stiffness", "theta", "J"},
                       {"relative", "theta / theta_8", "1"},
                       {"kind", "", "-"}}};
 }
@@ -136,45 +147,63 @@ std::vector<double> stiffest_soft(const std::vector<Sample>& samples) {
   return theta;
 }
 
-Claim counted(const Sample& finest, bool developable) {
+Claim counted(const std::vector<Sample>& samples, bool developable) {
+  const Sample& finest = samples.back();
   const int tilts = assembly::is_relaxed(finest.formulation) && developable ? 1 : 0;
   const int t = finest.soft(ModeKind::translation), r = finest.soft(ModeKind::rotation),
             n = finest.soft(ModeKind::tilt);
-  return {
-      .statement = fmt::format("{}: the soft modes are 3 translations, 3 rotations and {} tilt",
-                               to_string(finest.formulation), tilts == 0 ? "no" : "1"),
-      .measured = fmt::format("{} soft modes: {} translations, {} rotations, {} tilt; the next is {:.1e} times stiffer",
-                              finest.soft(), t, r, n,
-                              finest.modes[static_cast<std::size_t>(finest.soft())].stiffness /
-                                  std::max(finest.modes[static_cast<std::size_t>(finest.soft() - 1)].stiffness,
-                                           1e-16 * finest.modes.back().stiffness)),
-      .holds = t == 3 && r == 3 && n == tilts && finest.soft() == 6 + tilts};
+  const int soft = finest.soft();
+  const std::string statement = fmt::format("{}: the soft modes are 3 translations, 3 rotations and {} tilt",
+                                            to_string(finest.formulation), tilts == 0 ? "no" : "1");
+  if (samples.size() > 1 && samples[samples.size() - 2].soft() != soft)
+    return not_judged(statement,
+                      fmt::format("their number still changes with the mesh, {} and {} on the last two; take "
+                                  "more refinements",
+                                  samples[samples.size() - 2].soft(), soft));
+  if (soft == 0) return judged(statement, "no soft mode", false);
+  const double next = finest.modes[static_cast<std::size_t>(soft)].stiffness;
+  const double stiffest = finest.modes[static_cast<std::size_t>(soft - 1)].stiffness;
+  return judged(statement,
+                fmt::format("{} soft modes: {} translations, {} rotations, {} tilt; the next is {:.1e} times stiffer",
+                            soft, t, r, n, next / std::max(stiffest, 1e-16 * finest.modes.back().stiffness)),
+                t == 3 && r == 3 && n == tilts && soft == 6 + tilts);
 }
 
-/// theta ~ h^{2k}: the strains of a rigid motion are the error of its interpolation, of degree k.
+/// theta ~ h^{2k}: the strains of a rigid motion are the error of its interpolation, of degree k. Judged between the finest
+/// two meshes where theta is more than rounding.
 void examine_rate(const std::vector<Sample>& samples, int degree, Table& table) {
   const std::vector<double> theta = stiffest_soft(samples);
   std::vector<double> h;
   h.reserve(samples.size());
   for (const Sample& s : samples) h.push_back(s.mesh_size);
   const std::string name(assembly::to_string(samples.front().formulation));
-  if (theta.back() == 0) {
-    table.remarks.push_back(name + ": the soft modes are in the discrete space and cost nothing but rounding");
+  const std::string statement = fmt::format("{}: the soft modes become free like h^{} or faster", name, 2 * degree);
+  std::vector<double> relative;
+  for (std::size_t i = 0; i < theta.size(); ++i) relative.push_back(theta[i] / samples[i].modes.back().stiffness);
+  const std::size_t fine = last_step_above(relative, rounding);
+  if (fine == 0) {
+    table.claims.push_back(not_judged(
+        statement, samples.back().soft() == 0 ? "there is none"
+                   : samples.size() < 2
+                       ? "one mesh has no exponent; take more refinements"
+                       : fmt::format("they cost {:.1e} of the eighth mode on the finest mesh, and less than {:.0e} is "
+                                     "rounding",
+                                     relative.back(), rounding)));
     return;
   }
-  const double exponent = local_exponents(h, theta).back();
-  if (std::isnan(exponent)) return;
+  const double exponent = local_exponents(h, theta)[fine];
   table.fits.push_back({"stiffest soft mode, " + name, "h", exponent});
-  table.claims.push_back(
-      {.statement = fmt::format("{}: the soft modes become free like h^{} or faster", name, 2 * degree),
-       .measured = fmt::format("the stiffest like h^{:.2f} between the last two meshes", exponent),
-       .holds = exponent > 2 * degree - 0.5});
+  table.claims.push_back(judged(statement,
+                                fmt::format("the stiffest like h^{:.2f} between meshes {} and {}", exponent,
+                                            samples[fine - 1].level, samples[fine].level),
+                                exponent > 2 * degree - 0.5));
 }
 
 Plot plot_of(const std::vector<Sample>& samples) {
-  Plot plot{.title = "Softest modes of the free shell", .x = {"mesh size h [m]", true}, .y = {"theta [N/m]", true}};
+  Plot plot{.title = "Softest modes of the free shell", .x = {"mesh size h [m]", true}, .y = {"theta [J]", true}};
   for (const Formulation formulation : formulations) {
     const auto some = of(samples, formulation);
+    if (some.empty()) continue;
     Series softest{
         .label = fmt::format("stiffest soft mode, {}", to_string(formulation)), .x = {}, .y = stiffest_soft(some)};
     Series eighth{.label = fmt::format("eighth mode, {}", to_string(formulation)), .x = {}, .y = {}, .dashed = true};
@@ -198,10 +227,16 @@ Report soft_modes(const Problem& problem, const StudyOptions&, MPI_Comm comm, co
   add_rows(samples.all, report.table);
   for (const Formulation formulation : formulations) {
     const auto some = of(samples.all, formulation);
-    report.table.claims.push_back(counted(some.back(), samples.developable));
+    if (some.empty()) continue;
+    report.table.claims.push_back(counted(some, samples.developable));
     examine_rate(some, problem.discretisation.degree, report.table);
   }
-  report.table.remarks.push_back("supports, loads and obstacle of the case are left out; p and rho are the case's");
+  report.table.remarks.push_back(fmt::format(
+      "supports, loads and obstacle of the case are left out; p and rho are the case's; the norm takes L = {:.4g} m as "
+      "unit of length",
+      samples.length));
+  if (!samples.classical_left_out.empty())
+    report.table.remarks.push_back("classical left out: " + samples.classical_left_out);
   report.table.remarks.push_back(samples.developable
                                      ? "the surface is developable: the relaxed formulations let r . a_3 be constant"
                                      : "the surface is not developable: a constant r . a_3 costs bending energy");

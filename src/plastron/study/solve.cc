@@ -4,9 +4,8 @@
 // is the first guess, and the finest solution is certified from its strains and bounds.
 #include <plastron/study/solve.hpp>
 
-#include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/study/description.hpp>
 #include <plastron/study/doubts.hpp>
-#include <plastron/study/gap.hpp>
 #include <plastron/study/level.hpp>
 #include <plastron/study/locking.hpp>
 #include <plastron/study/memory.hpp>
@@ -19,17 +18,6 @@
 namespace plastron::study {
 
 namespace {
-
-assembly::ShellDescription describe(const Problem& problem) {
-  return {.thickness = problem.thickness,
-          .material = problem.material,
-          .tying = problem.discretisation.tying,
-          .tangency = problem.discretisation.tangency,
-          .supports = problem.supports,
-          .area_loads = problem.area_loads,
-          .edge_loads = problem.edge_loads,
-          .gap = gap_function(problem)};
-}
 
 /// Whether the supports alone hold the shell: then the first step of the coarsest mesh went through with nothing in contact.
 bool supports_hold(const Level& coarsest) { return !coarsest.history.empty() && coarsest.history.front().active == 0; }
@@ -51,15 +39,14 @@ void warn(std::vector<std::string> warnings, const Observer& observer, Result& r
 }  // namespace
 
 Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
-  const assembly::ShellDescription shell = describe(problem);
+  const assembly::ShellDescription shell = shell_description(problem);
   Result result{.has_obstacle = problem.obstacle.has_value(),
                 .formulation = problem.discretisation.tangency.formulation,
                 .warnings = locking_warnings(problem)};
   MPI_Comm_size(comm, &result.ranks);
   bool is_beyond_linear = false;
   Stopwatch watch;
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, problem.discretisation.cells),
-                           problem.discretisation.degree, comm);
+  fem::MeshSequence meshes = mesh_sequence(problem, comm);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
 
   for (int number = 0; number <= problem.discretisation.refinements; ++number) {

@@ -1,5 +1,7 @@
 // The table a study fills: numbers in named columns, fitted exponents, and what they say about the claims examined.
 #pragma once
+#include <plastron/study/claim.hpp>
+
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -15,16 +17,10 @@ struct Column {
 /// NaN where a row has no value, such as the rate of the first mesh.
 using Entry = std::variant<double, std::int64_t, std::string>;
 
-/// quantity ~ against^exponent, by least squares of the logarithms.
+/// quantity ~ against^exponent, by least squares of the logarithms; NaN where the values allow no exponent.
 struct Fit {
   std::string quantity, against;
   double exponent = 0;
-};
-
-/// A statement that can be checked, what was measured, and whether the measurement bears it out.
-struct Claim {
-  std::string statement, measured;
-  bool holds = false;
 };
 
 struct Table {

@@ -4,6 +4,7 @@
 
 #include <plastron/assembly/field_norms.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/study/energy_distance.hpp>
 #include <plastron/study/exponents.hpp>
 #include <plastron/study/solve.hpp>
 #include <plastron/study/variations.hpp>
@@ -25,9 +26,11 @@ struct Sample {
   double load_factor = 1;       ///< loads are this multiple of the case's
   assembly::Energies energy{};  ///< [J]
   double stiffness = 0;         ///< 2 W / (l(U) / load_factor)^2 [1/J]
-  double koiter = 0;            ///< |r - r_K| / |r| in L2
-  double mesh_size = 0;         ///< h [m]
-  double layer = 0;             ///< sqrt(e R) at the sharpest curvature; infinite for a plate [m]
+  double noise = 0;         ///< relative error of W and l(U), as the energy identity shows it; infinite for no energy
+  double koiter = 0;        ///< |r - r_K| / |r| in L2
+  double koiter_noise = 0;  ///< what the solver's error makes of it
+  double mesh_size = 0;     ///< h [m]
+  double layer = 0;         ///< sqrt(e R) at the sharpest curvature; infinite for a plate [m]
   std::int64_t touching = 0;
 };
 
@@ -54,18 +57,26 @@ Measures measure(const assembly::DiscreteShell& discrete) {
   return m;
 }
 
-Sample sample_of(const Result& result, double factor, double load_factor) {
+Sample sample_of(const Result& result, const Problem& problem, double factor, double load_factor) {
   const assembly::DiscreteShell& discrete = *result.solution->discrete;
   const algebra::Vector& y = result.solution->nodal.y;
   const Measures m = measure(discrete);
   const double work = result.summary.load_work / load_factor;
   const double r = std::sqrt(assembly::squared_norms(discrete.shell, y).r);
+  const double energy = result.summary.energy.total() + result.summary.tilt_energy;
+  const double noise = relative_noise(*result.solution, std::sqrt(2 * energy));
+  // An error of so many J^{1/2} can all be shear: k mu e |2 delta|^2 <= its square.
+  const shell::Material& material = problem.material;
+  const double shear_noise =
+      noise * std::sqrt(2 * energy / (material.shear_correction * material.mu * m.mean_thickness));
   return {.factor = factor,
           .thickness = m.mean_thickness,
           .load_factor = load_factor,
           .energy = result.summary.energy,
-          .stiffness = 2 * result.summary.energy.total() / (work * work),
+          .stiffness = 2 * energy / (work * work),
+          .noise = noise < too_noisy ? result.certificate.energy_identity : noise,
           .koiter = std::sqrt(assembly::squared_distance_to_koiter(discrete.shell, y)) / r,
+          .koiter_noise = noise < too_noisy ? shear_noise / r : std::numeric_limits<double>::infinity(),
           .mesh_size = std::sqrt(m.area / static_cast<double>(discrete.space().global_cells)),
           .layer = std::sqrt(m.mean_thickness / m.sharpest_curvature),
           .touching = result.summary.touching_nodes};
@@ -116,23 +127,61 @@ std::string domination(double exponent) {
   return "mixed or not yet at its limit: the exponent lies between those of membrane (1) and bending (3)";
 }
 
-/// e^3 A <= e a(., .) <= e A between any two thicknesses, so the compliance lies between too.
-Claim between_one_and_three(const std::vector<Sample>& samples) {
-  const auto p = local_exponents(column(samples, [](const Sample& s) { return s.thickness; }),
-                                 column(samples, [](const Sample& s) { return s.stiffness; }));
-  const auto [low, high] = std::minmax_element(p.begin() + 1, p.end());
-  return {.statement = "without contact the stiffness falls no slower than e and no faster than e^3",
-          .measured = fmt::format("exponents from {:.3f} to {:.3f}", *low, *high),
-          .holds = *low > 1 - 1e-3 && *high < 3 + 1e-3};
+std::vector<double> stiffness_exponents(const std::vector<Sample>& samples) {
+  return local_exponents(column(samples, [](const Sample& s) { return s.thickness; }),
+                         column(samples, [](const Sample& s) { return s.stiffness; }));
 }
 
+/// Why the stiffness has no exponents to be judged; empty if it has.
+std::string no_exponents(const std::vector<Sample>& samples, const Problem& problem) {
+  constexpr double tolerable = 1e-3;
+  if (has_prescribed_motion(problem)) return "the supports prescribe motions, so the stiffness K has no meaning";
+  if (problem.obstacle) return "with an obstacle K is a secant stiffness at one load and bound to no power of e";
+  if (samples.size() < 2) return "one thickness has no exponent; take more factors";
+  const auto e = column(samples, [](const Sample& s) { return s.thickness; });
+  const auto exponents = stiffness_exponents(samples);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!(samples[i].noise < too_noisy)) return "the loads do no work beyond rounding";
+    if (i == 0) continue;
+    const double noise = (samples[i].noise + samples[i - 1].noise) / std::abs(std::log(e[i] / e[i - 1]));
+    if (!(noise < tolerable) || std::isnan(exponents[i]))
+      return fmt::format("at e = {:.3g} m the energy identity leaves an error of {:.1e} in the exponent", e[i], noise);
+  }
+  return "";
+}
+
+/// e^3 A <= e a(., .) <= e A between any two thicknesses, so the compliance lies between too.
+Claim between_one_and_three(const std::vector<Sample>& samples, const std::string& why_not) {
+  const std::string statement = "without contact the stiffness falls no slower than e and no faster than e^3";
+  if (!why_not.empty()) return not_judged(statement, why_not);
+  const auto p = stiffness_exponents(samples);
+  const auto [low, high] = std::minmax_element(p.begin() + 1, p.end());
+  return judged(statement, fmt::format("exponents from {:.3f} to {:.3f}", *low, *high),
+                *low > 1 - 1e-3 && *high < 3 + 1e-3);
+}
+
+/// Judged on the thicknesses where the distance is more than noise: it falls, and not only by chance.
 Claim koiter_limit(const std::vector<Sample>& samples) {
-  const auto distance = column(samples, [](const Sample& s) { return s.koiter; });
-  const double exponent = fitted_exponent(column(samples, [](const Sample& s) { return s.thickness; }), distance);
-  return {.statement = "the rotation r tends to Koiter's r_K = -(d_a u . a_3) a^a as e goes to zero",
-          .measured = fmt::format("|r - r_K| / |r| from {:.2e} to {:.2e}, like e^{:.2f}", distance.front(),
-                                  distance.back(), exponent),
-          .holds = exponent > 0 && distance.back() < distance.front()};
+  constexpr double least_exponent = 0.25;
+  const std::string statement = "the rotation r tends to Koiter's r_K = -(d_a u . a_3) a^a as e goes to zero";
+  std::vector<double> e, distance;
+  double noise = 0;
+  for (const Sample& s : samples) {
+    noise = std::max(noise, s.koiter_noise);
+    if (!(s.koiter > s.koiter_noise)) continue;
+    e.push_back(s.thickness);
+    distance.push_back(s.koiter);
+  }
+  if (samples.size() < 2) return not_judged(statement, "one thickness has no limit; take more factors");
+  if (distance.size() < 2)
+    return not_judged(statement, std::isfinite(noise)
+                                     ? fmt::format("|r - r_K| / |r| is rounding, less than {:.0e}", noise)
+                                     : "the shell does not rotate beyond rounding");
+  const double exponent = fitted_exponent(e, distance);
+  return judged(
+      statement,
+      fmt::format("|r - r_K| / |r| from {:.2e} to {:.2e}, like e^{:.2f}", distance.front(), distance.back(), exponent),
+      exponent > least_exponent && distance.back() < distance.front());
 }
 
 void warn(const std::vector<Sample>& samples, const Problem& problem, Table& table) {
@@ -153,22 +202,17 @@ void warn(const std::vector<Sample>& samples, const Problem& problem, Table& tab
 }
 
 void conclude(const std::vector<Sample>& samples, const Problem& problem, Table& table) {
-  if (samples.size() < 2) return;
   const auto e = column(samples, [](const Sample& s) { return s.thickness; });
   const double exponent = fitted_exponent(e, column(samples, [](const Sample& s) { return s.stiffness; }));
-  table.fits = {
-      {"stiffness", "e", exponent},
-      {"energy", "e", fitted_exponent(e, column(samples, [](const Sample& s) { return s.energy.total(); }))},
-      {"|r - r_K| / |r|", "e", fitted_exponent(e, column(samples, [](const Sample& s) { return s.koiter; }))}};
-  if (has_prescribed_motion(problem)) {
-    table.remarks.push_back("the supports prescribe motions, so the stiffness K has no meaning and is not judged");
-  } else if (problem.obstacle) {
-    table.remarks.push_back("with an obstacle K is a secant stiffness at one load and bound to no power of e");
-  } else {
+  if (samples.size() > 1)
+    table.fits = {
+        {"stiffness", "e", exponent},
+        {"energy", "e", fitted_exponent(e, column(samples, [](const Sample& s) { return s.energy.total(); }))},
+        {"|r - r_K| / |r|", "e", fitted_exponent(e, column(samples, [](const Sample& s) { return s.koiter; }))}};
+  const std::string why_not = no_exponents(samples, problem);
+  if (why_not.empty())
     table.remarks.push_back(fmt::format("exponent {:.2f} on the thinnest shells, {}", exponent, domination(exponent)));
-    table.claims.push_back(between_one_and_three(samples));
-  }
-  table.claims.push_back(koiter_limit(samples));
+  table.claims = {between_one_and_three(samples, why_not), koiter_limit(samples)};
   if (problem.obstacle && samples.front().touching > 0 && samples.back().touching == 0)
     table.remarks.push_back(
         "the thinnest shell no longer touches the obstacle: its load falls faster than its stiffness; for a membrane "
@@ -189,7 +233,15 @@ Plot plot_of(const std::vector<Sample>& samples) {
           .slopes = {{1, "slope 1: membrane"}, {3, "slope 3: bending"}}};
 }
 
+std::vector<double> factors_of(const StudyOptions& options) {
+  return options.factors.empty() ? std::vector<double>{1, 0.5, 0.25, 0.125, 0.0625} : options.factors;
+}
+
 }  // namespace
+
+std::vector<Variant> thickness_study_variants(const Problem& problem, const StudyOptions& options) {
+  return thickness_variants(problem, factors_of(options));
+}
 
 Report thickness(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer) {
   const double exponent = options.load_exponent.value_or(problem.obstacle ? 3 : 0);
@@ -201,15 +253,14 @@ Report thickness(const Problem& problem, const StudyOptions& options, MPI_Comm c
   Problem plain = problem;
   plain.probes.clear();
   std::vector<Sample> samples;
-  const std::vector<double> halvings{1, 0.5, 0.25, 0.125, 0.0625};
-  for (const double factor : options.factors.empty() ? halvings : options.factors) {
+  for (const double factor : factors_of(options)) {
     if (observer.stage) observer.stage(fmt::format("thickness times {:g}", factor));
     const double load_factor = std::pow(factor, exponent);
     const Result result =
         solve(with_loads_scaled(with_thickness_scaled(plain, factor), load_factor), comm, observer.solve);
     report.status = result.status;
     if (result.status != contact::Status::solved) break;
-    samples.push_back(sample_of(result, factor, load_factor));
+    samples.push_back(sample_of(result, problem, factor, load_factor));
   }
   if (samples.empty()) return report;
   add_rows(samples, problem.discretisation.degree, report.table);

@@ -1,5 +1,7 @@
 #include <plastron/study/variations.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace plastron::study {
@@ -19,6 +21,14 @@ void scale(assembly::VectorFunction& f, double factor) {
 Problem with_thickness_scaled(Problem problem, double factor) {
   problem.thickness = problem.thickness.scaled(factor);
   return problem;
+}
+
+std::vector<Variant> thickness_variants(const Problem& problem, const std::vector<double>& factors) {
+  std::vector<Variant> variants;
+  for (const double factor : factors)
+    if (factor != 1)
+      variants.push_back({fmt::format("{:g} times the thickness", factor), with_thickness_scaled(problem, factor)});
+  return variants;
 }
 
 Problem with_loads_scaled(Problem problem, double factor) {

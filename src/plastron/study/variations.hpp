@@ -1,11 +1,13 @@
 // A problem with one thing changed.
 #pragma once
-#include <plastron/study/problem.hpp>
+#include <plastron/study/kinds.hpp>
 
 namespace plastron::study {
 
 /// e times `factor`; chart, obstacle and loads stay. The touching face moves with e/2.
 Problem with_thickness_scaled(Problem problem, double factor);
+/// The problem at each factor but 1, where it is the case itself.
+std::vector<Variant> thickness_variants(const Problem& problem, const std::vector<double>& factors);
 /// All loads of (M9) times `factor`.
 Problem with_loads_scaled(Problem problem, double factor);
 /// Supports hold the same components at zero, and there is no obstacle: the linear problem on V.

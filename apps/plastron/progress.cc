@@ -1,6 +1,9 @@
-#include "console.hpp"
+#include "progress.hpp"
 
-#include <mpi.h>
+#include "interruption.hpp"
+
+#include <plastron/geometry/quotation.hpp>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,11 +11,7 @@
 
 namespace plastron::app {
 
-bool is_first_rank() {
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  return rank == 0;
-}
+std::string shortened_title(const std::string& title) { return geometry::shortened(title, 100); }
 
 void print_findings(const std::vector<study::Finding>& findings, const std::string& case_file, bool with_notes) {
   for (const study::Finding& f : findings) switch (f.severity) {
@@ -31,14 +30,15 @@ StatusLine::StatusLine(bool quiet) : on_terminal_(!quiet && is_first_rank() && i
 
 void StatusLine::show(const std::string& text) {
   if (!on_terminal_) return;
-  fmt::print(stderr, "\r{:<{}}", text, shown_);
+  const std::string line = config::printable(text);
+  print_raw(stderr, fmt::format("\r{:<{}}", line, shown_));
   std::fflush(stderr);
-  shown_ = text.size();
+  shown_ = line.size();
 }
 
 void StatusLine::clear() {
   if (!on_terminal_) return;
-  fmt::print(stderr, "\r{:<{}}\r", "", shown_);
+  print_raw(stderr, fmt::format("\r{:<{}}\r", "", shown_));
   shown_ = 0;
 }
 
@@ -51,6 +51,7 @@ study::StudyObserver StageProgress::observer() {
   observer.solve.level = [this](int level, const study::Level& record) {
     status_.show(fmt::format("{}: level {} done, {} unknowns", stage_, level, record.unknowns));
   };
+  observer.solve.stop = is_interrupted;
   return observer;
 }
 
@@ -63,7 +64,9 @@ Progress::Progress(bool has_obstacle, bool quiet) : has_obstacle_(has_obstacle),
 study::Observer Progress::observer() {
   return {.phase = [this](int l, std::string_view name) { phase(l, name); },
           .iteration = [this](int l, const contact::Iteration& i) { iteration(l, i); },
-          .level = [this](int l, const study::Level& record) { level(l, record); }};
+          .level = [this](int l, const study::Level& record) { level(l, record); },
+          .solution = {},
+          .stop = is_interrupted};
 }
 
 void Progress::phase(int level, std::string_view name) {
@@ -99,24 +102,28 @@ void print_summary(const study::Result& result) {
   const double total = std::max(s.energy.total(), 1e-300);
   print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(),
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);
+  print("largest           |u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad\n", s.max_displacement,
+        s.max_relative_displacement, s.max_rotation);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
   if (result.has_obstacle) {
     print("obstacle          {} N\n", vector_text(s.reaction.force));
     print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area,
-          s.max_pressure);
+          s.edge.is_line() ? s.edge.pressure_inside : s.max_pressure);
+    if (s.edge.is_line())
+      print("on the edge       {} nodes, {:.6e} N, a line reaction of at most {:.6e} N/m\n", s.edge.nodes, s.edge.force,
+            s.edge.max_per_length);
     const double between = std::isfinite(c.min_gap_between) ? std::max(0.0, -c.min_gap_between) : 0.0;
     print("penetration       {:.2e} m between the nodes, {:.2e} m at them\n", between, std::max(0.0, -c.min_gap_nodes));
   }
-  print("certificate       equilibrium {:.1e}, balance of forces {:.1e}, of moments {:.1e}, energy identity {:.1e}",
+  print("certificate       equilibrium {:.1e}, balance of forces {:.1e}, of moments {:.1e}, energy identity {:.1e}\n",
         c.stationarity, c.force_balance, c.moment_balance, c.energy_identity);
   if (result.has_obstacle)
-    print(", min pressure {:.2e} Pa, max |pressure * gap| {:.1e}", c.min_pressure, c.complementarity);
-  print("\n");
+    print("                  min pressure {:.2e} Pa, max |pressure * gap| {:.1e}\n", c.min_pressure, c.complementarity);
   for (const auto& p : result.probes) {
-    print("probe {:<12}u = {} m, r = {}", p.name, vector_text(p.values.u), vector_text(p.values.r));
-    if (result.has_obstacle) print(", gap = {:.6e} m, pressure = {:.6e} Pa", p.values.gap, p.values.pressure);
-    print("\n");
+    print("probe {:<12}u = {} m, r = {}\n", p.name, vector_text(p.values.u), vector_text(p.values.r));
+    if (result.has_obstacle)
+      print("                  gap = {:.6e} m, pressure = {:.6e} Pa\n", p.values.gap, p.values.pressure);
   }
 }
 

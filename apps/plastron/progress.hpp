@@ -1,26 +1,17 @@
-// Where the program prints: rank 0 only, results on standard output, errors and progress on standard error.
+// What the program tells while it computes and when it is done.
 #pragma once
+#include "terminal.hpp"
+
 #include <plastron/study/examine.hpp>
 #include <plastron/study/kinds.hpp>
 #include <plastron/study/solve.hpp>
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <string>
 
 namespace plastron::app {
 
-bool is_first_rank();
-
-template <class... Args>
-void print(fmt::format_string<Args...> text, Args&&... args) {
-  if (is_first_rank()) fmt::print(stdout, text, std::forward<Args>(args)...);
-}
-template <class... Args>
-void print_error(fmt::format_string<Args...> text, Args&&... args) {
-  if (is_first_rank()) fmt::print(stderr, text, std::forward<Args>(args)...);
-}
+/// A title as it is shown: long ones are cut.
+std::string shortened_title(const std::string& title);
 
 /// The findings of an examination, notes only if wanted.
 void print_findings(const std::vector<study::Finding>& findings, const std::string& case_file, bool with_notes);
@@ -42,6 +33,7 @@ class Progress {
  public:
   Progress(bool has_obstacle, bool quiet);
   study::Observer observer();
+  void finish() { status_.clear(); }
 
  private:
   void phase(int level, std::string_view name);

@@ -1,0 +1,56 @@
+#include "command_line.hpp"
+
+#include "terminal.hpp"
+
+#include <plastron/io/version.hpp>
+
+#include <sstream>
+
+namespace plastron::app {
+
+void describe_program(CLI::App& program) {
+  program.description("Plastron computes thin elastic shells (Naghdi's model) pressed on a rigid obstacle.");
+  program.set_version_flag("--version", std::string(io::version));
+  program.require_subcommand(1);
+  program.footer("Exit codes: 0 solved, 2 bad input, 3 not converged or interrupted, 4 internal error.");
+}
+
+void add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
+                        bool& quiet, int& threads) {
+  command.add_option("-o,--output,--out", output, output_meaning)->required();
+  command.add_flag("-q,--quiet", quiet, "Print errors only");
+  command.add_option("--threads", threads, "Threads of each process; 0: as many as the work is worth")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& summary,
+                      const std::string& output_meaning, Options& options) {
+  CLI::App* command = program.add_subcommand(name, summary);
+  command->add_option("CASE", options.case_file, "Case file (TOML)")->required();
+  if (!output_meaning.empty())
+    add_output_options(*command, output_meaning, options.output, options.quiet, options.threads);
+  return command;
+}
+
+CommonCommands add_common_commands(CLI::App& program, Options& options) {
+  return {
+      .run = add_command(program, "run", "Solve a case and write its results",
+                         "Directory for results.json and the .vtu files", options),
+      .check = add_command(program, "check", "Examine a case without solving it", "", options),
+      .compare = add_command(program, "compare", "Solve a case in every formulation and set them side by side",
+                             "Directory for compare.json and compare.svg", options),
+  };
+}
+
+ExitCode answer(const CLI::App& program, const CLI::ParseError& reply) {
+  std::ostringstream out, err;
+  const bool good = program.exit(reply, out, err) == 0;
+  if (is_first_rank()) {
+    print_text(stdout, out.str());
+    print_text(stderr, err.str());
+  }
+  return good ? solved : bad_input;
+}
+
+}  // namespace plastron::app

@@ -1,0 +1,80 @@
+// plastron: reads the command line and the case file and hands over to plastron-solver, in the same process. The solver's 200
+// shared libraries alone take longer to load than help, a wrong argument or a mistake in a case file may take to answer.
+#include "command_line.hpp"
+#include "terminal.hpp"
+
+#include <plastron/config/case.hpp>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <new>
+#include <thread>
+
+namespace plastron::app {
+
+namespace {
+
+constexpr const char* solver_name = "plastron-solver";
+
+/// The solver's libraries fill an address space of this size before it begins. A loader that runs out of it speaks of shared
+/// objects, MPI may wait for ever.
+constexpr rlim_t least_address_space = rlim_t{1} << 30;
+
+bool has_address_space() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= least_address_space)
+    return true;
+  print_error("error: not enough memory: the address space is limited to {} MB (ulimit -v), and {} MB are the least\n",
+              limit.rlim_cur >> 20, least_address_space >> 20);
+  return false;
+}
+
+/// The solver lies beside this program. Does not return but with an error.
+ExitCode hand_over(char** argv) {
+  if (!has_address_space()) return internal_error;
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto solver = self.parent_path() / solver_name;
+  execv(solver.c_str(), argv);
+  print_error("error: {} cannot be started: {}\n", solver.string(), std::strerror(errno));
+  return internal_error;
+}
+
+/// All processes of a job come to the same end, but a launcher ends all when one does: the first shall have spoken by then.
+ExitCode refused() {
+  if (!is_first_rank()) std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  return bad_input;
+}
+
+}  // namespace
+
+int front(int argc, char** argv) {
+  secure_standard_streams();
+  CLI::App program;
+  describe_program(program);
+  Options options;
+  add_common_commands(program, options);
+  program.add_subcommand("study", study_summary);
+  if (argc > 1 && std::strcmp(argv[1], "study") == 0) return hand_over(argv);
+  try {
+    program.parse(argc, argv);
+    [[maybe_unused]] const config::Case read = config::read_case(options.case_file);
+  } catch (const CLI::ParseError& reply) {
+    return answer(program, reply) == solved ? solved : refused();
+  } catch (const config::CaseErrors& errors) {
+    if (is_first_rank()) print_text(stderr, errors.format());
+    return refused();
+  } catch (const std::bad_alloc&) {
+    print_error("error: not enough memory to read the case\n");
+    return internal_error;
+  }
+  return hand_over(argv);
+}
+
+}  // namespace plastron::app
+
+int main(int argc, char** argv) { return plastron::app::front(argc, argv); }

@@ -1,0 +1,102 @@
+#include "terminal.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <optional>
+
+namespace plastron::app {
+
+namespace {
+
+std::optional<int> known_rank;
+
+/// The rank that the launcher of a parallel job gave this process; 0 if there is none.
+int rank_in_environment() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "SLURM_PROCID"})
+    if (const char* value = std::getenv(name)) return std::atoi(value);
+  return 0;
+}
+
+std::size_t characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text)
+    if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) ++count;
+  return count;
+}
+
+bool is_quotation(std::string_view line) {
+  constexpr std::size_t bar = 6;
+  return line.size() > bar && line[bar] == '|' && line.find_first_not_of(" 0123456789") == bar;
+}
+
+/// Where a line too long is best broken: the last blank that leaves at most `width` characters before it.
+std::size_t break_of(std::string_view line, std::size_t indent, std::size_t width) {
+  std::size_t found = std::string_view::npos;
+  for (std::size_t blank = line.find(' ', indent); blank != std::string_view::npos; blank = line.find(' ', blank + 1)) {
+    if (found != std::string_view::npos && characters(line.substr(0, blank)) > width) break;
+    found = blank;
+  }
+  return found;
+}
+
+std::string wrapped_line(std::string_view line, std::size_t width) {
+  constexpr std::string_view indent = "    ";
+  std::string text, rest(line);
+  std::size_t first_word = rest.find_first_not_of(' ');
+  while (characters(rest) > width) {
+    const std::size_t at = break_of(rest, first_word, width);
+    if (at == std::string::npos || rest.find_first_not_of(' ', at) == std::string::npos) break;
+    text += rest.substr(0, at) + "\n";
+    rest = std::string(indent) + rest.substr(rest.find_first_not_of(' ', at));
+    first_word = indent.size();
+  }
+  return text + rest;
+}
+
+}  // namespace
+
+bool is_first_rank() {
+  if (!known_rank) known_rank = rank_in_environment();
+  return *known_rank == 0;
+}
+
+void set_rank(int rank) { known_rank = rank; }
+
+void secure_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
+      const int place = open("/dev/null", O_RDWR);
+      if (place != -1 && place != stream) {
+        dup2(place, stream);
+        close(place);
+      }
+    }
+  signal(SIGPIPE, SIG_IGN);
+}
+
+std::string wrapped(std::string_view text, std::size_t width) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    result += is_quotation(line) ? std::string(line) : wrapped_line(line, width);
+    if (end == std::string_view::npos) break;
+    result += '\n';
+    text.remove_prefix(end + 1);
+  }
+  return result;
+}
+
+void print_raw(std::FILE* stream, std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stream);  // nobody may be reading
+}
+
+void print_text(std::FILE* stream, std::string_view text) {
+  print_raw(stream, wrapped(config::printable(text, config::LineBreaks::keep)));
+}
+
+}  // namespace plastron::app

@@ -1,0 +1,57 @@
+#include <plastron/algebra/threads.hpp>
+
+#include <dlfcn.h>
+#include <sched.h>
+
+#include <algorithm>
+
+namespace plastron::algebra {
+namespace {
+
+/// More have not been measured.
+constexpr int most_by_default = 2;
+
+int most_threads = 1;
+
+// Looked up by name, since another BLAS or OpenMP lacks them.
+void call_if_there(const char* name, int value) {
+  using Setter = void (*)(int);
+  if (const auto set = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, name))) set(value);
+}
+int ask_if_there(const char* name, int otherwise) {
+  using Getter = int (*)();
+  const auto get = reinterpret_cast<Getter>(dlsym(RTLD_DEFAULT, name));
+  return get ? get() : otherwise;
+}
+
+void set_blas_threads(int threads) { call_if_there("openblas_set_num_threads", threads); }
+
+}  // namespace
+
+int usable_cores() {
+  cpu_set_t cores;
+  return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
+}
+
+// OpenBLAS starts with OPENBLAS_NUM_THREADS or all cores: what it starts with is respected as a limit. CHOLMOD asks OpenMP for four threads
+// whatever OMP_NUM_THREADS says; without active levels it gets one. MUMPS and METIS ask for the default.
+void restrict_threads(int threads, int ranks) {
+  const int by_default =
+      ranks > 1 ? 1 : std::min({most_by_default, usable_cores(), ask_if_there("openblas_get_num_threads", 1)});
+  most_threads = threads > 0 ? threads : by_default;
+  set_blas_threads(1);
+  call_if_there("omp_set_num_threads", 1);
+  call_if_there("omp_set_max_active_levels", 0);
+}
+
+int threads_for(double operations) { return operations < many_operations ? 1 : most_threads; }
+
+BlasThreads::BlasThreads(int threads) : threads_(threads) {
+  if (threads_ > 1) set_blas_threads(threads_);
+}
+
+BlasThreads::~BlasThreads() {
+  if (threads_ > 1) set_blas_threads(1);
+}
+
+}  // namespace plastron::algebra

@@ -1,0 +1,16 @@
+// Whether a test can watch an assertion stop the program.
+#pragma once
+#include "algebra/chain.hpp"
+
+namespace plastron::test {
+
+#ifdef NDEBUG
+inline constexpr bool assertions_are_live = false;
+#else
+inline constexpr bool assertions_are_live = true;
+#endif
+
+/// A program that dies on one of several ranks takes the others with it.
+inline bool cannot_watch_a_program_die() { return !assertions_are_live || ranks() > 1; }
+
+}  // namespace plastron::test
