@@ -34,7 +34,7 @@ double time(int calls, const std::function<void()>& call) {
 
 void report(int degree, int refinements) {
   const study::Problem problem = cap(0.02, degree, refinements);
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain), degree, MPI_COMM_WORLD);
+  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, problem.discretisation.cells), degree, MPI_COMM_WORLD);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   const assembly::ShellDescription shell{.thickness = problem.thickness,

@@ -43,10 +43,23 @@ CommonCommands add_common_commands(CLI::App& program, Options& options) {
   };
 }
 
+namespace {
+
+/// The first word, where it should be a command and is none; empty otherwise.
+std::string unknown_command(const CLI::App& program) {
+  const auto rest = program.remaining();
+  return program.get_subcommands().empty() && !rest.empty() ? rest.front() : std::string();
+}
+
+}  // namespace
+
 ExitCode answer(const CLI::App& program, const CLI::ParseError& reply) {
   std::ostringstream out, err;
   const bool good = program.exit(reply, out, err) == 0;
-  if (is_first_rank()) {
+  if (const std::string word = unknown_command(program); !good && !word.empty()) {
+    print_error("there is no command \"{}\"; the commands are run, check, compare, study; plastron --help tells more\n",
+                word);
+  } else if (is_first_rank()) {
     print_text(stdout, out.str());
     print_text(stderr, err.str());
   }

@@ -54,7 +54,7 @@ Eigen::Matrix<double, 6, 1> total_of_load_on(const test::MeshedSurface& m, const
   EdgeLoad load{.boundary = boundary};
   load.force = {geometry::Expression("x^2 + y^2", {}), geometry::Expression(7.0), geometry::Expression(-2.0)};
   load.couple[1] = geometry::Expression(3.0);
-  const ShellOperator shell(m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true);
+  const ShellOperator shell(m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false);
   return total(load_vector(shell, {}, {load}));
 }
 

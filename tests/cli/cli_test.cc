@@ -263,8 +263,8 @@ TEST(Study, is_told_which_studies_take_an_option_that_is_foreign_to_it) {
 TEST(Study, stops_where_a_formulation_that_it_computes_is_refused) {
   const Scratch scratch;
   std::string file = case_with(0);
-  for (std::size_t at; (at = file.find("\"r\"")) != std::string::npos;) file.replace(at, 3, "\"u\"");
-  for (std::size_t at; (at = file.find("\"r.y\"")) != std::string::npos;) file.replace(at, 5, "\"u.y\"");
+  for (std::size_t at; (at = file.find(", \"r\"")) != std::string::npos;) file.erase(at, 5);
+  for (std::size_t at; (at = file.find(", \"r.y\"")) != std::string::npos;) file.erase(at, 7);
   scratch.write("case.toml", file);
   const Outcome outcome = plastron({"study", "penalty", "case.toml", "-o", "X"}, scratch.path);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 std::string refusal_of_path(const std::string& path) {
   try {
-    coarse_mesh(MeshFile{path});
+    coarse_mesh(MeshFile{path}, Shape::quadrilateral);
   } catch (const DomainError& error) {
     return error.what();
   }

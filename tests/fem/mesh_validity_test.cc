@@ -118,7 +118,7 @@ TEST(Mesh, with_a_cell_outside_of_all_regions_is_refused) {
 
 TEST(Point, is_found_in_every_unit_of_length) {
   for (const double scale : scales) {
-    const CoarseMesh disk = coarse_mesh(Disk{.centre = {3 * scale, 0}, .radius = scale});
+    const CoarseMesh disk = coarse_mesh(Disk{.centre = {3 * scale, 0}, .radius = scale}, Shape::quadrilateral);
     for (const double inside : {0.0, 0.3, 0.9, 1.0})
       EXPECT_TRUE(locate(disk, {(3 + 0.6 * inside) * scale, 0.8 * inside * scale})) << scale << " " << inside;
     for (const double outside : {1.0001, 1.5, 40.0})
@@ -130,7 +130,7 @@ TEST(Polygon, is_meshed_alike_in_every_unit_of_length) {
   const auto cells = [](double scale) {
     std::vector<Vector2d> corners{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
     for (Vector2d& c : corners) c *= scale;
-    return coarse_mesh(Polygon{corners}).cells.size();
+    return coarse_mesh(Polygon{corners}, Shape::quadrilateral).cells.size();
   };
   for (const double scale : scales) EXPECT_EQ(cells(scale), cells(1)) << scale;
 }

@@ -168,6 +168,7 @@ TEST(Compare, FindsAPenaltyTooWeakForTheMesh) {
   p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
   p.thickness = Expression(0.2);
   p.discretisation.degree = 6;
+  p.discretisation.refinements = 2;
   p.discretisation.tangency.penalty = 1;
   const Claim claim = claim_on(run("compare", p).table, "penalised");
   EXPECT_EQ(claim.verdict, Verdict::does_not_hold) << claim.measured << claim.reason;

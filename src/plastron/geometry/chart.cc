@@ -98,7 +98,7 @@ std::vector<Expression> differentiate(const std::string& text, const Constants& 
   } catch (const ExpressionError&) {
     throw;
   } catch (const std::exception& error) {
-    throw NotDifferentiable(shortened(text), shortened(error.what(), 200));
+    throw NotDifferentiable(text, shortened(error.what(), 200));
   }
 }
 

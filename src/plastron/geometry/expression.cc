@@ -51,7 +51,8 @@ void check_size(const std::string& text) {
   const auto position = error.GetPos() < 0 ? std::size_t{0} : static_cast<std::size_t>(error.GetPos());
   switch (error.GetCode()) {
     case mu::ecUNASSIGNABLE_TOKEN:
-      throw ExpressionError(fmt::format("unknown name \"{}\" in \"{}\"", shortened(error.GetToken()), shortened(text)), position);
+      throw ExpressionError(fmt::format("unknown name \"{}\" in \"{}\"", shortened(error.GetToken()), shortened(text)),
+                            position);
     case mu::ecUNEXPECTED_EOF:
       throw ExpressionError(fmt::format("\"{}\" ends too early", shortened(text)), text.size());
     default:
@@ -63,8 +64,8 @@ void check_size(const std::string& text) {
 }  // namespace
 
 const std::vector<std::string>& smooth_functions() {
-  static const std::vector<std::string> all{"sin",  "cos",  "tan",   "asin",  "acos",  "atan", "atan2", "sinh", "cosh",
-                                            "tanh", "asinh", "acosh", "atanh", "exp", "log",  "ln",    "sqrt", "abs"};
+  static const std::vector<std::string> all{"sin",  "cos",   "tan",   "asin",  "acos", "atan", "atan2", "sinh", "cosh",
+                                            "tanh", "asinh", "acosh", "atanh", "exp",  "log",  "ln",    "sqrt", "abs"};
   return all;
 }
 
@@ -72,6 +73,12 @@ const std::vector<std::string>& other_functions() {
   static const std::vector<std::string> all{"min", "max", "sign"};
   return all;
 }
+
+NotDifferentiable::NotDifferentiable(const std::string& text, std::string reason_in_words)
+    : ExpressionError(fmt::format("\"{}\" is no formula with two derivatives: {} (charts allow + - * / ^ and {})",
+                                  shortened(text), reason_in_words, fmt::join(smooth_functions(), " ")),
+                      0),
+      reason(std::move(reason_in_words)) {}
 
 // muParser keeps the addresses of its variables, so they live as long as the compiled program.
 struct Expression::Program {

@@ -22,9 +22,7 @@ struct ExpressionError : std::invalid_argument {
 
 /// An expression that cannot be differentiated twice, and why not.
 struct NotDifferentiable : ExpressionError {
-  NotDifferentiable(const std::string& text, std::string reason_in_words)
-      : ExpressionError("\"" + text + "\" cannot be differentiated twice: " + reason_in_words, 0),
-        reason(std::move(reason_in_words)) {}
+  NotDifferentiable(const std::string& text, std::string reason_in_words);
   std::string reason;
 };
 
