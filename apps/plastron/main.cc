@@ -4,6 +4,7 @@
 #include "terminal.hpp"
 
 #include <plastron/algebra/session.hpp>
+#include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/config/mistakes.hpp>
 #include <plastron/fem/domain.hpp>
@@ -32,6 +33,9 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
     print_error("error: {}\n", error.what());
     return bad_input;
   } catch (const assembly::SupportError& error) {
+    print_error("error: {}\n", error.what());
+    return bad_input;
+  } catch (const assembly::LoadError& error) {
     print_error("error: {}\n", error.what());
     return bad_input;
   }

@@ -73,5 +73,73 @@ TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
   for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-15);
 }
 
+// ---- loads made of pieces ------------------------------------------------------------------------------------------
+
+ShellOperator plate(int degree, fem::Shape shape, int refinements = 1) {
+  const auto m = test::meshed(fem::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, degree, refinements, shape);
+  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false};
+}
+
+TEST(PiecewiseLoad, SumsToItsIntegralThoughItJumpsInsideOfCells) {
+  AreaLoad load;
+  load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
+  load.pressure = geometry::Expression("sign(x + y - 0.7)", {});
+  load.couple[0] = geometry::Expression("abs(x - 0.3)", {});
+  for (const fem::Shape shape : {test::quadrilateral, test::triangle})
+    for (const int degree : {1, 2}) {
+      const auto sum = total(load_vector(plate(degree, shape), {load}, {}));
+      EXPECT_NEAR(sum[2], 1.0 / 3 + (1 - 0.49), 1e-3);
+      EXPECT_NEAR(sum[3], (0.09 + 0.49) / 2, 1e-6);
+    }
+}
+
+TEST(PiecewiseLoad, OnAnEdgeSumsToItsIntegral) {
+  EdgeLoad load{.boundary = "bottom"};
+  load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
+  load.couple[1] = geometry::Expression("max(x - 0.3, 0)", {});
+  for (const fem::Shape shape : {test::quadrilateral, test::triangle}) {
+    const auto sum = total(load_vector(plate(2, shape), {}, {load}));
+    EXPECT_NEAR(sum[2], 1.0 / 3, 2e-6);
+    EXPECT_NEAR(sum[4], 0.49 / 2, 1e-6);
+  }
+}
+
+TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
+  const auto shell = cap_on_disk(3, 3);
+  AreaLoad piecewise, smooth;
+  piecewise.pressure = geometry::Expression("x < 5 ? 1 + x^2 : 0", {});
+  smooth.pressure = geometry::Expression("1 + x^2", {});
+  EdgeLoad rim{.boundary = "rim"}, smooth_rim{.boundary = "rim"};
+  rim.force[0] = geometry::Expression("max(x^2, -1)", {});
+  smooth_rim.force[0] = geometry::Expression("x^2", {});
+  const auto a = load_vector(shell, {piecewise}, {rim}), b = load_vector(shell, {smooth}, {smooth_rim});
+  for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-8);
+}
+
+TEST(PiecewiseLoad, IsIntegratedAlikeWithCovariantInterpolation) {
+  const auto m = test::meshed(fem::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, 2, 1);
+  const ShellOperator covariant(m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, true);
+  AreaLoad load;
+  load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
+  const auto a = load_vector(covariant, {load}, {}), b = load_vector(plate(2, test::quadrilateral), {load}, {});
+  for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-14);
+}
+
+TEST(LoadVector, OfALoadThatIsNotFiniteSaysWhere) {
+  AreaLoad area;
+  area.pressure = geometry::Expression("log(x - 0.6)", {});
+  EdgeLoad edge{.boundary = "left"};
+  edge.couple[0] = geometry::Expression("sqrt(y - 0.9)", {});
+  for (const auto& [areas, edges] :
+       std::vector<std::pair<std::vector<AreaLoad>, std::vector<EdgeLoad>>>{{{area}, {}}, {{}, {edge}}}) {
+    try {
+      load_vector(plate(2, test::quadrilateral), areas, edges);
+      FAIL() << "accepted";
+    } catch (const LoadError& error) {
+      EXPECT_NE(std::string(error.what()).find("not a number near x = 0"), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plastron::assembly

@@ -147,6 +147,12 @@ TEST(Chart, differentiates_atan2_abs_and_exp_by_the_known_formulas) {
     EXPECT_EQ(size.d[0][0], s / 2);
     EXPECT_EQ(size.dd[0][0], 0);
   }
+  // Both derivatives exist where x |x| is zero.
+  const SurfaceJet signed_square = jet_of("x*abs(x)", 0, 0);
+  EXPECT_EQ(signed_square.value[0], 0);
+  EXPECT_EQ(signed_square.d[0][0], 0);
+  EXPECT_EQ(signed_square.dd[0][0], 0);
+  EXPECT_EQ(jet_of("x*abs(x)", -3, 0).dd[0][0], -2);
   const SurfaceJet growth = jet_of("exp(2*x)", 0.5, 0);
   EXPECT_DOUBLE_EQ(growth.dd[0][0], 4 * std::exp(1.0));
 }

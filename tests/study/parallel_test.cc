@@ -122,5 +122,19 @@ TEST(Ranks, all_throw_for_a_probe_outside) {
   EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
 }
 
+TEST(Ranks, all_throw_for_a_load_that_is_not_finite_on_one) {
+  Problem p = cantilever_plate();
+  p.area_loads[0].pressure = Expression("x > 0.9 && y > 0.9 ? log(-x) : 1", {});
+  EXPECT_THROW(solve(p, MPI_COMM_WORLD), assembly::LoadError);
+}
+
+TEST(Ranks, divide_cells_alike_where_a_load_jumps) {
+  Problem p = cantilever_plate();
+  p.area_loads[0].pressure = Expression("x + y > 0.87 ? 1 : 0", {});
+  p.edge_loads = {{.boundary = "right", .force = vector(0, 0, 0), .couple = {}}};
+  p.edge_loads[0].force[2] = Expression("max(y - 0.3, 0)", {});
+  expect_same_alone_and_together(p);
+}
+
 }  // namespace
 }  // namespace plastron::study

@@ -1,11 +1,15 @@
 #include <plastron/assembly/load_vector.hpp>
 
+#include <plastron/assembly/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
+#include <plastron/geometry/piecewise.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace plastron::assembly {
 
@@ -31,64 +35,146 @@ void add_function(const VectorFunction& f, std::span<const double> x, std::span<
     values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
 }
 
-void add_area_loads(const ShellOperator& shell, const std::vector<AreaLoad>& loads, algebra::Vector& f) {
-  const fem::Space& space = shell.space();
-  const auto& xi = shell.tables().quadrature.xi;
-  std::vector<double> x(xi.size()), y(xi.size()), pressure(xi.size());
-  CellField values(static_cast<Eigen::Index>(xi.size()), 6);
-  for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    shell.surface().positions(space.cells[c], xi, x, y);
-    values.setZero();
+bool is_piecewise(const VectorExpression& f) {
+  return std::ranges::any_of(f, [](const geometry::Expression& c) { return geometry::is_piecewise(c); });
+}
+bool is_piecewise(const AreaLoad& load) {
+  return is_piecewise(load.force) || is_piecewise(load.couple) || geometry::is_piecewise(load.pressure);
+}
+
+/// Adds loads up, and remembers the first place where one is not finite.
+class LoadSum {
+ public:
+  LoadSum(const ShellOperator& shell, algebra::Vector& f)
+      : shell_(shell), space_(shell.space()), line_(fem::gauss(space_.degree + 1)), f_(f) {}
+
+  void add_area_loads(const std::vector<AreaLoad>& loads) {
+    if (loads.empty()) return;
+    constexpr int levels = 6;
+    const bool divide = std::ranges::any_of(loads, [](const AreaLoad& load) { return is_piecewise(load); });
+    for (std::size_t c = 0; c < space_.owned_cells; ++c) {
+      const auto integral = [&](const CellPart& part) { return on_part(loads, c, part); };
+      shell_.scatter(
+          c, divide ? Subdivision<CellPart, decltype(integral)>(space_.shape(), integral)(levels) : on_cell(loads, c),
+          f_);
+    }
+  }
+
+  void add_edge_load(const EdgeLoad& load) {
+    constexpr int levels = 20;  // halving a side costs little
+    const auto& names = space_.coarse->boundaries;
+    const auto found = std::ranges::find(names, load.boundary);
+    if (found == names.end())
+      throw LoadError(fmt::format("a load names the boundary \"{}\", which the mesh does not have; it has: {}",
+                                  load.boundary, fmt::join(names, ", ")));
+    const auto boundary = static_cast<int>(found - names.begin());
+    const bool divide = is_piecewise(load.force) || is_piecewise(load.couple);
+    for (const fem::BoundaryFace& face : space_.faces) {
+      if (face.boundary != boundary || face.cell >= space_.owned_cells) continue;
+      const auto integral = [&](const SidePart& part) { return on_side(load, face, part); };
+      shell_.scatter(
+          face.cell,
+          divide ? Subdivision<SidePart, decltype(integral)>(space_.shape(), integral)(levels) : integral(SidePart{}),
+          f_);
+    }
+  }
+
+  /// (collective)
+  void throw_if_not_finite() const {
+    const MPI_Comm comm = space_.layout->comm;
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    int first = not_finite_ ? rank : std::numeric_limits<int>::max();
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
+    if (first == std::numeric_limits<int>::max()) return;
+    Vector2d x = not_finite_.value_or(Vector2d::Zero());
+    MPI_Bcast(x.data(), 2, MPI_DOUBLE, first, comm);
+    throw LoadError(fmt::format(
+        "a load is infinite or not a number near x = {:.6g}, y = {:.6g}; loads must be finite in all of the domain",
+        x[0], x[1]));
+  }
+
+ private:
+  /// Loads at points of a cell with normals a_3.
+  template <class NormalAt>
+  CellField values(const std::vector<AreaLoad>& loads, std::size_t c, const std::vector<Vector2d>& xi,
+                   const NormalAt& a3) {
+    std::vector<double> x(xi.size()), y(xi.size()), pressure(xi.size());
+    shell_.surface().positions(space_.cells[c], xi, x, y);
+    CellField values = CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     for (const AreaLoad& load : loads) {
       add_expression(load.force, x, y, 0, values);
       add_expression(load.couple, x, y, 3, values);
       add_function(load.force_function, x, y, 0, values);
       add_function(load.couple_function, x, y, 3, values);
       load.pressure.evaluate(x, y, pressure);
-      for (int q = 0; q < values.rows(); ++q)
-        values.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * shell.point(c, q).frame.a3;
+      for (int q = 0; q < values.rows(); ++q) values.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * a3(q);
     }
-    for (int q = 0; q < values.rows(); ++q) values.row(q) *= shell.point(c, q).area;
-    shell.scatter(c, shell.interpolation().forces_of(c, shell.tables().quadrature, values), f);
+    note(values, x, y);
+    return values;
   }
-}
 
-void add_edge_load(const ShellOperator& shell, const EdgeLoad& load, algebra::Vector& f) {
-  const fem::Space& space = shell.space();
-  const auto& names = space.coarse->boundaries;
-  const auto found = std::ranges::find(names, load.boundary);
-  if (found == names.end())
-    throw LoadError(fmt::format("a load names the boundary \"{}\", which the mesh does not have; it has: {}",
-                                load.boundary, fmt::join(names, ", ")));
-  const auto boundary = static_cast<int>(found - names.begin());
-  const fem::Rule rule = fem::gauss(space.degree + 1);
-  std::vector<double> x(rule.points.size()), y(rule.points.size());
-  std::vector<geometry::SurfaceJet> jets(rule.points.size());
-  for (const fem::BoundaryFace& face : space.faces) {
-    if (face.boundary != boundary || face.cell >= space.owned_cells) continue;
-    std::vector<Eigen::Vector2d> xi;
-    for (const double t : rule.points) xi.push_back(fem::side_point(space.shape(), face.side, t));
-    shell.surface().positions(space.cells[face.cell], xi, x, y);
-    shell.surface().jets(space.cells[face.cell], xi, jets, false);
+  CellField on_cell(const std::vector<AreaLoad>& loads, std::size_t c) {
+    const BasisAt& at = shell_.tables().quadrature;
+    CellField v = values(loads, c, at.xi, [&](int q) { return shell_.point(c, q).frame.a3; });
+    for (int q = 0; q < v.rows(); ++q) v.row(q) *= shell_.point(c, q).area;
+    return shell_.interpolation().forces_of(c, at, v);
+  }
+
+  CellField on_part(const std::vector<AreaLoad>& loads, std::size_t c, const CellPart& part) {
+    std::vector<Vector2d> xi = shell_.tables().quadrature.xi;
+    for (Vector2d& point : xi) point = part.corner + part.size * point;
+    std::vector<geometry::SurfaceJet> jets(xi.size());
+    shell_.surface().jets(space_.cells[c], xi, jets, false);
+    std::vector<Vector3d> normals;
+    for (const auto& jet : jets) normals.push_back(jet.d[0].cross(jet.d[1]));
+    const auto normal = [&](int q) { return normals[static_cast<std::size_t>(q)]; };
+    CellField v = values(loads, c, xi, [&](int q) { return Vector3d(normal(q).normalized()); });
+    for (int q = 0; q < v.rows(); ++q)
+      v.row(q) *= shell_.tables().weights[static_cast<std::size_t>(q)] * part.size * part.size * normal(q).norm();
+    return shell_.interpolation().forces_of(c, basis_at(space_.shape(), space_.degree, xi), v);
+  }
+
+  CellField on_side(const EdgeLoad& load, const fem::BoundaryFace& face, const SidePart& part) {
+    std::vector<double> x(line_.points.size()), y(line_.points.size());
+    std::vector<geometry::SurfaceJet> jets(line_.points.size());
+    std::vector<Vector2d> xi;
+    for (const double t : line_.points)
+      xi.push_back(fem::side_point(space_.shape(), face.side, part.start + part.length * t));
+    shell_.surface().positions(space_.cells[face.cell], xi, x, y);
+    shell_.surface().jets(space_.cells[face.cell], xi, jets, false);
     CellField values = CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     add_expression(load.force, x, y, 0, values);
     add_expression(load.couple, x, y, 3, values);
-    const Eigen::Vector2d along = fem::side_tangent(space.shape(), face.side);
+    note(values, x, y);
+    const Vector2d along = fem::side_tangent(space_.shape(), face.side);
     for (std::size_t q = 0; q < xi.size(); ++q)
       values.row(static_cast<Eigen::Index>(q)) *=
-          rule.weights[q] * (along[0] * jets[q].d[0] + along[1] * jets[q].d[1]).norm();
-    const BasisAt basis = basis_at(space.shape(), space.degree, xi);
-    shell.scatter(face.cell, shell.interpolation().forces_of(face.cell, basis, values), f);
+          part.length * line_.weights[q] * (along[0] * jets[q].d[0] + along[1] * jets[q].d[1]).norm();
+    return shell_.interpolation().forces_of(face.cell, basis_at(space_.shape(), space_.degree, xi), values);
   }
-}
+
+  void note(const CellField& values, std::span<const double> x, std::span<const double> y) {
+    for (std::size_t q = 0; q < x.size() && !not_finite_; ++q)
+      if (!values.row(static_cast<Eigen::Index>(q)).allFinite()) not_finite_ = Vector2d(x[q], y[q]);
+  }
+
+  const ShellOperator& shell_;
+  const fem::Space& space_;
+  fem::Rule line_;
+  algebra::Vector& f_;
+  std::optional<Vector2d> not_finite_{};
+};
 
 }  // namespace
 
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
                             const std::vector<EdgeLoad>& edge_loads) {
   algebra::Vector f(shell.space().layout, 6);
-  add_area_loads(shell, area_loads, f);
-  for (const EdgeLoad& load : edge_loads) add_edge_load(shell, load, f);
+  LoadSum sum(shell, f);
+  sum.add_area_loads(area_loads);
+  for (const EdgeLoad& load : edge_loads) sum.add_edge_load(load);
+  sum.throw_if_not_finite();
   f.accumulate_ghosts();
   return f;
 }

@@ -9,12 +9,15 @@
 
 namespace plastron::assembly {
 
+/// A load that is infinite or not a number at a quadrature point, or that names a boundary which the mesh does not have:
+/// in words for the user.
 struct LoadError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Nodal forces and couples, six a node, complete on owned nodes (collective). Throws LoadError for an
-/// edge load on a boundary that the mesh does not have.
+/// Nodal forces and couples, six a node, complete on owned nodes (collective). Edge loads name boundaries of the mesh.
+/// Loads made of pieces (geometry::is_piecewise) are integrated by subdivision of the cells in which they are not smooth.
+/// Throws LoadError on all ranks alike.
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
                             const std::vector<EdgeLoad>& edge_loads);
 

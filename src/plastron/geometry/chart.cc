@@ -38,7 +38,8 @@ std::string power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
 
 std::string call(const GiNaC::function& f) {
   std::string name = f.get_name();
-  if (name == "csgn") name = "sign";
+  if (name == "csgn" || name == "sign_of_real") name = "sign";
+  if (name == "magnitude_of_real") name = "abs";
   std::string arguments;
   for (std::size_t i = 0; i < f.nops(); ++i) arguments += (i ? "," : "") + in_muparser_syntax(f.op(i));
   return fmt::format("{}({})", name, arguments);

@@ -14,6 +14,28 @@ namespace {
 
 using GiNaC::ex;
 
+// |f| and sign f of real f, with |f|' = sign(f) f' and sign' = 0: finite where f is zero, unlike GiNaC's f f' / |f|, so
+// that f |f| has both derivatives there. A kink, that of |f|, is found where charts are examined.
+
+unsigned sign_serial() {
+  static const auto derivative = [](const ex&, unsigned) -> ex { return 0; };
+  static const unsigned serial =
+      GiNaC::function::register_new(GiNaC::function_options("sign_of_real", 1).derivative_func(+derivative));
+  return serial;
+}
+
+unsigned magnitude_serial() {
+  static const auto derivative = [](const ex& f, unsigned) -> ex { return GiNaC::function(sign_serial(), f); };
+  static const unsigned serial =
+      GiNaC::function::register_new(GiNaC::function_options("magnitude_of_real", 1).derivative_func(+derivative));
+  return serial;
+}
+
+/// Numbers stay exact.
+ex magnitude(const ex& f) {
+  return GiNaC::is_a<GiNaC::numeric>(f) ? ex(GiNaC::abs(f)) : ex(GiNaC::function(magnitude_serial(), f));
+}
+
 ex call(const std::string& name, const std::vector<ex>& arguments) {
   static const std::map<std::string, ex (*)(const ex&)> functions{{"sin", [](const ex& a) { return ex(GiNaC::sin(a)); }},
                                                                   {"cos", [](const ex& a) { return ex(GiNaC::cos(a)); }},
@@ -31,7 +53,7 @@ ex call(const std::string& name, const std::vector<ex>& arguments) {
                                                                   {"log", [](const ex& a) { return ex(GiNaC::log(a)); }},
                                                                   {"ln", [](const ex& a) { return ex(GiNaC::log(a)); }},
                                                                   {"sqrt", [](const ex& a) { return GiNaC::sqrt(a); }},
-                                                                  {"abs", [](const ex& a) { return ex(GiNaC::abs(a)); }}};
+                                                                  {"abs", [](const ex& a) { return magnitude(a); }}};
   if (name == "atan2" && arguments.size() == 2) return GiNaC::atan2(arguments[0], arguments[1]);
   const auto found = functions.find(name);
   if (found == functions.end() || arguments.size() != 1)

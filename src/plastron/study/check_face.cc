@@ -55,10 +55,10 @@ void check_face(Examined& examined, const ExaminedNodes& nodes) {
   if (near.facing < -alike)
     return examined.add(
         Severity::error,
-        "the {0} face is to touch the obstacle, but it is the far one: where the shell is nearest, at x = {1:.6g}, "
-        "y = {2:.6g}, a_3 = {3} points {4} the obstacle and the {5} face is {6:.4g} m nearer; write face = \"{5}\", or "
-        "turn a_3 round by exchanging x and y in the chart",
-        named, point.x[0], point.x[1], a3, is_lower ? "to" : "away from", other, nearer);
+        "the {0} face is to touch the obstacle, but it is the far one: where the shell is nearest, at {1}, a_3 = {2} "
+        "points {3} the obstacle and the {4} face is {5:.4g} m nearer; write face = \"{4}\", or turn a_3 round by "
+        "exchanging x and y in the chart",
+        named, examined.place(point.x), a3, is_lower ? "to" : "away from", other, nearer);
   if (near.facing < alike)
     return examined.add(Severity::note, "face: a_3 = {} at the nearest point, both faces are about equally near", a3);
   examined.add(Severity::note,

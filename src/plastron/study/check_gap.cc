@@ -37,16 +37,15 @@ void check_gap(Examined& examined, const ExaminedNodes& nodes) {
           : "";
   for (std::size_t i = 0; i < points.size(); ++i)
     if (is_held_inside(coordinates, points[i], i))
-      return examined.add(
-          Severity::error,
-          "the support of the boundary {} holds the shell inside of the obstacle at x = {:.6g}, y = {:.6g}: its face "
-          "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",
-          supports_of(i, examined, nodes), points[i].x[0], points[i].x[1], -coordinates.bound_gap[i], question);
+      return examined.add(Severity::error,
+                          "the support of the boundary {} holds the shell inside of the obstacle at {}: its face "
+                          "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",
+                          supports_of(i, examined, nodes), examined.place(points[i].x), -coordinates.bound_gap[i],
+                          question);
   const auto& at = points[static_cast<std::size_t>(least - coordinates.gaps.begin())].x;
   const bool reaches_in = least->initial < -rounding;
-  examined.add(reaches_in ? Severity::warning : Severity::note,
-               "initial gap: {:.4g} m (at x = {:.4g}, y = {:.4g}) to {:.4g} m{}{}", least->initial, at[0], at[1],
-               most->initial,
+  examined.add(reaches_in ? Severity::warning : Severity::note, "initial gap: {:.4g} m (at {}) to {:.4g} m{}{}",
+               least->initial, examined.place(at), most->initial,
                reaches_in ? "; the undeformed shell reaches into the obstacle and will be pushed out" : "", question);
 }
 

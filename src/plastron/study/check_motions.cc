@@ -48,7 +48,7 @@ void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
     for (const RigidMotion& motion : readable(free.held_by_obstacle))
       examined.add(Severity::note, "only the obstacle holds the rigid motion: {}{}", motions.in_words(motion),
                    found.hold == Hold::pressed ? "; the loads press the shell onto it" : "");
-  } else if (free.unheld.cols() == 0) {
+  } else if (free.unheld.cols() + free.held_by_obstacle.cols() == 0) {
     examined.add(Severity::note, "supports: no rigid motion is left free");
   }
 }

@@ -23,6 +23,9 @@ struct Examined {
     findings.push_back({severity, fmt::format(text, std::forward<Args>(args)...)});
   }
 
+  /// "x = ..., y = ..." for a point of Omega, rounding cleared away.
+  std::string place(const Eigen::Vector2d& x) const;
+
   const Problem& problem;
   std::shared_ptr<const fem::Space> space;  ///< of some hundred cells, all on this rank
   std::shared_ptr<const fem::Surface> surface;
@@ -53,8 +56,16 @@ void check_chart(Examined& examined);
 void check_normals(Examined& examined);
 /// No edges lie on each other without being joined.
 void check_seams(Examined& examined);
+/// Loads and prescribed values are finite.
+void check_finite(Examined& examined);
+/// Chart and thickness are smooth inside of each cell; loads that are not are named.
+void check_inside_cells(Examined& examined);
 /// Elements do not lock.
 void check_locking(Examined& examined);
+/// Double precision is enough for so thin a shell on the finest mesh.
+void check_precision(Examined& examined);
+/// What rounding spoils of forces and energy where a shell bends, relative: the order of magnitude.
+double rounding_residual(const Problem& problem);
 /// Probes lie in the domain.
 void check_probes(Examined& examined);
 /// A symmetry edge lies in one plane that the shell meets at a right angle. Throws assembly::SupportError.

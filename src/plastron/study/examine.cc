@@ -1,6 +1,7 @@
 // The examination top to bottom. Names and chart come first: nothing else makes sense where they are wrong.
 #include <plastron/study/examine.hpp>
 
+#include <plastron/assembly/load_vector.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/study/checks.hpp>
 #include <plastron/study/gap.hpp>
@@ -35,6 +36,8 @@ void check_nodes(Examined& examined) {
     check_rigid_motions(examined, nodes);
   } catch (const assembly::SupportError& error) {
     examined.add(Severity::error, "{}", error.what());
+  } catch (const assembly::LoadError& error) {
+    if (!has_errors(examined.findings)) examined.add(Severity::error, "{}", error.what());
   }
 }
 
@@ -44,7 +47,11 @@ std::vector<Finding> findings_of(const Problem& problem) {
     check(examined);
     if (has_errors(examined.findings)) return examined.findings;
   }
-  for (const auto check : {check_normals, check_seams, check_locking, check_probes, check_nodes}) check(examined);
+  for (const auto check : {check_normals, check_seams, check_finite, check_locking, check_precision, check_probes})
+    check(examined);
+  // Values that are not finite would be found again, in other words.
+  if (!has_errors(examined.findings)) check_inside_cells(examined);
+  check_nodes(examined);
   return examined.findings;
 }
 
@@ -55,6 +62,13 @@ Examined::Examined(const Problem& a_problem)
       space(sample_mesh(a_problem)),
       surface(std::make_shared<const fem::Surface>(space->coarse, a_problem.charts)),
       tables(assembly::element_tables(space->shape(), space->degree, false)) {}
+
+std::string Examined::place(const Eigen::Vector2d& x) const {
+  double extent = 0;
+  for (const auto& vertex : space->coarse->vertices) extent = std::max(extent, (vertex - x).norm());
+  const auto cleared = [&](double c) { return std::abs(c) < 1e-12 * extent ? 0 : c; };
+  return fmt::format("x = {:.6g}, y = {:.6g}", cleared(x[0]), cleared(x[1]));
+}
 
 ExaminedNodes::ExaminedNodes(const Examined& examined)
     : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.thickness)),
