@@ -11,9 +11,9 @@ namespace {
 
 /// Six digits: a thousand times better than the mesh of a good computation, a thousand times worse than rounding in one.
 constexpr double algebraic = 1e-6;
-/// Residual forces: a shell of e/L = 1e-4 has some 1e-6 of the loads on fine meshes, with energies right to five digits; one of
-/// 1e-5, which double precision hardly holds, 1e-4.
-constexpr double of_forces = 1e-4;
+/// Nodal forces and energies. Rounding spoils them in thin shells: at e/L = 1e-4 it reaches some 1e-5 on fine meshes, with results
+/// that hold four digits; at 1e-6, which double precision hardly holds, some 1e-3.
+constexpr double of_thin_shells = 1e-4;
 /// Pressures of the wrong sign up to here change no resultant in its fourth digit.
 constexpr double of_largest_pressure = 1e-4;
 /// What a mesh may miss of a balance that only its refinement brings about.
@@ -52,7 +52,7 @@ std::string CertificateLimit::text() const {
 std::vector<CertificateLimit> certificate_limits(const Verdict& v, Formulation formulation) {
   const Certificate& c = v.certificate;
   std::vector<CertificateLimit> limits{
-      {"stationarity", "1", c.stationarity, of_forces, false, "forces balance at every node to four digits"}};
+      {"stationarity", "1", c.stationarity, of_thin_shells, false, "forces balance at every node to four digits"}};
   const double length = std::max(v.summary.least_thickness, v.summary.max_displacement);
   limits.push_back({"support_error", "m", c.support_error, algebraic * length, false,
                     "supports hold: a millionth of the thickness or of the largest displacement, whichever is more"});
@@ -64,7 +64,7 @@ std::vector<CertificateLimit> certificate_limits(const Verdict& v, Formulation f
   limits.push_back({"moment_balance", "1", c.moment_balance, of_the_mesh, false,
                     "rotations are interpolated on curved shells: the sum of moments is as good as the mesh"});
   limits.push_back(
-      {"energy_identity", "1", c.energy_identity, algebraic, false, "the work done is stored, to six digits"});
+      {"energy_identity", "1", c.energy_identity, of_thin_shells, false, "the work done is stored, to four digits"});
   return limits;
 }
 

@@ -29,6 +29,7 @@ algebra::Vector edge_lengths(const DiscreteShell& discrete) {
     last = &face;
     if (is_seen || face.is_inner || face.cell >= space.owned_cells) continue;
     std::vector<Eigen::Vector2d> xi;
+    xi.reserve(line.size());
     for (const double t : line) xi.push_back(fem::side_point(space.shape(), face.side, t));
     discrete.shell.surface().jets(space.cells[face.cell], xi, jets, false);
     const Eigen::Vector2d along = fem::side_tangent(space.shape(), face.side);

@@ -123,6 +123,7 @@ std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading,
   for (const auto& [name, value] : table.as_table())
     in_order.emplace(std::pair(reading.source.key(name, value).offset, name), &value);
   std::vector<std::pair<std::string, toml::value>> all;
+  all.reserve(in_order.size());
   for (const auto& [place, value] : in_order) all.emplace_back(place.second, *value);
   return all;
 }
