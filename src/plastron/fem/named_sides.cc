@@ -31,7 +31,8 @@ NamedSides::NamedSides(const CoarseMesh& coarse)
   for (const BoundaryEdge& named : coarse.edges) {
     const auto [a, b] = named.vertices;
     const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
-    const auto [first, last] = std::ranges::equal_range(edges, ends, {}, &MeshEdge::ends);
+    const auto first = std::ranges::lower_bound(edges, ends, {}, &MeshEdge::ends);
+    const auto last = std::ranges::upper_bound(edges, ends, {}, &MeshEdge::ends);
     for (auto edge = first; edge != last; ++edge)
       if (last - first == 1 || edge->is_forward == (a < b))
         at(edge->cell, edge->side).boundaries.push_back(named.boundary);

@@ -168,7 +168,7 @@ class Parser {
     const std::string digits = rest.substr(0, length);
     at_ += length;
     const bool whole = digits.find_first_not_of("0123456789") == std::string::npos;
-    const ex result = whole ? GiNaC::numeric(digits.c_str()) : GiNaC::numeric(value);
+    ex result = whole ? GiNaC::numeric(digits.c_str()) : GiNaC::numeric(value);
     check_digits(result);
     return result;
   }

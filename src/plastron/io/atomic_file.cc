@@ -176,8 +176,9 @@ void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::v
 }
 
 void remove_empty(const std::vector<std::filesystem::path>& directories, MPI_Comm comm) {
-  if (rank_in(comm) == 0)
-    for (auto d = directories.rbegin(); d != directories.rend(); ++d) ::rmdir(d->c_str());
+  if (rank_in(comm) != 0) return;
+  const std::vector<std::filesystem::path> from_inside(directories.rbegin(), directories.rend());
+  for (const auto& directory : from_inside) ::rmdir(directory.c_str());
 }
 
 void make_directory(const std::filesystem::path& directory, MPI_Comm comm) {
