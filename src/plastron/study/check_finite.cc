@@ -41,6 +41,7 @@ Points on_boundary(const Examined& examined, const std::string& name) {
   for (const fem::BoundaryFace& face : space.faces) {
     if (face.boundary != boundary) continue;
     std::vector<Eigen::Vector2d> xi;
+    xi.reserve(line.size());
     for (const double t : line) xi.push_back(fem::side_point(space.shape(), face.side, t));
     points.add(examined, space.cells[face.cell], xi);
   }

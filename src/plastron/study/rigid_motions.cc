@@ -66,7 +66,7 @@ std::string RigidMotions::in_words(const RigidMotion& motion) const {
   // A translation across the axis moves the axis; one along it makes a screw.
   const Vector3d axis = rotation.normalized();
   const Vector3d through = centre_ + size_ * rotation.cross(translation) / rotation.squaredNorm();
-  const std::string turn =
+  std::string turn =
       fmt::format("rotation about the axis {} through {}", vector_text(axis), vector_text(through, size_));
   const double pitch = axis.dot(translation) / rotation.norm();
   if (std::abs(pitch) < negligible) return turn;

@@ -64,8 +64,8 @@ bool is_developable(const assembly::DiscreteShell& discrete) {
 struct Samples {
   std::vector<Sample> all{};
   bool developable = false;
-  double length = 0;                    ///< L of the norm [m]
-  std::string classical_left_out = "";  ///< why; empty if it is not
+  double length = 0;                 ///< L of the norm [m]
+  std::string classical_left_out{};  ///< why; empty if it is not
 };
 
 double mesh_size(const assembly::DiscreteShell& discrete) {
