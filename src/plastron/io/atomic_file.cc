@@ -171,14 +171,18 @@ void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::v
   make_directory(directory, comm);
   // Enough to be refused by a disk that is full: one block may lie ready in the directory's own.
   constexpr std::size_t some = 1 << 16;
-  AtomicFiles attempt(comm);
-  attempt.add(directory / ".plastron-may-write", [&] { return std::string(rank_in(comm) == 0 ? some : 0, '\n'); });
+  {
+    AtomicFiles attempt(comm);
+    attempt.add(directory / ".plastron-may-write", [&] { return std::string(rank_in(comm) == 0 ? some : 0, '\n'); });
+  }
+  MPI_Barrier(comm);  // the attempt is gone when any rank returns
 }
 
 void remove_empty(const std::vector<std::filesystem::path>& directories, MPI_Comm comm) {
-  if (rank_in(comm) != 0) return;
   const std::vector<std::filesystem::path> from_inside(directories.rbegin(), directories.rend());
-  for (const auto& directory : from_inside) ::rmdir(directory.c_str());
+  if (rank_in(comm) == 0)
+    for (const auto& directory : from_inside) ::rmdir(directory.c_str());
+  MPI_Barrier(comm);  // they are gone when any rank returns
 }
 
 void make_directory(const std::filesystem::path& directory, MPI_Comm comm) {
