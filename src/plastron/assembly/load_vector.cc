@@ -127,6 +127,7 @@ class LoadSum {
     std::vector<geometry::SurfaceJet> jets(xi.size());
     shell_.surface().jets(space_.cells[c], xi, jets, false);
     std::vector<Vector3d> normals;
+    normals.reserve(jets.size());
     for (const auto& jet : jets) normals.push_back(jet.d[0].cross(jet.d[1]));
     const auto normal = [&](int q) { return normals[static_cast<std::size_t>(q)]; };
     CellField v = values(loads, c, xi, [&](int q) { return Vector3d(normal(q).normalized()); });

@@ -103,7 +103,7 @@ std::optional<Jump> JumpSearch::in_cells(const CellFunction& f, double tolerance
   for (const fem::Cell& cell : space_->cells) {
     for (std::size_t i = 0; i < points_.size(); ++i) values[i] = f(cell, points_[i]);
     for (const auto& [i, k] : segments_)
-      if (const auto jump = between(cell, {points_[i], values[i]}, {points_[k], values[k]}, f, tolerance, on_lines))
+      if (auto jump = between(cell, {points_[i], values[i]}, {points_[k], values[k]}, f, tolerance, on_lines))
         return jump;
   }
   return {};
@@ -122,7 +122,7 @@ std::optional<Jump> JumpSearch::along_boundary(const std::string& name, const Ce
       return End{xi, f(cell, xi)};
     };
     for (int k = 0; k < pieces; ++k)
-      if (const auto jump = between(cell, end(k), end(k + 1), f, tolerance, Lines::at_corners)) return jump;
+      if (auto jump = between(cell, end(k), end(k + 1), f, tolerance, Lines::at_corners)) return jump;
   }
   return {};
 }
