@@ -3,7 +3,7 @@
 #include "cap.hpp"
 
 #include <plastron/algebra/session.hpp>
-#include <plastron/study/solve.hpp>
+#include <plastron/computation/solve.hpp>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -14,8 +14,8 @@
 namespace plastron::benchmarks {
 namespace {
 
-int report(const char* name, double e, const study::Problem& problem) {
-  const study::Result result = study::solve(problem, MPI_COMM_WORLD);
+int report(const char* name, double e, const computation::Problem& problem) {
+  const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   fmt::print("{:<6} e = {:<6g} {:<8} up to {:>7} unknowns, contact area {:.4f}: iterations", name, e,
              contact::to_string(result.status), result.levels.back().unknowns, result.summary.contact_area);
   int most = 0;

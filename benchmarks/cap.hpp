@@ -1,6 +1,6 @@
 // The problems of the benchmarks: a spherical cap pressed on a table, a clamped strip pressed on one.
 #pragma once
-#include <plastron/study/problem.hpp>
+#include <plastron/computation/problem.hpp>
 
 #include <cmath>
 #include <string>
@@ -19,21 +19,21 @@ inline assembly::Support clamped(const std::string& boundary) {
   return support;
 }
 
-inline study::Problem pressed(double load) {
-  study::Problem problem;
+inline computation::Problem pressed(double load) {
+  computation::Problem problem;
   problem.material = shell::Material::from_young_poisson(1, 0.3, 1);
   assembly::AreaLoad weight;
   weight.force[2] = geometry::Expression(-load);
   problem.area_loads = {weight};
-  problem.obstacle = study::Obstacle{};
+  problem.obstacle = computation::Obstacle{};
   return problem;
 }
 
 /// Radius 1, half angle 0.5, rim clamped, bottom 0.01 above the table. The load grows like e^1.4, which keeps the patch's
 /// size about the same from thick to thin; e = 0.1 and 0.02 have the loads of the references R4cap.
-inline study::Problem cap(double e, int degree, int refinements) {
+inline computation::Problem cap(double e, int degree, int refinements) {
   const double load = 0.02 * std::pow(e / 0.1, std::log(10.0) / std::log(5.0));
-  study::Problem problem = pressed(load);
+  computation::Problem problem = pressed(load);
   problem.domain = fem::Disk{.radius = std::sin(0.5)};
   const geometry::Constants constants{{"z0", 1 + e / 2 + 0.01}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0 - sqrt(1 - x^2 - y^2)"}, constants));
@@ -44,8 +44,8 @@ inline study::Problem cap(double e, int degree, int refinements) {
 }
 
 /// Length 1, both ends clamped, 0.01 above the table; load 3 e^3 as in the references R1.
-inline study::Problem strip(double e, int degree, int refinements) {
-  study::Problem problem = pressed(3 * e * e * e);
+inline computation::Problem strip(double e, int degree, int refinements) {
+  computation::Problem problem = pressed(3 * e * e * e);
   problem.domain = fem::Rectangle{.to = {1, 0.25}, .cells = {4, 1}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", e / 2 + 0.01}}));
   problem.thickness = geometry::Expression(e);

@@ -3,9 +3,9 @@
 #include "cap.hpp"
 
 #include <plastron/algebra/session.hpp>
+#include <plastron/computation/solve.hpp>
+#include <plastron/computation/stopwatch.hpp>
 #include <plastron/io/output.hpp>
-#include <plastron/study/solve.hpp>
-#include <plastron/study/stopwatch.hpp>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -17,8 +17,8 @@ namespace plastron::benchmarks {
 namespace {
 
 void report(int degree, int refinements) {
-  study::Stopwatch watch;
-  const study::Result result = study::solve(cap(0.02, degree, refinements), MPI_COMM_WORLD);
+  computation::Stopwatch watch;
+  const computation::Result result = computation::solve(cap(0.02, degree, refinements), MPI_COMM_WORLD);
   const double solving = watch.lap();
   const auto directory = std::filesystem::temp_directory_path() / "plastron-cap-cost";
   io::write_output(result, {}, directory, "solution", MPI_COMM_WORLD);
@@ -32,11 +32,11 @@ void report(int degree, int refinements) {
              contact::to_string(result.status));
   fmt::print("{:>9} {:>5} | {:>6} {:>6} {:>6} {:>8} {:>8} {:>8} {:>6} {:>7}\n", "unknowns", "steps", "mesh", "geom",
              "assem", "analysis", "factor", "iterate", "certif", "total");
-  for (const study::Level& l : result.levels)
+  for (const computation::Level& l : result.levels)
     fmt::print("{:>9} {:>5} | {:>6.2f} {:>6.2f} {:>6.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f} {:>7.2f}\n", l.unknowns,
                l.iterations, l.seconds.mesh, l.seconds.discretisation, l.seconds.assembly, l.seconds.analysis,
                l.seconds.factorisation, l.seconds.iteration, l.seconds.certificate, l.seconds.total());
-  const study::Level& finest = result.levels.back();
+  const computation::Level& finest = result.levels.back();
   const double one = finest.seconds.factorisation / finest.factorisations;
   const double beside = finest.seconds.mesh + finest.seconds.discretisation + finest.seconds.assembly +
                         finest.seconds.certificate + output;

@@ -8,9 +8,9 @@ namespace plastron::app {
 ExitCode check(const std::filesystem::path& case_file) {
   const config::Case c = config::read_case(case_file);
   print("{}: {}\n", case_file.string(), c.title.empty() ? "untitled" : shortened_title(c.title));
-  const auto findings = study::examine(c.problem);
+  const auto findings = examination::examine(c.problem);
   print_findings(findings, case_file.string(), true);
-  if (study::has_errors(findings)) return bad_input;
+  if (examination::has_errors(findings)) return bad_input;
   print("  ready to run\n");
   return solved;
 }

@@ -13,15 +13,15 @@ namespace plastron::app {
 
 std::string shortened_title(const std::string& title) { return geometry::shortened(title, 100); }
 
-void print_findings(const std::vector<study::Finding>& findings, const std::string& case_file, bool with_notes) {
-  for (const study::Finding& f : findings) switch (f.severity) {
-      case study::Severity::error:
+void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes) {
+  for (const examination::Finding& f : findings) switch (f.severity) {
+      case examination::Severity::error:
         print_error("{}: error: {}\n", case_file, f.text);
         break;
-      case study::Severity::warning:
+      case examination::Severity::warning:
         print_error("{}: warning: {}\n", case_file, f.text);
         break;
-      case study::Severity::note:
+      case examination::Severity::note:
         if (with_notes) print("  {}\n", f.text);
     }
 }
@@ -48,7 +48,7 @@ study::StudyObserver StageProgress::observer() {
     stage_ = what;
     status_.show(stage_ + " ...");
   };
-  observer.solve.level = [this](int level, const study::Level& record) {
+  observer.solve.level = [this](int level, const computation::Level& record) {
     status_.show(fmt::format("{}: level {} done, {} unknowns", stage_, level, record.unknowns));
   };
   observer.solve.stop = is_interrupted;
@@ -61,10 +61,10 @@ Progress::Progress(bool has_obstacle, bool quiet) : has_obstacle_(has_obstacle),
           "min gap [m]", "energy [J]", "time [s]");
 }
 
-study::Observer Progress::observer() {
+computation::Observer Progress::observer() {
   return {.phase = [this](int l, std::string_view name) { phase(l, name); },
           .iteration = [this](int l, const contact::Iteration& i) { iteration(l, i); },
-          .level = [this](int l, const study::Level& record) { level(l, record); },
+          .level = [this](int l, const computation::Level& record) { level(l, record); },
           .solution = {},
           .stop = is_interrupted};
 }
@@ -79,7 +79,7 @@ void Progress::iteration(int level, const contact::Iteration& i) {
       fmt::format("level {}: step {}, {} nodes in contact, {} changed", level, ++iterations_, i.active, i.changes));
 }
 
-void Progress::level(int level, const study::Level& r) {
+void Progress::level(int level, const computation::Level& r) {
   status_.clear();
   if (quiet_) return;
   const std::string gap = has_obstacle_ ? fmt::format("{:.3e}", r.min_gap) : "-";
@@ -95,10 +95,10 @@ std::string vector_text(const Eigen::Vector3d& v) { return fmt::format("({:.6e},
 
 }  // namespace
 
-void print_summary(const study::Result& result) {
+void print_summary(const computation::Result& result) {
   const auto& s = result.summary;
   const auto& c = result.certificate;
-  print("\nstatus            {}\n", study::status_text(result));
+  print("\nstatus            {}\n", computation::status_text(result));
   const double total = std::max(s.energy.total(), 1e-300);
   print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(),
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);

@@ -2,9 +2,9 @@
 #pragma once
 #include "terminal.hpp"
 
-#include <plastron/study/examine.hpp>
+#include <plastron/computation/solve.hpp>
+#include <plastron/examination/examine.hpp>
 #include <plastron/study/kinds.hpp>
-#include <plastron/study/solve.hpp>
 
 #include <string>
 
@@ -14,7 +14,7 @@ namespace plastron::app {
 std::string shortened_title(const std::string& title);
 
 /// The findings of an examination, notes only if wanted.
-void print_findings(const std::vector<study::Finding>& findings, const std::string& case_file, bool with_notes);
+void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes);
 
 /// One line of text on standard error that the next one replaces; silent unless that is a terminal.
 class StatusLine {
@@ -32,13 +32,13 @@ class StatusLine {
 class Progress {
  public:
   Progress(bool has_obstacle, bool quiet);
-  study::Observer observer();
+  computation::Observer observer();
   void finish() { status_.clear(); }
 
  private:
   void phase(int level, std::string_view name);
   void iteration(int level, const contact::Iteration& iteration);
-  void level(int level, const study::Level& record);
+  void level(int level, const computation::Level& record);
 
   bool has_obstacle_, quiet_;
   StatusLine status_;
@@ -58,6 +58,6 @@ class StageProgress {
 };
 
 /// What the computation found, in a few lines.
-void print_summary(const study::Result& result);
+void print_summary(const computation::Result& result);
 
 }  // namespace plastron::app

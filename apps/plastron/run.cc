@@ -14,14 +14,14 @@ namespace plastron::app {
 namespace {
 
 /// What the examination warned of belongs to the result, too.
-void add_warnings(const std::vector<study::Finding>& findings, std::vector<std::string>& warnings) {
-  for (const study::Finding& finding : findings)
-    if (finding.severity == study::Severity::warning && std::ranges::count(warnings, finding.text) == 0)
+void add_warnings(const std::vector<examination::Finding>& findings, std::vector<std::string>& warnings) {
+  for (const examination::Finding& finding : findings)
+    if (finding.severity == examination::Severity::warning && std::ranges::count(warnings, finding.text) == 0)
       warnings.push_back(finding.text);
 }
 
 /// Writes the results and tells of them.
-void report(const study::Result& result, const config::Case& c, const Options& options) {
+void report(const computation::Result& result, const config::Case& c, const Options& options) {
   io::write_output(result, {.title = c.title, .settings = c.effective, .files = {}}, options.output, "solution",
                    MPI_COMM_WORLD);
   if (options.quiet) return;
@@ -34,9 +34,9 @@ void report(const study::Result& result, const config::Case& c, const Options& o
 ExitCode run(const Options& options) {
   const std::string case_file = options.case_file.string();
   const config::Case c = config::read_case(options.case_file);
-  const auto findings = study::examine(c.problem);
+  const auto findings = examination::examine(c.problem);
   print_findings(findings, case_file, false);
-  if (study::has_errors(findings)) return bad_input;
+  if (examination::has_errors(findings)) return bad_input;
   const OutputDirectory output(options.output);
   if (!output.obstacle().empty()) {
     print_error("{}: error: results cannot be written here: {}\n", options.output.string(), output.obstacle());
@@ -45,12 +45,12 @@ ExitCode run(const Options& options) {
 
   if (!options.quiet) print("{}\n\n", c.title.empty() ? case_file : shortened_title(c.title));
   Progress progress(c.problem.obstacle.has_value(), options.quiet);
-  study::Observer observer = progress.observer();
+  computation::Observer observer = progress.observer();
   observer.warning = [&](std::string_view text) {
     progress.finish();
     print_error("{}: warning: {}\n", case_file, text);
   };
-  study::Result result = study::solve(c.problem, MPI_COMM_WORLD, observer);
+  computation::Result result = computation::solve(c.problem, MPI_COMM_WORLD, observer);
   progress.finish();
   add_warnings(findings, result.warnings);
   if (exit_code(result.status) == bad_input) {
@@ -63,9 +63,9 @@ ExitCode run(const Options& options) {
   }
   report(result, c, options);
   if (result.status == contact::Status::interrupted)
-    print_error("{}: interrupted: {}\n", case_file, study::status_text(result));
+    print_error("{}: interrupted: {}\n", case_file, computation::status_text(result));
   else if (result.status != contact::Status::solved)
-    print_error("{}: not converged: {}\n", case_file, study::status_text(result));
+    print_error("{}: not converged: {}\n", case_file, computation::status_text(result));
   return exit_code(result.status);
 }
 

@@ -15,7 +15,7 @@ ExitCode study_case(const StudyCommand& command) {
   const study::Kind& kind = study_kind ? *study_kind : study::comparison();
   const auto findings = study::examine(kind, c.problem, command.options);
   print_findings(findings, command.case_file.string(), false);
-  if (study::has_errors(findings)) return bad_input;
+  if (examination::has_errors(findings)) return bad_input;
   const OutputDirectory output(command.output);
   if (!output.obstacle().empty()) {
     print_error("{}: error: results cannot be written here: {}\n", command.output.string(), output.obstacle());

@@ -20,7 +20,7 @@ algebra::Vector random_field(const fem::Space& space, int block, unsigned seed) 
   return y;
 }
 
-std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const Tangency& tangency) {
+std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const element::Tangency& tangency) {
   return discretise(m.space, m.surface,
                     {.thickness = geometry::Expression("0.1 + 0.02*x", {}),
                      .material = test::steel_like(),
@@ -30,11 +30,11 @@ std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const Tang
 
 TEST(Formulation, ForcesAreTheTransposeOfStrainsInEachOfThem) {
   const auto m = test::meshed(test::skew(), test::saddle, 2, 1);
-  for (const auto formulation :
-       {Formulation::tangent, Formulation::penalised, Formulation::mixed, Formulation::classical}) {
+  for (const auto formulation : {element::Formulation::tangent, element::Formulation::penalised,
+                                 element::Formulation::mixed, element::Formulation::classical}) {
     const auto discrete = shell_of(m, {.formulation = formulation});
     const ShellOperator& shell = discrete->shell;
-    const CellField v = shell.gather(1, random_field(*m.space, 6, 1));
+    const element::CellField v = shell.gather(1, random_field(*m.space, 6, 1));
     CellStrain s = CellStrain::Random(shell.tables().points_per_cell(), 8);
     const double left = shell.strains(1, v).cwiseProduct(s).sum();
     EXPECT_NEAR(left, shell.forces(1, s).cwiseProduct(v).sum(), 1e-12 * std::abs(left));
@@ -47,15 +47,15 @@ TEST(Formulation, ForcesAreTheTransposeOfStrainsInEachOfThem) {
 /// Largest difference at the middle of a side between the rigid motion and what its nodal values give.
 double interpolation_error(int refinements) {
   const auto m = test::meshed(test::skew(), test::saddle, 2, refinements);
-  const auto discrete = shell_of(m, {.formulation = Formulation::classical});
+  const auto discrete = shell_of(m, {.formulation = element::Formulation::classical});
   const Vector3d c(0.3, -0.2, 0.5), w(0.1, 0.7, -0.4);
   const algebra::Vector y = test::rigid_motion(*m.space, discrete->points, c, w);
-  const BasisAt at = basis_at(fem::Shape::quadrilateral, 2, {{0.3, 0.6}});
+  const element::BasisAt at = element::basis_at(fem::Shape::quadrilateral, 2, {{0.3, 0.6}});
   double worst = 0;
   for (std::size_t cell = 0; cell < m.space->owned_cells; ++cell) {
     std::array<geometry::SurfaceJet, 1> jet;
     m.surface->jets(m.space->cells[cell], at.xi, jet, false);
-    const CellField value = discrete->shell.interpolation().values(cell, at, discrete->shell.gather(cell, y));
+    const element::CellField value = discrete->shell.interpolation().values(cell, at, discrete->shell.gather(cell, y));
     const Vector3d a3 = geometry::unit_normal(jet[0]);
     worst = std::max({worst, (value.row(0).head<3>().transpose() - c - w.cross(jet[0].value)).norm(),
                       (value.row(0).tail<3>().transpose() - w.cross(a3)).norm()});
@@ -72,7 +72,7 @@ TEST(Formulation, CovariantInterpolationIsTangentEverywhereAndConvergesLikeHToTh
 
 TEST(Formulation, OnAFlatShellTheClassicalOneIsTheTangentOne) {
   const auto m = test::meshed(test::skew(), test::flat, 2, 1);
-  const auto tangent = shell_of(m, {}), classical = shell_of(m, {.formulation = Formulation::classical});
+  const auto tangent = shell_of(m, {}), classical = shell_of(m, {.formulation = element::Formulation::classical});
   algebra::Vector y = random_field(*m.space, 6, 3);
   for (std::size_t i = 0; i < y.local().size(); i += 6) y.local()[i + 5] = 0;
   algebra::Vector f(m.space->layout, 6), g = f;
@@ -85,17 +85,17 @@ TEST(Formulation, OnAFlatShellTheClassicalOneIsTheTangentOne) {
     }
 }
 
-TEST(Formulation, TheFormOnTheTiltIsThatOfTheNormalComponentAlone) {
+TEST(Formulation, TheTangencyFormIsThatOfTheNormalComponentAlone) {
   const auto m = test::meshed(test::skew(), test::saddle, 3, 1);
-  const auto discrete = shell_of(m, {.formulation = Formulation::penalised, .penalty = 0.25});
-  EXPECT_EQ(discrete->tilt_factor(), 4);
+  const auto discrete = shell_of(m, {.formulation = element::Formulation::penalised, .penalty = 0.25});
+  EXPECT_EQ(discrete->tangency_factor(), 4);
   // r = a_3 has r . a_3 = 1: only its interpolation error has a gradient. r = x a_3 has the gradient of x.
   const auto energy_of = [&](auto magnitude) {
     algebra::Vector y(m.space->layout, 6);
     for (std::size_t i = 0; i < discrete->points.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
         y.local()[6 * i + 3 + k] = magnitude(discrete->points[i]) * discrete->points[i].a3[static_cast<int>(k)];
-    return tilt_energy(discrete->shell, 4, y);
+    return tangency_energy(discrete->shell, 4, y);
   };
   const double constant = energy_of([](const NodalPoint&) { return 1.0; });
   const double linear = energy_of([](const NodalPoint& p) { return p.x[0]; });
@@ -115,27 +115,28 @@ TEST(Formulation, TheFormOnTheTiltIsThatOfTheNormalComponentAlone) {
   EXPECT_NEAR(linear, algebra::sum_over_ranks(expected, MPI_COMM_WORLD), 1e-4 * linear);
 }
 
-TEST(Formulation, TheTiltFormIsOneOperatorOneEnergyAndOneMatrix) {
+TEST(Formulation, TheTangencyFormHasOneOperatorOneEnergyAndOneMatrix) {
   const auto m = test::meshed(test::skew(), test::saddle, 2, 0);
-  const auto discrete = shell_of(m, {.formulation = Formulation::penalised});
+  const auto discrete = shell_of(m, {.formulation = element::Formulation::penalised});
   algebra::Vector y = random_field(*m.space, 6, 5), f(m.space->layout, 6);
   y.update_ghosts();
-  add_tilt_form(discrete->shell, 3, y, f);
-  const double energy = tilt_energy(discrete->shell, 3, y);
+  add_normal_rotation_form(discrete->shell, 3, y, f);
+  const double energy = tangency_energy(discrete->shell, 3, y);
   EXPECT_NEAR(algebra::dot(y, f) / 2, energy, 1e-12 * energy);
   double from_matrix = 0;
   for (std::size_t c = 0; c < m.space->owned_cells; ++c) {
-    const CellField v = discrete->shell.gather(c, y);
-    from_matrix += (scaled_tilt_matrix(discrete->shell, c, 3) * Eigen::Map<const Eigen::VectorXd>(v.data(), v.size()))
-                       .squaredNorm() /
-                   2;
+    const element::CellField v = discrete->shell.gather(c, y);
+    from_matrix +=
+        (scaled_normal_rotation_matrix(discrete->shell, c, 3) * Eigen::Map<const Eigen::VectorXd>(v.data(), v.size()))
+            .squaredNorm() /
+        2;
   }
   EXPECT_NEAR(algebra::sum_over_ranks(from_matrix, MPI_COMM_WORLD), energy, 1e-12 * energy);
 }
 
 TEST(Formulation, TheCouplingAndItsTransposeAreOneForm) {
   const auto m = test::meshed(test::skew(), test::saddle, 2, 1);
-  const auto discrete = shell_of(m, {.formulation = Formulation::mixed});
+  const auto discrete = shell_of(m, {.formulation = element::Formulation::mixed});
   algebra::Vector y = random_field(*m.space, 6, 7), q = random_field(*m.space, 1, 8);
   y.update_ghosts();
   q.update_ghosts();
@@ -161,7 +162,7 @@ TEST(Formulation, TheCouplingAndItsTransposeAreOneForm) {
 
 TEST(Formulation, TheMultiplierVanishesWhereASupportHoldsARotation) {
   const auto m = test::meshed(test::skew(), test::saddle, 2, 1);
-  const auto discrete = shell_of(m, {.formulation = Formulation::mixed});
+  const auto discrete = shell_of(m, {.formulation = element::Formulation::mixed});
   const auto zeros = multiplier_zeros(discrete->coordinates, *m.space->layout);
   std::int64_t count = 0;
   for (const char zero : zeros) count += zero;

@@ -86,7 +86,7 @@ TEST(NodalCoordinates, TheFirstCoordinateIsTheChangeOfTheGapAndNoOtherFreeOneCha
 // tangential part of r; any prescribed rotation prescribes it, too.
 TEST(NodalCoordinates, RelaxedFormulationsAddTheNormalRotation) {
   auto m = test::meshed(test::skew(), test::saddle, 3, 1);
-  for (const auto formulation : {Formulation::penalised, Formulation::mixed}) {
+  for (const auto formulation : {element::Formulation::penalised, element::Formulation::mixed}) {
     const auto discrete = discretise(m.space, m.surface,
                                      {.thickness = geometry::Expression(0.1),
                                       .material = test::steel_like(),

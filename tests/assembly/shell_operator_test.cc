@@ -38,7 +38,7 @@ TEST_P(EveryElement, TheStrainMatrixTimesAFieldIsItsStrain) {
   const ShellOperator shell = make(test::saddle, GetParam(), 1);
   const algebra::Vector y = random_field(shell.space(), 1);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const CellField field = shell.gather(c, y);
+    const element::CellField field = shell.gather(c, y);
     const CellStrain strains = shell.strains(c, field);
     const Eigen::VectorXd product =
         shell.strain_matrix(c) * Eigen::Map<const Eigen::VectorXd>(field.data(), field.size());
@@ -49,7 +49,7 @@ TEST_P(EveryElement, TheStrainMatrixTimesAFieldIsItsStrain) {
 
 TEST_P(EveryElement, ForcesAreTheTransposeOfStrains) {
   const ShellOperator shell = make(test::saddle, GetParam(), 0);
-  const CellField v = shell.gather(0, random_field(shell.space(), 2));
+  const element::CellField v = shell.gather(0, random_field(shell.space(), 2));
   const CellStrain e = shell.strains(0, v);
   CellStrain s = CellStrain::Random(e.rows(), 8);
   const double through_strains = (s.array() * e.array()).sum(),
@@ -62,7 +62,7 @@ TEST_P(EveryElement, TheElementMatrixIsSymmetricAndMakesTheEnergy) {
   const algebra::Vector y = random_field(shell.space(), 3);
   double sum = 0;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const CellField field = shell.gather(c, y);
+    const element::CellField field = shell.gather(c, y);
     const Eigen::Map<const Eigen::VectorXd> v(field.data(), field.size());
     const RowMatrix k = element_stiffness(shell, c);
     EXPECT_EQ((k - k.transpose()).norm(), 0);
@@ -129,7 +129,7 @@ TEST(ShellOperatorDeathTest, TakesFieldsOfSixValuesANodeAndCellsThatAreThere) {
   const algebra::Vector five(shell.space().layout, 5), six(shell.space().layout, 6);
   EXPECT_DEATH(shell.gather(0, five), "y.block\\(\\) == 6.* = gathered, 5, 45, 9");
   EXPECT_DEATH(shell.gather(1, six), "cell < cells.size\\(\\); cell, cells.size\\(\\) = 1, 1");
-  EXPECT_DEATH(shell.strains(0, CellField::Zero(4, 6)), "= 4, 9");
+  EXPECT_DEATH(shell.strains(0, element::CellField::Zero(4, 6)), "= 4, 9");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ inline Eigen::VectorXd gathered(const Vector& v) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// z on the face where unknown i is free (side[i] = 0), at its lower (1) or upper bound (2).
+/// z on the subproblem where unknown i is free (side[i] = 0), at its lower (1) or upper bound (2).
 inline Eigen::VectorXd minimise_on_face(const DenseProblem& problem, const std::vector<int>& side) {
   Eigen::VectorXd held = Eigen::VectorXd::Zero(problem.size());
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
@@ -82,7 +82,7 @@ inline Eigen::VectorXd minimise_on_face(const DenseProblem& problem, const std::
   return K.llt().solve(right);
 }
 
-/// Whether z on that face fulfils all conditions, up to rounding.
+/// Whether z on that subproblem fulfils all conditions, up to rounding.
 inline bool is_optimal(const DenseProblem& problem, const std::vector<int>& side, const Eigen::VectorXd& z) {
   const Eigen::VectorXd multiplier = problem.A * z - problem.b;
   const double slack = 1e-9 * (1 + multiplier.cwiseAbs().maxCoeff() + z.cwiseAbs().maxCoeff());
@@ -96,7 +96,7 @@ inline bool is_optimal(const DenseProblem& problem, const std::vector<int>& side
   return true;
 }
 
-/// The solution by trying all 3^n faces. A is positive definite, so whatever face passes gives the one solution.
+/// The solution by trying all 3^n subproblems. A is positive definite, so whatever subproblem passes gives the one solution.
 inline std::optional<Eigen::VectorXd> brute_force(const DenseProblem& problem) {
   const auto n = static_cast<std::size_t>(problem.size());
   std::vector<int> side(n, 0);

@@ -75,15 +75,15 @@ double owned_area(const Space& space) {
 std::map<std::string, double> owned_boundary_lengths(const Space& space) {
   static const Rule rule = gauss(12);
   std::map<std::string, double> lengths;
-  for (const BoundaryFace& face : space.faces) {
-    if (face.cell >= space.owned_cells) continue;
-    const Cell& cell = space.cells[face.cell];
+  for (const BoundarySide& edge : space.sides) {
+    if (edge.cell >= space.owned_cells) continue;
+    const Cell& cell = space.cells[edge.cell];
     double& length =
-        lengths[face.boundary < 0 ? "" : space.coarse->boundaries[static_cast<std::size_t>(face.boundary)]];
+        lengths[edge.boundary < 0 ? "" : space.coarse->boundaries[static_cast<std::size_t>(edge.boundary)]];
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
-      const Vector2d xi = side_point(space.shape(), face.side, rule.points[q]);
+      const Vector2d xi = side_point(space.shape(), edge.side, rule.points[q]);
       const PlaneJet f = map_of(space, cell)(cell.corner + cell.size * xi);
-      const Vector2d along = side_tangent(space.shape(), face.side);
+      const Vector2d along = side_tangent(space.shape(), edge.side);
       length += rule.weights[q] * std::abs(cell.size) * (along[0] * f.d[0] + along[1] * f.d[1]).norm();
     }
   }

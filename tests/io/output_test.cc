@@ -20,7 +20,7 @@ const MPI_Comm world = MPI_COMM_WORLD;
 
 TEST(Output, of_a_solved_problem_is_three_files_that_agree) {
   const ScratchDirectory scratch("output");
-  const study::Result result = study::solve(pressed_plate({.degree = 2, .refinements = 2}), world);
+  const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), world);
   write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", world);
   EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
@@ -33,7 +33,7 @@ TEST(Output, of_a_solved_problem_is_three_files_that_agree) {
 }
 
 TEST(Output, the_resultants_of_results_json_balance) {
-  const study::Result result = study::solve(pressed_plate({.degree = 2, .refinements = 2}), world);
+  const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), world);
   const Json json = results_json(result, {});
   double sum = 0;
   for (const char* part : {"loads", "reaction", "support_reaction"}) sum += json[part]["force"][2].get<double>();
@@ -48,7 +48,7 @@ TEST(Output, makes_its_directory) {
 
 TEST(Output, of_displacements_that_are_not_finite_has_no_surface) {
   const ScratchDirectory scratch("nan");
-  study::Result result = study::solve(pressed_plate({.refinements = 0}), world);
+  computation::Result result = computation::solve(pressed_plate({.refinements = 0}), world);
   const auto y = result.solution->nodal.y.owned();
   if (!y.empty()) y[0] = std::numeric_limits<double>::quiet_NaN();
   write_output(result, {}, scratch.path, "solution", world);
@@ -57,7 +57,7 @@ TEST(Output, of_displacements_that_are_not_finite_has_no_surface) {
 
 TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
   const ScratchDirectory scratch("stale");
-  const study::Result result = study::solve(pressed_plate({.refinements = 0}), world);
+  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), world);
   write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", world);
   const std::string before = text_of(scratch.path / "results.json");
   MPI_Barrier(world);
@@ -85,7 +85,7 @@ void fill_disk_under(const std::filesystem::path& file) {
 
 TEST(Output, on_a_disk_that_is_full_keeps_the_results_of_an_earlier_run) {
   const ScratchDirectory scratch("full-output");
-  const study::Result result = study::solve(pressed_plate({.refinements = 0}), world);
+  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), world);
   write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", world);
   const std::string results = text_of(scratch.path / "results.json"), surface = text_of(scratch.path / "solution.vtu");
   for (const char* file : {"solution.vtu", "results.json"}) {

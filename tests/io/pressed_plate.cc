@@ -2,10 +2,10 @@
 
 namespace plastron::io {
 
-study::Problem pressed_plate(const PressedPlate& options) {
+computation::Problem pressed_plate(const PressedPlate& options) {
   using assembly::Direction;
   using assembly::Unknown;
-  study::Problem problem;
+  computation::Problem problem;
   problem.domain = fem::Rectangle{.cells = {options.cells, options.cells}};
   problem.charts.emplace("", geometry::Chart({"2 * x", "y", "0.012"}, {}));
   problem.thickness = geometry::Expression(0.02);
@@ -20,7 +20,7 @@ study::Problem pressed_plate(const PressedPlate& options) {
   assembly::AreaLoad load;
   load.force[2] = geometry::Expression(-6e3);
   problem.area_loads.push_back(load);
-  if (options.obstacle) problem.obstacle = study::Obstacle{};
+  if (options.obstacle) problem.obstacle = computation::Obstacle{};
   problem.probes.push_back({.name = "centre", .at = {0.5, 0.5}});
   problem.discretisation = {.cells = options.shape, .degree = options.degree, .refinements = options.refinements};
   return problem;

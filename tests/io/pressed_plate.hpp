@@ -1,6 +1,6 @@
 // A small solved problem: a clamped plate pressed on a plane, over parameters that are not lengths.
 #pragma once
-#include <plastron/study/solve.hpp>
+#include <plastron/computation/solve.hpp>
 
 namespace plastron::io {
 
@@ -13,6 +13,6 @@ struct PressedPlate {
 };
 
 /// phi = (2x, y, 0.012) on the unit square, thickness 0.02: the lower face hangs 0.002 over the plane z = 0.
-study::Problem pressed_plate(const PressedPlate& options);
+computation::Problem pressed_plate(const PressedPlate& options);
 
 }  // namespace plastron::io

@@ -15,8 +15,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-assembly::PointValues some_point() {
-  assembly::PointValues p{};
+certificate::PointValues some_point() {
+  certificate::PointValues p{};
   p.x = {0.25, 0.5};
   p.u = {1, 2, 3};
   p.N = {4, 5, 6};
@@ -27,8 +27,8 @@ assembly::PointValues some_point() {
   return p;
 }
 
-study::Result some_result(bool has_obstacle) {
-  study::Result result{.has_obstacle = has_obstacle, .ranks = 2, .warnings = {"doubtful"}, .peak_memory = 1024};
+computation::Result some_result(bool has_obstacle) {
+  computation::Result result{.has_obstacle = has_obstacle, .ranks = 2, .warnings = {"doubtful"}, .peak_memory = 1024};
   result.summary.energy = {.membrane = 1.0 / 3, .bending = 2e-17, .shear = 1e300};
   result.summary.reaction.force = {0, 0, 5};
   result.certificate.min_gap_between = -1e-5;
@@ -61,13 +61,13 @@ TEST(Results, have_every_key_that_the_documentation_promises) {
 
 TEST(Results, list_the_warnings_in_words) {
   EXPECT_EQ(some_json()["warnings"], Json({"doubtful"}));
-  study::Result none = some_result(true);
+  computation::Result none = some_result(true);
   none.warnings.clear();
   EXPECT_EQ(results_json(none, {})["warnings"], Json::array());
 }
 
 TEST(Results, hold_every_member_of_the_certificate) {
-  EXPECT_EQ(some_json()["certificate"].size(), sizeof(assembly::Certificate) / sizeof(double));
+  EXPECT_EQ(some_json()["certificate"].size(), sizeof(certificate::Certificate) / sizeof(double));
 }
 
 TEST(Results, read_back_give_the_same_numbers_to_the_last_digit) {
@@ -99,7 +99,7 @@ TEST(Results, without_obstacle_have_null_for_contact) {
 }
 
 TEST(Results, that_are_not_finite_are_null) {
-  study::Result result = some_result(true);
+  computation::Result result = some_result(true);
   result.certificate.min_gap_between = infinity;
   result.certificate.stationarity = nan;
   result.probes[0].values.u[1] = nan;
@@ -110,7 +110,7 @@ TEST(Results, that_are_not_finite_are_null) {
 }
 
 TEST(Results, penetration_is_the_negative_part_of_the_gap_between_nodes) {
-  study::Result result = some_result(true);
+  computation::Result result = some_result(true);
   const auto penetration = [&](double min_gap_between) {
     result.certificate.min_gap_between = min_gap_between;
     return results_json(result, {})["contact"]["max_penetration_between_nodes"];

@@ -18,14 +18,14 @@ using testing::UnorderedElementsAre;
 constexpr double single_precision = 1e-6;
 
 struct Written {
-  study::Result result;
+  computation::Result result;
   VtuFile file;
   std::vector<std::string> names;
 };
 
 Written written(const PressedPlate& options, double displacement_scale = 1) {
   const ScratchDirectory scratch("vtu");
-  Written w{.result = study::solve(pressed_plate(options), MPI_COMM_WORLD), .file = {}, .names = {}};
+  Written w{.result = computation::solve(pressed_plate(options), MPI_COMM_WORLD), .file = {}, .names = {}};
   write_vtu(*w.result.solution, scratch.path, "plate", displacement_scale);
   w.file = read_vtu(scratch.path / "plate.vtu");
   w.names = scratch.names();
@@ -207,7 +207,7 @@ TEST(Vtu, leaves_out_ranks_without_cells) {
 }
 
 TEST(Vtu, a_directory_that_is_not_there_is_an_error_with_its_name) {
-  const study::Result result = study::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
   try {
     write_vtu(*result.solution, "/nowhere/at/all", "plate");
     FAIL() << "no error";

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 #include "study/tables.hpp"
 
 namespace plastron::study {
 namespace {
 
-using assembly::Formulation;
+using namespace test;
+
+using element::Formulation;
 using fem::Shape;
 
 struct Element {
@@ -47,7 +49,7 @@ std::vector<const Kind*> all_kinds() {
 
 void expect_computed(const Kind& kind, const Problem& problem) {
   SCOPED_TRACE(kind.name);
-  ASSERT_FALSE(has_errors(examine(kind, problem, few())));
+  ASSERT_FALSE(examination::has_errors(study::examine(kind, problem, few())));
   const Report report = kind.run(problem, few(), MPI_COMM_SELF, {});
   EXPECT_EQ(report.status, contact::Status::solved);
   EXPECT_FALSE(report.table.rows.empty());

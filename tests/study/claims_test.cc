@@ -5,15 +5,17 @@
 
 #include <algorithm>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 #include "study/tables.hpp"
 
 namespace plastron::study {
 namespace {
 
+using namespace test;
+
 using testing::HasSubstr;
 
-Report run(const std::string& name, const Problem& problem, const StudyOptions& options = {}) {
+Report run(const std::string& name, const computation::Problem& problem, const StudyOptions& options = {}) {
   const Kind& kind = name == "compare" ? comparison() : *find_kind(name);
   return kind.run(problem, options, MPI_COMM_SELF, {});
 }
@@ -27,15 +29,15 @@ StudyOptions few() {
 }
 
 /// A shallow shell, clamped at one side, that nothing loads.
-Problem unloaded() {
-  Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
+computation::Problem unloaded() {
+  computation::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
   p.area_loads.clear();
   return p;
 }
 
 /// A strip so far above the table that it never gets there.
-Problem strip_in_the_air() {
-  Problem p = pressed_strip();
+computation::Problem strip_in_the_air() {
+  computation::Problem p = pressed_strip();
   p.obstacle->half_space.point = {0, 0, -1};
   p.discretisation.refinements = 1;
   return p;
@@ -62,7 +64,7 @@ TEST(EveryStudy, OfAShellThatDoesNotMoveCanJudgeNoSolution) {
 }
 
 TEST(EveryStudy, OfAShellThatMovesRigidlyCanJudgeNoSolution) {
-  Problem p = unloaded();
+  computation::Problem p = unloaded();
   p.supports.front().components[2].value = Expression(0.3);
   for (const std::string name : {"convergence", "penalty", "thickness", "compare"}) {
     SCOPED_TRACE(name);
@@ -72,7 +74,7 @@ TEST(EveryStudy, OfAShellThatMovesRigidlyCanJudgeNoSolution) {
 }
 
 TEST(EveryStudy, OnOneMeshAndWithOneThicknessCannotJudgeHowThingsChange) {
-  Problem p = pressed_strip();
+  computation::Problem p = pressed_strip();
   p.discretisation.refinements = 0;
   StudyOptions options = few();
   options.factors = {1};
@@ -93,7 +95,7 @@ TEST(Convergence, OfAStripInTheAirSaysNothingOfContact) {
 
 // Where a clamped edge meets free ones the solution is not smooth, and its error falls more slowly than the degree promises.
 TEST(Convergence, OfAShellWithCornersDoesNotHaveTheOrderOfSmoothSolutions) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   p.discretisation.degree = 3;
   const Table table = run("convergence", p, few()).table;
   EXPECT_EQ(claim_on(table, "falls from mesh to mesh").verdict, Verdict::holds);
@@ -102,7 +104,7 @@ TEST(Convergence, OfAShellWithCornersDoesNotHaveTheOrderOfSmoothSolutions) {
 
 // A plate stretched evenly: its strains are in every space.
 TEST(Convergence, WhoseErrorsAreRoundingSaysSo) {
-  Problem p = free_plate();
+  computation::Problem p = free_plate();
   p.supports = {held("left", {Direction::x}), held("bottom", {Direction::y, Direction::z})};
   p.supports.push_back({.boundary = "left", .components = {fixed(Unknown::displacement, Direction::z)}});
   p.edge_loads = {{.boundary = "right", .force = vector(1, 0, 0), .couple = vector(0, 0, 0)}};
@@ -119,7 +121,7 @@ TEST(Continuity, OfAStripInTheAirSaysNothingOfTheObstaclesHeight) {
 }
 
 TEST(Continuity, GivesTheReasonForAKindThatItLeavesOut) {
-  Problem p = pressed_strip();
+  computation::Problem p = pressed_strip();
   p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
   const Claim load = claim_on(run("continuity", p, few()).table, "load");
   EXPECT_EQ(load.verdict, Verdict::cannot_be_judged);
@@ -128,7 +130,7 @@ TEST(Continuity, GivesTheReasonForAKindThatItLeavesOut) {
 
 // Stretched in its plane a plate does not rotate.
 TEST(Thickness, WithoutRotationSaysNothingOfKoiters) {
-  Problem p = free_plate();
+  computation::Problem p = free_plate();
   p.supports = {clamped("left")};
   p.area_loads = {force(1, 0, 0)};
   const Table table = run("thickness", p, few()).table;
@@ -137,14 +139,14 @@ TEST(Thickness, WithoutRotationSaysNothingOfKoiters) {
 }
 
 TEST(Thickness, IsJudgedByTheWholeEnergyInRelaxedFormulations) {
-  Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
-  p.discretisation.tangency.formulation = assembly::Formulation::penalised;
+  computation::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
+  p.discretisation.tangency.formulation = element::Formulation::penalised;
   const Claim claim = claim_on(run("thickness", p, few()).table, "stiffness");
   EXPECT_EQ(claim.verdict, Verdict::holds) << claim.measured << claim.reason;
 }
 
 TEST(Stability, WithoutObstacleOrHeldRotationSaysSo) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   p.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
   const Table table = run("stability", p, few()).table;
   EXPECT_THAT(claim_on(table, "beta_b").reason, HasSubstr("no support holds a rotation"));
@@ -164,7 +166,7 @@ TEST(Compare, OfEqualSolutionsSaysNothing) { expect_none_judged(run("compare", c
 
 // On a fine mesh p = 1 is what one sees, not the mesh.
 TEST(Compare, FindsAPenaltyTooWeakForTheMesh) {
-  Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
+  computation::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
   p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
   p.thickness = Expression(0.2);
   p.discretisation.degree = 6;
@@ -176,34 +178,35 @@ TEST(Compare, FindsAPenaltyTooWeakForTheMesh) {
 
 // ---- what the examination stops ------------------------------------------------------------------------------------
 
-std::vector<std::string> errors(const std::string& name, const Problem& problem, const StudyOptions& options = {}) {
+std::vector<std::string> errors(const std::string& name, const computation::Problem& problem,
+                                const StudyOptions& options = {}) {
   std::vector<std::string> texts;
-  for (const Finding& f : examine(*find_kind(name), problem, options))
-    if (f.severity == Severity::error) texts.push_back(f.text);
+  for (const examination::Finding& f : study::examine(*find_kind(name), problem, options))
+    if (f.severity == examination::Severity::error) texts.push_back(f.text);
   return texts;
 }
 
 TEST(EveryStudy, StopsWithTheMessageOfRun) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   p.supports.clear();
-  const auto of_run = examine(p);
-  ASSERT_TRUE(has_errors(of_run));
+  const auto of_run = examination::examine(p);
+  ASSERT_TRUE(examination::has_errors(of_run));
   for (const Kind& kind : kinds()) {
-    const auto findings = examine(kind, p, {});
+    const auto findings = study::examine(kind, p, {});
     ASSERT_EQ(findings.size(), of_run.size()) << kind.name;
     for (std::size_t i = 0; i < findings.size(); ++i) EXPECT_EQ(findings[i].text, of_run[i].text);
   }
 }
 
 TEST(Penalty, IsStoppedWhereThePenalisedFormulationIsRefused) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   p.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
   EXPECT_TRUE(errors("convergence", p).empty());
   EXPECT_THAT(errors("penalty", p), testing::ElementsAre(HasSubstr("sees only the gradient of r . a3")));
 }
 
 TEST(Thickness, IsStoppedWhereAFactorMakesTheShellTooThick) {
-  Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"});
+  computation::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"});
   StudyOptions options;
   options.factors = {30, 1};
   for (const std::string name : {"thickness", "stability"})

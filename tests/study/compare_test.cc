@@ -7,11 +7,13 @@
 #include <array>
 #include <set>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 #include "study/tables.hpp"
 
 namespace plastron::study {
 namespace {
+
+using namespace test;
 
 double number(const Table& table, std::size_t row, const std::string& column) {
   for (std::size_t c = 0; c < table.columns.size(); ++c)
@@ -31,7 +33,7 @@ std::set<std::string> formulations_of(const Table& table) {
 }
 
 TEST(Compare, PutsAllFormulationsOfABowlSideBySide) {
-  Problem p = pressed_bowl();
+  computation::Problem p = pressed_bowl();
   p.discretisation.refinements = 2;
   const Report report = compare(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(report.status, contact::Status::solved);
@@ -47,11 +49,11 @@ TEST(Compare, PutsAllFormulationsOfABowlSideBySide) {
     EXPECT_NEAR(number(report.table, finest, "reaction") / number(report.table, 2, "reaction"), 1, 0.02);
   }
   EXPECT_GT(number(report.table, 8, "multiplier"), 0);
-  EXPECT_LT(number(report.table, 11, "tilt"), 1e-12);  // the classical rotation is tangent everywhere
+  EXPECT_LT(number(report.table, 11, "normal_rotation"), 1e-12);  // the classical rotation is tangent everywhere
 }
 
 TEST(Compare, LeavesOutWhatTheCaseRulesOutAndSaysWhy) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   p.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
   const Report report = compare(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(report.status, contact::Status::solved);
@@ -61,7 +63,7 @@ TEST(Compare, LeavesOutWhatTheCaseRulesOutAndSaysWhy) {
 }
 
 TEST(Compare, OfATangentNormalAloneHoldsTheRelaxedFormulations) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   p.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
   p.supports.push_back({.boundary = "top", .components = {fixed(Unknown::rotation, Direction::normal)}});
   const Report report = compare(p, {}, MPI_COMM_WORLD, {});
@@ -71,7 +73,7 @@ TEST(Compare, OfATangentNormalAloneHoldsTheRelaxedFormulations) {
 }
 
 TEST(Penalty, FollowsPUntilRoundingDecides) {
-  Problem p = pressed_bowl();
+  computation::Problem p = pressed_bowl();
   p.discretisation.degree = 4;
   p.discretisation.refinements = 1;
   const Report report = penalty(p, {}, MPI_COMM_WORLD, {});
@@ -83,11 +85,11 @@ TEST(Penalty, FollowsPUntilRoundingDecides) {
   EXPECT_NE(report.table.claims[1].verdict, Verdict::cannot_be_judged) << report.table.claims[1].reason;
   EXPECT_GT(report.table.fits.front().exponent, 0.6);
   EXPECT_NEAR(number(report.table, 1, "penalty"), 0.1, 1e-15);
-  EXPECT_NEAR(number(report.table, 1, "tilt") / number(report.table, 0, "tilt"), 0.1, 0.03);
+  EXPECT_NEAR(number(report.table, 1, "normal_rotation") / number(report.table, 0, "normal_rotation"), 0.1, 0.03);
 }
 
 TEST(Penalty, DoesNothingOnAFlatShell) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   const Report report = penalty(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(report.table.rows.size(), 3U);
   EXPECT_NE(report.table.remarks.back().find("takes no part"), std::string::npos);

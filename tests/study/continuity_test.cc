@@ -1,16 +1,18 @@
 // The measured changes stay below the bounds proven from the variational inequality (M18).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <plastron/computation/solve.hpp>
 #include <plastron/study/continuity.hpp>
-#include <plastron/study/solve.hpp>
 
 #include <algorithm>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 #include "study/tables.hpp"
 
 namespace plastron::study {
 namespace {
+
+using namespace test;
 
 using testing::Contains;
 using testing::Each;
@@ -18,7 +20,7 @@ using testing::Ge;
 using testing::HasSubstr;
 
 TEST(Continuity, of_a_bowl_is_within_its_bounds) {
-  Problem p = pressed_bowl();
+  computation::Problem p = pressed_bowl();
   p.discretisation = {.degree = 2, .refinements = 2};
   StudyOptions options;
   options.samples = 20;
@@ -35,7 +37,7 @@ TEST(Continuity, of_a_bowl_is_within_its_bounds) {
 }
 
 TEST(Continuity, of_large_changes_is_within_its_bounds_too) {
-  Problem p = pressed_strip();
+  computation::Problem p = pressed_strip();
   p.discretisation = {.degree = 3, .refinements = 1};
   StudyOptions options;
   options.samples = 5;
@@ -63,7 +65,7 @@ TEST(Continuity, depends_on_its_seed_alone) {
 }
 
 TEST(Continuity, leaves_out_loads_that_only_the_obstacle_bears) {
-  Problem p = pressed_strip();
+  computation::Problem p = pressed_strip();
   p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
   StudyOptions options;
   options.samples = 1;

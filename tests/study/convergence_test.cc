@@ -3,18 +3,20 @@
 #include <gtest/gtest.h>
 #include <plastron/study/convergence.hpp>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 #include "study/tables.hpp"
 
 namespace plastron::study {
 namespace {
 
+using namespace test;
+
 using testing::Contains;
 using testing::HasSubstr;
 
 /// A square plate clamped all round.
-Problem clamped_plate(int degree) {
-  Problem p = free_plate();
+computation::Problem clamped_plate(int degree) {
+  computation::Problem p = free_plate();
   p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
   p.area_loads = {force(0, 0, -1)};
   p.discretisation = {.degree = degree, .refinements = 3};
@@ -22,8 +24,8 @@ Problem clamped_plate(int degree) {
 }
 
 /// A plate strip clamped at its ends whose solution varies along it alone and is smooth.
-Problem smooth_strip(int degree) {
-  Problem p = pressed_strip();
+computation::Problem smooth_strip(int degree) {
+  computation::Problem p = pressed_strip();
   p.obstacle.reset();
   p.area_loads.front() = {.force = {Expression(), Expression(), Expression("-1e-3 * sin(5*x)", {})}};
   p.discretisation = {.degree = degree, .refinements = 2};
@@ -45,7 +47,7 @@ TEST(Convergence, of_a_strip_has_the_rates_of_its_degree) {
 
 // What is reported against a solution two levels finer hardly depends on that solution.
 TEST(Convergence, does_not_depend_much_on_its_reference) {
-  Problem p = clamped_plate(2);
+  computation::Problem p = clamped_plate(2);
   p.discretisation.refinements = 1;
   StudyOptions options;
   const auto two = numbers(convergence(p, options, MPI_COMM_SELF, {}).table, "energy");
@@ -55,7 +57,7 @@ TEST(Convergence, does_not_depend_much_on_its_reference) {
 }
 
 TEST(Convergence, of_a_pressed_strip_holds_with_and_without_obstacle) {
-  Problem p = pressed_strip();
+  computation::Problem p = pressed_strip();
   p.discretisation.refinements = 2;
   const Report report = convergence(p, {}, MPI_COMM_SELF, {});
   ASSERT_EQ(report.status, contact::Status::solved);
@@ -65,7 +67,7 @@ TEST(Convergence, of_a_pressed_strip_holds_with_and_without_obstacle) {
 }
 
 TEST(Convergence, leaves_out_the_free_shell_that_nothing_but_the_obstacle_holds) {
-  Problem p = pressed_strip();
+  computation::Problem p = pressed_strip();
   p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
   p.discretisation.refinements = 0;
   const Report report = convergence(p, {}, MPI_COMM_SELF, {});
@@ -75,7 +77,7 @@ TEST(Convergence, leaves_out_the_free_shell_that_nothing_but_the_obstacle_holds)
 }
 
 TEST(Convergence, tells_how_a_computation_failed) {
-  Problem p = free_plate();
+  computation::Problem p = free_plate();
   p.area_loads = {force(0, 0, -1)};
   EXPECT_EQ(convergence(p, {}, MPI_COMM_SELF, {}).status, contact::Status::singular);
   p = pressed_strip();

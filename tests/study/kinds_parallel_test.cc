@@ -4,10 +4,12 @@
 
 #include <cmath>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 
 namespace plastron::study {
 namespace {
+
+using namespace test;
 
 constexpr double rounding = 1e-12;  // residuals and tilts are nothing else
 
@@ -38,7 +40,7 @@ void expect_same(const Report& together, const Report& alone) {
 }
 
 TEST(Studies, find_the_same_on_any_number_of_ranks) {
-  Problem p = pressed_strip();
+  computation::Problem p = pressed_strip();
   p.discretisation.refinements = 1;
   StudyOptions options;
   options.reference = 1;

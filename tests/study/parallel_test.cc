@@ -1,12 +1,14 @@
 // On any number of ranks the same: the world's result against that of each rank alone.
 #include <gtest/gtest.h>
-#include <plastron/study/examine.hpp>
-#include <plastron/study/solve.hpp>
+#include <plastron/computation/solve.hpp>
+#include <plastron/examination/examine.hpp>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 
-namespace plastron::study {
+namespace plastron::computation {
 namespace {
+
+using namespace test;
 
 void expect_near(double a, double b) { EXPECT_NEAR(a, b, 1e-9 * std::abs(b)); }
 void expect_near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double scale) {
@@ -68,7 +70,7 @@ TEST(Ranks, do_not_change_a_pressed_bowl_of_triangles) {
 
 TEST(Ranks, do_not_change_a_pressed_bowl_in_any_formulation) {
   for (const auto formulation :
-       {assembly::Formulation::penalised, assembly::Formulation::mixed, assembly::Formulation::classical}) {
+       {element::Formulation::penalised, element::Formulation::mixed, element::Formulation::classical}) {
     Problem p = pressed_bowl();
     p.discretisation.tangency.formulation = formulation;
     expect_same_alone_and_together(p);
@@ -88,7 +90,7 @@ TEST(Ranks, may_outnumber_the_cells) {
 
 TEST(Ranks, find_the_same_when_they_examine) {
   for (const Problem& p : {pressed_strip(), free_plate()}) {
-    std::int64_t found = static_cast<std::int64_t>(examine(p).size());
+    std::int64_t found = static_cast<std::int64_t>(examination::examine(p).size());
     const std::int64_t here = found;
     MPI_Bcast(&found, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
     EXPECT_EQ(found, here);
@@ -137,4 +139,4 @@ TEST(Ranks, divide_cells_alike_where_a_load_jumps) {
 }
 
 }  // namespace
-}  // namespace plastron::study
+}  // namespace plastron::computation

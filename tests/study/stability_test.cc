@@ -2,14 +2,16 @@
 #include <gtest/gtest.h>
 #include <plastron/study/stability.hpp>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 #include "study/tables.hpp"
 
 namespace plastron::study {
 namespace {
 
+using namespace test;
+
 TEST(Stability, OfTheBowlDoesNotDegradeWithMeshSizeOrThickness) {
-  Problem p = pressed_bowl();
+  computation::Problem p = pressed_bowl();
   p.discretisation = {.degree = 2, .refinements = 2};
   StudyOptions options;
   options.factors = {1, 0.1};
@@ -22,7 +24,7 @@ TEST(Stability, OfTheBowlDoesNotDegradeWithMeshSizeOrThickness) {
 }
 
 TEST(Stability, WithoutSupportsIsNotCoercive) {
-  Problem p = free_plate();
+  computation::Problem p = free_plate();
   StudyOptions options;
   options.factors = {1};
   const Report report = stability(p, options, MPI_COMM_SELF, {});
@@ -32,7 +34,7 @@ TEST(Stability, WithoutSupportsIsNotCoercive) {
 }
 
 TEST(SoftModesStudy, OfACylinderFindsTheSeventhModeOfTheRelaxedFormulations) {
-  Problem p = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
+  computation::Problem p = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
   p.discretisation = {.degree = 2, .refinements = 3};
   const Report report = soft_modes(p, {}, MPI_COMM_SELF, {});
   EXPECT_EQ(report.table.rows.size(), 4u * 4u * 8u);
@@ -40,7 +42,7 @@ TEST(SoftModesStudy, OfACylinderFindsTheSeventhModeOfTheRelaxedFormulations) {
 }
 
 TEST(SoftModesStudy, OfACapFindsSixEverywhere) {
-  Problem p = pressed_bowl();
+  computation::Problem p = pressed_bowl();
   p.thickness = Expression(0.05);
   p.discretisation = {.degree = 2, .refinements = 3};
   expect_all_hold(soft_modes(p, {}, MPI_COMM_SELF, {}).table);

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <map>
 
+#include "computation/units.hpp"
 #include "study/tables.hpp"
-#include "study/units.hpp"
 
 namespace plastron::study {
 namespace {
+
+using namespace test;
 
 StudyOptions few() {
   StudyOptions options;
@@ -88,7 +90,7 @@ TEST_P(EveryUnit, FindsTheSameInEveryStudy) {
 
 // A cap 5 mm in radius, in metres.
 TEST(ASmallCap, InMetresHasItsSoftModes) {
-  Problem p = with_chart(free_plate(), {"x", "y", "R - sqrt(R^2 - x^2 - y^2)"}, {{"R", 0.005}});
+  computation::Problem p = with_chart(free_plate(), {"x", "y", "R - sqrt(R^2 - x^2 - y^2)"}, {{"R", 0.005}});
   p.domain = fem::Disk{.radius = 0.0024};
   p.thickness = Expression(2.5e-4);
   p.material = shell::Material::from_young_poisson(2.1e11, 0.3, 1);

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 #include <plastron/study/thickness.hpp>
 
-#include "study/problems.hpp"
+#include "computation/problems.hpp"
 #include "study/tables.hpp"
 
 namespace plastron::study {
 namespace {
+
+using namespace test;
 
 double fitted(const Table& table, const std::string& quantity) {
   for (const Fit& fit : table.fits)
@@ -24,7 +26,7 @@ StudyOptions halvings(int steps) {
 
 // Clamped along one generator the cylinder rolls up without stretching.
 TEST(Thickness, of_a_cylinder_held_along_a_generator_is_bending_dominated) {
-  Problem p = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
+  computation::Problem p = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
   p.supports = {clamped("left")};
   p.area_loads = {force(0, 0, -1e-6)};
   p.thickness = Expression(0.02);
@@ -38,7 +40,7 @@ TEST(Thickness, of_a_cylinder_held_along_a_generator_is_bending_dominated) {
 }
 
 TEST(Thickness, of_a_clamped_dome_is_membrane_dominated) {
-  Problem p = pressed_bowl();
+  computation::Problem p = pressed_bowl();
   p.obstacle.reset();
   p.discretisation = {.degree = 4, .refinements = 2};
   const Report report = thickness(p, halvings(3), MPI_COMM_SELF, {});
@@ -50,7 +52,7 @@ TEST(Thickness, of_a_clamped_dome_is_membrane_dominated) {
 
 // A plate has shear strains e^2 times smaller than its slopes.
 TEST(Thickness, of_a_plate_brings_the_rotation_to_koiters_like_its_square) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   p.discretisation = {.degree = 4, .refinements = 2};
   const Report report = thickness(p, halvings(3), MPI_COMM_SELF, {});
   EXPECT_NEAR(fitted(report.table, "|r - r_K| / |r|"), 2, 0.3);
@@ -59,7 +61,7 @@ TEST(Thickness, of_a_plate_brings_the_rotation_to_koiters_like_its_square) {
 
 // Load ~ e^3 against an obstacle: displacements, and so the contact zone, have a limit.
 TEST(Thickness, with_an_obstacle_keeps_the_shell_in_contact_when_the_load_goes_with_its_cube) {
-  Problem p = pressed_strip();
+  computation::Problem p = pressed_strip();
   p.discretisation = {.degree = 2, .refinements = 3};
   const Report report = thickness(p, halvings(3), MPI_COMM_SELF, {});
   ASSERT_EQ(report.status, contact::Status::solved);
@@ -69,7 +71,7 @@ TEST(Thickness, with_an_obstacle_keeps_the_shell_in_contact_when_the_load_goes_w
 }
 
 TEST(Thickness, does_not_judge_the_stiffness_of_prescribed_motions) {
-  Problem p = cantilever_plate();
+  computation::Problem p = cantilever_plate();
   p.supports.push_back(
       {.boundary = "right", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
   const Report report = thickness(p, halvings(1), MPI_COMM_SELF, {});

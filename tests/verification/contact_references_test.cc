@@ -2,7 +2,7 @@
 #include "verification/figures.hpp"
 #include "verification/reference_problems.hpp"
 
-#include <plastron/study/solve.hpp>
+#include <plastron/computation/solve.hpp>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsH
 
 struct Computation {
   ContactReference reference;
-  study::Result result;
+  computation::Result result;
   double element_size;  ///< in the coordinate of the contact boundaries
 };
 
@@ -31,7 +31,7 @@ Computation run(const std::string& name, int degree, int strip_refinements, int 
   if (const auto* disk = std::get_if<fem::Disk>(&reference.problem.domain)) coarse = 0.7 * disk->radius;
   if (const auto* strip = std::get_if<fem::Rectangle>(&reference.problem.domain))
     coarse = (strip->to[0] - strip->from[0]) / strip->cells[0];
-  study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   return {std::move(reference), std::move(result), coarse / (1 << refinements)};
 }
 
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(All, ContactReferences,
 TEST_P(ContactReferences, EnergyReactionAndContactBoundaryAreRight) {
   const auto& [name, degree] = GetParam();
   const Computation r = degree == 3 ? run(name, 3, 3, 4) : run(name, 4, 3, 3);
-  const study::Result& result = r.result;
+  const computation::Result& result = r.result;
   ASSERT_EQ(result.status, contact::Status::solved);
   EXPECT_LE(result.levels.back().unknowns, most_unknowns);
   const double factor = r.reference.factor;
@@ -96,7 +96,7 @@ TEST_P(ContactReferences, EnergyReactionAndContactBoundaryAreRight) {
   // Converging: errors change sign on the way, as the free boundary passes from node to node, so the finest is compared with
   // the worst. The coarsest strips are right to half a per mille already.
   double worst = 0;
-  for (const study::Level& level : result.levels)
+  for (const computation::Level& level : result.levels)
     worst = std::max(worst, relative(factor * level.energy, r.reference.energy));
   EXPECT_LT(relative(factor * result.levels.back().energy, r.reference.energy), 0.4 * worst + 1e-9);
   const bool bounded = name.starts_with("R1") || name.starts_with("R4cap");
@@ -104,7 +104,7 @@ TEST_P(ContactReferences, EnergyReactionAndContactBoundaryAreRight) {
     EXPECT_LE(result.levels[l].iterations, bounded ? 6 : 12) << "level " << l;
 
   // The certificate.
-  const assembly::Certificate& c = result.certificate;
+  const certificate::Certificate& c = result.certificate;
   EXPECT_LT(c.stationarity, 1e-9);
   EXPECT_LT(c.energy_identity, 1e-9);
   EXPECT_LT(c.force_balance, 1e-10);
@@ -146,7 +146,7 @@ TEST_P(TriangleContactReferences, HaveTheEnergyAndTheReactionThatTheirElementsAl
   const auto& [name, degree, refinements] = GetParam();
   ContactReference reference = contact_reference(name, degree, refinements);
   reference.problem.discretisation.cells = fem::Shape::triangle;
-  const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   const std::string table = fmt::format("contact, triangles of degree {}", degree);
   const std::string row = contact_reference_title(name);
@@ -158,7 +158,7 @@ TEST_P(TriangleContactReferences, HaveTheEnergyAndTheReactionThatTheirElementsAl
 TEST(TriangleContactReference, OfDegreeTwoHasTheEnergyAndTheReactionOfTheCap) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 4);
   reference.problem.discretisation.cells = fem::Shape::triangle;
-  const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   EXPECT_LE(result.levels.back().unknowns, most_unknowns);
   EXPECT_TRUE(result.warnings.empty());
@@ -166,7 +166,7 @@ TEST(TriangleContactReference, OfDegreeTwoHasTheEnergyAndTheReactionOfTheCap) {
   EXPECT_LT(relative(result.summary.reaction.force[2], reference.reaction), 2e-4);
   EXPECT_LT(result.certificate.min_gap_between, 0);  // measured: there are cells near the table
   EXPECT_LT(-result.certificate.min_gap_between, 1e-4);
-  const assembly::Certificate& c = result.certificate;
+  const certificate::Certificate& c = result.certificate;
   EXPECT_LT(c.stationarity, 1e-9);
   EXPECT_LT(c.energy_identity, 1e-9);
   EXPECT_GE(c.min_pressure, 0);

@@ -53,12 +53,12 @@ struct Squares {
 
 }  // namespace
 
-double energy_error(const study::Solution& solution, const Manufactured& exact) {
+double energy_error(const computation::Solution& solution, const Manufactured& exact) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const assembly::ShellOperator& shell = discrete.shell;
   const FinePoints fine = fine_points(shell.space().shape(), shell.space().degree);
-  const auto basis = assembly::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
-  const auto tied = assembly::tied_interpolation(shell.tables(), fine.xi);
+  const auto basis = element::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
+  const auto tied = element::tied_interpolation(shell.tables(), fine.xi);
   Squares sum;
   std::vector<geometry::SurfaceJet> jets(fine.xi.size());
   std::vector<double> x(jets.size()), y(jets.size());
@@ -84,16 +84,16 @@ double energy_error(const study::Solution& solution, const Manufactured& exact) 
   return sum.relative();
 }
 
-double l2_error(const study::Solution& solution, const Manufactured& exact) {
+double l2_error(const computation::Solution& solution, const Manufactured& exact) {
   const assembly::ShellOperator& shell = solution.discrete->shell;
   const FinePoints fine = fine_points(shell.space().shape(), shell.space().degree);
-  const auto basis = assembly::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
+  const auto basis = element::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
   Squares sum;
   std::vector<double> x(fine.xi.size()), y(fine.xi.size());
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const fem::Cell& cell = shell.space().cells[c];
     shell.surface().positions(cell, fine.xi, x, y);
-    const assembly::CellField values = basis.value * shell.gather(c, solution.nodal.y);
+    const element::CellField values = basis.value * shell.gather(c, solution.nodal.y);
     for (std::size_t q = 0; q < x.size(); ++q) {
       Eigen::Matrix<double, 1, 6> e;
       e << exact.u(x[q], y[q]).value.transpose(), exact.r(x[q], y[q]).value.transpose();

@@ -2,7 +2,7 @@
 #pragma once
 #include "verification/manufactured.hpp"
 
-#include <plastron/study/result.hpp>
+#include <plastron/computation/result.hpp>
 
 #include <vector>
 
@@ -11,10 +11,10 @@ namespace plastron::verification {
 /// |U - U_h| / |U| in the energy norm of (M8). Strains of U_h are those of the method (tied where tying is on),
 /// compared with the exact ones at (k + 3)^2 Gauss points of every cell, collapsed ones on triangles, which are no
 /// special points of the element.
-double energy_error(const study::Solution& solution, const Manufactured& exact);
+double energy_error(const computation::Solution& solution, const Manufactured& exact);
 
 /// |U - U_h| / |U| in L2, u and r together.
-double l2_error(const study::Solution& solution, const Manufactured& exact);
+double l2_error(const computation::Solution& solution, const Manufactured& exact);
 
 /// log2 of the ratios of successive errors.
 std::vector<double> rates(const std::vector<double>& errors);

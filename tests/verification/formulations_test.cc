@@ -6,9 +6,9 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/multiplier.hpp>
+#include <plastron/computation/solve.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
-#include <plastron/study/solve.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +18,7 @@
 namespace plastron::verification {
 namespace {
 
-using assembly::Formulation;
+using element::Formulation;
 
 const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsHeld("verification_formulations"));
 
@@ -27,19 +27,19 @@ constexpr std::array formulations{Formulation::tangent, Formulation::penalised, 
 
 class InEachFormulation : public testing::TestWithParam<Formulation> {};
 INSTANTIATE_TEST_SUITE_P(All, InEachFormulation, testing::ValuesIn(formulations),
-                         [](const auto& parameters) { return std::string(assembly::to_string(parameters.param)); });
+                         [](const auto& parameters) { return std::string(element::to_string(parameters.param)); });
 
 /// Energy errors on successive refinements of four distorted cells, or of the triangles that they are cut into.
 std::vector<double> energy_errors(const Manufactured& exact, Formulation formulation, fem::Shape shape, int degree,
                                   int first, int last) {
   std::vector<double> errors;
   for (int refinements = first; refinements <= last; ++refinements) {
-    study::Problem problem = manufactured_problem(exact, degree, refinements);
+    computation::Problem problem = manufactured_problem(exact, degree, refinements);
     problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
     problem.discretisation.tangency.formulation = formulation;
     problem.discretisation.cells = shape;
     if (shape == fem::Shape::triangle) problem.discretisation.tying = false;
-    const study::Result result = study::solve(problem, MPI_COMM_WORLD);
+    const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
     EXPECT_EQ(result.status, contact::Status::solved);
     errors.push_back(energy_error(*result.solution, exact));
   }
@@ -53,7 +53,7 @@ TEST_P(InEachFormulation, TheManufacturedSolutionsAreReachedAtTheRateOfTheDegree
       const int last = degree == 1 ? 5 : degree == 2 ? 4 : 3;
       const auto errors = energy_errors(exact, GetParam(), fem::Shape::quadrilateral, degree, last - 2, last);
       const double mean = std::log2(errors.front() / errors.back()) / 2;
-      fmt::print("{} ms{} degree {}: energy errors {:.3e}, rates {:.2f}\n", assembly::to_string(GetParam()),
+      fmt::print("{} ms{} degree {}: energy errors {:.3e}, rates {:.2f}\n", element::to_string(GetParam()),
                  solution == ManufacturedSolution::clamped ? 1 : 3, degree, fmt::join(errors, " "),
                  fmt::join(rates(errors), " "));
       // With contact the free boundary limits the rate.
@@ -67,7 +67,7 @@ TEST_P(InEachFormulation, TheManufacturedSolutionsAreReachedOnTriangles) {
       const Manufactured exact(solution, {.thickness = 0.3});  // thick: triangles are not tied against locking
       const int last = degree == 1 ? 5 : 4;
       const auto errors = energy_errors(exact, GetParam(), fem::Shape::triangle, degree, last - 2, last);
-      fmt::print("{} ms{} triangles degree {}: energy errors {:.3e}, rates {:.2f}\n", assembly::to_string(GetParam()),
+      fmt::print("{} ms{} triangles degree {}: energy errors {:.3e}, rates {:.2f}\n", element::to_string(GetParam()),
                  solution == ManufacturedSolution::clamped ? 1 : 3, degree, fmt::join(errors, " "),
                  fmt::join(rates(errors), " "));
       EXPECT_GT(rates(errors).back(), degree - 0.2);
@@ -78,12 +78,12 @@ TEST_P(InEachFormulation, ContactReferencesAreMetAtDegreeTwo) {
   for (const char* name : {"R4cap_e0.1_p0.02", "R2incl_al0.3_e0.1_p0.02", "R3_e0.1_P0.5"}) {
     ContactReference reference = contact_reference(name, 2, 4);
     reference.problem.discretisation.tangency.formulation = GetParam();
-    const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+    const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
     ASSERT_EQ(result.status, contact::Status::solved);
     EXPECT_LT(result.levels.back().unknowns, 60'000);
     const double energy = result.summary.energy.total() * reference.factor / reference.energy - 1;
     const double reaction = result.summary.reaction.force[2] * reference.factor / reference.reaction - 1;
-    const std::string row = fmt::format("{}, {}", contact_reference_title(name), assembly::to_string(GetParam()));
+    const std::string row = fmt::format("{}, {}", contact_reference_title(name), element::to_string(GetParam()));
     expect_figure("formulations", row, "unknowns", result.levels.back().unknowns);
     expect_figure("formulations", row, "energy", energy);
     expect_figure("formulations", row, "reaction", reaction);
@@ -98,15 +98,15 @@ TEST_P(InEachFormulation, ContactReferencesAreMetAtDegreeTwo) {
 TEST_P(InEachFormulation, TheClampedSaddleHasItsDeflectionToFourDigits) {
   LinearReference reference = clamped_saddle(4, 4);
   reference.problem.discretisation.tangency = {.formulation = GetParam(), .penalty = 1e-3};
-  const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   const double u = result.probes.front().values.u.dot(reference.direction);
-  expect_figure("clamped saddle", std::string(assembly::to_string(GetParam())), "u_3", -u);
+  expect_figure("clamped saddle", std::string(element::to_string(GetParam())), "u_3", -u);
   EXPECT_NEAR(u / reference.displacement, 1, 5e-5);
 }
 
 /// The right-hand side of lambda's own equation, int (M^{ab} b_{ab} + m . a_3) q sqrt(a) dx, with M from a solution.
-algebra::Vector moment_potential_load(const study::Solution& solution) {
+algebra::Vector moment_potential_load(const computation::Solution& solution) {
   const assembly::ShellOperator& shell = solution.discrete->shell;
   algebra::Vector load(shell.space().layout, 1);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
@@ -127,9 +127,9 @@ algebra::Vector moment_potential_load(const study::Solution& solution) {
 /// || grad(lambda_h - lambda) || / || grad lambda ||, lambda from its own equation with M of the tangent formulation.
 double multiplier_error(int refinements) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 3, refinements);
-  const study::Result tangent = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result tangent = computation::solve(reference.problem, MPI_COMM_WORLD);
   reference.problem.discretisation.tangency.formulation = Formulation::mixed;
-  const study::Result mixed = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result mixed = computation::solve(reference.problem, MPI_COMM_WORLD);
   EXPECT_EQ(tangent.status, contact::Status::solved);
   EXPECT_EQ(mixed.status, contact::Status::solved);
   const auto& discrete = *mixed.solution->discrete;
@@ -159,7 +159,7 @@ TEST(Multiplier, LambdaConvergesToTheSolutionOfItsOwnEquation) {
 TEST(Multiplier, LambdaVanishesOnAFlatShell) {
   ContactReference reference = contact_reference("R3_e0.1_P0.5", 2, 2);
   reference.problem.discretisation.tangency.formulation = Formulation::mixed;
-  const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   ASSERT_GT(result.summary.load_work, 0);
   EXPECT_LT(result.summary.multiplier_norm, 1e-9 * result.summary.load_work);
@@ -168,7 +168,7 @@ TEST(Multiplier, LambdaVanishesOnAFlatShell) {
 TEST(Multiplier, EtaIntegratesToTheTotalReaction) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 3);
   reference.problem.discretisation.tangency.formulation = Formulation::mixed;
-  const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   ASSERT_GT(result.summary.reaction.force[2], 0);
   double sum = 0;
@@ -183,9 +183,9 @@ TEST(Multiplier, EtaIntegratesToTheTotalReaction) {
 // once the zone is known, solved here densely: the same (u, r), and eta is that residual.
 TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidualIsEta) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 1);
-  study::Problem& problem = reference.problem;
+  computation::Problem& problem = reference.problem;
   problem.discretisation.tangency.formulation = Formulation::mixed;
-  const study::Result reduced = study::solve(problem, MPI_COMM_SELF);
+  const computation::Result reduced = computation::solve(problem, MPI_COMM_SELF);
   ASSERT_EQ(reduced.status, contact::Status::solved);
   const auto& discrete = *reduced.solution->discrete;
   const algebra::Matrix matrix = assembly::stiffness_matrix(discrete);
@@ -258,12 +258,12 @@ TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidua
 // shell and obstacle. The same discrete problem with the sixth coordinate changed in that way.
 TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) {
   struct Outcome {
-    double tilt, penetration;
+    double normal_rotation, penetration;
   };
   const auto solve_with = [](bool whole, double penalty) {
-    study::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
+    computation::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
     problem.discretisation.tangency = {.formulation = Formulation::penalised, .penalty = penalty};
-    const study::Result start = study::solve(problem, MPI_COMM_WORLD);
+    const computation::Result start = computation::solve(problem, MPI_COMM_WORLD);
     auto& discrete = *start.solution->discrete;
     if (whole)
       for (std::size_t i = 0; i < discrete.points.size(); ++i)
@@ -284,7 +284,7 @@ TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) 
       const Eigen::Vector3d u = Eigen::Map<const Eigen::Vector3d>(y.local().data() + 6 * i),
                             r = Eigen::Map<const Eigen::Vector3d>(y.local().data() + 6 * i + 3);
       const Eigen::Vector3d& a3 = discrete.points[i].a3;
-      outcome.tilt = test::larger(outcome.tilt, std::abs(r.dot(a3)));
+      outcome.normal_rotation = test::larger(outcome.normal_rotation, std::abs(r.dot(a3)));
       outcome.penetration =
           test::larger(outcome.penetration, -discrete.coordinates.gaps[i](u, geometry::tangential(r, a3)));
     }
@@ -294,10 +294,10 @@ TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) 
     const Outcome right = solve_with(false, penalty), wrong = solve_with(true, penalty);
     fmt::print(
         "p = {:g}: largest |r . a_3| {:.1e} and penetration {:.1e}, with the whole r in the gap {:.1e} and {:.1e}\n",
-        penalty, right.tilt, right.penetration, wrong.tilt, wrong.penetration);
+        penalty, right.normal_rotation, right.penetration, wrong.normal_rotation, wrong.penetration);
     EXPECT_LT(right.penetration, 1e-10);
     EXPECT_GT(wrong.penetration, 1e-5);
-    EXPECT_GT(wrong.tilt, 3 * right.tilt);
+    EXPECT_GT(wrong.normal_rotation, 3 * right.normal_rotation);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/stiffness.hpp>
-#include <plastron/study/solve.hpp>
+#include <plastron/computation/solve.hpp>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct Outcome {
 };
 
 Outcome solve(const LinearReference& reference) {
-  const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved);
   const Outcome outcome{result.probes.front().values.u.dot(reference.direction) / reference.displacement - 1,
                         reference.energy ? result.summary.energy.total() / *reference.energy - 1 : 0,
@@ -90,7 +90,7 @@ TEST(Locking, TrianglesOfEitherDegreeLockAndAreWarnedAbout) {
     LinearReference reference =
         hyperbolic_paraboloid(m.thickness, ShearCorrection::one, false, m.degree, m.refinements);
     reference.problem.discretisation.cells = fem::Shape::triangle;
-    const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+    const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
     ASSERT_EQ(result.status, contact::Status::solved);
     const double error = result.probes.front().values.u.dot(reference.direction) / reference.displacement - 1;
     fmt::print("triangles on the hyperbolic paraboloid, e = {}, degree {} unknowns {}: {:+.1f} %{}\n", m.thickness,
@@ -113,10 +113,11 @@ TEST(LinearReferences, TheSaddleConvergesAsItsCornersAllow) {
   for (const int degree : {2, 3, 4}) {
     LinearReference reference = saddle(1e-2, degree == 2 ? 4 : 3);
     reference.problem.discretisation.degree = degree;
-    const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+    const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
     ASSERT_EQ(result.status, contact::Status::solved);
     std::vector<double> errors, rates;
-    for (const study::Level& level : result.levels) errors.push_back(std::abs(level.energy / *reference.energy - 1));
+    for (const computation::Level& level : result.levels)
+      errors.push_back(std::abs(level.energy / *reference.energy - 1));
     for (std::size_t l = errors.size() - 2; l < errors.size(); ++l)
       rates.push_back(std::log2(errors[l - 1] / errors[l]));
     expect_figure("corners", std::to_string(degree), "rate", rates);
@@ -149,7 +150,7 @@ TEST(LinearReferences, TheClampedPlate) {
 TEST(RoundOff, ResidualsThroughStrainsKeepTheEnergyIdentityAtDegreeEightAndThicknessOneTenThousandth) {
   LinearReference reference = saddle(1e-4, 3);
   reference.problem.discretisation.degree = 8;
-  const study::Result result = study::solve(reference.problem, MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   EXPECT_LT(result.certificate.energy_identity, 1e-8);
   expect_figure("round-off", "residuals through strains", "energy identity", result.certificate.energy_identity);
@@ -169,7 +170,7 @@ TEST(RoundOff, ResidualsThroughStrainsKeepTheEnergyIdentityAtDegreeEightAndThick
   F.solve(load, z);
   z.update_ghosts();
   const contact::BoxSolution solution{.z = std::move(z), .activity = std::vector<contact::Activity>(pinned.size())};
-  const auto verdict = assembly::certify(discrete, assembly::nodal_solution(discrete, solution));
+  const auto verdict = certificate::certify(discrete, certificate::nodal_solution(discrete, solution));
   expect_figure("round-off", "one direct solve", "energy identity", verdict.certificate.energy_identity);
   EXPECT_GT(verdict.certificate.energy_identity, 10 * result.certificate.energy_identity);
 }

@@ -3,7 +3,7 @@
 #include "verification/figures.hpp"
 #include "verification/reference_problems.hpp"
 
-#include <plastron/study/solve.hpp>
+#include <plastron/computation/solve.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,11 +24,11 @@ Errors errors(const Manufactured& exact, int degree, bool tying, int first, int 
               fem::Shape cells = fem::Shape::quadrilateral) {
   Errors e;
   for (int refinements = first; refinements <= last; ++refinements) {
-    study::Problem problem = manufactured_problem(exact, degree, refinements);
+    computation::Problem problem = manufactured_problem(exact, degree, refinements);
     problem.discretisation.tying = tying;
     problem.discretisation.cells = cells;
     problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
-    const study::Result result = study::solve(problem, MPI_COMM_WORLD);
+    const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
     EXPECT_EQ(result.status, contact::Status::solved);
     e.energy.push_back(energy_error(*result.solution, exact));
     e.l2.push_back(l2_error(*result.solution, exact));

@@ -1,10 +1,10 @@
 // Problems whose answers are known: plane and axisymmetric contact problems solved to many digits by independent
-// one-dimensional methods (reference/README.md), and the classical linear shells. Each comes as a study::Problem
+// one-dimensional methods (reference/README.md), and the classical linear shells. Each comes as a computation::Problem
 // together with the numbers it must reproduce.
 #pragma once
 #include "verification/manufactured.hpp"
 
-#include <plastron/study/problem.hpp>
+#include <plastron/computation/problem.hpp>
 
 #include <optional>
 #include <string>
@@ -24,7 +24,7 @@ struct ReferenceRow {
 
 struct ContactReference {
   std::string name;
-  study::Problem problem;
+  computation::Problem problem;
   bool axisymmetric = false;  ///< a disk; otherwise a strip along x
   /// Multiplies what is computed (energies, work, reaction) to give the numbers below: 1 / width for a strip, whose
   /// numbers are per unit width of the modelled part, and 1 for a disk.
@@ -46,12 +46,12 @@ ContactReference contact_reference(const std::string& name, int degree, int refi
 
 /// The problem a manufactured solution solves: clamped all round, with its loads, and the plane x3 = 0 for the contact
 /// solution.
-study::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements);
+computation::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements);
 
 /// A linear shell with one point whose displacement is known.
 struct LinearReference {
   std::string name;
-  study::Problem problem;          ///< its only probe is the reference point
+  computation::Problem problem;    ///< its only probe is the reference point
   Eigen::Vector3d direction;       ///< the displacement is u(probe) . direction
   double displacement = 0;         ///< [m]
   std::optional<double> energy{};  ///< of the part that is modelled [J]

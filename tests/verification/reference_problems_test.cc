@@ -10,7 +10,7 @@ namespace plastron::verification {
 
 namespace {
 
-obstacle::Gap gap_of(const study::Problem& problem, double x, double y) {
+obstacle::Gap gap_of(const computation::Problem& problem, double x, double y) {
   const geometry::SurfaceJet phi = problem.charts.at("")(x, y);
   return obstacle::gap_at(problem.obstacle->half_space, problem.obstacle->face, phi.value, geometry::unit_normal(phi),
                           problem.thickness(x, y));
@@ -53,7 +53,7 @@ TEST(ReferenceProblems, HaveTheirContactBoundariesAmongTheirRows) {
 }
 
 TEST(ReferenceProblems, NameBoundariesOfTheirDomains) {
-  std::vector<study::Problem> problems;
+  std::vector<computation::Problem> problems;
   for (const auto& name : contact_reference_names()) problems.push_back(contact_reference(name, 2, 3).problem);
   for (const auto k : {ShearCorrection::one, ShearCorrection::five_sixths}) {
     for (const bool half : {false, true}) problems.push_back(hyperbolic_paraboloid(0.01, k, half, 2, 3).problem);
@@ -69,7 +69,7 @@ TEST(ReferenceProblems, NameBoundariesOfTheirDomains) {
 
 TEST(ReferenceProblems, ManufacturedProblemsHaveTheirExactGapsAndLoads) {
   const Manufactured exact(ManufacturedSolution::contact, {.thickness = 0.3});
-  const study::Problem problem = manufactured_problem(exact, 2, 3);
+  const computation::Problem problem = manufactured_problem(exact, 2, 3);
   const double x = 0.2, y = 0.3;
   EXPECT_NEAR(gap_of(problem, x, y)(exact.u(x, y).value, exact.r(x, y).value), exact.gap(x, y), 1e-15);
   EXPECT_EQ(problem.area_loads.at(0).force_function(x, y), exact.force(x, y));

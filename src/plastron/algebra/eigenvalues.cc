@@ -1,6 +1,6 @@
-#include <plastron/algebra/arbitrary_values.hpp>
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/algebra/factorisation.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
 
 #include <slepceps.h>
 
@@ -108,7 +108,7 @@ class Solver {
         std::min<std::int64_t>(size() - static_cast<std::int64_t>(found.values.size()), 2 * count + 30));
     petsc_check(EPSSetDimensions(eps_, std::min(count, basis), basis, PETSC_DEFAULT), "sizing an eigenvalue solver");
     petsc_check(EPSSetTolerances(eps_, settings.tolerance, settings.max_restarts), "setting a tolerance");
-    start_from_arbitrary_values(seed);
+    start_from_pseudo_random_values(seed);
     deflate(found);
     const PetscErrorCode code = EPSSolve(eps_);
     for (const Adapter* adapter : {&T_, &B_})
@@ -144,9 +144,9 @@ class Solver {
     return vec;
   }
 
-  void start_from_arbitrary_values(std::uint64_t seed) {
+  void start_from_pseudo_random_values(std::uint64_t seed) {
     Vector start = unknowns_.zero();
-    fill_with_arbitrary_values(start, seed);
+    fill_with_pseudo_random_values(start, seed);
     Vec vec = create_vec();
     unknowns_.compress(start, vec);
     petsc_check(EPSSetInitialSpace(eps_, 1, &vec), "starting an eigenvalue solver");

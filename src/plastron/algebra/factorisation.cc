@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "petsc_check.hpp"
-#include "working_copy.hpp"
+#include "pinned_matrix.hpp"
 
 namespace plastron::algebra {
 namespace {
@@ -147,7 +147,7 @@ struct Factorisation::Storage {
   }
 
   const Matrix::Storage& A;
-  WorkingCopy copy;
+  PinnedMatrix copy;
   int ranks = 1;
   PetscInt extra_memory = 50;
   Mat factor = nullptr;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "block_exchange.hpp"
 #include "matrix_storage.hpp"
-#include "parcels.hpp"
 
 namespace plastron::algebra {
 namespace {
@@ -54,8 +54,8 @@ void check_element(const Matrix::Storage& A, std::span<const LocalIndex> nodes, 
 }
 
 // The blocks in rows of ghosts.
-Parcels parcels_for_owners(const Matrix::Storage& A) {
-  Parcels out;
+TravellingBlocks blocks_for_owners(const Matrix::Storage& A) {
+  TravellingBlocks out;
   LocalIndex row = A.wide->owned;
   for (const int ghosts : A.exchange->ghosts_of_rank()) {
     const std::size_t begin = A.row_begin(row);
@@ -124,7 +124,7 @@ void Matrix::finish() {
   MPI_Comm_size(A.layout->comm, &ranks);
   if (ranks == 1) return;
   const std::size_t area = A.block_area();
-  const Parcels in = deliver(parcels_for_owners(A), static_cast<int>(area), A.layout->comm);
+  const TravellingBlocks in = exchange_blocks(blocks_for_owners(A), static_cast<int>(area), A.layout->comm);
   for (std::size_t k = 0; 2 * k < in.places.size(); ++k) {
     const auto row = static_cast<LocalIndex>(in.places[2 * k] - A.layout->first);
     double* target = A.block_at(A.find(row, in.places[2 * k + 1]));

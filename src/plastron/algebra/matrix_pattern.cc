@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "block_exchange.hpp"
 #include "matrix_storage.hpp"
-#include "parcels.hpp"
 
 namespace plastron::algebra {
 namespace {
@@ -38,7 +38,7 @@ std::vector<Coupling> couplings_of_others(const Layout& layout, const Connectivi
 std::vector<Coupling> couplings_from_others(const Layout& layout, const Connectivity& elements) {
   const Exchange exchange(layout);
   const auto couplings = couplings_of_others(layout, elements);
-  Parcels out;
+  TravellingBlocks out;
   auto next = couplings.begin();
   std::size_t ghost = 0;
   for (const int ghosts : exchange.ghosts_of_rank()) {
@@ -48,7 +48,7 @@ std::vector<Coupling> couplings_from_others(const Layout& layout, const Connecti
       out.places.insert(out.places.end(), {next->first, next->second});
     out.blocks_of_rank.push_back(static_cast<int>(next - begin));
   }
-  const Parcels in = deliver(out, 0, layout.comm);
+  const TravellingBlocks in = exchange_blocks(out, 0, layout.comm);
   std::vector<Coupling> received;
   for (std::size_t k = 0; k < in.places.size(); k += 2) received.emplace_back(in.places[k], in.places[k + 1]);
   std::ranges::sort(received);

@@ -1,5 +1,5 @@
-#include <plastron/algebra/arbitrary_values.hpp>
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 
 #include <cmath>
@@ -31,7 +31,7 @@ SoftestMotion softest_motion(const Operator& apply, const Factorisation& factor,
   Vector& v = softest.motion;
   Vector force(v);
   Vector weighted(v);
-  fill_with_arbitrary_values(v);
+  fill_with_pseudo_random_values(v);
   for (int step = 0; step < 2; ++step) {
     weigh(diagonal, v, fixed, force);
     factor.solve(force, v);

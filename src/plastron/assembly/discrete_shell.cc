@@ -9,9 +9,9 @@ namespace plastron::assembly {
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description) {
-  const Formulation formulation = description.tangency.formulation;
+  const element::Formulation formulation = description.tangency.formulation;
   ShellOperator shell(std::move(space), std::move(surface), description.thickness, description.material,
-                      description.tying, formulation == Formulation::classical);
+                      description.tying, formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.thickness);
   auto coordinates =
       nodal_coordinates(shell.space(), shell.surface(), points, description.supports, description.gap, formulation);
@@ -21,18 +21,18 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
                                                        description.tangency});
 }
 
-double DiscreteShell::tilt_factor() const {
-  if (tangency.formulation == Formulation::penalised) return 1 / tangency.penalty;
-  return tangency.formulation == Formulation::mixed ? tangency.stabilisation : 0;
+double DiscreteShell::tangency_factor() const {
+  if (tangency.formulation == element::Formulation::penalised) return 1 / tangency.penalty;
+  return tangency.formulation == element::Formulation::mixed ? tangency.stabilisation : 0;
 }
 
 void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
   shell.apply(y, f);
-  if (tilt_factor() > 0) add_tilt_form(shell, tilt_factor(), y, f);
+  if (tangency_factor() > 0) add_normal_rotation_form(shell, tangency_factor(), y, f);
 }
 
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
-  return stiffness_matrix(discrete.shell, discrete.coordinates, discrete.tilt_factor());
+  return stiffness_matrix(discrete.shell, discrete.coordinates, discrete.tangency_factor());
 }
 
 namespace {
@@ -90,7 +90,7 @@ contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Ma
                               .load = std::move(load),
                               .lower = discrete.coordinates.lower,
                               .upper = discrete.coordinates.upper};
-  if (discrete.tangency.formulation == Formulation::mixed) problem.equations = tangency_constraints(discrete);
+  if (discrete.tangency.formulation == element::Formulation::mixed) problem.equations = tangency_constraints(discrete);
   return problem;
 }
 

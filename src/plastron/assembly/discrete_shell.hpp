@@ -17,12 +17,12 @@ struct DiscreteShell {
   algebra::Vector load;            ///< Cartesian nodal forces and couples (block 6)
   geometry::Expression thickness;  ///< e(x, y) [m]
   GapFunction gap;                 ///< empty without obstacle
-  Tangency tangency;
+  element::Tangency tangency;
 
   const fem::Space& space() const { return shell.space(); }
-  /// What multiplies the form of tilt.hpp: 1/p (M13), rho (M14) or nothing.
-  double tilt_factor() const;
-  /// f = A y through strains, the form of tilt.hpp included; needs y's ghosts (collective).
+  /// What multiplies the form of normal_rotation.hpp: 1/p (M13), rho (M14) or nothing.
+  double tangency_factor() const;
+  /// f = A y through strains, the form of normal_rotation.hpp included; needs y's ghosts (collective).
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
 };
 
@@ -31,7 +31,7 @@ struct ShellDescription {
   geometry::Expression thickness{1.0};
   shell::Material material{};
   bool tying = true;
-  Tangency tangency{};
+  element::Tangency tangency{};
   std::vector<Support> supports{};
   std::vector<AreaLoad> area_loads{};
   std::vector<EdgeLoad> edge_loads{};
@@ -43,7 +43,7 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description);
 
-/// Its stiffness matrix in nodal coordinates, the form of tilt.hpp included (collective).
+/// Its stiffness matrix in nodal coordinates, the form of normal_rotation.hpp included (collective).
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);
 
 /// The box-constrained program of a discrete shell, with b(U, q) = 0 as equations in the mixed formulation. `matrix` is its

@@ -12,10 +12,10 @@ double squared_gradient(const Eigen::Matrix2d& metric_con, const geometry::Vecto
 }  // namespace
 
 SquaredNorms squared_norms(const ShellOperator& shell, const algebra::Vector& y) {
-  const BasisAt& basis = shell.tables().quadrature;
+  const element::BasisAt& basis = shell.tables().quadrature;
   SquaredNorms sum;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const FieldRows v = shell.interpolation().fields(c, basis, shell.quadrature_bases(c), shell.gather(c, y));
+    const element::FieldRows v = shell.interpolation().fields(c, basis, shell.quadrature_bases(c), shell.gather(c, y));
     for (int q = 0; q < v.value.rows(); ++q) {
       const QuadraturePoint& p = shell.point(c, q);
       const auto& g = p.frame.metric_con;

@@ -1,6 +1,6 @@
 #include <plastron/assembly/load_vector.hpp>
 
-#include <plastron/assembly/subdivision.hpp>
+#include <plastron/element/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
 #include <plastron/geometry/piecewise.hpp>
 
@@ -19,7 +19,7 @@ using geometry::Vector3d;
 
 /// Values of a load (force, couple) at points, a row per point.
 void add_expression(const VectorExpression& f, std::span<const double> x, std::span<const double> y, int column,
-                    CellField& values) {
+                    element::CellField& values) {
   std::vector<double> component(x.size());
   for (int k = 0; k < 3; ++k) {
     f[static_cast<std::size_t>(k)].evaluate(x, y, component);
@@ -29,7 +29,7 @@ void add_expression(const VectorExpression& f, std::span<const double> x, std::s
 }
 
 void add_function(const VectorFunction& f, std::span<const double> x, std::span<const double> y, int column,
-                  CellField& values) {
+                  element::CellField& values) {
   if (!f) return;
   for (std::size_t p = 0; p < x.size(); ++p)
     values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
@@ -53,10 +53,12 @@ class LoadSum {
     constexpr int levels = 6;
     const bool divide = std::ranges::any_of(loads, [](const AreaLoad& load) { return is_piecewise(load); });
     for (std::size_t c = 0; c < space_.owned_cells; ++c) {
-      const auto integral = [&](const CellPart& part) { return on_part(loads, c, part); };
-      shell_.scatter(
-          c, divide ? Subdivision<CellPart, decltype(integral)>(space_.shape(), integral)(levels) : on_cell(loads, c),
-          f_);
+      const auto integral = [&](const element::CellPart& part) { return on_part(loads, c, part); };
+      shell_.scatter(c,
+                     divide
+                         ? element::Subdivision<element::CellPart, decltype(integral)>(space_.shape(), integral)(levels)
+                         : on_cell(loads, c),
+                     f_);
     }
   }
 
@@ -69,13 +71,14 @@ class LoadSum {
                                   load.boundary, fmt::join(names, ", ")));
     const auto boundary = static_cast<int>(found - names.begin());
     const bool divide = is_piecewise(load.force) || is_piecewise(load.couple);
-    for (const fem::BoundaryFace& face : space_.faces) {
-      if (face.boundary != boundary || face.cell >= space_.owned_cells) continue;
-      const auto integral = [&](const SidePart& part) { return on_side(load, face, part); };
-      shell_.scatter(
-          face.cell,
-          divide ? Subdivision<SidePart, decltype(integral)>(space_.shape(), integral)(levels) : integral(SidePart{}),
-          f_);
+    for (const fem::BoundarySide& edge : space_.sides) {
+      if (edge.boundary != boundary || edge.cell >= space_.owned_cells) continue;
+      const auto integral = [&](const element::SidePart& part) { return on_side(load, edge, part); };
+      shell_.scatter(edge.cell,
+                     divide
+                         ? element::Subdivision<element::SidePart, decltype(integral)>(space_.shape(), integral)(levels)
+                         : integral(element::SidePart{}),
+                     f_);
     }
   }
 
@@ -97,11 +100,11 @@ class LoadSum {
  private:
   /// Loads at points of a cell with normals a_3.
   template <class NormalAt>
-  CellField values(const std::vector<AreaLoad>& loads, std::size_t c, const std::vector<Vector2d>& xi,
-                   const NormalAt& a3) {
+  element::CellField values(const std::vector<AreaLoad>& loads, std::size_t c, const std::vector<Vector2d>& xi,
+                            const NormalAt& a3) {
     std::vector<double> x(xi.size()), y(xi.size()), pressure(xi.size());
     shell_.surface().positions(space_.cells[c], xi, x, y);
-    CellField values = CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
+    element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     for (const AreaLoad& load : loads) {
       add_expression(load.force, x, y, 0, values);
       add_expression(load.couple, x, y, 3, values);
@@ -114,14 +117,14 @@ class LoadSum {
     return values;
   }
 
-  CellField on_cell(const std::vector<AreaLoad>& loads, std::size_t c) {
-    const BasisAt& at = shell_.tables().quadrature;
-    CellField v = values(loads, c, at.xi, [&](int q) { return shell_.point(c, q).frame.a3; });
+  element::CellField on_cell(const std::vector<AreaLoad>& loads, std::size_t c) {
+    const element::BasisAt& at = shell_.tables().quadrature;
+    element::CellField v = values(loads, c, at.xi, [&](int q) { return shell_.point(c, q).frame.a3; });
     for (int q = 0; q < v.rows(); ++q) v.row(q) *= shell_.point(c, q).area;
     return shell_.interpolation().forces_of(c, at, v);
   }
 
-  CellField on_part(const std::vector<AreaLoad>& loads, std::size_t c, const CellPart& part) {
+  element::CellField on_part(const std::vector<AreaLoad>& loads, std::size_t c, const element::CellPart& part) {
     std::vector<Vector2d> xi = shell_.tables().quadrature.xi;
     for (Vector2d& point : xi) point = part.corner + part.size * point;
     std::vector<geometry::SurfaceJet> jets(xi.size());
@@ -130,32 +133,32 @@ class LoadSum {
     normals.reserve(jets.size());
     for (const auto& jet : jets) normals.push_back(jet.d[0].cross(jet.d[1]));
     const auto normal = [&](int q) { return normals[static_cast<std::size_t>(q)]; };
-    CellField v = values(loads, c, xi, [&](int q) { return Vector3d(normal(q).normalized()); });
+    element::CellField v = values(loads, c, xi, [&](int q) { return Vector3d(normal(q).normalized()); });
     for (int q = 0; q < v.rows(); ++q)
       v.row(q) *= shell_.tables().weights[static_cast<std::size_t>(q)] * part.size * part.size * normal(q).norm();
-    return shell_.interpolation().forces_of(c, basis_at(space_.shape(), space_.degree, xi), v);
+    return shell_.interpolation().forces_of(c, element::basis_at(space_.shape(), space_.degree, xi), v);
   }
 
-  CellField on_side(const EdgeLoad& load, const fem::BoundaryFace& face, const SidePart& part) {
+  element::CellField on_side(const EdgeLoad& load, const fem::BoundarySide& edge, const element::SidePart& part) {
     std::vector<double> x(line_.points.size()), y(line_.points.size());
     std::vector<geometry::SurfaceJet> jets(line_.points.size());
     std::vector<Vector2d> xi;
     for (const double t : line_.points)
-      xi.push_back(fem::side_point(space_.shape(), face.side, part.start + part.length * t));
-    shell_.surface().positions(space_.cells[face.cell], xi, x, y);
-    shell_.surface().jets(space_.cells[face.cell], xi, jets, false);
-    CellField values = CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
+      xi.push_back(fem::side_point(space_.shape(), edge.side, part.start + part.length * t));
+    shell_.surface().positions(space_.cells[edge.cell], xi, x, y);
+    shell_.surface().jets(space_.cells[edge.cell], xi, jets, false);
+    element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     add_expression(load.force, x, y, 0, values);
     add_expression(load.couple, x, y, 3, values);
     note(values, x, y);
-    const Vector2d along = fem::side_tangent(space_.shape(), face.side);
+    const Vector2d along = fem::side_tangent(space_.shape(), edge.side);
     for (std::size_t q = 0; q < xi.size(); ++q)
       values.row(static_cast<Eigen::Index>(q)) *=
           part.length * line_.weights[q] * (along[0] * jets[q].d[0] + along[1] * jets[q].d[1]).norm();
-    return shell_.interpolation().forces_of(face.cell, basis_at(space_.shape(), space_.degree, xi), values);
+    return shell_.interpolation().forces_of(edge.cell, element::basis_at(space_.shape(), space_.degree, xi), values);
   }
 
-  void note(const CellField& values, std::span<const double> x, std::span<const double> y) {
+  void note(const element::CellField& values, std::span<const double> x, std::span<const double> y) {
     for (std::size_t q = 0; q < x.size() && !not_finite_; ++q)
       if (!values.row(static_cast<Eigen::Index>(q)).allFinite()) not_finite_ = Vector2d(x[q], y[q]);
   }

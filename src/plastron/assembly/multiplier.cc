@@ -15,7 +15,7 @@ VectorXd gather_scalar(std::span<const algebra::LocalIndex> nodes, const algebra
   return values;
 }
 
-CellGradient gradients(const BasisAt& basis, const VectorXd& values) {
+CellGradient gradients(const element::BasisAt& basis, const VectorXd& values) {
   CellGradient g(basis.value.rows(), 2);
   g << basis.d1 * values, basis.d2 * values;
   return g;
@@ -38,10 +38,10 @@ std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const al
 }
 
 void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& q) {
-  const BasisAt& basis = shell.tables().quadrature;
+  const element::BasisAt& basis = shell.tables().quadrature;
   q.fill(0);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    CellGradient g = tilt_gradients(shell, c, shell.gather(c, y));
+    CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
     raise(shell, c, g);
     const VectorXd values = basis.d1.transpose() * g.col(0) + basis.d2.transpose() * g.col(1);
     const auto nodes = shell.space().nodes(c);
@@ -56,8 +56,8 @@ void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     CellGradient g = gradients(shell.tables().quadrature, gather_scalar(shell.space().nodes(c), lambda));
     raise(shell, c, g);
-    CellField forces = CellField::Zero(shell.tables().nodes_per_cell(), 6);
-    add_tilt_forces(shell, c, g, forces);
+    element::CellField forces = element::CellField::Zero(shell.tables().nodes_per_cell(), 6);
+    add_normal_rotation_forces(shell, c, g, forces);
     shell.scatter(c, forces, f);
   }
   f.accumulate_ghosts();
@@ -65,7 +65,7 @@ void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector
 
 algebra::Matrix gradient_matrix(const ShellOperator& shell) {
   const fem::Space& space = shell.space();
-  const BasisAt& basis = shell.tables().quadrature;
+  const element::BasisAt& basis = shell.tables().quadrature;
   algebra::Matrix matrix(space.layout, 1, space.connectivity);
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     RowMatrix k = RowMatrix::Zero(basis.value.cols(), basis.value.cols());

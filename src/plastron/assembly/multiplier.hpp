@@ -4,7 +4,7 @@
 #pragma once
 #include <plastron/algebra/matrix.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
-#include <plastron/assembly/tilt.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 
 #include <vector>
 

@@ -212,9 +212,9 @@ void throw_alike(std::string found, MPI_Comm comm) {
 
 NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const GapFunction& gap, Formulation formulation) {
+                                   const GapFunction& gap, element::Formulation formulation) {
   const auto local = static_cast<std::size_t>(space.layout->local_size());
-  const int width = is_relaxed(formulation) ? 6 : 5;
+  const int width = element::is_relaxed(formulation) ? 6 : 5;
   NodalCoordinates coordinates{.width = width,
                                .basis = std::vector<NodeBasis>(local),
                                .supported = std::vector<char>(local),

@@ -11,9 +11,9 @@
 // Non-penetration is then z_0 >= -(initial gap), and a support is lower == upper.
 #pragma once
 #include <plastron/algebra/vector.hpp>
-#include <plastron/assembly/formulation.hpp>
 #include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/assembly/supports.hpp>
+#include <plastron/element/formulation.hpp>
 #include <plastron/obstacle/gap.hpp>
 
 #include <Eigen/Core>
@@ -71,6 +71,6 @@ std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surfa
 /// (collective) Throws SupportError.
 NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const GapFunction& gap, Formulation formulation);
+                                   const GapFunction& gap, element::Formulation formulation);
 
 }  // namespace plastron::assembly

@@ -5,7 +5,7 @@
 namespace plastron::assembly {
 
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
-                                       const ElementTables& tables, const geometry::Expression& thickness) {
+                                       const element::ElementTables& tables, const geometry::Expression& thickness) {
   // Block: x (2), phi (3), a_3 (3), e. Owners write, ghosts read, so that ranks agree to the last bit.
   constexpr int block = 9;
   algebra::Vector data(space.layout, block), weights(space.layout, 1);

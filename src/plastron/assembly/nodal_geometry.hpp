@@ -2,7 +2,7 @@
 // (M21).
 #pragma once
 #include <plastron/algebra/vector.hpp>
-#include <plastron/assembly/element_tables.hpp>
+#include <plastron/element/element_tables.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/geometry/expression.hpp>
 
@@ -23,6 +23,6 @@ struct NodalPoint {
 
 /// Of every local node, the same on every rank that sees the node (collective).
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
-                                       const ElementTables& tables, const geometry::Expression& thickness);
+                                       const element::ElementTables& tables, const geometry::Expression& thickness);
 
 }  // namespace plastron::assembly

@@ -73,23 +73,23 @@ std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_on(const fem::Spa
   const auto line = fem::gauss_lobatto(space.degree + 1).points;  // the nodes of a side on either shape
   std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames;
   std::vector<int> slot(static_cast<std::size_t>(space.layout->owned), -1);
-  for (const fem::BoundaryFace& face : space.faces) {
-    if (face.boundary != boundary) continue;
+  for (const fem::BoundarySide& edge : space.sides) {
+    if (edge.boundary != boundary) continue;
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
-    for (const double t : line) xi.push_back(fem::side_point(space.shape(), face.side, t));
+    for (const double t : line) xi.push_back(fem::side_point(space.shape(), edge.side, t));
     std::vector<geometry::SurfaceJet> jets(xi.size());
-    surface.jets(space.cells[face.cell], xi, jets, false);
-    const auto on_side = fem::side_nodes(space.shape(), space.degree, face.side);
+    surface.jets(space.cells[edge.cell], xi, jets, false);
+    const auto on_side = fem::side_nodes(space.shape(), space.degree, edge.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
-      const algebra::LocalIndex node = space.nodes(face.cell)[static_cast<std::size_t>(on_side[i])];
+      const algebra::LocalIndex node = space.nodes(edge.cell)[static_cast<std::size_t>(on_side[i])];
       if (node >= space.layout->owned) continue;
       int& s = slot[static_cast<std::size_t>(node)];
       if (s < 0) {
         s = static_cast<int>(frames.size());
         frames.emplace_back(node, EdgeFrames{});
       }
-      frames[static_cast<std::size_t>(s)].second.add(edge_frame(jets[i], fem::side_tangent(space.shape(), face.side)));
+      frames[static_cast<std::size_t>(s)].second.add(edge_frame(jets[i], fem::side_tangent(space.shape(), edge.side)));
     }
   }
   return frames;

@@ -15,12 +15,13 @@ ShellOperator::ShellOperator(std::shared_ptr<const fem::Space> space, std::share
     : space_(std::move(space)),
       surface_(std::move(surface)),
       material_(material),
-      tables_(element_tables(space_->shape(), space_->degree, tying)),
+      tables_(element::element_tables(space_->shape(), space_->degree, tying)),
       interpolation_(space_, surface_, tables_, is_covariant),
       sampling_bases_(tables_.samplings.size()) {
   const std::size_t cells = space_->owned_cells;
   points_.resize(cells * tables_.weights.size());
-  for (const Sampling& sampling : tables_.samplings) sampling_points_.emplace_back(cells * sampling.basis.xi.size());
+  for (const element::Sampling& sampling : tables_.samplings)
+    sampling_points_.emplace_back(cells * sampling.basis.xi.size());
   for (std::size_t c = 0; c < cells; ++c) prepare_cell(c, thickness);
 }
 
@@ -57,11 +58,11 @@ void ShellOperator::assert_is_field([[maybe_unused]] const algebra::Vector& y,
                   what, y.block(), y.local().size(), space_->layout->local_size());
 }
 
-CellField ShellOperator::gather(std::size_t cell, const algebra::Vector& y) const {
+element::CellField ShellOperator::gather(std::size_t cell, const algebra::Vector& y) const {
   assert_is_field(y, "gathered");
   const auto nodes = space_->nodes(cell);
   const auto values = y.local();
-  CellField field(static_cast<Eigen::Index>(nodes.size()), 6);
+  element::CellField field(static_cast<Eigen::Index>(nodes.size()), 6);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (int c = 0; c < 6; ++c)
       field(static_cast<Eigen::Index>(i), c) =
@@ -70,10 +71,10 @@ CellField ShellOperator::gather(std::size_t cell, const algebra::Vector& y) cons
 }
 
 ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::size_t cell,
-                                                            const CellField& field) const {
-  const BasisAt& basis = tables_.samplings[s].basis;
+                                                            const element::CellField& field) const {
+  const element::BasisAt& basis = tables_.samplings[s].basis;
   const SamplingPoint* geometry = sampling_points(s, cell);
-  const FieldRows rows = interpolation_.fields(cell, basis, sampling_bases(s, cell), field);
+  const element::FieldRows rows = interpolation_.fields(cell, basis, sampling_bases(s, cell), field);
   SampledStrain sampled(rows.value.rows(), 5);
   for (Eigen::Index t = 0; t < sampled.rows(); ++t) {
     const LocalField<double> v = rows.at(t);
@@ -83,14 +84,14 @@ ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::
   return sampled;
 }
 
-CellStrain ShellOperator::strains(std::size_t cell, const CellField& field) const {
+CellStrain ShellOperator::strains(std::size_t cell, const element::CellField& field) const {
   PLASTRON_ASSERT(field.rows() == tables_.nodes_per_cell(), field.rows(), tables_.nodes_per_cell());
   CellStrain strains = CellStrain::Zero(tables_.points_per_cell(), 8);
-  const FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), field);
+  const element::FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), field);
   for (int q = 0; q < tables_.points_per_cell(); ++q)
     strains.row(q).segment<3>(3) = shell::bending_strain(rows.at(q), point(cell, q).frame);
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
-    const Sampling& sampling = tables_.samplings[s];
+    const element::Sampling& sampling = tables_.samplings[s];
     const SampledStrain sampled = sampled_strains(s, cell, field);
     for (int q = 0; q < tables_.points_per_cell(); ++q)
       for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)]) {
@@ -101,13 +102,13 @@ CellStrain ShellOperator::strains(std::size_t cell, const CellField& field) cons
   return strains;
 }
 
-CellStrain ShellOperator::strains_at(std::size_t cell, const CellField& field, const BasisAt& basis,
+CellStrain ShellOperator::strains_at(std::size_t cell, const element::CellField& field, const element::BasisAt& basis,
                                      const std::vector<MatrixXd>& tied,
                                      std::span<const geometry::SurfaceJet> jets) const {
   PLASTRON_ASSERT(jets.size() == basis.xi.size() && (tied.empty() || tied.size() == tables_.samplings.size()),
                   jets.size(), basis.xi.size(), tied.size(), tables_.samplings.size());
   CellStrain strains = CellStrain::Zero(basis.value.rows(), 8);
-  const FieldRows rows = interpolation_.fields(cell, basis, interpolation_.bases(cell, basis.xi), field);
+  const element::FieldRows rows = interpolation_.fields(cell, basis, interpolation_.bases(cell, basis.xi), field);
   for (Eigen::Index p = 0; p < strains.rows(); ++p) {
     const SurfaceJet& jet = jets[static_cast<std::size_t>(p)];
     strains.row(p).segment<3>(3) = shell::bending_strain(rows.at(p), geometry::frame_at(jet));
@@ -135,10 +136,10 @@ CellStrain ShellOperator::weighted_stresses(std::size_t cell, const CellStrain& 
   return stresses;
 }
 
-CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) const {
+element::CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) const {
   PLASTRON_ASSERT(stresses.rows() == tables_.points_per_cell(), stresses.rows(), tables_.points_per_cell());
-  CellField forces = CellField::Zero(tables_.nodes_per_cell(), 6);
-  FieldRows bending = FieldRows::zero(tables_.points_per_cell());
+  element::CellField forces = element::CellField::Zero(tables_.nodes_per_cell(), 6);
+  element::FieldRows bending = element::FieldRows::zero(tables_.points_per_cell());
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
     LocalField<double> dual = shell::zero_field();
     shell::add_bending_dual(stresses.row(q).segment<3>(3), point(cell, q).frame, dual);
@@ -147,7 +148,7 @@ CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) co
   interpolation_.add_forces(cell, tables_.quadrature, quadrature_bases(cell), std::move(bending), forces);
 
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
-    const Sampling& sampling = tables_.samplings[s];
+    const element::Sampling& sampling = tables_.samplings[s];
     const auto points = static_cast<Eigen::Index>(sampling.basis.xi.size());
     SampledStrain sampled = SampledStrain::Zero(points, 5);
     for (int q = 0; q < tables_.points_per_cell(); ++q)
@@ -156,7 +157,7 @@ CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) co
         for (const int d : sampling.shear) sampled(t, 3 + d) += weight * stresses(q, 6 + d);
       }
     const SamplingPoint* geometry = sampling_points(s, cell);
-    FieldRows rows = FieldRows::zero(points);
+    element::FieldRows rows = element::FieldRows::zero(points);
     for (Eigen::Index t = 0; t < points; ++t) {
       LocalField<double> dual = shell::zero_field();
       shell::add_membrane_dual(sampled.row(t).head<3>(), geometry[t].a_cov, dual);
@@ -180,7 +181,7 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
       b.row(8 * q + 3 + c) = row;
     }
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
-    const Sampling& sampling = tables_.samplings[s];
+    const element::Sampling& sampling = tables_.samplings[s];
     const SamplingPoint* geometry = sampling_points(s, cell);
     std::vector<RowMatrix> sampled(sampling.membrane.size() + sampling.shear.size(),
                                    RowMatrix(static_cast<Eigen::Index>(sampling.basis.xi.size()), columns));
@@ -203,7 +204,7 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
   return b;
 }
 
-void ShellOperator::scatter(std::size_t cell, const CellField& forces, algebra::Vector& f) const {
+void ShellOperator::scatter(std::size_t cell, const element::CellField& forces, algebra::Vector& f) const {
   assert_is_field(f, "scattered to");
   PLASTRON_ASSERT(forces.rows() == tables_.nodes_per_cell(), forces.rows(), tables_.nodes_per_cell());
   const auto nodes = space_->nodes(cell);

@@ -3,7 +3,7 @@
 #pragma once
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
-#include <plastron/assembly/interpolation.hpp>
+#include <plastron/element/interpolation.hpp>
 #include <plastron/geometry/expression.hpp>
 #include <plastron/shell/energy.hpp>
 
@@ -13,6 +13,9 @@
 #include <vector>
 
 namespace plastron::assembly {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
 
 /// Strains or weighted stresses of a cell: a row per point; gamma_11 gamma_22 2gamma_12, chi likewise, 2delta_1
 /// 2delta_2.
@@ -41,21 +44,21 @@ class ShellOperator {
 
   const fem::Space& space() const { return *space_; }
   const fem::Surface& surface() const { return *surface_; }
-  const ElementTables& tables() const { return tables_; }
+  const element::ElementTables& tables() const { return tables_; }
   const shell::Material& material() const { return material_; }
-  const Interpolation& interpolation() const { return interpolation_; }
+  const element::Interpolation& interpolation() const { return interpolation_; }
   /// Moving bases at the quadrature points of a cell; none for Cartesian interpolation.
-  Interpolation::Bases quadrature_bases(std::size_t cell) const {
+  element::Interpolation::Bases quadrature_bases(std::size_t cell) const {
     return bases_at(quadrature_bases_, cell, tables_.weights.size());
   }
 
-  CellField gather(std::size_t cell, const algebra::Vector& y) const;
+  element::CellField gather(std::size_t cell, const algebra::Vector& y) const;
   /// Adds a cell's nodal forces to f's local values.
-  void scatter(std::size_t cell, const CellField& forces, algebra::Vector& f) const;
+  void scatter(std::size_t cell, const element::CellField& forces, algebra::Vector& f) const;
   /// Strains at the quadrature points, tied where tying is on (M4-M6, M22).
-  CellStrain strains(std::size_t cell, const CellField& field) const;
+  CellStrain strains(std::size_t cell, const element::CellField& field) const;
   /// Nodal forces of weighted stresses: the transpose of strains().
-  CellField forces(std::size_t cell, const CellStrain& stresses) const;
+  element::CellField forces(std::size_t cell, const CellStrain& stresses) const;
   /// Stresses times area at the quadrature points: N, M, Q of (M8).
   CellStrain weighted_stresses(std::size_t cell, const CellStrain& strains) const;
   /// The matrix of strains(): rows point by point in the order of CellStrain, columns node by node in the order of
@@ -64,7 +67,7 @@ class ShellOperator {
 
   /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), all others
   /// as they are.
-  CellStrain strains_at(std::size_t cell, const CellField& field, const BasisAt& basis,
+  CellStrain strains_at(std::size_t cell, const element::CellField& field, const element::BasisAt& basis,
                         const std::vector<MatrixXd>& tied, std::span<const geometry::SurfaceJet> jets) const;
 
   /// f = A y for Cartesian nodal values (block 6); needs y's ghosts, leaves f complete on owned nodes (collective).
@@ -92,20 +95,21 @@ class ShellOperator {
   const SamplingPoint* sampling_points(std::size_t sampling, std::size_t cell) const {
     return sampling_points_[sampling].data() + cell * tables_.samplings[sampling].basis.xi.size();
   }
-  static Interpolation::Bases bases_at(const std::vector<geometry::MovingBasis>& all, std::size_t cell,
-                                       std::size_t count) {
-    return all.empty() ? Interpolation::Bases{} : Interpolation::Bases(all.data() + cell * count, count);
+  static element::Interpolation::Bases bases_at(const std::vector<geometry::MovingBasis>& all, std::size_t cell,
+                                                std::size_t count) {
+    return all.empty() ? element::Interpolation::Bases{}
+                       : element::Interpolation::Bases(all.data() + cell * count, count);
   }
-  Interpolation::Bases sampling_bases(std::size_t sampling, std::size_t cell) const {
+  element::Interpolation::Bases sampling_bases(std::size_t sampling, std::size_t cell) const {
     return bases_at(sampling_bases_[sampling], cell, tables_.samplings[sampling].basis.xi.size());
   }
-  SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const CellField& field) const;
+  SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const element::CellField& field) const;
 
   std::shared_ptr<const fem::Space> space_;
   std::shared_ptr<const fem::Surface> surface_;
   shell::Material material_;
-  ElementTables tables_;
-  Interpolation interpolation_;
+  element::ElementTables tables_;
+  element::Interpolation interpolation_;
   std::vector<geometry::MovingBasis> quadrature_bases_;             // like points_; empty if Cartesian
   std::vector<std::vector<geometry::MovingBasis>> sampling_bases_;  // like sampling_points_
   std::vector<QuadraturePoint> points_;                             // owned cells x quadrature points

@@ -1,6 +1,6 @@
 #include <plastron/assembly/stiffness.hpp>
 
-#include <plastron/assembly/tilt.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -67,7 +67,7 @@ algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordina
     RowMatrix b = to_coordinates(shell.strain_matrix(c));
     scale_by_stiffness(shell, c, b);
     RowMatrix k = gram(b);
-    if (tangency_factor > 0) k += gram(to_coordinates(scaled_tilt_matrix(shell, c, tangency_factor)));
+    if (tangency_factor > 0) k += gram(to_coordinates(scaled_normal_rotation_matrix(shell, c, tangency_factor)));
     matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
   }
   matrix.finish();

@@ -9,7 +9,7 @@ namespace plastron::assembly {
 /// Cartesian element matrix, 6 values a node.
 RowMatrix element_stiffness(const ShellOperator& shell, std::size_t cell);
 
-/// Of a(., .) plus `tangency_factor` times the form of tilt.hpp (collective).
+/// Of a(., .) plus `tangency_factor` times the form of normal_rotation.hpp (collective).
 algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates,
                                  double tangency_factor = 0);
 

@@ -1,7 +1,7 @@
-// A case file as a study::Problem. This folder is the only reader of case files; the format is docs/case-file.md.
+// A case file as a computation::Problem. This folder is the only reader of case files; the format is docs/case-file.md.
 #pragma once
+#include <plastron/computation/problem.hpp>
 #include <plastron/config/mistakes.hpp>
-#include <plastron/study/problem.hpp>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace plastron::config {
 struct Case {
   std::string title;
   geometry::Constants constants;
-  study::Problem problem;
+  computation::Problem problem;
   nlohmann::json effective;  ///< all settings, defaults included, in the shape of the case file
 };
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <plastron/config/declarations.hpp>
 #include <plastron/config/describe.hpp>
+#include <plastron/config/schema.hpp>
 
 namespace plastron::config {
 

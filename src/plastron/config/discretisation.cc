@@ -6,7 +6,7 @@ namespace plastron::config {
 namespace {
 
 /// Triangles have degrees 1 and 2 and no tying; the default of `tying` gives way, a written one does not.
-void check_triangles(Table& mesh, study::Discretisation& d) {
+void check_triangles(Table& mesh, computation::Discretisation& d) {
   if (d.degree > 2)
     mesh.report("degree", fmt::format("degree {} is not available on triangles", d.degree), "1 <= degree <= 2",
                 "write cells = \"quadrilateral\" for a higher degree");
@@ -19,10 +19,10 @@ void check_triangles(Table& mesh, study::Discretisation& d) {
 
 }  // namespace
 
-void read_mesh(Table& root, study::Problem& problem) {
+void read_mesh(Table& root, computation::Problem& problem) {
   auto mesh = root.table("mesh");
   if (!mesh) return;
-  study::Discretisation& d = problem.discretisation;
+  computation::Discretisation& d = problem.discretisation;
   if (mesh->text("cells") == "triangle") d.cells = fem::Shape::triangle;
   d.degree = mesh->integer("degree").value_or(d.degree);
   d.tying = mesh->boolean("tying").value_or(d.tying);
@@ -31,7 +31,7 @@ void read_mesh(Table& root, study::Problem& problem) {
   root.effective["mesh"] = mesh->effective;
 }
 
-void read_solver(Table& root, study::Problem& problem) {
+void read_solver(Table& root, computation::Problem& problem) {
   auto solver = root.table("solver");
   if (!solver) return;
   contact::Settings& s = problem.contact;

@@ -31,7 +31,7 @@ void report_chart(Reading& reading, const Item& item, const Formulas& formulas) 
 }
 
 void read_chart(const Table& geometry, const Item& item, const std::vector<std::string>& regions,
-                study::Problem& problem, nlohmann::json& effective) {
+                computation::Problem& problem, nlohmann::json& effective) {
   Reading& reading = geometry.reading();
   const auto list = read_list(reading, item, Kind::formulas, 3, read_formula);
   if (!list) return;
@@ -57,7 +57,7 @@ void report_unknown_region(Reading& reading, const std::string& region, const to
 
 // A table of charts by region. The regions of a mesh file are known only when it is read.
 void read_charts_by_region(const Table& geometry, const toml::value& table, const std::vector<std::string>& regions,
-                           study::Problem& problem, nlohmann::json& effective) {
+                           computation::Problem& problem, nlohmann::json& effective) {
   Reading& reading = geometry.reading();
   effective = nlohmann::json::object();
   for (const auto& [region, value] : entries(reading, table)) {
@@ -78,7 +78,7 @@ void read_charts_by_region(const Table& geometry, const toml::value& table, cons
 
 }  // namespace
 
-void read_charts(Table& geometry, const fem::Domain& domain, study::Problem& problem) {
+void read_charts(Table& geometry, const fem::Domain& domain, computation::Problem& problem) {
   const auto given = geometry.value("chart");
   if (!given) return;
   const auto regions = fem::region_names(domain);
@@ -90,7 +90,7 @@ void read_charts(Table& geometry, const fem::Domain& domain, study::Problem& pro
                effective);
 }
 
-std::optional<fem::Domain> read_geometry(Table& root, study::Problem& problem) {
+std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& problem) {
   auto geometry = root.table("geometry");
   if (!geometry) return {};
   auto domain = read_domain(*geometry);

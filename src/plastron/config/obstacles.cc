@@ -18,12 +18,12 @@ std::optional<obstacle::HalfSpace> read_half_space(Table& table) {
 
 }  // namespace
 
-void read_obstacles(Table& root, study::Problem& problem) {
+void read_obstacles(Table& root, computation::Problem& problem) {
   auto& effective = root.effective["obstacle"] = nlohmann::json::array();
   for (Table& table : root.tables("obstacle")) {
     if (problem.obstacle)
       root.reading().report(table.place(), "a second obstacle: this version takes one", "at most one [[obstacle]]");
-    study::Obstacle result;
+    computation::Obstacle result;
     if (auto half_space = table.table("half_space")) {
       result.half_space = read_half_space(*half_space).value_or(obstacle::HalfSpace{});
       table.effective["half_space"] = half_space->effective;
@@ -34,13 +34,13 @@ void read_obstacles(Table& root, study::Problem& problem) {
   }
 }
 
-void read_probes(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem) {
+void read_probes(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
   auto& effective = root.effective["probe"] = nlohmann::json::array();
   for (Table& table : root.tables("probe")) {
     const auto name = table.text("name");
     const auto at = table.point("at");
     if (name && name->empty()) table.report("name", "a probe needs a name");
-    if (name && std::ranges::count(problem.probes, *name, &study::Probe::name) > 0)
+    if (name && std::ranges::count(problem.probes, *name, &computation::Probe::name) > 0)
       table.report("name", fmt::format("two probes are named \"{}\"", *name), "", "choose another name");
     if (at && domain && !may_contain(*domain, *at))
       table.report("at", fmt::format("the probe at [{}, {}] is outside the domain", (*at)[0], (*at)[1]));

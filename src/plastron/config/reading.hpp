@@ -2,8 +2,8 @@
 // nothing, so that reading goes on and all mistakes are found together.
 #pragma once
 #include <fmt/format.h>
-#include <plastron/config/declarations.hpp>
 #include <plastron/config/limits.hpp>
+#include <plastron/config/schema.hpp>
 #include <plastron/config/source.hpp>
 #include <plastron/geometry/expression.hpp>
 

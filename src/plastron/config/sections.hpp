@@ -1,7 +1,7 @@
 // One reader for each section of a case file. Each fills its part of the problem and notes its effective settings.
 #pragma once
+#include <plastron/computation/problem.hpp>
 #include <plastron/config/table.hpp>
-#include <plastron/study/problem.hpp>
 
 #include <optional>
 #include <string>
@@ -11,17 +11,17 @@ namespace plastron::config {
 
 /// Fills Reading::constants, which all other sections use.
 void read_constants(Table& root);
-void read_shell(Table& root, study::Problem& problem);
+void read_shell(Table& root, computation::Problem& problem);
 /// The domain and its charts; nothing if the domain is wrong.
-std::optional<fem::Domain> read_geometry(Table& root, study::Problem& problem);
+std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& problem);
 std::optional<fem::Domain> read_domain(Table& geometry);
-void read_charts(Table& geometry, const fem::Domain& domain, study::Problem& problem);
-void read_mesh(Table& root, study::Problem& problem);
-void read_solver(Table& root, study::Problem& problem);
-void read_supports(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem);
-void read_loads(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem);
-void read_obstacles(Table& root, study::Problem& problem);
-void read_probes(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem);
+void read_charts(Table& geometry, const fem::Domain& domain, computation::Problem& problem);
+void read_mesh(Table& root, computation::Problem& problem);
+void read_solver(Table& root, computation::Problem& problem);
+void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
+void read_loads(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
+void read_obstacles(Table& root, computation::Problem& problem);
+void read_probes(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 
 /// The name under "boundary", one of the domain if its names are known.
 std::optional<std::string> read_boundary(Table& table, const std::optional<fem::Domain>& domain);

@@ -53,8 +53,8 @@ std::optional<shell::Material> read_material(Table& shell, double shear_correcti
   return {};
 }
 
-void read_tangency(Table& shell, assembly::Tangency& tangency) {
-  using assembly::Formulation;
+void read_tangency(Table& shell, element::Tangency& tangency) {
+  using element::Formulation;
   static const std::map<std::string, Formulation> formulations{{"tangent", Formulation::tangent},
                                                                {"penalised", Formulation::penalised},
                                                                {"mixed", Formulation::mixed},
@@ -66,7 +66,7 @@ void read_tangency(Table& shell, assembly::Tangency& tangency) {
 
 }  // namespace
 
-void read_shell(Table& root, study::Problem& problem) {
+void read_shell(Table& root, computation::Problem& problem) {
   auto shell = root.table("shell");
   if (!shell) return;
   const auto shear_correction = shell->number("shear_correction");

@@ -139,7 +139,7 @@ std::optional<std::string> read_boundary(Table& table, const std::optional<fem::
   return {};
 }
 
-void read_supports(Table& root, const std::optional<fem::Domain>& domain, study::Problem& problem) {
+void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
   auto& effective = root.effective["support"] = nlohmann::json::array();
   FixedOn fixed_on;
   for (Table& support : root.tables("support")) {

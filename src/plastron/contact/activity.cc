@@ -1,5 +1,5 @@
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/algebra/scramble.hpp>
+#include <plastron/algebra/hash.hpp>
 #include <plastron/contact/activity.hpp>
 
 #include <bit>
@@ -102,7 +102,7 @@ std::uint64_t fingerprint(const BoxProblem& problem, const ActiveSet& set) {
       static_cast<std::uint64_t>(problem.load.layout()->first) * static_cast<std::uint64_t>(problem.load.block());
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < set.size(); ++i)
-    if (is_active(set[i])) sum += algebra::scramble(2 * (first + i) + (set[i] == Activity::at_upper));
+    if (is_active(set[i])) sum += algebra::hash(2 * (first + i) + (set[i] == Activity::at_upper));
   return std::bit_cast<std::uint64_t>(count_over_ranks(problem, std::bit_cast<std::int64_t>(sum)));
 }
 

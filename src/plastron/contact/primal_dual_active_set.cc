@@ -1,6 +1,6 @@
-#include <plastron/contact/face.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 #include <plastron/contact/projected_search.hpp>
+#include <plastron/contact/subproblem.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -29,7 +29,7 @@ class Progress {
   int since_fewer_changes_ = 0;
 };
 
-void record(const BoxProblem& problem, FacePoint point, const ActiveSet& set, const Verdict& verdict,
+void record(const BoxProblem& problem, SubproblemPoint point, const ActiveSet& set, const Verdict& verdict,
             const Observer& observer, BoxSolution& solution) {
   solution.iterations.push_back({.active = count_active(problem, set),
                                  .changes = count_changes(problem, set, verdict.next),
@@ -53,11 +53,11 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
                                          const Observer& observer) {
   BoxSolution solution = unsolved(problem, Status::iteration_limit);
   if (!bounds_are_consistent(problem)) return unsolved(problem, Status::infeasible);
-  FaceSolver faces(problem, factorisation, settings);
+  SubproblemSolver subproblems(problem, factorisation, settings);
   Progress progress;
   ActiveSet set = starting_set(problem, initial);
-  auto point = faces.solve(set);
-  if (!point) point = faces.solve(set = everything_active(problem));
+  auto point = subproblems.solve(set);
+  if (!point) point = subproblems.solve(set = everything_active(problem));
   progress.is_lost(fingerprint(problem, set), std::numeric_limits<std::int64_t>::max());
   while (point) {
     const Verdict verdict = judge(problem, *point, set);
@@ -74,14 +74,14 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
     }
     if (progress.is_lost(fingerprint(problem, verdict.next), changes)) break;
     set = verdict.next;
-    point = faces.solve(set);
+    point = subproblems.solve(set);
   }
   if (solution.iterations.empty())
-    solution.status = faces.failure();
+    solution.status = subproblems.failure();
   else if (problem.equations)  // projections onto the box leave the equations
-    solution.status = point ? Status::cycling : after_a_first_step(faces.failure());
+    solution.status = point ? Status::cycling : after_a_first_step(subproblems.failure());
   else
-    continue_projected_search(problem, faces, settings, observer, solution);
+    continue_projected_search(problem, subproblems, settings, observer, solution);
   return solution;
 }
 

@@ -1,5 +1,5 @@
 // The primal-dual active set method: a semismooth Newton method for the box-constrained quadratic program. Each step
-// solves on the face of the present active set, then moves every unknown that breaks a condition to the other side at
+// solves on the subproblem of the present active set, then moves every unknown that breaks a condition to the other side at
 // once:
 //   active   <-  free and beyond its bound
 //   free     <-  active with a multiplier of the wrong sign

@@ -106,9 +106,9 @@ ActiveSet release_one(const BoxProblem& problem, const ActiveSet& held, const Ac
 
 class ProjectedSearch {
  public:
-  ProjectedSearch(const BoxProblem& problem, FaceSolver& faces, const Settings& settings, const Observer& observer,
-                  BoxSolution& solution)
-      : problem_(problem), faces_(faces), settings_(settings), observer_(observer), solution_(solution) {
+  ProjectedSearch(const BoxProblem& problem, SubproblemSolver& subproblems, const Settings& settings,
+                  const Observer& observer, BoxSolution& solution)
+      : problem_(problem), subproblems_(subproblems), settings_(settings), observer_(observer), solution_(solution) {
     here_ = evaluate(problem_, project(problem_, solution_.z));
     held_ = everything_at_bounds(problem_, here_.z);
   }
@@ -116,13 +116,13 @@ class ProjectedSearch {
   Status run() {
     while (static_cast<int>(solution_.iterations.size()) < settings_.max_iterations) {
       if (observer_.wants_to_stop()) return Status::interrupted;
-      const auto point = faces_.solve(held_);
+      const auto point = subproblems_.solve(held_);
       if (!point && !released_.empty()) {
-        held_ = release_one(problem_, held_at_minimiser_, released_, solution_.multiplier, faces_.diagonal());
+        held_ = release_one(problem_, held_at_minimiser_, released_, solution_.multiplier, subproblems_.diagonal());
         released_.clear();
         continue;
       }
-      if (!point) return after_a_first_step(faces_.failure());
+      if (!point) return after_a_first_step(subproblems_.failure());
       const Verdict verdict = judge(problem_, *point, held_);
       const auto outcome = verdict.is_feasible ? leave_face(*point, verdict) : approach(*point, verdict);
       if (outcome) return *outcome;
@@ -131,8 +131,8 @@ class ProjectedSearch {
   }
 
  private:
-  // Step 3: the minimiser of the face.
-  std::optional<Status> leave_face(const FacePoint& point, const Verdict& verdict) {
+  // Step 3: the minimiser of the subproblem.
+  std::optional<Status> leave_face(const SubproblemPoint& point, const Verdict& verdict) {
     here_ = evaluate(problem_, project(problem_, point.z));
     solution_.z = point.z;
     solution_.multiplier = point.multiplier;
@@ -147,8 +147,8 @@ class ProjectedSearch {
     return {};
   }
 
-  // Step 2: towards the minimiser of the face, as far as the box lets the energy fall.
-  std::optional<Status> approach(const FacePoint& point, const Verdict& verdict) {
+  // Step 2: towards the minimiser of the subproblem, as far as the box lets the energy fall.
+  std::optional<Status> approach(const SubproblemPoint& point, const Verdict& verdict) {
     auto z = projected_line_search(problem_, here_, point.z);
     if (!z) return Status::cycling;
     here_ = evaluate(problem_, std::move(*z));
@@ -162,7 +162,7 @@ class ProjectedSearch {
   }
 
   // Returns the number of changes.
-  std::int64_t record(const FacePoint& point, const Verdict& verdict, double energy, double worst_multiplier,
+  std::int64_t record(const SubproblemPoint& point, const Verdict& verdict, double energy, double worst_multiplier,
                       const ActiveSet& next) {
     solution_.activity = held_;
     solution_.linear_residual = point.linear_residual;
@@ -179,12 +179,12 @@ class ProjectedSearch {
   }
 
   const BoxProblem& problem_;
-  FaceSolver& faces_;
+  SubproblemSolver& subproblems_;
   const Settings& settings_;
   const Observer& observer_;
   BoxSolution& solution_;
   Feasible here_;
-  ActiveSet held_;               ///< defines the face
+  ActiveSet held_;               ///< defines the subproblem
   ActiveSet held_at_minimiser_;  ///< before the last release
   ActiveSet released_;           ///< after it; empty unless it has just happened and let go of several unknowns
   std::set<std::uint64_t> minimisers_;
@@ -192,9 +192,9 @@ class ProjectedSearch {
 
 }  // namespace
 
-void continue_projected_search(const BoxProblem& problem, FaceSolver& faces, const Settings& settings,
+void continue_projected_search(const BoxProblem& problem, SubproblemSolver& subproblems, const Settings& settings,
                                const Observer& observer, BoxSolution& so_far) {
-  so_far.status = ProjectedSearch(problem, faces, settings, observer, so_far).run();
+  so_far.status = ProjectedSearch(problem, subproblems, settings, observer, so_far).run();
 }
 
 BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Activity> initial,
@@ -202,13 +202,13 @@ BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Ac
                                    const Observer& observer) {
   BoxSolution solution = unsolved(problem, Status::infeasible);
   if (!bounds_are_consistent(problem)) return solution;
-  FaceSolver faces(problem, factorisation, settings);
-  auto point = faces.solve(starting_set(problem, initial));
-  if (!point) point = faces.solve(everything_active(problem));
-  solution.status = faces.failure();
+  SubproblemSolver subproblems(problem, factorisation, settings);
+  auto point = subproblems.solve(starting_set(problem, initial));
+  if (!point) point = subproblems.solve(everything_active(problem));
+  solution.status = subproblems.failure();
   if (!point) return solution;
   solution.z = std::move(point->z);
-  continue_projected_search(problem, faces, settings, observer, solution);
+  continue_projected_search(problem, subproblems, settings, observer, solution);
   return solution;
 }
 

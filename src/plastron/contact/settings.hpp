@@ -3,7 +3,7 @@
 
 namespace plastron::contact {
 
-/// Whether a face near the factorised one is solved with the factor at hand.
+/// Whether a subproblem near the factorised one is solved with the factor at hand.
 enum class KeptFactor { where_cheaper, always };
 
 struct Settings {

@@ -45,7 +45,7 @@ NamedSides::NamedSides(const CoarseMesh& coarse)
   }
 }
 
-void NamedSides::add_faces_of_last_cell(Space& space) const {
+void NamedSides::add_sides_of_last_cell(Space& space) const {
   const std::size_t last = space.cells.size() - 1;
   const Cell& cell = space.cells[last];
   const int sides = corner_count(shape_);
@@ -53,7 +53,7 @@ void NamedSides::add_faces_of_last_cell(Space& space) const {
     const Side& coarse = sides_[static_cast<std::size_t>(cell.coarse) * static_cast<std::size_t>(sides) +
                                 static_cast<std::size_t>(side)];
     if (coarse.boundaries.empty() || !lies_on_coarse_side(shape_, cell, side)) continue;
-    for (const int boundary : coarse.boundaries) space.faces.push_back({last, side, boundary, coarse.is_inner});
+    for (const int boundary : coarse.boundaries) space.sides.push_back({last, side, boundary, coarse.is_inner});
   }
 }
 

@@ -1,4 +1,4 @@
-// Which boundaries a side of a coarse cell belongs to, and from that the faces of a level. A side may carry several
+// Which boundaries a side of a coarse cell belongs to, and from that the sides of a level. A side may carry several
 // names. A side between two cells carries its names in one of them only, so that a load on it counts once and its
 // conormal has one direction: in the cell to the left of the edge as BoundaryEdge::vertices runs.
 #pragma once
@@ -12,8 +12,8 @@ class NamedSides {
  public:
   explicit NamedSides(const CoarseMesh& coarse);
 
-  /// Adds the faces of the cell that stands last in `space.cells`.
-  void add_faces_of_last_cell(Space& space) const;
+  /// Adds the named sides of the cell that stands last in `space.cells`.
+  void add_sides_of_last_cell(Space& space) const;
 
  private:
   Shape shape_;

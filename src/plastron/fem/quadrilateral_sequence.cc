@@ -138,7 +138,7 @@ void QuadrilateralSequence::Storage::add_cell(const Accessor& cell, const std::v
     target.connectivity.nodes.push_back(local);
   }
   target.cells.push_back(dyadic_cell(cell));
-  sides->add_faces_of_last_cell(target);
+  sides->add_sides_of_last_cell(target);
 }
 
 void QuadrilateralSequence::Storage::flatten() {

@@ -1,4 +1,4 @@
-// A finite element mesh of one level as plain arrays: cells, nodes, boundary faces as this rank sees them.
+// A finite element mesh of one level as plain arrays: cells, nodes, boundary sides as this rank sees them.
 //
 // A cell is a dyadic part of its coarse cell, so its map onto Omega is the coarse cell's exact map restricted to that
 // part. Nodes are the Gauss-Lobatto points of degree k in a quadrilateral and equidistant in a triangle, where k <= 2
@@ -23,7 +23,7 @@ struct Cell {
 
 /// A side of a cell on the boundary of the domain or on a named curve inside of it. A side with several names is listed
 /// once for each; a side on an inner curve is listed for one of its two cells (named_sides.hpp).
-struct BoundaryFace {
+struct BoundarySide {
   std::size_t cell = 0;
   int side = 0;           ///< see reference_cell.hpp
   int boundary = -1;      ///< index into CoarseMesh::boundaries, -1 for an unnamed part of the domain's boundary
@@ -37,7 +37,7 @@ struct Space {
   std::vector<Cell> cells{};  ///< owned cells first, then the ghost cells around them
   std::size_t owned_cells = 0;
   algebra::Connectivity connectivity{};  ///< nodes of all of `cells`
-  std::vector<BoundaryFace> faces{};     ///< of all of `cells`
+  std::vector<BoundarySide> sides{};     ///< of all of `cells`
   std::int64_t global_cells = 0;
 
   Shape shape() const { return coarse->shape; }

@@ -106,7 +106,7 @@ void TriangleSequence::add_cell(std::size_t cell, Space& target) const {
     target.connectivity.nodes.push_back(local);
   }
   target.cells.push_back(mesh_.cells[cell]);
-  sides_.add_faces_of_last_cell(target);
+  sides_.add_sides_of_last_cell(target);
 }
 
 void TriangleSequence::flatten() {

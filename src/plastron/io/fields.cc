@@ -6,7 +6,7 @@ namespace plastron::io {
 
 namespace {
 
-using assembly::PointValues;
+using certificate::PointValues;
 using Values = std::array<double, 3>;
 
 Values three(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }

@@ -11,7 +11,7 @@ namespace plastron::io {
 namespace {
 
 /// A singular system leaves displacements that no viewer can show.
-bool can_be_drawn(const study::Result& result, MPI_Comm comm) {
+bool can_be_drawn(const computation::Result& result, MPI_Comm comm) {
   if (!result.solution) return false;
   const auto y = result.solution->nodal.y.owned();
   const bool finite = std::all_of(y.begin(), y.end(), [](double value) { return std::isfinite(value); });
@@ -20,7 +20,7 @@ bool can_be_drawn(const study::Result& result, MPI_Comm comm) {
 
 }  // namespace
 
-void write_output(const study::Result& result, Provenance provenance, const std::filesystem::path& directory,
+void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,
                   const std::string& base_name, MPI_Comm comm) {
   make_directory(directory, comm);
   AtomicFiles files(comm);

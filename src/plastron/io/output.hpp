@@ -7,7 +7,7 @@ namespace plastron::io {
 /// Makes the directory and writes base_name.vtu and .pvd (unless there is no finite solution to draw) and results.json;
 /// those of an earlier run stay until all are complete, results.json is replaced last; provenance.files is filled here
 /// (collective). Throws std::runtime_error.
-void write_output(const study::Result& result, Provenance provenance, const std::filesystem::path& directory,
+void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,
                   const std::string& base_name, MPI_Comm comm);
 
 }  // namespace plastron::io

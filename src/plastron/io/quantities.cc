@@ -7,7 +7,7 @@ namespace plastron::io {
 
 namespace {
 
-using study::Result;
+using computation::Result;
 
 Json triple(const Eigen::Vector3d& v) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
 
@@ -22,9 +22,9 @@ std::span<const Quantity<Result>> result_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"status", "-", "how the computation ended, in a word",
        [](const Result& r) { return Json(contact::to_string(r.status)); }},
-      {"status_text", "-", "the same in a sentence", [](const Result& r) { return Json(study::status_text(r)); }},
+      {"status_text", "-", "the same in a sentence", [](const Result& r) { return Json(computation::status_text(r)); }},
       {"formulation", "-", "how r . a_3 = 0 is kept",
-       [](const Result& r) { return Json(assembly::to_string(r.formulation)); }},
+       [](const Result& r) { return Json(element::to_string(r.formulation)); }},
       {"energy", "J", "stored energy, 1/2 a(U, U)", [](const Result& r) { return number(r.summary.energy.total()); }},
       {"energy_parts/membrane", "J", "its membrane part",
        [](const Result& r) { return number(r.summary.energy.membrane); }},
@@ -50,10 +50,10 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.max_relative_displacement); }},
       {"size/max_rotation", "rad", "largest |r| at a node; the linear model needs it small",
        [](const Result& r) { return number(r.summary.max_rotation); }},
-      {"tangency/max_tilt", "1", "largest |r . a_3| at nodes and quadrature points",
-       [](const Result& r) { return number(r.summary.max_tilt); }},
+      {"tangency/max_normal_rotation", "1", "largest |r . a_3| at nodes and quadrature points",
+       [](const Result& r) { return number(r.summary.max_normal_rotation); }},
       {"tangency/energy", "J", "energy of the penalty or the stabilisation",
-       [](const Result& r) { return number(r.summary.tilt_energy); }},
+       [](const Result& r) { return number(r.summary.tangency_energy); }},
       {"tangency/multiplier_norm", "N m", "norm of the gradient of lambda over the surface (mixed formulation)",
        [](const Result& r) { return number(r.summary.multiplier_norm); }},
       {"memory/peak_bytes", "byte", "peak memory of all ranks together",
@@ -90,8 +90,8 @@ std::span<const Quantity<Result>> contact_quantities() {
   return all;
 }
 
-std::span<const Quantity<assembly::Certificate>> certificate_quantities() {
-  using assembly::Certificate;
+std::span<const Quantity<certificate::Certificate>> certificate_quantities() {
+  using certificate::Certificate;
   static const std::vector<Quantity<Certificate>> all{
       {"stationarity", "1", "residual on the free coordinates over loads and reactions",
        [](const Certificate& c) { return number(c.stationarity); }},
@@ -115,8 +115,8 @@ std::span<const Quantity<assembly::Certificate>> certificate_quantities() {
   return all;
 }
 
-std::span<const Quantity<study::Level>> level_quantities() {
-  using study::Level;
+std::span<const Quantity<computation::Level>> level_quantities() {
+  using computation::Level;
   static const std::vector<Quantity<Level>> all{
       {"cells", "1", "cells of the mesh", [](const Level& l) { return Json(l.cells); }},
       {"nodes", "1", "nodes", [](const Level& l) { return Json(l.nodes); }},
@@ -129,7 +129,7 @@ std::span<const Quantity<study::Level>> level_quantities() {
       {"reaction", "N", "norm of the obstacle's resultant force", [](const Level& l) { return number(l.reaction); }},
       {"contact_area", "m^2", "mid-surface area of the touching nodes",
        [](const Level& l) { return number(l.contact_area); }},
-      {"max_tilt", "1", "largest |r . a_3|", [](const Level& l) { return number(l.max_tilt); }},
+      {"max_normal_rotation", "1", "largest |r . a_3|", [](const Level& l) { return number(l.max_normal_rotation); }},
       {"multiplier_norm", "N m", "norm of the gradient of lambda",
        [](const Level& l) { return number(l.multiplier_norm); }},
       {"min_gap", "m", "smallest gap at a node; null without obstacle",

@@ -1,6 +1,6 @@
 // The table of every number in results.json that belongs to no point: its path, unit, meaning and where it comes from.
 #pragma once
-#include <plastron/study/result.hpp>
+#include <plastron/computation/result.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -23,13 +23,13 @@ struct Quantity {
 /// JSON has no infinity and no NaN: null.
 Json number(double value);
 
-std::span<const Quantity<study::Result>> result_quantities();
+std::span<const Quantity<computation::Result>> result_quantities();
 /// Null as a whole where there is no obstacle; paths inside "contact".
-std::span<const Quantity<study::Result>> contact_quantities();
+std::span<const Quantity<computation::Result>> contact_quantities();
 /// Paths inside "certificate".
-std::span<const Quantity<assembly::Certificate>> certificate_quantities();
+std::span<const Quantity<certificate::Certificate>> certificate_quantities();
 /// Paths inside "levels[]".
-std::span<const Quantity<study::Level>> level_quantities();
+std::span<const Quantity<computation::Level>> level_quantities();
 /// Paths inside "levels[]/history[]".
 std::span<const Quantity<contact::Iteration>> iteration_quantities();
 

@@ -12,9 +12,9 @@ namespace plastron::io {
 
 namespace {
 
-bool has_multiplier(const study::Result& result) { return result.formulation == assembly::Formulation::mixed; }
+bool has_multiplier(const computation::Result& result) { return result.formulation == element::Formulation::mixed; }
 
-Json probe_json(const assembly::PointValues& values, const study::Result& result) {
+Json probe_json(const certificate::PointValues& values, const computation::Result& result) {
   Json json = Json::object();
   for (const Field& field : fields()) {
     const auto taken = field.take(values);
@@ -28,7 +28,7 @@ Json probe_json(const assembly::PointValues& values, const study::Result& result
 }
 
 /// Row -> its limit, whether it is kept, and why it is what it is.
-Json limits_json(const study::Result& result) {
+Json limits_json(const computation::Result& result) {
   Json json = Json::object();
   for (const auto& limit : result.limits)
     json[std::string(limit.row)] = {{limit.is_least ? "at_least" : "at_most", number(limit.limit)},
@@ -38,7 +38,7 @@ Json limits_json(const study::Result& result) {
   return json;
 }
 
-Json level_json(const study::Level& level) {
+Json level_json(const computation::Level& level) {
   Json json = record_json(level_quantities(), level);
   json["history"] = Json::array();
   for (const contact::Iteration& i : level.history) json["history"].push_back(record_json(iteration_quantities(), i));
@@ -83,7 +83,7 @@ Json units_json() {
 }
 
 /// The arrays of the .vtu file.
-Json fields_json(const study::Result& result) {
+Json fields_json(const computation::Result& result) {
   Json list = Json::array();
   for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result)))
     list.push_back(
@@ -93,17 +93,17 @@ Json fields_json(const study::Result& result) {
 
 }  // namespace
 
-Json results_json(const study::Result& result, const Provenance& provenance) {
+Json results_json(const computation::Result& result, const Provenance& provenance) {
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
   json["probes"] = Json::object();
-  for (const study::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
+  for (const computation::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
   json["certificate_limits"] = limits_json(result);
   json["levels"] = Json::array();
-  for (const study::Level& level : result.levels) json["levels"].push_back(level_json(level));
+  for (const computation::Level& level : result.levels) json["levels"].push_back(level_json(level));
   json["settings"] = provenance.settings;
   json["versions"] = versions_json();
   json["files"] = provenance.files;
@@ -112,8 +112,8 @@ Json results_json(const study::Result& result, const Provenance& provenance) {
   return json;
 }
 
-void add_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
-                 AtomicFiles& files) {
+void add_results(const computation::Result& result, const Provenance& provenance,
+                 const std::filesystem::path& directory, AtomicFiles& files) {
   int rank = 0;
   MPI_Comm_rank(files.comm(), &rank);
   const auto text = [&] {
@@ -124,8 +124,8 @@ void add_results(const study::Result& result, const Provenance& provenance, cons
   files.add(directory / results_name, text);
 }
 
-void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
-                   MPI_Comm comm) {
+void write_results(const computation::Result& result, const Provenance& provenance,
+                   const std::filesystem::path& directory, MPI_Comm comm) {
   AtomicFiles files(comm);
   add_results(result, provenance, directory, files);
   files.commit();

@@ -22,13 +22,13 @@ struct Provenance {
 
 inline constexpr std::string_view results_name = "results.json";
 
-Json results_json(const study::Result& result, const Provenance& provenance);
+Json results_json(const computation::Result& result, const Provenance& provenance);
 
 /// Adds directory/results.json to the files (collective; the text is rank 0's). Throws std::runtime_error.
-void add_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
-                 AtomicFiles& files);
+void add_results(const computation::Result& result, const Provenance& provenance,
+                 const std::filesystem::path& directory, AtomicFiles& files);
 /// Writes it alone.
-void write_results(const study::Result& result, const Provenance& provenance, const std::filesystem::path& directory,
-                   MPI_Comm comm);
+void write_results(const computation::Result& result, const Provenance& provenance,
+                   const std::filesystem::path& directory, MPI_Comm comm);
 
 }  // namespace plastron::io

@@ -47,7 +47,7 @@ std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
   return points;
 }
 
-Patch patch_of(const std::vector<assembly::PointValues>& points, const std::vector<Field>& present, std::size_t rows,
+Patch patch_of(const std::vector<certificate::PointValues>& points, const std::vector<Field>& present, std::size_t rows,
                const fem::Space& space, double displacement_scale) {
   Patch patch;
   patch.n_subdivisions = static_cast<unsigned int>(space.degree);
@@ -69,11 +69,11 @@ Patch patch_of(const std::vector<assembly::PointValues>& points, const std::vect
 }
 
 /// The <Piece> of the cells that this rank owns.
-void write_piece(const study::Solution& solution, double displacement_scale, const dealii::DataOutBase::VtkFlags& flags,
-                 const std::vector<Field>& present, std::ostream& out) {
+void write_piece(const computation::Solution& solution, double displacement_scale,
+                 const dealii::DataOutBase::VtkFlags& flags, const std::vector<Field>& present, std::ostream& out) {
   const fem::Space& space = solution.discrete->space();
   if (space.owned_cells == 0) return;
-  const assembly::Recovery recovery(*solution.discrete, solution.nodal, cell_points(space.shape(), space.degree));
+  const certificate::Recovery recovery(*solution.discrete, solution.nodal, cell_points(space.shape(), space.degree));
   const Rows rows = rows_of(present);
   std::vector<Patch> patches;
   patches.reserve(space.owned_cells);
@@ -106,14 +106,14 @@ std::string pvd_text(const std::string& vtu_name) {
 
 }  // namespace
 
-std::vector<std::string> add_vtu(const study::Solution& solution, const std::filesystem::path& directory,
+std::vector<std::string> add_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
                                  const std::string& base_name, AtomicFiles& files, double displacement_scale) {
   const MPI_Comm comm = files.comm();
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
   const std::vector<Field> present = fields_of(static_cast<bool>(solution.discrete->gap),
-                                               solution.discrete->tangency.formulation == assembly::Formulation::mixed);
+                                               solution.discrete->tangency.formulation == element::Formulation::mixed);
   const auto flags = flags_of(present);
   std::vector<std::string> names{base_name + ".vtu", base_name + ".pvd"};
   const auto vtu_piece = [&] {
@@ -128,7 +128,7 @@ std::vector<std::string> add_vtu(const study::Solution& solution, const std::fil
   return names;
 }
 
-std::vector<std::string> write_vtu(const study::Solution& solution, const std::filesystem::path& directory,
+std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
                                    const std::string& base_name, double displacement_scale) {
   AtomicFiles files(solution.discrete->space().layout->comm);
   auto names = add_vtu(solution, directory, base_name, files, displacement_scale);

@@ -1,9 +1,9 @@
 #include <plastron/study/compare.hpp>
 
+#include <plastron/computation/solve.hpp>
 #include <plastron/study/energy_distance.hpp>
 #include <plastron/study/exponents.hpp>
 #include <plastron/study/formulations.hpp>
-#include <plastron/study/solve.hpp>
 
 #include <fmt/format.h>
 
@@ -15,23 +15,23 @@ namespace plastron::study {
 
 namespace {
 
-using assembly::Formulation;
+using element::Formulation;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// One formulation on all meshes; the fields of the tangent one serve as reference for the others.
 struct Run {
   contact::Status status = contact::Status::solved;
-  std::vector<Level> levels{};
+  std::vector<computation::Level> levels{};
   std::vector<algebra::Vector> fields{};  ///< (u, r) at the nodes of each mesh
   std::vector<double> distance{};         ///< energy norm of the difference from the tangent one, relative
   double noise = 0;                       ///< of such a difference on the finest mesh
 };
 
-Run solve_with(Problem problem, const Run* tangent, MPI_Comm comm, Observer observer) {
+Run solve_with(computation::Problem problem, const Run* tangent, MPI_Comm comm, computation::Observer observer) {
   problem.probes.clear();
   Run run;
-  observer.solution = [&](int level, const Solution& solution) {
+  observer.solution = [&](int level, const computation::Solution& solution) {
     const auto at = static_cast<std::size_t>(level);
     run.distance.push_back(tangent && at < tangent->fields.size()
                                ? relative_distance(solution.discrete->shell, solution.nodal.y, tangent->fields[at])
@@ -39,7 +39,7 @@ Run solve_with(Problem problem, const Run* tangent, MPI_Comm comm, Observer obse
     if (!tangent) run.fields.push_back(solution.nodal.y);
     run.noise = relative_noise(solution, std::sqrt(2 * solution.discrete->shell.energies(solution.nodal.y).total()));
   };
-  const Result result = solve(problem, comm, observer);
+  const computation::Result result = computation::solve(problem, comm, observer);
   run.status = result.status;
   run.levels = result.levels;
   return run;
@@ -51,11 +51,11 @@ double relative(double value, double reference) {
 
 void add_rows(const Run& run, const Run& tangent, Formulation formulation, Table& table) {
   for (std::size_t l = 0; l < run.levels.size(); ++l) {
-    const Level& level = run.levels[l];
+    const computation::Level& level = run.levels[l];
     const bool is_tangent = formulation == Formulation::tangent;
     const bool comparable = !is_tangent && l < tangent.levels.size();
-    table.rows.push_back({std::string(assembly::to_string(formulation)), static_cast<std::int64_t>(l), level.unknowns,
-                          level.energy, level.reaction, level.contact_area, level.max_tilt,
+    table.rows.push_back({std::string(element::to_string(formulation)), static_cast<std::int64_t>(l), level.unknowns,
+                          level.energy, level.reaction, level.contact_area, level.max_normal_rotation,
                           formulation == Formulation::mixed ? level.multiplier_norm : nothing,
                           static_cast<std::int64_t>(level.iterations), level.seconds.total(),
                           comparable ? relative(level.energy, tangent.levels[l].energy) : nothing,
@@ -65,7 +65,7 @@ void add_rows(const Run& run, const Run& tangent, Formulation formulation, Table
 }
 
 void add_series(const Run& run, Formulation formulation, Plot& plot) {
-  Series series{.label = std::string(assembly::to_string(formulation)), .x = {}, .y = {}};
+  Series series{.label = std::string(element::to_string(formulation)), .x = {}, .y = {}};
   for (std::size_t l = 0; l < run.levels.size() && l < run.distance.size(); ++l) {
     series.x.push_back(static_cast<double>(run.levels[l].unknowns));
     series.y.push_back(run.distance[l]);
@@ -92,7 +92,7 @@ Claim closes_in(const Run& run, const Run& tangent, Formulation formulation) {
   constexpr double least_order = 0.5;
   const std::string statement =
       fmt::format("{}: the difference from the tangent solution falls like h^{:.1f} or faster",
-                  assembly::to_string(formulation), least_order);
+                  element::to_string(formulation), least_order);
   if (const std::string why = nothing_to_compare(run, tangent); !why.empty()) return not_judged(statement, why);
   const std::size_t fine = last_step_above(run.distance, std::max(run.noise, tangent.noise));
   const double rate = std::log2(run.distance[fine - 1] / run.distance[fine]);
@@ -115,7 +115,7 @@ Claim is_within_the_mesh_error(const Run& run, const Run& tangent) {
 
 }  // namespace
 
-Report compare(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
+Report compare(const computation::Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
   Report report{.table = {.name = "compare",
                           .title = "Do all formulations give the same answer, and at what price?",
                           .columns = {{"formulation", "", "-"},
@@ -124,7 +124,7 @@ Report compare(const Problem& problem, const StudyOptions&, MPI_Comm comm, const
                                       {"energy", "1/2 a(U,U)", "J"},
                                       {"reaction", "|R|", "N"},
                                       {"contact area", "", "m^2"},
-                                      {"tilt", "max |r.a3|", "1"},
+                                      {"normal_rotation", "max |r.a3|", "1"},
                                       {"multiplier", "|grad lambda|", "N m"},
                                       {"steps", "", "1"},
                                       {"time", "", "s"},
@@ -137,7 +137,7 @@ Report compare(const Problem& problem, const StudyOptions&, MPI_Comm comm, const
   Run tangent;
   for (const Formulation formulation :
        {Formulation::tangent, Formulation::penalised, Formulation::mixed, Formulation::classical}) {
-    const std::string name(assembly::to_string(formulation));
+    const std::string name(element::to_string(formulation));
     if (const std::string why = refusal(problem, formulation); !why.empty()) {
       report.table.remarks.push_back(fmt::format("{} left out: {}", name, why));
       continue;

@@ -7,6 +7,7 @@ namespace plastron::study {
 /// A row a formulation and mesh: energy, reaction, contact area, max |r . a_3|, norm of lambda, unknowns, steps, seconds, and
 /// the differences from the tangent formulation on the same mesh. Formulations that the case rules out become remarks.
 /// (collective)
-Report compare(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+Report compare(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+               const StudyObserver& observer);
 
 }  // namespace plastron::study

@@ -2,11 +2,11 @@
 // inequality (M18); proofs in docs/methods/study-continuity.md. Norms are the energy norm of the unchanged shell.
 #include <plastron/study/continuity.hpp>
 
-#include <plastron/assembly/tilt.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/computation/solve.hpp>
 #include <plastron/study/energy_distance.hpp>
 #include <plastron/study/lifting.hpp>
 #include <plastron/study/random_field.hpp>
-#include <plastron/study/solve.hpp>
 #include <plastron/study/variations.hpp>
 
 #include <fmt/format.h>
@@ -63,7 +63,8 @@ class Tally {
 
 class Continuity {
  public:
-  Continuity(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer)
+  Continuity(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+             const StudyObserver& observer)
       : problem_(problem), options_(options), comm_(comm), observer_(observer), random_(options.seed) {
     problem_.probes.clear();
     report_.table = {.name = "continuity",
@@ -133,14 +134,14 @@ class Continuity {
     const assembly::AreaLoad extra{.force_function = [field, amplitude](double x, double y) -> Eigen::Vector3d {
       return amplitude * field(x, y);
     }};
-    Problem linear = linear_and_homogeneous(problem_);
+    computation::Problem linear = linear_and_homogeneous(problem_);
     linear.area_loads = {extra};
     linear.edge_loads.clear();
-    const Result w = solve_for(linear, "its dual norm");
+    const computation::Result w = solve_for(linear, "its dual norm");
     if (w.status == Status::singular)
       return leave_out("the load: without contact a rigid motion is free, so no bound is finite");
     if (w.status != Status::solved) return failed(w.status);
-    Problem changed = problem_;
+    computation::Problem changed = problem_;
     changed.area_loads.push_back(extra);
     const auto solution = solve_changed(changed);
     if (!solution) return {};
@@ -150,7 +151,7 @@ class Continuity {
   /// a_1(U_2 - U_1, U_2 - U_1) <= (a_1 - a_2)(U_2, U_2 - U_1); the face stays where it is, so K does too.
   std::optional<Change> thickness() {
     const double factor = 1 + options_.size * random_();
-    Problem changed = with_thickness_scaled(problem_, factor);
+    computation::Problem changed = with_thickness_scaled(problem_, factor);
     if (changed.obstacle) changed.obstacle->face_scale /= factor;
     const auto solution = solve_changed(changed);
     if (!solution) return {};
@@ -162,7 +163,7 @@ class Continuity {
   std::optional<Change> height() {
     const double relative = options_.size * random_();
     const double shift = relative * (largest_ > 0 ? largest_ : base_.solution->discrete->points.front().thickness);
-    Problem changed = problem_;
+    computation::Problem changed = problem_;
     changed.obstacle->raised += shift;
     const auto solution = solve_changed(changed);
     if (!solution) return {};
@@ -177,20 +178,20 @@ class Continuity {
 
   using AreaForce = std::function<Eigen::Vector3d(double, double)>;
 
-  Result solve_for(const Problem& problem, const std::string& what) {
+  computation::Result solve_for(const computation::Problem& problem, const std::string& what) {
     if (observer_.stage) observer_.stage(stage_.empty() ? what : fmt::format("{}: {}", stage_, what));
-    return solve(problem, comm_, observer_.solve);
+    return computation::solve(problem, comm_, observer_.solve);
   }
 
-  Result compute(const Problem& problem, const std::string& what) {
-    Result result = solve_for(problem, what);
+  computation::Result compute(const computation::Problem& problem, const std::string& what) {
+    computation::Result result = solve_for(problem, what);
     report_.status = result.status;
     return result;
   }
 
   /// U_2. Nothing, with the reason, if it is not there.
-  std::optional<Solution> solve_changed(const Problem& changed) {
-    Result result = solve_for(changed, "changed");
+  std::optional<computation::Solution> solve_changed(const computation::Problem& changed) {
+    computation::Result result = solve_for(changed, "changed");
     if (result.status == Status::infeasible) {
       leave_out("the rest of the samples: the support would hold the shell inside the obstacle; try a smaller --size");
       return {};
@@ -203,7 +204,7 @@ class Continuity {
   }
 
   /// |U_2 - U_1|_a against its bound.
-  Change change_to(const Solution& solution, double size, double bound) const {
+  Change change_to(const computation::Solution& solution, double size, double bound) const {
     algebra::Vector difference = solution.nodal.y;
     const auto before = base_.solution->nodal.y.local();
     for (std::size_t i = 0; i < before.size(); ++i) difference.local()[i] -= before[i];
@@ -232,7 +233,8 @@ class Continuity {
   double norm_of(const algebra::Vector& y) const {
     const assembly::DiscreteShell& discrete = *base_.solution->discrete;
     double energy = discrete.shell.energies(y).total();
-    if (discrete.tilt_factor() > 0) energy += assembly::tilt_energy(discrete.shell, discrete.tilt_factor(), y);
+    if (discrete.tangency_factor() > 0)
+      energy += assembly::tangency_energy(discrete.shell, discrete.tangency_factor(), y);
     return std::sqrt(2 * energy);
   }
 
@@ -260,26 +262,27 @@ class Continuity {
 
   static constexpr double tolerance = 1e-8;  // of the two solutions, relative
 
-  Problem problem_;
+  computation::Problem problem_;
   const StudyOptions& options_;
   MPI_Comm comm_;
   const StudyObserver& observer_;
   Random random_;
   Report report_{};
-  Result base_{};
+  computation::Result base_{};
   std::string stage_{}, why_left_out_{};
   double norm_ = 0, largest_ = 0;
 };
 
 }  // namespace
 
-std::vector<Variant> continuity_variants(const Problem& problem, const StudyOptions& options) {
-  Problem thick = with_thickness_scaled(problem, 1 + options.size);
+std::vector<Variant> continuity_variants(const computation::Problem& problem, const StudyOptions& options) {
+  computation::Problem thick = with_thickness_scaled(problem, 1 + options.size);
   if (thick.obstacle) thick.obstacle->face_scale /= 1 + options.size;
   return {{fmt::format("{:g} times the thickness", 1 + options.size), thick}};
 }
 
-Report continuity(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer) {
+Report continuity(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                  const StudyObserver& observer) {
   return Continuity(problem, options, comm, observer).run();
 }
 

@@ -5,9 +5,10 @@
 namespace plastron::study {
 
 /// (collective)
-Report continuity(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+Report continuity(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                  const StudyObserver& observer);
 
 /// The thickest shell it may compute.
-std::vector<Variant> continuity_variants(const Problem& problem, const StudyOptions& options);
+std::vector<Variant> continuity_variants(const computation::Problem& problem, const StudyOptions& options);
 
 }  // namespace plastron::study

@@ -1,10 +1,10 @@
 // The table of errors over mesh size, with and without obstacle, and what it says about the orders that theory gives.
 #include <plastron/study/convergence.hpp>
 
+#include <plastron/computation/extent.hpp>
 #include <plastron/study/energy_distance.hpp>
 #include <plastron/study/error_sequence.hpp>
 #include <plastron/study/exponents.hpp>
-#include <plastron/study/extent.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -142,9 +142,10 @@ void add_slopes(int degree, Plot& plot) {
 
 }  // namespace
 
-Report convergence(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer) {
+Report convergence(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                   const StudyObserver& observer) {
   const int degree = problem.discretisation.degree;
-  const double length = extent(problem);
+  const double length = computation::extent(problem);
   Report report{
       .table = empty_table(),
       .plot = {.title = "Error against the mesh size", .x = {"mesh size h [m]", true}, .y = {"relative error", true}}};
@@ -155,7 +156,7 @@ Report convergence(const Problem& problem, const StudyOptions& options, MPI_Comm
       "H1 and L2 take the shell's own length L = {:.4g} m, half the diagonal of the box around it, as unit of "
       "length",
       length));
-  Problem alone = problem;
+  computation::Problem alone = problem;
   alone.obstacle.reset();
   if (observer.stage) observer.stage("without obstacle");
   const Sequence free = error_sequence(alone, options.reference, length, comm, observer.solve);

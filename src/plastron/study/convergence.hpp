@@ -5,6 +5,7 @@
 namespace plastron::study {
 
 /// (collective)
-Report convergence(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+Report convergence(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                   const StudyObserver& observer);
 
 }  // namespace plastron::study

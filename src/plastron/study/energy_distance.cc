@@ -17,7 +17,7 @@ bool is_moved_by_support(const assembly::NodalCoordinates& coordinates, std::siz
 
 }  // namespace
 
-double rounding_norm(const Solution& solution) {
+double rounding_norm(const computation::Solution& solution) {
   constexpr double of_nodal_values = 16 * std::numeric_limits<double>::epsilon();  // they passed a few sums
   // The solver's tolerance is relative to what it starts from: prescribed motions at the supports, nothing elsewhere.
   constexpr double of_prescribed_motion = 1e-12;
@@ -42,7 +42,7 @@ double rounding_norm(const Solution& solution) {
   return std::sqrt(discrete.shell.material().young() * strains);
 }
 
-double relative_noise(const Solution& solution, double energy_norm) {
+double relative_noise(const computation::Solution& solution, double energy_norm) {
   const double rounding = rounding_norm(solution);
   if (!(energy_norm > 0)) return std::numeric_limits<double>::infinity();
   return std::max(solver_noise, rounding / energy_norm);

@@ -1,10 +1,10 @@
 #include <plastron/study/error_sequence.hpp>
 
 #include <plastron/assembly/field_norms.hpp>
-#include <plastron/study/description.hpp>
+#include <plastron/computation/description.hpp>
+#include <plastron/computation/solve.hpp>
 #include <plastron/study/energy_distance.hpp>
 #include <plastron/study/reference_strains.hpp>
-#include <plastron/study/solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ namespace {
 /// and the strains that each had on its own mesh.
 class CarriedSolutions {
  public:
-  CarriedSolutions(const Problem& problem, MPI_Comm comm)
-      : meshes_(mesh_sequence(problem, comm)), reference_(*last_mesh(problem, comm)) {}
+  CarriedSolutions(const computation::Problem& problem, MPI_Comm comm)
+      : meshes_(computation::mesh_sequence(problem, comm)), reference_(*last_mesh(problem, comm)) {}
 
-  void add(int level, const Solution& solution) {
+  void add(int level, const computation::Solution& solution) {
     if (level > 0) meshes_.refine(fields_);
     if (meshes_.space()->layout->global_size != solution.nodal.y.layout()->global_size)
       throw std::logic_error("a convergence study needs uniformly refined meshes");
@@ -35,8 +35,8 @@ class CarriedSolutions {
   const std::vector<std::int64_t>& cells() const { return cells_; }
 
  private:
-  static std::shared_ptr<const fem::Space> last_mesh(const Problem& problem, MPI_Comm comm) {
-    fem::MeshSequence meshes = mesh_sequence(problem, comm);
+  static std::shared_ptr<const fem::Space> last_mesh(const computation::Problem& problem, MPI_Comm comm) {
+    fem::MeshSequence meshes = computation::mesh_sequence(problem, comm);
     for (int i = 0; i < problem.discretisation.refinements; ++i) meshes.refine({});
     return meshes.space();
   }
@@ -71,8 +71,8 @@ Norms field_norms(const assembly::ShellOperator& shell, double length, const alg
 }
 
 /// Of level l against the last one, relative to the last one's norms.
-Norms relative_error(const Solution& reference, const CarriedSolutions& carried, std::size_t l, double length,
-                     const Norms& scale) {
+Norms relative_error(const computation::Solution& reference, const CarriedSolutions& carried, std::size_t l,
+                     double length, const Norms& scale) {
   const assembly::ShellOperator& shell = reference.discrete->shell;
   algebra::Vector difference = shell.interpolation().nodal_values(carried.fields()[l]);
   for (std::size_t i = 0; i < difference.local().size(); ++i) difference.local()[i] -= reference.nodal.y.local()[i];
@@ -98,16 +98,17 @@ std::vector<double> ErrorSequence::of(double Norms::*norm) const {
   return values;
 }
 
-ErrorSequence error_sequence(Problem problem, int reference, double length, MPI_Comm comm, Observer observer) {
+ErrorSequence error_sequence(computation::Problem problem, int reference, double length, MPI_Comm comm,
+                             computation::Observer observer) {
   const auto compared = static_cast<std::size_t>(problem.discretisation.refinements) + 1;
   problem.discretisation.refinements += reference;
   problem.probes.clear();
   CarriedSolutions carried(problem, comm);
-  observer.solution = [&](int level, const Solution& solution) { carried.add(level, solution); };
-  const Result result = solve(problem, comm, observer);
+  observer.solution = [&](int level, const computation::Solution& solution) { carried.add(level, solution); };
+  const computation::Result result = computation::solve(problem, comm, observer);
 
   ErrorSequence sequence{.status = result.status, .levels = result.levels};
-  for (const Level& level : result.levels)
+  for (const computation::Level& level : result.levels)
     if (level.status != contact::Status::solved && sequence.status == contact::Status::solved)
       sequence.status = level.status;
   if (sequence.status != contact::Status::solved) return sequence;

@@ -1,8 +1,8 @@
 // The errors of every mesh level against a solution some levels finer. The spaces are nested, so a coarse solution is
 // carried to the reference mesh exactly, and there the difference is integrated; its strains are those of its own mesh.
 #pragma once
-#include <plastron/study/observer.hpp>
-#include <plastron/study/problem.hpp>
+#include <plastron/computation/observer.hpp>
+#include <plastron/computation/problem.hpp>
 
 #include <mpi.h>
 
@@ -22,16 +22,17 @@ constexpr std::array norm_of{&Norms::energy, &Norms::h1,   &Norms::l2,  &Norms::
 /// The levels of one problem and their errors.
 struct ErrorSequence {
   contact::Status status = contact::Status::solved;
-  std::vector<Level> levels{};  ///< with those finer than what is compared
-  std::vector<double> h{};      ///< of the levels compared [m]
-  std::vector<Norms> errors{};  ///< of the levels compared; relative, where the reference is not zero
-  double energy_norm = 0;       ///< |U|_a of the reference [J^{1/2}]
-  double noise = 0;             ///< relative errors in the energy norm below it are rounding
+  std::vector<computation::Level> levels{};  ///< with those finer than what is compared
+  std::vector<double> h{};                   ///< of the levels compared [m]
+  std::vector<Norms> errors{};               ///< of the levels compared; relative, where the reference is not zero
+  double energy_norm = 0;                    ///< |U|_a of the reference [J^{1/2}]
+  double noise = 0;                          ///< relative errors in the energy norm below it are rounding
 
   std::vector<double> of(double Norms::*norm) const;
 };
 
 /// `reference` levels more than the problem's are solved; H1 and L2 take `length` [m] as unit of length. (collective)
-ErrorSequence error_sequence(Problem problem, int reference, double length, MPI_Comm comm, Observer observer);
+ErrorSequence error_sequence(computation::Problem problem, int reference, double length, MPI_Comm comm,
+                             computation::Observer observer);
 
 }  // namespace plastron::study

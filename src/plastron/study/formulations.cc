@@ -1,19 +1,19 @@
 #include <plastron/study/formulations.hpp>
 
-#include <plastron/study/examine.hpp>
+#include <plastron/examination/examine.hpp>
 
 #include <utility>
 
 namespace plastron::study {
 
-Problem in_formulation(Problem problem, assembly::Formulation formulation) {
+computation::Problem in_formulation(computation::Problem problem, element::Formulation formulation) {
   problem.discretisation.tangency.formulation = formulation;
   return problem;
 }
 
-std::string refusal(const Problem& problem, assembly::Formulation formulation) {
-  for (const Finding& finding : examine(in_formulation(problem, formulation)))
-    if (finding.severity == Severity::error) return finding.text;
+std::string refusal(const computation::Problem& problem, element::Formulation formulation) {
+  for (const examination::Finding& finding : examination::examine(in_formulation(problem, formulation)))
+    if (finding.severity == examination::Severity::error) return finding.text;
   return "";
 }
 

@@ -57,13 +57,15 @@ std::string kinds_that_take(std::string_view option) {
   return names;
 }
 
-std::vector<Finding> examine(const Kind& kind, const Problem& problem, const StudyOptions& options) {
-  std::vector<Finding> findings = examine(problem);
-  if (has_errors(findings) || !kind.variants) return findings;
+std::vector<examination::Finding> examine(const Kind& kind, const computation::Problem& problem,
+                                          const StudyOptions& options) {
+  std::vector<examination::Finding> findings = examination::examine(problem);
+  if (examination::has_errors(findings) || !kind.variants) return findings;
   for (const Variant& variant : kind.variants(problem, options))
-    for (const Finding& finding : examine(variant.problem))
-      if (finding.severity == Severity::error)
-        findings.push_back({Severity::error, variant.what + ", which this study computes: " + finding.text});
+    for (const examination::Finding& finding : examination::examine(variant.problem))
+      if (finding.severity == examination::Severity::error)
+        findings.push_back(
+            {examination::Severity::error, variant.what + ", which this study computes: " + finding.text});
   return findings;
 }
 

@@ -1,9 +1,9 @@
 // The studies: each computes a case many times and examines a theorem or a limit with what it finds.
 #pragma once
-#include <plastron/study/examine.hpp>
-#include <plastron/study/observer.hpp>
+#include <plastron/computation/observer.hpp>
+#include <plastron/computation/problem.hpp>
+#include <plastron/examination/examine.hpp>
 #include <plastron/study/plot.hpp>
-#include <plastron/study/problem.hpp>
 #include <plastron/study/table.hpp>
 
 #include <mpi.h>
@@ -31,7 +31,7 @@ struct StudyOptions {
 
 struct StudyObserver {
   std::function<void(std::string_view what)> stage{};  ///< the next computation, in words; may be empty
-  Observer solve{};                                    ///< of each computation
+  computation::Observer solve{};                       ///< of each computation
 };
 
 /// What a study found. With a status other than solved the table ends at the computation that failed.
@@ -44,16 +44,16 @@ struct Report {
 /// A problem that a study computes beside the case, in words and as it is.
 struct Variant {
   std::string what;
-  Problem problem;
+  computation::Problem problem;
 };
 
 struct Kind {
   std::string_view name, question;
-  Report (*run)(const Problem&, const StudyOptions&, MPI_Comm, const StudyObserver&);  ///< collective
+  Report (*run)(const computation::Problem&, const StudyOptions&, MPI_Comm, const StudyObserver&);  ///< collective
   /// Members of StudyOptions it looks at, as the command line calls them ("steps" are "factors" in other words).
   std::span<const std::string_view> options{};
   /// What it computes beside the case and cannot do without; null if nothing of its own could be refused.
-  std::vector<Variant> (*variants)(const Problem&, const StudyOptions&) = nullptr;
+  std::vector<Variant> (*variants)(const computation::Problem&, const StudyOptions&) = nullptr;
 };
 
 /// All studies. A new one is a line in kinds.cc.
@@ -69,6 +69,7 @@ std::string kinds_that_take(std::string_view option);
 
 /// The findings of the case, as for `run`, and the errors of what the study computes beside it: with errors the study is
 /// not to be run. The same on every rank.
-std::vector<Finding> examine(const Kind& kind, const Problem& problem, const StudyOptions& options);
+std::vector<examination::Finding> examine(const Kind& kind, const computation::Problem& problem,
+                                          const StudyOptions& options);
 
 }  // namespace plastron::study

@@ -2,10 +2,10 @@
 // the rate in p undisturbed by the mesh, and the tangent solution, which shows where the mesh and locking take over.
 #include <plastron/study/penalty.hpp>
 
+#include <plastron/computation/solve.hpp>
 #include <plastron/study/energy_distance.hpp>
 #include <plastron/study/exponents.hpp>
 #include <plastron/study/formulations.hpp>
-#include <plastron/study/solve.hpp>
 
 #include <fmt/format.h>
 
@@ -17,24 +17,24 @@ namespace plastron::study {
 
 namespace {
 
-using assembly::Formulation;
+using element::Formulation;
 
 struct Sample {
   double p = 0;
   contact::Status status = contact::Status::solved;
-  Level finest{};
-  double tilt_energy = 0;  ///< of the penalty [J]
+  computation::Level finest{};
+  double tangency_energy = 0;  ///< of the penalty [J]
   algebra::Vector y{};
 };
 
-Sample solve_for(Problem problem, const assembly::Tangency& tangency, MPI_Comm comm, const Observer& observer,
-                 std::optional<Solution>* keep = nullptr) {
+Sample solve_for(computation::Problem problem, const element::Tangency& tangency, MPI_Comm comm,
+                 const computation::Observer& observer, std::optional<computation::Solution>* keep = nullptr) {
   problem.discretisation.tangency = tangency;
   problem.probes.clear();
-  Result result = solve(problem, comm, observer);
+  computation::Result result = computation::solve(problem, comm, observer);
   Sample sample{.p = tangency.penalty, .status = result.status};
   if (!result.levels.empty()) sample.finest = result.levels.back();
-  sample.tilt_energy = result.summary.tilt_energy;
+  sample.tangency_energy = result.summary.tangency_energy;
   if (result.solution) sample.y = result.solution->nodal.y;
   if (keep) *keep = std::move(result.solution);
   return sample;
@@ -45,9 +45,9 @@ class Conditioning {
  public:
   bool spoils(const Sample& s) {
     const bool failed = s.status != contact::Status::solved || s.finest.linear_residual > 1e-8;
-    if (failed || (has_fallen_ && s.tilt_energy > 1.5 * least_)) return true;
-    has_fallen_ = has_fallen_ || s.tilt_energy < 0.5 * last_;
-    last_ = s.tilt_energy;
+    if (failed || (has_fallen_ && s.tangency_energy > 1.5 * least_)) return true;
+    has_fallen_ = has_fallen_ || s.tangency_energy < 0.5 * last_;
+    last_ = s.tangency_energy;
     least_ = std::min(least_, last_);
     return false;
   }
@@ -59,11 +59,11 @@ class Conditioning {
 };
 
 /// r . a_3 takes no part: flat shells, and such as do not move.
-bool is_idle(const Sample& s) { return s.tilt_energy <= 1e-20 * s.finest.energy; }
+bool is_idle(const Sample& s) { return s.tangency_energy <= 1e-20 * s.finest.energy; }
 
 /// What the rows say, from p = 1 downwards.
 struct Followed {
-  std::vector<double> p{}, to_limit{}, to_tangent{}, tilt{};
+  std::vector<double> p{}, to_limit{}, to_tangent{}, normal_rotation{};
   std::vector<double> step{};  ///< |U_p - U_{10 p}|_a, relative; NaN for the first
   double noise = 0;            ///< relative, in the energy norm
   bool is_idle = false;
@@ -75,7 +75,7 @@ Table empty_table() {
           .columns = {{"penalty", "p", "1"},
                       {"to the limit", "|U_p - U_0|_a", "1"},
                       {"to tangent", "|U_p - U|_a", "1"},
-                      {"tilt", "max |r.a3|", "1"},
+                      {"normal_rotation", "max |r.a3|", "1"},
                       {"penalty energy", "", "J"},
                       {"energy", "1/2 a(U,U)", "J"},
                       {"reaction", "|R|", "N"},
@@ -102,11 +102,12 @@ void add_claims(const Followed& f, Table& table) {
     table.claims = {not_judged(falling, why), not_judged(approaching, why)};
     return;
   }
-  const double exponent = fitted_exponent(f.p, f.tilt, f.p.size());
-  table.fits.push_back({"tilt", "p", exponent});
+  const double exponent = fitted_exponent(f.p, f.normal_rotation, f.p.size());
+  table.fits.push_back({"normal_rotation", "p", exponent});
   table.claims.push_back(
       judged(falling, fmt::format("like p^{:.2f} from p = 1 to {:g}", exponent, f.p.back()),
-             exponent > least_exponent && std::ranges::adjacent_find(f.tilt, std::less_equal<>{}) == f.tilt.end()));
+             exponent > least_exponent &&
+                 std::ranges::adjacent_find(f.normal_rotation, std::less_equal<>{}) == f.normal_rotation.end()));
   const std::size_t last = last_step_above(f.step, f.noise);
   if (last == 0) {
     table.claims.push_back(not_judged(
@@ -126,13 +127,13 @@ void add_claims(const Followed& f, Table& table) {
 void add_rows(const std::vector<Sample>& samples, const Followed& f, Table& table) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& s = samples[i];
-    table.rows.push_back({s.p, i + 1 == samples.size() ? NAN : f.to_limit[i], f.to_tangent[i], f.tilt[i], s.tilt_energy,
-                          s.finest.energy, s.finest.reaction, static_cast<std::int64_t>(s.finest.iterations),
-                          s.finest.linear_residual});
+    table.rows.push_back({s.p, i + 1 == samples.size() ? NAN : f.to_limit[i], f.to_tangent[i], f.normal_rotation[i],
+                          s.tangency_energy, s.finest.energy, s.finest.reaction,
+                          static_cast<std::int64_t>(s.finest.iterations), s.finest.linear_residual});
   }
 }
 
-Followed follow(const std::vector<Sample>& samples, const Sample& tangent, const Solution& kept) {
+Followed follow(const std::vector<Sample>& samples, const Sample& tangent, const computation::Solution& kept) {
   const assembly::ShellOperator& shell = kept.discrete->shell;
   Followed f{.noise = relative_noise(kept, std::sqrt(2 * tangent.finest.energy)), .is_idle = is_idle(samples.back())};
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -140,7 +141,7 @@ Followed follow(const std::vector<Sample>& samples, const Sample& tangent, const
     f.p.push_back(s.p);
     f.to_limit.push_back(relative_distance(shell, s.y, samples.back().y));
     f.to_tangent.push_back(relative_distance(shell, s.y, tangent.y));
-    f.tilt.push_back(s.finest.max_tilt);
+    f.normal_rotation.push_back(s.finest.max_normal_rotation);
     f.step.push_back(i > 0 ? relative_distance(shell, s.y, samples[i - 1].y) : NAN);
     f.noise = std::max(f.noise, s.finest.linear_residual);
   }
@@ -148,7 +149,7 @@ Followed follow(const std::vector<Sample>& samples, const Sample& tangent, const
 }
 
 /// The decades of p until conditioning ends them or somebody interrupts, and a sentence on what did.
-std::string solve_decades(const Problem& problem, MPI_Comm comm, const StudyObserver& observer,
+std::string solve_decades(const computation::Problem& problem, MPI_Comm comm, const StudyObserver& observer,
                           std::vector<Sample>& samples, contact::Status& status) {
   constexpr int most_decades = 16;
   Conditioning conditioning;
@@ -165,7 +166,7 @@ std::string solve_decades(const Problem& problem, MPI_Comm comm, const StudyObse
           "conditioning stops it at p = {:g}, where rounding and no longer p decides the penalty's energy ({}, "
           "relative "
           "residual {:.1e}, {:.1e} J)",
-          p, contact::to_string(s.status), s.finest.linear_residual, s.tilt_energy);
+          p, contact::to_string(s.status), s.finest.linear_residual, s.tangency_energy);
     samples.push_back(std::move(s));
     if (samples.size() > 2 && is_idle(samples.back()))
       return "r . a_3 takes no part on this shell: no smaller p was tried";
@@ -179,21 +180,21 @@ Plot plot_of(const Followed& f) {
           .y = {"relative difference in the energy norm, largest |r.a3|", true},
           .series = {{"to the limit", {f.p.begin(), f.p.end() - 1}, {f.to_limit.begin(), f.to_limit.end() - 1}},
                      {"to the tangent formulation", f.p, f.to_tangent},
-                     {"largest |r.a3|", f.p, f.tilt, true}},
+                     {"largest |r.a3|", f.p, f.normal_rotation, true}},
           .slopes = {{1, "slope 1"}}};
 }
 
 }  // namespace
 
-std::vector<Variant> penalty_variants(const Problem& problem, const StudyOptions&) {
+std::vector<Variant> penalty_variants(const computation::Problem& problem, const StudyOptions&) {
   return {{"the tangent formulation", in_formulation(problem, Formulation::tangent)},
           {"the penalised formulation", in_formulation(problem, Formulation::penalised)}};
 }
 
-Report penalty(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
+Report penalty(const computation::Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
   Report report{.table = empty_table(), .plot = {}};
   if (observer.stage) observer.stage("tangent");
-  std::optional<Solution> kept;
+  std::optional<computation::Solution> kept;
   const Sample tangent = solve_for(problem, {.formulation = Formulation::tangent}, comm, observer.solve, &kept);
   report.status = tangent.status;
   if (tangent.status != contact::Status::solved) return report;

@@ -5,9 +5,10 @@
 namespace plastron::study {
 
 /// || U - U_p || for p = 1, 1/10, ... until conditioning stops it: the paper's Theorem 3 and Remark 4. (collective)
-Report penalty(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+Report penalty(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+               const StudyObserver& observer);
 
 /// The two formulations it sets against each other.
-std::vector<Variant> penalty_variants(const Problem& problem, const StudyOptions& options);
+std::vector<Variant> penalty_variants(const computation::Problem& problem, const StudyOptions& options);
 
 }  // namespace plastron::study

@@ -32,13 +32,13 @@ struct Part {
 
 /// Tables of the coarse element at the quadrature points of a part of it.
 struct PartTables {
-  assembly::BasisAt basis;
+  element::BasisAt basis;
   std::vector<Eigen::MatrixXd> tied;
 };
 
 class Evaluator {
  public:
-  explicit Evaluator(const Solution& solution) : solution_(solution), shell_(solution.discrete->shell) {
+  explicit Evaluator(const computation::Solution& solution) : solution_(solution), shell_(solution.discrete->shell) {
     for (std::size_t c = 0; c < shell_.space().owned_cells; ++c)
       by_coarse_[shell_.space().cells[c].coarse].push_back(c);
   }
@@ -74,12 +74,12 @@ class Evaluator {
     std::vector<Eigen::Vector2d> xi;
     for (const Eigen::Vector2d& p : shell_.tables().quadrature.xi) xi.emplace_back(part.corner + part.size * p);
     return tables_
-        .emplace(key, PartTables{assembly::basis_at(shell_.space().shape(), shell_.space().degree, xi),
-                                 assembly::tied_interpolation(shell_.tables(), xi)})
+        .emplace(key, PartTables{element::basis_at(shell_.space().shape(), shell_.space().degree, xi),
+                                 element::tied_interpolation(shell_.tables(), xi)})
         .first->second;
   }
 
-  const Solution& solution_;
+  const computation::Solution& solution_;
   const assembly::ShellOperator& shell_;
   std::map<int, std::vector<std::size_t>> by_coarse_;
   std::map<std::tuple<long, long, long>, PartTables> tables_;
@@ -121,7 +121,7 @@ bool ReferenceStrains::fits(const fem::Space& space) const {
 }
 
 // Each rank fills in the cells it can see; a sum over the ranks brings them to their owners.
-std::vector<CellStrain> ReferenceStrains::of(const Solution& coarse) const {
+std::vector<CellStrain> ReferenceStrains::of(const computation::Solution& coarse) const {
   Evaluator evaluate(coarse);
   const Eigen::Index points = coarse.discrete->shell.tables().points_per_cell();
   const auto per_cell = static_cast<std::size_t>(8 * points);

@@ -1,7 +1,7 @@
 // Strains of coarse solutions at the quadrature points of a finer, nested mesh. With tying (M22) strains belong to the mesh
 // on which they were tied: a coarse displacement whose strains are tied again on a finer mesh shows shear it never had.
 #pragma once
-#include <plastron/study/result.hpp>
+#include <plastron/computation/result.hpp>
 
 #include <vector>
 
@@ -14,7 +14,7 @@ class ReferenceStrains {
 
   /// For each cell that this rank owns on the reference mesh the strains of `coarse` at its quadrature points, components in
   /// that cell's own coordinates. Precondition: every reference cell lies in one cell of the coarse mesh. (collective)
-  std::vector<assembly::CellStrain> of(const Solution& coarse) const;
+  std::vector<assembly::CellStrain> of(const computation::Solution& coarse) const;
 
   /// The mesh is the one of the constructor, cell by cell.
   bool fits(const fem::Space& space) const;

@@ -3,11 +3,11 @@
 // developable surfaces a constant r . a_3 costs nothing either.
 #include <plastron/study/stability.hpp>
 
-#include <plastron/assembly/soft_modes.hpp>
+#include <plastron/computation/description.hpp>
+#include <plastron/computation/extent.hpp>
 #include <plastron/geometry/frame.hpp>
-#include <plastron/study/description.hpp>
+#include <plastron/spectra/soft_modes.hpp>
 #include <plastron/study/exponents.hpp>
-#include <plastron/study/extent.hpp>
 #include <plastron/study/formulations.hpp>
 
 #include <fmt/format.h>
@@ -20,9 +20,9 @@ namespace plastron::study {
 
 namespace {
 
-using assembly::Formulation;
-using assembly::Mode;
-using assembly::ModeKind;
+using element::Formulation;
+using spectra::Mode;
+using spectra::ModeKind;
 
 constexpr int first_modes = 8;
 constexpr std::array formulations{Formulation::tangent, Formulation::penalised, Formulation::mixed,
@@ -77,8 +77,8 @@ double mesh_size(const assembly::DiscreteShell& discrete) {
 }
 
 /// The shell in one formulation, with nothing that holds or loads it.
-assembly::ShellDescription free_shell(const Problem& problem, Formulation formulation) {
-  assembly::ShellDescription shell = shell_description(in_formulation(problem, formulation));
+assembly::ShellDescription free_shell(const computation::Problem& problem, Formulation formulation) {
+  assembly::ShellDescription shell = computation::shell_description(in_formulation(problem, formulation));
   shell.supports.clear();
   shell.area_loads.clear();
   shell.edge_loads.clear();
@@ -87,10 +87,10 @@ assembly::ShellDescription free_shell(const Problem& problem, Formulation formul
 }
 
 /// Empty if interrupted.
-Samples compute(const Problem& problem, MPI_Comm comm, const StudyObserver& observer) {
-  Samples samples{.length = extent(problem)};
+Samples compute(const computation::Problem& problem, MPI_Comm comm, const StudyObserver& observer) {
+  Samples samples{.length = computation::extent(problem)};
   if (problem.charts.size() > 1) samples.classical_left_out = refusal(problem, Formulation::classical);
-  fem::MeshSequence meshes = mesh_sequence(problem, comm);
+  fem::MeshSequence meshes = computation::mesh_sequence(problem, comm);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   const int finest = problem.discretisation.refinements;
   for (int level = 0; level <= finest; ++level) {
@@ -98,12 +98,12 @@ Samples compute(const Problem& problem, MPI_Comm comm, const StudyObserver& obse
     if (level + 3 < finest) continue;
     for (const Formulation formulation : formulations) {
       if (formulation == Formulation::classical && !samples.classical_left_out.empty()) continue;
-      if (wants_to_stop(observer.solve, comm)) return {};
-      if (observer.stage) observer.stage(fmt::format("mesh {}: {}", level, assembly::to_string(formulation)));
+      if (computation::wants_to_stop(observer.solve, comm)) return {};
+      if (observer.stage) observer.stage(fmt::format("mesh {}: {}", level, element::to_string(formulation)));
       const auto discrete = assembly::discretise(meshes.space(), surface, free_shell(problem, formulation));
       samples.developable = is_developable(*discrete);
       samples.all.push_back(
-          {formulation, level, mesh_size(*discrete), assembly::softest_modes(*discrete, first_modes, samples.length)});
+          {formulation, level, mesh_size(*discrete), spectra::softest_modes(*discrete, first_modes, samples.length)});
     }
   }
   std::ranges::stable_sort(samples.all, {}, &Sample::formulation);
@@ -125,10 +125,10 @@ Table empty_table() {
 void add_rows(const std::vector<Sample>& samples, Table& table) {
   for (const Sample& s : samples)
     for (std::size_t k = 0; k < s.modes.size(); ++k)
-      table.rows.push_back({std::string(assembly::to_string(s.formulation)), static_cast<std::int64_t>(s.level),
+      table.rows.push_back({std::string(element::to_string(s.formulation)), static_cast<std::int64_t>(s.level),
                             s.mesh_size, static_cast<std::int64_t>(k + 1), s.modes[k].stiffness,
                             s.modes[k].stiffness / s.modes.back().stiffness,
-                            std::string(assembly::to_string(s.modes[k].kind()))});
+                            std::string(spectra::to_string(s.modes[k].kind()))});
 }
 
 std::vector<Sample> of(const std::vector<Sample>& samples, Formulation formulation) {
@@ -149,12 +149,12 @@ std::vector<double> stiffest_soft(const std::vector<Sample>& samples) {
 
 Claim counted(const std::vector<Sample>& samples, bool developable) {
   const Sample& finest = samples.back();
-  const int tilts = assembly::is_relaxed(finest.formulation) && developable ? 1 : 0;
+  const int normal_rotations = element::is_relaxed(finest.formulation) && developable ? 1 : 0;
   const int t = finest.soft(ModeKind::translation), r = finest.soft(ModeKind::rotation),
-            n = finest.soft(ModeKind::tilt);
+            n = finest.soft(ModeKind::normal_rotation);
   const int soft = finest.soft();
   const std::string statement = fmt::format("{}: the soft modes are 3 translations, 3 rotations and {} tilt",
-                                            to_string(finest.formulation), tilts == 0 ? "no" : "1");
+                                            to_string(finest.formulation), normal_rotations == 0 ? "no" : "1");
   if (samples.size() > 1 && samples[samples.size() - 2].soft() != soft)
     return not_judged(statement,
                       fmt::format("their number still changes with the mesh, {} and {} on the last two; take "
@@ -163,10 +163,11 @@ Claim counted(const std::vector<Sample>& samples, bool developable) {
   if (soft == 0) return judged(statement, "no soft mode", false);
   const double next = finest.modes[static_cast<std::size_t>(soft)].stiffness;
   const double stiffest = finest.modes[static_cast<std::size_t>(soft - 1)].stiffness;
-  return judged(statement,
-                fmt::format("{} soft modes: {} translations, {} rotations, {} tilt; the next is {:.1e} times stiffer",
-                            soft, t, r, n, next / std::max(stiffest, 1e-16 * finest.modes.back().stiffness)),
-                t == 3 && r == 3 && n == tilts && soft == 6 + tilts);
+  return judged(
+      statement,
+      fmt::format("{} soft modes: {} translations, {} rotations, {} of r.a3; the next is {:.1e} times stiffer", soft, t,
+                  r, n, next / std::max(stiffest, 1e-16 * finest.modes.back().stiffness)),
+      t == 3 && r == 3 && n == normal_rotations && soft == 6 + normal_rotations);
 }
 
 /// theta ~ h^{2k}: the strains of a rigid motion are the error of its interpolation, of degree k. Judged between the finest
@@ -176,7 +177,7 @@ void examine_rate(const std::vector<Sample>& samples, int degree, Table& table) 
   std::vector<double> h;
   h.reserve(samples.size());
   for (const Sample& s : samples) h.push_back(s.mesh_size);
-  const std::string name(assembly::to_string(samples.front().formulation));
+  const std::string name(element::to_string(samples.front().formulation));
   const std::string statement = fmt::format("{}: the soft modes become free like h^{} or faster", name, 2 * degree);
   std::vector<double> relative;
   for (std::size_t i = 0; i < theta.size(); ++i) relative.push_back(theta[i] / samples[i].modes.back().stiffness);
@@ -220,7 +221,8 @@ Plot plot_of(const std::vector<Sample>& samples) {
 
 }  // namespace
 
-Report soft_modes(const Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
+Report soft_modes(const computation::Problem& problem, const StudyOptions&, MPI_Comm comm,
+                  const StudyObserver& observer) {
   const Samples samples = compute(problem, comm, observer);
   Report report{.table = empty_table(), .plot = {}};
   if (samples.all.empty()) return report.status = contact::Status::interrupted, report;

@@ -2,8 +2,8 @@
 // and what it says about the claims.
 #include <plastron/study/stability.hpp>
 
+#include <plastron/computation/extent.hpp>
 #include <plastron/study/exponents.hpp>
-#include <plastron/study/extent.hpp>
 #include <plastron/study/stability_samples.hpp>
 #include <plastron/study/variations.hpp>
 
@@ -88,7 +88,7 @@ Claim does_not_degrade(const Samples& samples, Value value, const std::string& s
                 low > share * reference);
 }
 
-void examine_coercivity(const Samples& samples, const Problem& problem, Table& table) {
+void examine_coercivity(const Samples& samples, const computation::Problem& problem, Table& table) {
   const std::string symbol = "alpha / (E e^3)";
   if (std::ranges::all_of(samples, [](const Sample& s) { return s.alpha <= 0; })) {
     table.claims.push_back(not_judged(symbol + " does not go to zero with the mesh size or the thickness",
@@ -168,12 +168,13 @@ std::vector<double> factors_of(const StudyOptions& options) {
 
 }  // namespace
 
-std::vector<Variant> stability_variants(const Problem& problem, const StudyOptions& options) {
+std::vector<Variant> stability_variants(const computation::Problem& problem, const StudyOptions& options) {
   return thickness_variants(problem, factors_of(options));
 }
 
-Report stability(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer) {
-  const double length = extent(problem);
+Report stability(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                 const StudyObserver& observer) {
+  const double length = computation::extent(problem);
   const auto samples = stability_samples(problem, factors_of(options), length, comm, observer);
   Report report{.table = empty_table(), .plot = {}};
   if (samples.empty()) return report.status = contact::Status::interrupted, report;

@@ -5,11 +5,13 @@
 namespace plastron::study {
 
 /// Coercivity and inf-sup constants over mesh size and thickness. (collective)
-Report stability(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+Report stability(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                 const StudyObserver& observer);
 /// The thicknesses it computes.
-std::vector<Variant> stability_variants(const Problem& problem, const StudyOptions& options);
+std::vector<Variant> stability_variants(const computation::Problem& problem, const StudyOptions& options);
 
 /// What costs nothing once all supports are removed, in every formulation, over the mesh size. (collective)
-Report soft_modes(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+Report soft_modes(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                  const StudyObserver& observer);
 
 }  // namespace plastron::study

@@ -1,8 +1,8 @@
 #include <plastron/study/stability_samples.hpp>
 
-#include <plastron/assembly/inf_sup.hpp>
-#include <plastron/assembly/soft_modes.hpp>
-#include <plastron/study/description.hpp>
+#include <plastron/computation/description.hpp>
+#include <plastron/spectra/inf_sup.hpp>
+#include <plastron/spectra/soft_modes.hpp>
 #include <plastron/study/formulations.hpp>
 #include <plastron/study/variations.hpp>
 
@@ -15,8 +15,8 @@ namespace plastron::study {
 
 namespace {
 
-assembly::ShellDescription without_loads(const Problem& problem, bool with_gap) {
-  assembly::ShellDescription shell = shell_description(problem);
+assembly::ShellDescription without_loads(const computation::Problem& problem, bool with_gap) {
+  assembly::ShellDescription shell = computation::shell_description(problem);
   shell.area_loads.clear();
   shell.edge_loads.clear();
   if (!with_gap) shell.gap = {};
@@ -25,14 +25,14 @@ assembly::ShellDescription without_loads(const Problem& problem, bool with_gap) 
 
 class Stability {
  public:
-  Stability(const Problem& problem, const std::vector<double>& factors, double length, MPI_Comm comm,
+  Stability(const computation::Problem& problem, const std::vector<double>& factors, double length, MPI_Comm comm,
             const StudyObserver& observer)
       : problem_(problem), factors_(factors), length_(length), comm_(comm), observer_(observer) {}
 
   /// Empty if interrupted.
   std::vector<StabilitySample> samples() {
     const int finest = problem_.discretisation.refinements;
-    fem::MeshSequence meshes = mesh_sequence(problem_, comm_);
+    fem::MeshSequence meshes = computation::mesh_sequence(problem_, comm_);
     surface_ = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem_.charts);
     std::vector<StabilitySample> all;
     for (int level = 0; level <= finest; ++level) {
@@ -40,7 +40,7 @@ class Stability {
       if (level + 3 < finest) continue;  // h, h/2, h/4, h/8
       const std::optional<double> b = inf_sup_of_b(meshes.space(), level);
       for (const double factor : factors_) {
-        if (wants_to_stop(observer_.solve, comm_)) return {};
+        if (computation::wants_to_stop(observer_.solve, comm_)) return {};
         all.push_back(measure(meshes.space(), level, factor));
         all.back().b = b.value_or(StabilitySample::no_value);
       }
@@ -59,22 +59,22 @@ class Stability {
   /// Neither b nor the norms contain the thickness or the formulation: one value a mesh.
   std::optional<double> inf_sup_of_b(const SpacePointer& space, int level) {
     tell(level, "inf-sup constant of b");
-    const Problem mixed = in_formulation(problem_, assembly::Formulation::mixed);
-    return assembly::tangency_inf_sup(*assembly::discretise(space, surface_, without_loads(mixed, false)), length_);
+    const computation::Problem mixed = in_formulation(problem_, element::Formulation::mixed);
+    return spectra::tangency_inf_sup(*assembly::discretise(space, surface_, without_loads(mixed, false)), length_);
   }
 
   StabilitySample measure(const SpacePointer& space, int level, double factor) {
-    const Problem thin = with_thickness_scaled(problem_, factor);
+    const computation::Problem thin = with_thickness_scaled(problem_, factor);
     tell(level, fmt::format("coercivity, thickness times {:g}", factor));
     const auto discrete = assembly::discretise(space, surface_, without_loads(thin, false));
     StabilitySample sample{.factor = factor, .level = level, .nodes = space->layout->global_size};
     measure_size(*discrete, sample);
-    sample.alpha = assembly::softest_modes(*discrete, 1, length_).at(0).stiffness;
+    sample.alpha = spectra::softest_modes(*discrete, 1, length_).at(0).stiffness;
     sample.relative_alpha = sample.alpha / (problem_.material.young() * std::pow(sample.thickness, 3));
     if (!problem_.obstacle) return sample;
     tell(level, fmt::format("inf-sup constant of c, thickness times {:g}", factor));
     const auto touching = assembly::discretise(space, surface_, without_loads(thin, true));
-    if (const auto c = assembly::contact_inf_sup(*touching, length_)) sample.c_dual = c->dual, sample.c_l2 = c->l2;
+    if (const auto c = spectra::contact_inf_sup(*touching, length_)) sample.c_dual = c->dual, sample.c_l2 = c->l2;
     return sample;
   }
 
@@ -89,7 +89,7 @@ class Stability {
     sample.mesh_size = std::sqrt(area / static_cast<double>(discrete.space().global_cells));
   }
 
-  const Problem& problem_;
+  const computation::Problem& problem_;
   const std::vector<double>& factors_;
   double length_;  ///< L of the norms [m]
   MPI_Comm comm_;
@@ -99,7 +99,7 @@ class Stability {
 
 }  // namespace
 
-std::vector<StabilitySample> stability_samples(const Problem& problem, const std::vector<double>& factors,
+std::vector<StabilitySample> stability_samples(const computation::Problem& problem, const std::vector<double>& factors,
                                                double length, MPI_Comm comm, const StudyObserver& observer) {
   return Stability(problem, factors, length, comm, observer).samples();
 }

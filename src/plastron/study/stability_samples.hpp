@@ -22,7 +22,7 @@ struct StabilitySample {
 
 /// From thick to thin, for each thickness from coarse to fine; norms with the unit of length `length` [m]. Empty if
 /// interrupted. (collective)
-std::vector<StabilitySample> stability_samples(const Problem& problem, const std::vector<double>& factors,
+std::vector<StabilitySample> stability_samples(const computation::Problem& problem, const std::vector<double>& factors,
                                                double length, MPI_Comm comm, const StudyObserver& observer);
 
 }  // namespace plastron::study

@@ -3,10 +3,10 @@
 #include <plastron/study/thickness.hpp>
 
 #include <plastron/assembly/field_norms.hpp>
+#include <plastron/computation/solve.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/study/energy_distance.hpp>
 #include <plastron/study/exponents.hpp>
-#include <plastron/study/solve.hpp>
 #include <plastron/study/variations.hpp>
 
 #include <fmt/format.h>
@@ -57,13 +57,14 @@ Measures measure(const assembly::DiscreteShell& discrete) {
   return m;
 }
 
-Sample sample_of(const Result& result, const Problem& problem, double factor, double load_factor) {
+Sample sample_of(const computation::Result& result, const computation::Problem& problem, double factor,
+                 double load_factor) {
   const assembly::DiscreteShell& discrete = *result.solution->discrete;
   const algebra::Vector& y = result.solution->nodal.y;
   const Measures m = measure(discrete);
   const double work = result.summary.load_work / load_factor;
   const double r = std::sqrt(assembly::squared_norms(discrete.shell, y).r);
-  const double energy = result.summary.energy.total() + result.summary.tilt_energy;
+  const double energy = result.summary.energy.total() + result.summary.tangency_energy;
   const double noise = relative_noise(*result.solution, std::sqrt(2 * energy));
   // An error of so many J^{1/2} can all be shear: k mu e |2 delta|^2 <= its square.
   const shell::Material& material = problem.material;
@@ -133,7 +134,7 @@ std::vector<double> stiffness_exponents(const std::vector<Sample>& samples) {
 }
 
 /// Why the stiffness has no exponents to be judged; empty if it has.
-std::string no_exponents(const std::vector<Sample>& samples, const Problem& problem) {
+std::string no_exponents(const std::vector<Sample>& samples, const computation::Problem& problem) {
   constexpr double tolerable = 1e-3;
   if (has_prescribed_motion(problem)) return "the supports prescribe motions, so the stiffness K has no meaning";
   if (problem.obstacle) return "with an obstacle K is a secant stiffness at one load and bound to no power of e";
@@ -184,7 +185,7 @@ Claim koiter_limit(const std::vector<Sample>& samples) {
       exponent > least_exponent && distance.back() < distance.front());
 }
 
-void warn(const std::vector<Sample>& samples, const Problem& problem, Table& table) {
+void warn(const std::vector<Sample>& samples, const computation::Problem& problem, Table& table) {
   const Sample& thinnest = samples.back();
   const double spacing = thinnest.mesh_size / problem.discretisation.degree;
   if (spacing > thinnest.layer)
@@ -201,7 +202,7 @@ void warn(const std::vector<Sample>& samples, const Problem& problem, Table& tab
                     spacing, thinnest.thickness / 2));
 }
 
-void conclude(const std::vector<Sample>& samples, const Problem& problem, Table& table) {
+void conclude(const std::vector<Sample>& samples, const computation::Problem& problem, Table& table) {
   const auto e = column(samples, [](const Sample& s) { return s.thickness; });
   const double exponent = fitted_exponent(e, column(samples, [](const Sample& s) { return s.stiffness; }));
   if (samples.size() > 1)
@@ -239,25 +240,26 @@ std::vector<double> factors_of(const StudyOptions& options) {
 
 }  // namespace
 
-std::vector<Variant> thickness_study_variants(const Problem& problem, const StudyOptions& options) {
+std::vector<Variant> thickness_study_variants(const computation::Problem& problem, const StudyOptions& options) {
   return thickness_variants(problem, factors_of(options));
 }
 
-Report thickness(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer) {
+Report thickness(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                 const StudyObserver& observer) {
   const double exponent = options.load_exponent.value_or(problem.obstacle ? 3 : 0);
   Report report{.table = empty_table(), .plot = {}};
   report.table.remarks.push_back(exponent == 0 ? std::string("loads are those of the case")
                                                : fmt::format("loads are the case's times factor^{:g}", exponent));
   if (problem.obstacle)
     report.table.remarks.push_back("mid-surface and obstacle stay; the touching face moves with e/2");
-  Problem plain = problem;
+  computation::Problem plain = problem;
   plain.probes.clear();
   std::vector<Sample> samples;
   for (const double factor : factors_of(options)) {
     if (observer.stage) observer.stage(fmt::format("thickness times {:g}", factor));
     const double load_factor = std::pow(factor, exponent);
-    const Result result =
-        solve(with_loads_scaled(with_thickness_scaled(plain, factor), load_factor), comm, observer.solve);
+    const computation::Result result =
+        computation::solve(with_loads_scaled(with_thickness_scaled(plain, factor), load_factor), comm, observer.solve);
     report.status = result.status;
     if (result.status != contact::Status::solved) break;
     samples.push_back(sample_of(result, problem, factor, load_factor));

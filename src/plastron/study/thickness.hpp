@@ -5,9 +5,10 @@
 namespace plastron::study {
 
 /// (collective)
-Report thickness(const Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer);
+Report thickness(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
+                 const StudyObserver& observer);
 
 /// The thicknesses it computes.
-std::vector<Variant> thickness_study_variants(const Problem& problem, const StudyOptions& options);
+std::vector<Variant> thickness_study_variants(const computation::Problem& problem, const StudyOptions& options);
 
 }  // namespace plastron::study

@@ -18,12 +18,12 @@ void scale(assembly::VectorFunction& f, double factor) {
 
 }  // namespace
 
-Problem with_thickness_scaled(Problem problem, double factor) {
+computation::Problem with_thickness_scaled(computation::Problem problem, double factor) {
   problem.thickness = problem.thickness.scaled(factor);
   return problem;
 }
 
-std::vector<Variant> thickness_variants(const Problem& problem, const std::vector<double>& factors) {
+std::vector<Variant> thickness_variants(const computation::Problem& problem, const std::vector<double>& factors) {
   std::vector<Variant> variants;
   for (const double factor : factors)
     if (factor != 1)
@@ -31,7 +31,7 @@ std::vector<Variant> thickness_variants(const Problem& problem, const std::vecto
   return variants;
 }
 
-Problem with_loads_scaled(Problem problem, double factor) {
+computation::Problem with_loads_scaled(computation::Problem problem, double factor) {
   for (auto& load : problem.area_loads) {
     scale(load.force, factor);
     scale(load.couple, factor);
@@ -46,14 +46,14 @@ Problem with_loads_scaled(Problem problem, double factor) {
   return problem;
 }
 
-Problem linear_and_homogeneous(Problem problem) {
+computation::Problem linear_and_homogeneous(computation::Problem problem) {
   problem.obstacle.reset();
   for (auto& support : problem.supports)
     for (auto& component : support.components) component.value = {};
   return problem;
 }
 
-bool has_prescribed_motion(const Problem& problem) {
+bool has_prescribed_motion(const computation::Problem& problem) {
   return std::ranges::any_of(problem.supports, [](const assembly::Support& support) {
     return std::ranges::any_of(support.components, [](const assembly::PrescribedComponent& c) {
       return !c.value.is_constant() || c.value(0, 0) != 0;

@@ -5,15 +5,15 @@
 namespace plastron::study {
 
 /// e times `factor`; chart, obstacle and loads stay. The touching face moves with e/2.
-Problem with_thickness_scaled(Problem problem, double factor);
+computation::Problem with_thickness_scaled(computation::Problem problem, double factor);
 /// The problem at each factor but 1, where it is the case itself.
-std::vector<Variant> thickness_variants(const Problem& problem, const std::vector<double>& factors);
+std::vector<Variant> thickness_variants(const computation::Problem& problem, const std::vector<double>& factors);
 /// All loads of (M9) times `factor`.
-Problem with_loads_scaled(Problem problem, double factor);
+computation::Problem with_loads_scaled(computation::Problem problem, double factor);
 /// Supports hold the same components at zero, and there is no obstacle: the linear problem on V.
-Problem linear_and_homogeneous(Problem problem);
+computation::Problem linear_and_homogeneous(computation::Problem problem);
 
 /// A support prescribes something other than zero, at some place.
-bool has_prescribed_motion(const Problem& problem);
+bool has_prescribed_motion(const computation::Problem& problem);
 
 }  // namespace plastron::study

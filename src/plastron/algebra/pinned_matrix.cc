@@ -1,0 +1,153 @@
+#include "pinned_matrix.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "petsc_check.hpp"
+
+namespace plastron::algebra {
+namespace {
+
+void declare_positive_definite(Mat mat) {
+  petsc_check(MatSetOption(mat, MAT_SYMMETRIC, PETSC_TRUE), "declaring a matrix symmetric");
+  petsc_check(MatSetOption(mat, MAT_SPD, PETSC_TRUE), "declaring a matrix positive definite");
+}
+
+}  // namespace
+
+PinnedMatrix::PinnedMatrix(const Matrix::Storage& A) {
+  int ranks = 1;
+  MPI_Comm_size(A.layout->comm, &ranks);
+  alone_ = ranks == 1;
+  const GlobalIndex unknowns = A.layout->global_size * A.block;
+  if (unknowns > std::numeric_limits<PetscInt>::max())
+    throw std::runtime_error("more unknowns than PETSc's 32-bit indices can number");
+  if (alone_)
+    create_on_one_rank(A);
+  else
+    create_on_several_ranks(A);
+  declare_positive_definite(mat_);
+}
+
+PinnedMatrix::~PinnedMatrix() { MatDestroy(&mat_); }
+
+void PinnedMatrix::create_on_one_rank(const Matrix::Storage& A) {
+  const auto m = static_cast<std::size_t>(A.block);
+  const std::size_t nodes = A.global.size();
+  const std::size_t entries = A.column.size() * m * m - nodes * (m * (m - 1) / 2);
+  if (entries > static_cast<std::size_t>(std::numeric_limits<PetscInt>::max()))
+    throw std::runtime_error("more matrix entries than PETSc's 32-bit indices can number: use several ranks");
+  column_.reserve(entries);
+  row_start_.assign(1, 0);
+  for (std::size_t row = 0; row < nodes; ++row)
+    for (std::size_t a = 0; a < m; ++a) {
+      for (std::size_t k = A.row_begin(static_cast<LocalIndex>(row)); k < A.row_end(static_cast<LocalIndex>(row)); ++k)
+        for (std::size_t b = A.column[k] == static_cast<LocalIndex>(row) ? a : 0; b < m; ++b)
+          column_.push_back(static_cast<PetscInt>(static_cast<std::size_t>(A.column[k]) * m + b));
+      row_start_.push_back(static_cast<PetscInt>(column_.size()));
+    }
+  values_.assign(entries, 0.0);
+  const auto size = static_cast<PetscInt>(nodes * m);
+  petsc_check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, size, size, row_start_.data(), column_.data(),
+                                          values_.data(), &mat_),
+              "wrapping a matrix");
+}
+
+void PinnedMatrix::create_on_several_ranks(const Matrix::Storage& A) {
+  const LocalIndex owned = A.layout->owned;
+  std::vector<PetscInt> blocks_here(static_cast<std::size_t>(owned), 0);
+  std::vector<PetscInt> blocks_elsewhere = blocks_here;
+  for (LocalIndex row = 0; row < owned; ++row)
+    for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k)
+      ++(A.column[k] < owned ? blocks_here : blocks_elsewhere)[static_cast<std::size_t>(row)];
+  const PetscInt size = owned * A.block;
+  petsc_check(MatCreateSBAIJ(A.layout->comm, A.block, size, size, PETSC_DETERMINE, PETSC_DETERMINE, 0,
+                             blocks_here.data(), 0, blocks_elsewhere.data(), &mat_),
+              "creating a distributed matrix");
+  petsc_check(MatSetOption(mat_, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_TRUE), "fixing a pattern");
+  fill_blocked_rows(A);  // the pattern exists for PETSc only once it has values
+}
+
+void PinnedMatrix::mark_pinned(const Matrix::Storage& A, std::span<const char> pinned) {
+  const auto m = static_cast<std::size_t>(A.block);
+  const auto owned = static_cast<std::size_t>(A.layout->owned) * m;
+  if (pinned.size() != owned) throw std::invalid_argument("one mark per owned unknown tells which are pinned");
+  const auto diagonal_of = [&](std::size_t i) {
+    return A.block_at(A.row_begin(static_cast<LocalIndex>(i / m)))[(i % m) * (m + 1)];
+  };
+  double largest = 0;
+  for (std::size_t i = 0; i < owned; ++i) largest = std::max(largest, diagonal_of(i));
+  largest = max_over_ranks(largest, A.layout->comm);
+  if (!(largest > 0)) largest = 1;
+  pinned_diagonal_.assign(A.global.size() * m, 0.0);
+  for (std::size_t i = 0; i < owned; ++i)
+    if (pinned[i]) pinned_diagonal_[i] = diagonal_of(i) > 0 ? diagonal_of(i) : largest;
+  A.exchange->to_ghosts(pinned_diagonal_, A.block);
+}
+
+void PinnedMatrix::fill(const Matrix::Storage& A, std::span<const char> pinned) {
+  mark_pinned(A, pinned);
+  if (alone_)
+    fill_arrays(A);
+  else
+    fill_blocked_rows(A);
+}
+
+void PinnedMatrix::fill_arrays(const Matrix::Storage& A) {
+  const auto m = static_cast<std::size_t>(A.block);
+  double* values = nullptr;  // values_, but asked for, so that PETSc knows they change
+  petsc_check(MatSeqSBAIJGetArray(mat_, &values), "writing to a matrix");
+  double* target = values;
+  for (LocalIndex row = 0; row < A.layout->owned; ++row)
+    for (std::size_t a = 0; a < m; ++a) {
+      const double row_pin = pinned_diagonal_[static_cast<std::size_t>(row) * m + a];
+      for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k) {
+        const bool on_diagonal = A.column[k] == row;
+        const double* source = A.block_at(k) + a * m;
+        const double* column_pin = pinned_diagonal_.data() + static_cast<std::size_t>(A.column[k]) * m;
+        for (std::size_t b = on_diagonal ? a : 0; b < m; ++b) {
+          const bool replaced = row_pin != 0 || column_pin[b] != 0;
+          *target++ = !replaced ? source[b] : (on_diagonal && a == b ? row_pin : 0.0);
+        }
+      }
+    }
+  petsc_check(MatSeqSBAIJRestoreArray(mat_, &values), "ending the writing to a matrix");
+}
+
+void PinnedMatrix::fill_blocked_rows(const Matrix::Storage& A) {
+  const auto m = static_cast<std::size_t>(A.block);
+  if (pinned_diagonal_.empty()) pinned_diagonal_.assign(A.global.size() * m, 0.0);
+  std::vector<PetscInt> columns;
+  std::vector<double> values;
+  for (LocalIndex row = 0; row < A.layout->owned; ++row) {
+    const std::size_t begin = A.row_begin(row);
+    const std::size_t width = (A.row_end(row) - begin) * m;
+    columns.clear();
+    values.assign(m * width, 0.0);
+    for (std::size_t k = begin; k < A.row_end(row); ++k) {
+      columns.push_back(static_cast<PetscInt>(A.global[static_cast<std::size_t>(A.column[k])]));
+      double* target = values.data() + (k - begin) * m;
+      for (std::size_t a = 0; a < m; ++a) std::copy_n(A.block_at(k) + a * m, m, target + a * width);
+      replace_pinned(static_cast<std::size_t>(row) * m, static_cast<std::size_t>(A.column[k]) * m, m, target, width);
+    }
+    const auto row_global = static_cast<PetscInt>(A.global[static_cast<std::size_t>(row)]);
+    petsc_check(MatSetValuesBlocked(mat_, 1, &row_global, static_cast<PetscInt>(columns.size()), columns.data(),
+                                    values.data(), INSERT_VALUES),
+                "filling a distributed matrix");
+  }
+  petsc_check(MatAssemblyBegin(mat_, MAT_FINAL_ASSEMBLY), "assembling a distributed matrix");
+  petsc_check(MatAssemblyEnd(mat_, MAT_FINAL_ASSEMBLY), "assembling a distributed matrix");
+}
+
+// On one block, whose first unknowns are `row` and `column` and whose rows lie `stride` apart.
+void PinnedMatrix::replace_pinned(std::size_t row, std::size_t column, std::size_t block, double* values,
+                                  std::size_t stride) const {
+  for (std::size_t a = 0; a < block; ++a)
+    for (std::size_t b = 0; b < block; ++b) {
+      if (pinned_diagonal_[row + a] == 0 && pinned_diagonal_[column + b] == 0) continue;
+      values[a * stride + b] = row + a == column + b ? pinned_diagonal_[row + a] : 0.0;
+    }
+}
+
+}  // namespace plastron::algebra

@@ -1,0 +1,16 @@
+// Where an iteration starts when nothing is known: values without any symmetry, the same on any number of ranks.
+#pragma once
+#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/vector.hpp>
+
+namespace plastron::algebra {
+
+/// Owned values in (-1, 1), each a function of `seed` and of the unknown's global number only.
+inline void fill_with_pseudo_random_values(Vector& v, std::uint64_t seed = 0) {
+  const auto first = static_cast<std::uint64_t>(v.layout()->first) * static_cast<std::uint64_t>(v.block());
+  const auto values = v.owned();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<double>(hash(first + i + (seed << 40)) >> 11) * 0x1p-52 - 1;
+}
+
+}  // namespace plastron::algebra

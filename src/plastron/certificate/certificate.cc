@@ -1,0 +1,271 @@
+#include <plastron/certificate/certificate.hpp>
+
+#include <plastron/assembly/multiplier.hpp>
+#include <plastron/certificate/gap_between.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::certificate {
+
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+Vector6 block6(const algebra::Vector& v, std::size_t node) {
+  return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
+}
+
+/// A y + B' lambda - l per owned node, through strains.
+algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
+  algebra::Vector r(discrete.space().layout, 6);
+  discrete.apply(solution.y, r);
+  if (solution.lambda.layout()) {
+    algebra::Vector f(discrete.space().layout, 6);
+    apply_coupling_transposed(discrete.shell, solution.lambda, f);
+    algebra::axpy(1, f, r);
+  }
+  for (std::size_t i = 0; i < r.owned().size(); ++i) r.owned()[i] -= discrete.load.owned()[i];
+  return r;
+}
+
+Wrench over_ranks(const Wrench& w, MPI_Comm comm) {
+  Wrench sum;
+  for (int k = 0; k < 3; ++k) {
+    sum.force[k] = algebra::sum_over_ranks(w.force[k], comm);
+    sum.moment[k] = algebra::sum_over_ranks(w.moment[k], comm);
+  }
+  return sum;
+}
+
+/// Forces, moments and energies as large as if the displacements were strains, relative to the shell's size.
+struct StrainScale {
+  double force = 0, squared_force = 0, moment = 0, energy = 0;
+
+  void add(const assembly::NodalPoint& p, const Vector6& y, double young, double size) {
+    const double u = y.head<3>().norm() + size * y.tail<3>().norm(), f = young * p.thickness * u;
+    force += f;
+    squared_force += f * f;
+    moment += f * (p.phi.norm() + size);
+    energy += f * u * p.weight / (size * size);
+  }
+  StrainScale over_ranks(MPI_Comm comm) const {
+    return {algebra::sum_over_ranks(force, comm), algebra::sum_over_ranks(squared_force, comm),
+            algebra::sum_over_ranks(moment, comm), algebra::sum_over_ranks(energy, comm)};
+  }
+};
+
+/// Half the diagonal of the box that holds the nodes of all ranks.
+double size_of(const assembly::DiscreteShell& discrete) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const assembly::NodalPoint& p : discrete.points) {
+    low = low.cwiseMin(p.phi);
+    high = high.cwiseMax(p.phi);
+  }
+  for (int k = 0; k < 3; ++k) {
+    low[k] = algebra::min_over_ranks(low[k], comm);
+    high[k] = algebra::max_over_ranks(high[k], comm);
+  }
+  return (high - low).norm() / 2;
+}
+
+/// Sums over the owned nodes of one rank.
+struct Sums {
+  Wrench loads, obstacle, supports;
+  double force_scale = 0, moment_scale = 0;  // sums of the norms of all nodal contributions
+  double load_work = 0, contact_work = 0, support_work = 0;
+  double free_residual = 0, all_forces = 0;
+  double area = 0, max_pressure = 0, complementarity = 0, support_error = 0;
+  double displacement = 0, relative_displacement = 0, rotation = 0;
+  double thickness = std::numeric_limits<double>::infinity();
+  StrainScale strain_scale;
+  double min_pressure = std::numeric_limits<double>::infinity(), min_gap = std::numeric_limits<double>::infinity();
+  std::int64_t touching = 0;
+};
+
+void add(Wrench& wrench, const assembly::NodalPoint& p, const Vector6& f, Sums& sums) {
+  const Vector3d moment = p.phi.cross(f.head<3>()) + p.a3.cross(f.tail<3>());
+  wrench.force += f.head<3>();
+  wrench.moment += moment;
+  sums.force_scale += f.head<3>().norm() + f.tail<3>().norm() / p.thickness;
+  sums.moment_scale += p.phi.cross(f.head<3>()).norm() + f.tail<3>().norm();
+}
+
+/// What the gap feels of (u, r): the tangential part of r only (D4).
+Vector6 gap_row(const obstacle::Gap& gap, const Vector3d& a3) {
+  Vector6 row;
+  row << gap.normal, gap.z * geometry::tangential(gap.normal, a3);
+  return row;
+}
+
+/// How far a coordinate moves the material by unit, rotations at a lever of e: what works on it divided by this is a force.
+double lever(const Vector6& direction, double thickness) {
+  return direction.head<3>().norm() + thickness * direction.tail<3>().norm();
+}
+
+void note_size(const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
+  const double u = y.head<3>().norm();
+  sums.displacement = std::max(sums.displacement, u);
+  sums.relative_displacement = std::max(sums.relative_displacement, u / p.thickness);
+  sums.rotation = std::max(sums.rotation, y.tail<3>().norm());
+  sums.thickness = std::min(sums.thickness, p.thickness);
+}
+
+/// Contact at one node; returns its generalised force.
+Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i,
+                    const Vector6& y, Sums& sums) {
+  const obstacle::Gap& gap = discrete.coordinates.gaps[i];
+  const Vector3d& a3 = discrete.points[i].a3;
+  const double g = gap(y.head<3>(), geometry::tangential(y.tail<3>(), a3));
+  if (discrete.coordinates.touchable[i]) sums.min_gap = std::min(sums.min_gap, g);
+  if (solution.touching.local()[i] == 0) return Vector6::Zero();
+  const double pressure = solution.pressure.local()[i], weight = discrete.points[i].weight;
+  sums.touching += 1;
+  sums.area += weight;
+  sums.max_pressure = std::max(sums.max_pressure, pressure);
+  sums.min_pressure = std::min(sums.min_pressure, pressure);
+  sums.complementarity = std::max(sums.complementarity, std::abs(pressure * g));
+  Vector6 force = pressure * weight * gap_row(gap, a3);
+  sums.contact_work += force.dot(y);
+  add(sums.obstacle, discrete.points[i], force, sums);
+  return force;
+}
+
+void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& r,
+              Sums& sums) {
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  const Vector6 y = block6(solution.y, i), load = block6(discrete.load, i);
+  add(sums.loads, discrete.points[i], load, sums);
+  sums.load_work += load.dot(y);
+  note_size(discrete.points[i], y, sums);
+  Vector6 contact = Vector6::Zero();
+  if (!coordinates.gaps.empty()) contact = add_contact(discrete, solution, i, y, sums);
+  const Vector6 rest = r - contact;
+  for (int k = 0; k < coordinates.width; ++k) {
+    const Vector6 direction = coordinates.basis[i].col(k);
+    const double component = direction.dot(rest);
+    const double per_force = 1 / std::pow(lever(direction, discrete.points[i].thickness), 2);
+    sums.all_forces += per_force * (std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2));
+    if (coordinates.is_prescribed(i, k)) {
+      add(sums.supports, discrete.points[i], component * direction, sums);
+      sums.support_work += component * direction.dot(y);
+      // Prescribed directions are unit vectors orthogonal to all others of the node: the coordinate is a projection.
+      const double error = std::abs(direction.dot(y) - coordinates.lower.local()[coordinates.at(i, k)]);
+      sums.support_error = std::max(sums.support_error, lever(direction, discrete.points[i].thickness) * error);
+      sums.all_forces += per_force * component * component;
+    } else {
+      sums.free_residual += per_force * component * component;
+    }
+  }
+}
+
+double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  const assembly::ShellOperator& shell = discrete.shell;
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(shell.space().layout->owned); ++i)
+    most = std::max(most, std::abs(block6(y, i).tail<3>().dot(discrete.points[i].a3)));
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const element::FieldRows rows =
+        shell.interpolation().fields(c, shell.tables().quadrature, shell.quadrature_bases(c), shell.gather(c, y));
+    for (int q = 0; q < shell.tables().points_per_cell(); ++q)
+      most = std::max(most, std::abs(rows.at(q).r.dot(shell.point(c, q).frame.a3)));
+  }
+  return algebra::max_over_ranks(most, shell.space().layout->comm);
+}
+
+/// Strains below this part of the displacements, squared, are rounding: double precision leaves 1e-32 times (L/h)^2.
+constexpr double rounding_of_energy = 1e-22;
+
+Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Sums& sums) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  Summary s;
+  s.energy = discrete.shell.energies(solution.y);
+  s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
+  s.loads = over_ranks(sums.loads, comm);
+  s.reaction = over_ranks(sums.obstacle, comm);
+  s.support_reaction = over_ranks(sums.supports, comm);
+  s.contact_area = algebra::sum_over_ranks(sums.area, comm);
+  s.touching_nodes = algebra::sum_over_ranks(sums.touching, comm);
+  s.max_pressure = algebra::max_over_ranks(sums.max_pressure, comm);
+  s.max_displacement = algebra::max_over_ranks(sums.displacement, comm);
+  s.max_relative_displacement = algebra::max_over_ranks(sums.relative_displacement, comm);
+  s.max_rotation = algebra::max_over_ranks(sums.rotation, comm);
+  s.least_thickness = algebra::min_over_ranks(sums.thickness, comm);
+  s.edge = edge_contact(discrete, solution);
+  s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
+  s.max_normal_rotation = max_normal_rotation(discrete, solution.y);
+  if (solution.lambda.layout()) s.multiplier_norm = gradient_norm(discrete.shell, solution.lambda);
+  return s;
+}
+
+double ratio(double part, double whole) { return whole > 0 ? part / whole : part; }
+
+/// `least` are the scales below which forces and energies are rounding.
+Certificate certificate_of(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Sums& sums,
+                           const Summary& s, const StrainScale& least) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  const auto sum = [comm](double value) { return algebra::sum_over_ranks(value, comm); };
+  Certificate c;
+  c.stationarity =
+      ratio(std::sqrt(sum(sums.free_residual)), std::sqrt(std::max(sum(sums.all_forces), least.squared_force)));
+  c.min_pressure = s.touching_nodes > 0 ? algebra::min_over_ranks(sums.min_pressure, comm) : 0;
+  c.min_gap_nodes = algebra::min_over_ranks(sums.min_gap, comm);
+  c.min_gap_between = min_gap_between_nodes(discrete, solution.y);
+  c.support_error = algebra::max_over_ranks(sums.support_error, comm);
+  c.complementarity = algebra::max_over_ranks(sums.complementarity, comm);
+  const Vector3d force = s.loads.force + s.reaction.force + s.support_reaction.force;
+  const Vector3d moment = s.loads.moment + s.reaction.moment + s.support_reaction.moment;
+  c.force_balance = ratio(force.norm(), std::max(sum(sums.force_scale), least.force));
+  c.moment_balance = ratio(moment.norm(), std::max(sum(sums.moment_scale), least.moment));
+  const double work = s.load_work + sum(sums.contact_work) + sum(sums.support_work);
+  const double a = 2 * (s.energy.total() + s.tangency_energy);
+  c.energy_identity = ratio(std::abs(a - work), std::max(a, least.energy));
+  return c;
+}
+
+}  // namespace
+
+NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& box) {
+  const auto& layout = discrete.space().layout;
+  NodalSolution solution{.y = algebra::Vector(layout, 6),
+                         .pressure = algebra::Vector(layout, 1),
+                         .touching = algebra::Vector(layout, 1),
+                         .lambda = box.equation_multiplier};
+  discrete.coordinates.to_cartesian(box.z, solution.y);
+  if (solution.lambda.layout()) solution.lambda.update_ghosts();
+  const algebra::Vector r = residual(discrete, solution);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(layout->owned); ++i) {
+    if (!discrete.coordinates.touchable[i] ||
+        box.activity[discrete.coordinates.at(i, 0)] != contact::Activity::at_lower)
+      continue;
+    solution.touching.local()[i] = 1;
+    solution.pressure.local()[i] = discrete.coordinates.basis[i].col(0).dot(block6(r, i)) / discrete.points[i].weight;
+  }
+  solution.touching.update_ghosts();
+  solution.pressure.update_ghosts();
+  return solution;
+}
+
+Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  const algebra::Vector r = residual(discrete, solution);
+  const double size = size_of(discrete), young = discrete.shell.material().young();
+  Sums sums;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    add_node(discrete, solution, i, block6(r, i), sums);
+    sums.strain_scale.add(discrete.points[i], block6(solution.y, i), young, size);
+  }
+
+  Verdict verdict{.summary = summary_of(discrete, solution, sums), .certificate = {}};
+  verdict.summary.size = size;
+  const double a = 2 * (verdict.summary.energy.total() + verdict.summary.tangency_energy);
+  const StrainScale scale = sums.strain_scale.over_ranks(comm);
+  const bool is_unstrained = a < rounding_of_energy * scale.energy;
+  verdict.certificate =
+      certificate_of(discrete, solution, sums, verdict.summary, is_unstrained ? scale : StrainScale{});
+  return verdict;
+}
+
+}  // namespace plastron::certificate

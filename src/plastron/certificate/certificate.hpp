@@ -1,0 +1,66 @@
+// The certificate of a solution (docs/model.md, section 8), recomputed from displacements, strains and bounds alone.
+#pragma once
+#include <plastron/certificate/edge_contact.hpp>
+
+#include <vector>
+
+namespace plastron::certificate {
+
+/// A system of forces: resultant [N] and moment about the origin [N m].
+struct Wrench {
+  Vector3d force = Vector3d::Zero();
+  Vector3d moment = Vector3d::Zero();
+};
+
+struct Certificate {
+  // Where displacements strain the shell no more than rounding does, forces count beside those that they would need as strains.
+  /// |residual on free coordinates| / |loads and reactions|, couples counted by the force that they are on a lever of e
+  double stationarity = 0;
+  double min_pressure = 0;     ///< min eta_i over touching nodes [Pa]
+  double min_gap_nodes = 0;    ///< min g_i [m]
+  double min_gap_between = 0;  ///< min of the gap between the nodes [m]
+  double support_error = 0;    ///< max |u.d - its value| and e |r.d - its value| over prescribed components [m]
+  double complementarity = 0;  ///< max |eta_i g_i| [Pa m]
+  double force_balance = 0;    ///< |loads + obstacle + supports| / sum of the norms of all nodal forces and couples / e
+  double moment_balance = 0;   ///< likewise for moments about the origin; falls with h on curved charts
+  double energy_identity = 0;  ///< |a(U,U) - l(U) - sum eta_i (g_i - g_i(0)) - support work| / a(U,U)
+};
+
+/// What the solution weighs: energies, works, resultants, contact.
+struct Summary {
+  assembly::Energies energy;
+  double load_work = 0;  ///< l(U) [J]
+  Wrench loads, reaction, support_reaction;
+  double contact_area = 0;               ///< nodal weight of the touching nodes [m^2]
+  double max_pressure = 0;               ///< max eta_i [Pa]
+  double max_normal_rotation = 0;        ///< max |r . a_3| over nodes and quadrature points
+  double max_displacement = 0;           ///< max |u| over nodes [m]
+  double max_relative_displacement = 0;  ///< max |u| / e over nodes
+  double max_rotation = 0;               ///< max |r| over nodes [rad]
+  double least_thickness = 0;            ///< min e over nodes [m]
+  double size = 0;                       ///< half the diagonal of the box that holds the nodes [m]
+  double tangency_energy = 0;            ///< energy of the penalty or stabilisation [J]
+  double multiplier_norm = 0;            ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
+  std::int64_t touching_nodes = 0;
+  EdgeContact edge;  ///< what of the contact lies on edges of the shell
+};
+
+/// Nodal results of a solution, per local node with valid ghosts.
+struct NodalSolution {
+  algebra::Vector y;         ///< (u, r), block 6
+  algebra::Vector pressure;  ///< eta_i [Pa], block 1
+  algebra::Vector touching;  ///< 1 where the node is in contact, else 0
+  algebra::Vector lambda{};  ///< multiplier of (M14) [N m], block 1; without layout in the other formulations
+};
+
+/// eta_i from the residual at the nodes that the solution's activity puts at their bound (collective).
+NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& solution);
+
+struct Verdict {
+  Summary summary;
+  Certificate certificate;
+};
+/// (collective)
+Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
+
+}  // namespace plastron::certificate

@@ -1,0 +1,79 @@
+#include <plastron/certificate/edge_contact.hpp>
+
+#include <plastron/certificate/certificate.hpp>
+#include <plastron/fem/basis.hpp>
+
+#include <algorithm>
+
+namespace plastron::certificate {
+
+namespace {
+
+/// Quadrature on a side whose nodes carry the weights: Gauss-Lobatto; on triangles of degree 2, where vertices have no bound, the
+/// middle alone.
+std::vector<double> side_weights(const fem::Space& space) {
+  if (space.shape() == fem::Shape::triangle && space.degree == 2) return {0, 1, 0};
+  return fem::gauss_lobatto(space.degree + 1).weights;
+}
+
+/// Length of the shell's edges that each node stands for; 0 inside.
+algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
+  const fem::Space& space = discrete.space();
+  const auto weights = side_weights(space);
+  const auto line = fem::gauss_lobatto(space.degree + 1).points;
+  algebra::Vector lengths(space.layout, 1);
+  std::vector<geometry::SurfaceJet> jets(line.size());
+  const fem::BoundarySide* last = nullptr;
+  for (const fem::BoundarySide& edge : space.sides) {
+    const bool is_seen = last && last->cell == edge.cell && last->side == edge.side;  // a side with several names
+    last = &edge;
+    if (is_seen || edge.is_inner || edge.cell >= space.owned_cells) continue;
+    std::vector<Eigen::Vector2d> xi;
+    xi.reserve(line.size());
+    for (const double t : line) xi.push_back(fem::side_point(space.shape(), edge.side, t));
+    discrete.shell.surface().jets(space.cells[edge.cell], xi, jets, false);
+    const Eigen::Vector2d along = fem::side_tangent(space.shape(), edge.side);
+    const auto on_side = fem::side_nodes(space.shape(), space.degree, edge.side);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const auto node = static_cast<std::size_t>(space.nodes(edge.cell)[static_cast<std::size_t>(on_side[i])]);
+      lengths.local()[node] += weights[i] * (along[0] * jets[i].d[0] + along[1] * jets[i].d[1]).norm();
+    }
+  }
+  lengths.accumulate_ghosts();
+  return lengths;
+}
+
+}  // namespace
+
+bool EdgeContact::is_line() const {
+  constexpr double far_above = 3;
+  return area > 0 && force > far_above * area * pressure_inside;
+}
+
+EdgeContact edge_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
+  EdgeContact edge;
+  if (!discrete.gap) return edge;
+  const MPI_Comm comm = discrete.space().layout->comm;
+  const algebra::Vector lengths = edge_lengths(discrete);
+  for (std::size_t i = 0; i < lengths.owned().size(); ++i) {
+    if (solution.touching.owned()[i] == 0) continue;
+    const double pressure = solution.pressure.owned()[i], weight = discrete.points[i].weight,
+                 length = lengths.owned()[i];
+    if (length > 0) {
+      edge.nodes += 1;
+      edge.force += pressure * weight;
+      edge.area += weight;
+      edge.max_per_length = std::max(edge.max_per_length, pressure * weight / length);
+    } else {
+      edge.pressure_inside = std::max(edge.pressure_inside, pressure);
+    }
+  }
+  edge.nodes = algebra::sum_over_ranks(edge.nodes, comm);
+  edge.force = algebra::sum_over_ranks(edge.force, comm);
+  edge.area = algebra::sum_over_ranks(edge.area, comm);
+  edge.max_per_length = algebra::max_over_ranks(edge.max_per_length, comm);
+  edge.pressure_inside = algebra::max_over_ranks(edge.pressure_inside, comm);
+  return edge;
+}
+
+}  // namespace plastron::certificate

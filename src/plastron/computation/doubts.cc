@@ -1,0 +1,87 @@
+#include <plastron/computation/doubts.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace plastron::computation {
+
+namespace {
+
+/// The strains leave out squares of the rotation: half of 0.3^2 is five per cent of the length of a line.
+constexpr double largest_rotation = 0.3;
+/// A displacement of this part of the shell's size turns it as far somewhere, rigid motions apart.
+constexpr double largest_displacement = 0.3;
+/// Penetration between nodes that is worth a word, as a part of the thickness.
+constexpr double notable_depth = 0.05;
+/// Tolerances may be so much looser than asked for before it is said.
+constexpr double notable_loosening = 1e3;
+
+std::string linear_model_text(const char* what, const certificate::Summary& s) {
+  return fmt::format(
+      "the linear model is left: {}; the largest rotation is {:.3g} rad, the largest displacement {:.3g} m or {:.3g} "
+      "thicknesses, and strains linear in them are wrong beyond about {:g} rad; reduce the loads or take the result as "
+      "the "
+      "linear model's only",
+      what, s.max_rotation, s.max_displacement, s.max_relative_displacement, largest_rotation);
+}
+
+std::string penetration_text(double depth, double part) {
+  return fmt::format(
+      "between its nodes the shell enters the obstacle by {:.2g} m, {:.0f} % of the thickness: no bound holds it "
+      "there; refine "
+      "the mesh or raise the degree",
+      depth, 100 * part);
+}
+
+}  // namespace
+
+std::vector<std::string> linear_model_warnings(const certificate::Summary& summary) {
+  if (summary.max_rotation > largest_rotation) return {linear_model_text("rotations are not small", summary)};
+  if (summary.max_displacement > largest_displacement * summary.size)
+    return {linear_model_text("displacements are not small beside the shell", summary)};
+  return {};
+}
+
+void judge_certificate(Result& result) {
+  result.limits = certificate::certificate_limits({result.summary, result.certificate}, result.formulation);
+  result.missed_limits.clear();
+  for (const auto& limit : result.limits)
+    if (!limit.holds())
+      result.missed_limits +=
+          fmt::format("{}{} ({})", result.missed_limits.empty() ? "" : "; ", limit.text(), limit.reason);
+  if (result.status == contact::Status::solved && !result.missed_limits.empty())
+    result.status = contact::Status::inaccurate;
+}
+
+std::string status_text(const Result& result) {
+  std::string text(contact::explain(result.status));
+  if (result.status == contact::Status::inaccurate) text += fmt::format(" Beyond its limit: {}.", result.missed_limits);
+  return text;
+}
+
+std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked) {
+  std::vector<std::string> warnings;
+  const certificate::Summary& s = result.summary;
+  const double depth = -result.certificate.min_gap_between, part = depth / s.least_thickness;
+  if (std::isfinite(depth) && s.touching_nodes > 0 && part > notable_depth)
+    warnings.push_back(penetration_text(depth, part));
+  if (s.edge.is_line())
+    warnings.push_back(
+        fmt::format("the shell stands on its edge: {:.4g} N of the reaction are concentrated on it, up to {:.4g} N/m; "
+                    "the pressure (eta) at "
+                    "nodes of that edge and the contact area depend on the mesh",
+                    s.edge.force, s.edge.max_per_length));
+  if (result.levels.empty()) return warnings;
+  const contact::Tolerances& used = result.levels.back().tolerances;
+  if (used.gap > notable_loosening * asked.gap_tolerance ||
+      used.multiplier > notable_loosening * asked.multiplier_tolerance)
+    warnings.push_back(
+        fmt::format("rounding has loosened the tolerances of contact: gaps are closed to {:.1g} of the largest "
+                    "displacement at contact "
+                    "nodes, signs of reactions hold to {:.1g} of the largest (asked: {:.1g} and {:.1g})",
+                    used.gap, used.multiplier, asked.gap_tolerance, asked.multiplier_tolerance));
+  return warnings;
+}
+
+}  // namespace plastron::computation

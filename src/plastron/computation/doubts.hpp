@@ -1,0 +1,21 @@
+// What to doubt in a result, read off what was computed: whether its certificate bears it out, and where the model's or the
+// mesh's limits show.
+#pragma once
+#include <plastron/computation/result.hpp>
+#include <plastron/contact/settings.hpp>
+
+#include <string>
+#include <vector>
+
+namespace plastron::computation {
+
+/// Rotations or displacements so large that strains linear in them are wrong.
+std::vector<std::string> linear_model_warnings(const certificate::Summary& summary);
+
+/// Sets the limits of the result's certificate. A row beyond its limit makes a solved result inaccurate, and is named.
+void judge_certificate(Result& result);
+
+/// Penetration between nodes, reactions concentrated on edges, tolerances that rounding has loosened.
+std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked);
+
+}  // namespace plastron::computation

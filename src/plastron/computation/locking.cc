@@ -1,0 +1,51 @@
+#include <plastron/computation/locking.hpp>
+
+#include <plastron/computation/cell_sizes.hpp>
+#include <plastron/computation/extent.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plastron::computation {
+
+namespace {
+
+/// A cell whose membrane and shear strains can only follow a bending to order h^k takes (h^k / (e L^{k-1}))^2 too much
+/// energy for it. Largest h (e/L)^{-1/k} / L at which that costs a tenth of the deflection, measured for degree 1 to 3
+/// (docs/methods/triangles.md); higher degrees were not seen to lock on meshes one would use.
+constexpr std::array<double, 3> largest_size = {0.7, 1.3, 1.7};
+
+}  // namespace
+
+std::vector<std::string> locking_warnings(const Problem& problem) {
+  const Discretisation& d = problem.discretisation;
+  const bool is_tied = d.tying && d.cells == fem::Shape::quadrilateral;
+  if (is_tied || d.degree > static_cast<int>(largest_size.size())) return {};
+  const double L = extent(problem);
+  double worst = 0, size = 0, limit = 0, thickness = 0;
+  for (const auto& [h, e] : cell_sizes(problem)) {
+    const double allowed = largest_size[static_cast<std::size_t>(d.degree - 1)] * L * std::pow(e / L, 1.0 / d.degree);
+    if (h / allowed <= worst) continue;
+    worst = h / allowed;
+    size = h;
+    limit = allowed;
+    thickness = e;
+  }
+  if (worst <= 1) return {};
+  const bool triangles = d.cells == fem::Shape::triangle;
+  return {fmt::format(
+      "{} of degree {} without tying are likely to lock: sides of the finest mesh are up to {:.3g} m long, {:.3g} "
+      "times the "
+      "thickness, and displacements in bending come out more than 10 % too small from about {:.2g} m on; {}, or "
+      "refine {} more time{}",
+      triangles ? "triangles" : "quadrilaterals", d.degree, size, size / thickness, limit,
+      triangles ? (d.degree == 1 ? "take cells = \"quadrilateral\" with tying, or degree 2"
+                                 : "take cells = \"quadrilateral\" with tying")
+                : "set tying = true",
+      std::ceil(std::log2(worst)), worst > 2 ? "s" : "")};
+}
+
+}  // namespace plastron::computation

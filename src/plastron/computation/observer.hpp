@@ -1,0 +1,27 @@
+// Who hears of the progress of a computation.
+#pragma once
+#include <plastron/computation/result.hpp>
+
+#include <functional>
+#include <string_view>
+
+namespace plastron::computation {
+
+/// Hears of progress; every member may be empty. Called on every rank.
+struct Observer {
+  std::function<void(int level, std::string_view phase)> phase{};
+  std::function<void(int level, const contact::Iteration&)> iteration{};
+  std::function<void(int level, const Level&)> level{};
+  std::function<void(std::string_view text)> warning{};        ///< as soon as it is known; it also stands in the result
+  std::function<void(int level, const Solution&)> solution{};  ///< of every level, which is gone afterwards
+  /// Asked between active-set iterations and between meshes: true ends the computation with status interrupted. Empty on all
+  /// ranks or on none; one rank that says true stops all.
+  std::function<bool()> stop{};
+};
+
+/// Whether any rank wants to stop (collective).
+inline bool wants_to_stop(const Observer& observer, MPI_Comm comm) {
+  return observer.stop && algebra::sum_over_ranks(std::int64_t{observer.stop()}, comm) > 0;
+}
+
+}  // namespace plastron::computation

@@ -1,0 +1,57 @@
+// All that defines a computation: geometry, shell, supports, loads, obstacle, discretisation. Plain values.
+#pragma once
+#include <plastron/assembly/loads.hpp>
+#include <plastron/assembly/supports.hpp>
+#include <plastron/contact/settings.hpp>
+#include <plastron/element/formulation.hpp>
+#include <plastron/fem/domain.hpp>
+#include <plastron/fem/reference_cell.hpp>
+#include <plastron/geometry/chart.hpp>
+#include <plastron/geometry/expression.hpp>
+#include <plastron/obstacle/gap.hpp>
+#include <plastron/shell/material.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plastron::computation {
+
+struct Discretisation {
+  fem::Shape cells = fem::Shape::quadrilateral;
+  int degree = 2;     ///< k, 1 to 8; 1 or 2 on triangles
+  bool tying = true;  ///< (M22); triangles are never tied
+  element::Tangency tangency{};
+  int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
+};
+
+struct Obstacle {
+  obstacle::HalfSpace half_space;
+  obstacle::Face face = obstacle::Face::lower;
+  double raised = 0;  ///< its surface is moved towards the shell by so much: every gap is smaller by it [m]
+  double face_scale =
+      1;  ///< the touching face lies at this multiple of e/2; 1 but in studies that vary the stiffness alone
+};
+
+/// A point of Omega where the results are wanted.
+struct Probe {
+  std::string name;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+};
+
+struct Problem {
+  fem::Domain domain = fem::Rectangle{};
+  std::map<std::string, geometry::Chart> charts;  ///< by region; the unnamed region is ""
+  geometry::Expression thickness{1.0};            ///< e(x, y) [m]
+  shell::Material material{};
+  std::vector<assembly::Support> supports{};
+  std::vector<assembly::AreaLoad> area_loads{};
+  std::vector<assembly::EdgeLoad> edge_loads{};
+  std::optional<Obstacle> obstacle{};
+  std::vector<Probe> probes{};
+  Discretisation discretisation{};
+  contact::Settings contact{};
+};
+
+}  // namespace plastron::computation

@@ -1,0 +1,78 @@
+// What a computation returns: status, summary, certificate, the story of its levels, and the finest solution itself.
+#pragma once
+#include <plastron/certificate/certificate_limits.hpp>
+#include <plastron/certificate/recovery.hpp>
+#include <plastron/contact/problem.hpp>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plastron::computation {
+
+/// Wall time of the phases of one level [s].
+struct Seconds {
+  double mesh = 0;            ///< refinement, numbering, transfer
+  double discretisation = 0;  ///< geometry, bounds, loads
+  double assembly = 0;        ///< stiffness matrix and its pattern
+  double analysis = 0;        ///< symbolic factorisation
+  double factorisation = 0;   ///< numeric factorisations, all of them
+  double iteration = 0;       ///< the rest of the active-set iteration: residuals, triangular solves
+  double certificate = 0;
+  double total() const { return mesh + discretisation + assembly + analysis + factorisation + iteration + certificate; }
+};
+
+/// One mesh of the sequence.
+struct Level {
+  std::int64_t cells = 0, nodes = 0, unknowns = 0;
+  contact::Status status = contact::Status::solved;
+  std::int64_t active = 0;  ///< nodes in contact
+  int iterations = 0;       ///< active-set iterations
+  int factorisations = 0;
+  double energy = 0;                 ///< 1/2 a(U, U) [J]
+  double reaction = 0;               ///< norm of the obstacle's resultant force [N]
+  double contact_area = 0;           ///< [m^2]
+  double max_normal_rotation = 0;    ///< max |r . a_3|
+  double multiplier_norm = 0;        ///< of lambda [N m]
+  double min_gap = 0;                ///< at nodes [m]
+  double linear_residual = 0;        ///< of the last linear solve, relative
+  contact::Tolerances tolerances{};  ///< that bounds and signs were held to
+  double max_rotation = 0;           ///< max |r| [rad]
+  std::vector<contact::Iteration> history{};
+  Seconds seconds{};
+};
+
+/// Displacements, resultants, reaction at a named point.
+struct ProbeValue {
+  std::string name;
+  certificate::PointValues values;
+};
+
+/// The finest solution, kept for output and further work.
+struct Solution {
+  std::unique_ptr<assembly::DiscreteShell> discrete;
+  certificate::NodalSolution nodal;
+};
+
+struct Result {
+  contact::Status status = contact::Status::solved;
+  std::string missed_limits{};  ///< rows of the certificate beyond their limits, in words; empty unless inaccurate
+  certificate::Summary summary{};
+  certificate::Certificate certificate{};
+  std::vector<certificate::CertificateLimit> limits{};  ///< of its rows
+  std::vector<ProbeValue> probes{};                     ///< the same on every rank
+  std::vector<Level> levels{};
+  bool has_obstacle = false;
+  element::Formulation formulation = element::Formulation::tangent;
+  int ranks = 1;
+  std::vector<std::string> warnings{};  ///< what to doubt in the result, in words for the user
+  double peak_memory = 0;               ///< over all ranks together [bytes]
+  std::optional<Solution> solution{};   ///< empty when nothing could be solved
+};
+
+/// How it ended, in a sentence or two.
+std::string status_text(const Result& result);
+
+}  // namespace plastron::computation

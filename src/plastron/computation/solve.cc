@@ -1,0 +1,92 @@
+// The story, top to bottom:
+//   find U in K with a(U, V - U) >= l(V - U) for all V in K              (M17, M18), without obstacle (M11)
+// on a sequence of nested meshes. On each: the nodal coordinates make K a box, the active set of the mesh before
+// is the first guess, and the finest solution is certified from its strains and bounds.
+#include <plastron/computation/solve.hpp>
+
+#include <plastron/computation/description.hpp>
+#include <plastron/computation/doubts.hpp>
+#include <plastron/computation/level.hpp>
+#include <plastron/computation/locking.hpp>
+#include <plastron/computation/memory.hpp>
+#include <plastron/computation/probes.hpp>
+#include <plastron/computation/stopwatch.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace plastron::computation {
+
+namespace {
+
+/// Whether the supports alone hold the shell: then the first step of the coarsest mesh went through with nothing in contact.
+bool supports_hold(const Level& coarsest) { return !coarsest.history.empty() && coarsest.history.front().active == 0; }
+
+bool nothing_to_refine(contact::Status status) {
+  return status == contact::Status::infeasible || status == contact::Status::singular ||
+         status == contact::Status::not_finite;
+}
+
+/// Adds what is new and tells the observer of it.
+void warn(std::vector<std::string> warnings, const Observer& observer, Result& result) {
+  for (std::string& text : warnings) {
+    if (std::ranges::find(result.warnings, text) != result.warnings.end()) continue;
+    if (observer.warning) observer.warning(text);
+    result.warnings.push_back(std::move(text));
+  }
+}
+
+}  // namespace
+
+Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
+  const assembly::ShellDescription shell = shell_description(problem);
+  Result result{.has_obstacle = problem.obstacle.has_value(),
+                .formulation = problem.discretisation.tangency.formulation,
+                .warnings = locking_warnings(problem)};
+  MPI_Comm_size(comm, &result.ranks);
+  bool is_beyond_linear = false;
+  Stopwatch watch;
+  fem::MeshSequence meshes = mesh_sequence(problem, comm);
+  const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
+
+  for (int number = 0; number <= problem.discretisation.refinements; ++number) {
+    result.status = contact::Status::interrupted;
+    if (wants_to_stop(observer, comm)) break;
+    std::optional<algebra::Vector> touched;
+    if (number > 0) {
+      std::array fields{result.solution->nodal.touching};
+      if (!observer.stop) result.solution.reset();  // one mesh at a time in memory, unless this may be the last one
+      meshes.refine(fields);
+      touched = std::move(fields[0]);
+    }
+    LevelTask task{
+        .number = number, .space = meshes.space(), .settings = problem.contact, .touched = std::move(touched)};
+    if (number > 0 && supports_hold(result.levels.front())) task.settings.detect_free_motions = false;
+    task.seconds_for_mesh = watch.lap();
+    LevelResult level = solve_level(task, shell, surface, observer);
+    if (level.record.status == contact::Status::interrupted) break;  // what there is of the mesh before is the result
+    if (observer.level) observer.level(number, level.record);
+    if (observer.solution) observer.solution(number, level.solution);
+    result.status = level.record.status;
+    result.summary = level.verdict.summary;
+    result.certificate = level.verdict.certificate;
+    result.levels.push_back(std::move(level.record));
+    result.solution = std::move(level.solution);
+    if (!is_beyond_linear) {
+      auto warnings = linear_model_warnings(result.summary);
+      is_beyond_linear = !warnings.empty();
+      warn(std::move(warnings), observer, result);
+    }
+    if (nothing_to_refine(result.status)) break;
+    watch.lap();
+  }
+  if (result.solution) {
+    judge_certificate(result);
+    warn(contact_warnings(result, problem.contact), observer, result);
+    result.probes = probe(*result.solution, problem.probes);
+  }
+  result.peak_memory = peak_memory(comm);
+  return result;
+}
+
+}  // namespace plastron::computation

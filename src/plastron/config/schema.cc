@@ -1,0 +1,258 @@
+#include <fmt/format.h>
+#include <plastron/config/geometry_schema.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plastron::config {
+
+namespace {
+
+Range between(double low, double high) { return {.low = low, .high = high}; }
+Range above_to(double low, double high) { return {.low = low, .high = high, .low_open = true}; }
+
+Section file_section() {
+  return {
+      "",
+      "the case file",
+      "A case file is a TOML file of these sections.",
+      {{.name = "title", .kind = Kind::text, .fallback = "\"\"", .meaning = "shown in reports"},
+       {.name = "constants", .kind = Kind::free_table, .fallback = "{}", .meaning = "named numbers for expressions"},
+       {.name = "shell", .kind = Kind::table, .required = true, .meaning = "material and thickness"},
+       {.name = "geometry", .kind = Kind::table, .required = true, .meaning = "the mid-surface"},
+       {.name = "mesh", .kind = Kind::table, .fallback = "{}", .meaning = "the discretisation"},
+       {.name = "support", .kind = Kind::tables, .fallback = "[]", .meaning = "prescribed displacements and rotations"},
+       {.name = "load", .kind = Kind::tables, .fallback = "[]", .meaning = "dead loads"},
+       {.name = "obstacle",
+        .kind = Kind::tables,
+        .fallback = "[]",
+        .meaning = "the rigid obstacle; at most one in this version"},
+       {.name = "probe", .kind = Kind::tables, .fallback = "[]", .meaning = "points where results are wanted"},
+       {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"}}};
+}
+
+Section constants_section() {
+  return {
+      "constants",
+      "[constants]",
+      "Any name = a number or an expression of the constants above it. A name has letters, digits and _, does not "
+      "begin with a digit, has at most 60 characters, and is not x, y, pi or a function's name; nor is it a name that "
+      "the libraries behind expressions know: log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan.",
+      {}};
+}
+
+Section shell_section() {
+  return {
+      "shell",
+      "[shell]",
+      "The elastic constants are either E and nu, or lambda and mu.",
+      {{.name = "E", .unit = "Pa", .range = positive(), .meaning = "Young's modulus", .example = "2.1e11"},
+       {.name = "nu",
+        .range = {-0.999, 0.5, false, true},
+        .meaning = "Poisson's ratio; towards -1 the shell becomes too soft in shape and too stiff in shear for double "
+                   "precision",
+        .example = "0.3"},
+       {.name = "lambda",
+        .unit = "Pa",
+        .meaning = "first Lame constant, 3 lambda + 2 mu > 0 and Poisson's ratio at least -0.999",
+        .example = "1.2e11"},
+       {.name = "mu", .unit = "Pa", .range = positive(), .meaning = "shear modulus", .example = "8e10"},
+       {.name = "thickness",
+        .kind = Kind::field,
+        .unit = "m",
+        .required = true,
+        .range = positive(),
+        .meaning = "the thickness e",
+        .example = "0.02"},
+       {.name = "shear_correction",
+        .fallback = "1",
+        .range = above_to(0, 2),
+        .meaning = "factor of the transverse shear energy: 1 in the paper, 5/6 on request"},
+       {.name = "formulation",
+        .kind = Kind::word,
+        .fallback = "\"tangent\"",
+        .words = {{"tangent"}, {"penalised"}, {"mixed"}, {"classical"}},
+        .meaning = "how r . a3 = 0 is kept: two rotations a node, a penalty, a multiplier, covariant components"},
+       {.name = "penalty",
+        .fallback = "0.1",
+        .range = above_to(0, 1),
+        .meaning = "p of the penalised formulation; the penalty is E e^3 / p"},
+       {.name = "stabilisation",
+        .fallback = "1",
+        .range = positive(),
+        .meaning = "rho of the mixed formulation; the stabilisation is rho E e^3"}}};
+}
+
+Section mesh_section() {
+  return {"mesh",
+          "[mesh]",
+          "The finite elements.",
+          {{.name = "cells",
+            .kind = Kind::word,
+            .fallback = "\"quadrilateral\"",
+            .words = {{"quadrilateral"}, {"triangle"}},
+            .meaning = "shape of the cells; triangles have degree 1 or 2 and no tying"},
+           {.name = "degree",
+            .kind = Kind::integer,
+            .fallback = "2",
+            .range = between(1, 8),
+            .meaning = "degree of u and r"},
+           {.name = "tying",
+            .kind = Kind::boolean,
+            .fallback = "true",
+            .meaning = "strains tied against locking; false on triangles"},
+           {.name = "refinements",
+            .kind = Kind::integer,
+            .fallback = "3",
+            .range = between(0, 12),
+            .meaning = "uniform refinements of the coarsest mesh; every level is solved"}}};
+}
+
+Section support_section() {
+  return {
+      "support",
+      "[[support]]",
+      "Components of the displacement u and of the rotation r prescribed on a boundary.",
+      {{.name = "boundary",
+        .kind = Kind::name,
+        .required = true,
+        .meaning = "a boundary of the domain",
+        .example = "\"left\""},
+       {.name = "fix",
+        .kind = Kind::names,
+        .required = true,
+        .words = {{"u"},
+                  {"r"},
+                  {"u.x"},
+                  {"u.y"},
+                  {"u.z"},
+                  {"u.n"},
+                  {"u.t"},
+                  {"u.a3"},
+                  {"r.x"},
+                  {"r.y"},
+                  {"r.z"},
+                  {"r.n"},
+                  {"r.t"},
+                  {"r.a3"},
+                  {"symmetry"}},
+        .meaning =
+            "the components: n is tangent to the shell and normal to the edge, outward; t runs along the edge; a3 is "
+            "normal to the shell; u and r stand for all three; symmetry is u.n and r.n. Any component of r fixes r.a3, "
+            "too",
+        .example = "[\"u\", \"r\"]"},
+       {.name = "values",
+        .kind = Kind::free_table,
+        .unit = "m, rad",
+        .fallback = "{}",
+        .meaning = "values of fixed components, a number or an expression of x, y each: { u.z = -0.01 } or "
+                   "{ u = [0, 0, \"-0.01*x\"] }; 0 if not given"}}};
+}
+
+Section load_section() {
+  return {"load",
+          "[[load]]",
+          "Dead loads, at least one of force, pressure and couple: per area of the mid-surface, or per length of a "
+          "boundary's curve if a boundary is named. Several loads add up.",
+          {{.name = "boundary",
+            .kind = Kind::name,
+            .meaning = "a boundary of the domain; without it the load acts on the whole surface"},
+           {.name = "force", .kind = Kind::field_vector, .unit = "N/m^2, N/m", .meaning = "Cartesian force"},
+           {.name = "pressure",
+            .kind = Kind::field,
+            .unit = "N/m^2",
+            .meaning = "force along the normal a3; not on a boundary"},
+           {.name = "couple",
+            .kind = Kind::field_vector,
+            .unit = "N m/m^2, N m/m",
+            .meaning = "Cartesian vector that works on r"}}};
+}
+
+std::vector<Section> obstacle_sections() {
+  return {{"obstacle",
+           "[[obstacle]]",
+           "A rigid body the shell cannot enter.",
+           {{.name = "half_space",
+             .kind = Kind::table,
+             .required = true,
+             .meaning = "the body",
+             .example = "{ point = [0, 0, 0], normal = [0, 0, 1] }"},
+            {.name = "face",
+             .kind = Kind::word,
+             .fallback = "\"lower\"",
+             .words = {{"lower"}, {"upper"}, {"both", false}},
+             .meaning = "the face of the shell that may touch: lower at -e/2, upper at +e/2 along a3"}}},
+          {"obstacle.half_space",
+           "half_space",
+           "The points X with (X - point) . normal <= 0.",
+           {{.name = "point",
+             .kind = Kind::vector,
+             .unit = "m",
+             .fallback = "[0, 0, 0]",
+             .meaning = "a point of the plane"},
+            {.name = "normal",
+             .kind = Kind::vector,
+             .fallback = "[0, 0, 1]",
+             .meaning = "towards the free side; of any length but 0"}}}};
+}
+
+Section probe_section() {
+  return {
+      "probe",
+      "[[probe]]",
+      "A point where displacements, resultants and gap are reported.",
+      {{.name = "name",
+        .kind = Kind::name,
+        .required = true,
+        .meaning = "a name no other probe has",
+        .example = "\"centre\""},
+       {.name = "at", .kind = Kind::point, .required = true, .meaning = "a point of the domain", .example = "[0, 0]"}}};
+}
+
+Section solver_section() {
+  return {"solver",
+          "[solver]",
+          "The defaults serve nearly always.",
+          {{.name = "max_iterations",
+            .kind = Kind::integer,
+            .fallback = "200",
+            .range = between(1, 100000),
+            .meaning = "active-set changes on one mesh; each costs one factorisation"},
+           {.name = "linear_tolerance",
+            .fallback = "1e-12",
+            .range = above_to(0, 0.01),
+            .meaning = "relative residual of the linear solves"},
+           {.name = "gap_tolerance",
+            .fallback = "1e-11",
+            .range = above_to(0, 0.01),
+            .meaning = "a bound counts as violated beyond this multiple of the largest unknown that has one"},
+           {.name = "multiplier_tolerance",
+            .fallback = "1e-10",
+            .range = above_to(0, 0.01),
+            .meaning = "a multiplier counts as negative beyond this multiple of the largest one"}}};
+}
+
+std::vector<Section> all_sections() {
+  std::vector<Section> all{file_section(), constants_section(), shell_section()};
+  const auto append = [&](std::vector<Section> more) { all.insert(all.end(), more.begin(), more.end()); };
+  append(geometry_sections());
+  append({mesh_section(), support_section(), load_section()});
+  append(obstacle_sections());
+  append({probe_section(), solver_section()});
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Section>& sections() {
+  static const std::vector<Section> all = all_sections();
+  return all;
+}
+
+const Section& section(const std::string& path) {
+  const auto found = std::ranges::find(sections(), path, &Section::path);
+  if (found == sections().end()) throw std::logic_error("no section is declared as " + path);
+  return *found;
+}
+
+}  // namespace plastron::config

@@ -1,0 +1,29 @@
+// The four ways to keep the rotation tangent, r . a_3 = 0 (docs/model.md, section 5).
+#pragma once
+#include <string_view>
+
+namespace plastron::element {
+
+enum class Formulation {
+  tangent,    ///< (M12) two rotations a node, in its tangent plane
+  penalised,  ///< (M13) three rotations a node, the gradient of r . a_3 is penalised
+  mixed,      ///< (M14) three rotations a node and a multiplier lambda, stabilised
+  classical   ///< (M15) covariant components of u and r are interpolated
+};
+
+std::string_view to_string(Formulation formulation);
+
+/// Whether r . a_3 is an unknown of its own.
+constexpr bool is_relaxed(Formulation formulation) {
+  return formulation == Formulation::penalised || formulation == Formulation::mixed;
+}
+
+/// The formulation with its dimensionless numbers. The code scales them with E e^3 [N m], the unit of the form
+/// int a^{ab} d_a(r . a_3) d_b(s . a_3) sqrt(a) dx being that of an energy.
+struct Tangency {
+  Formulation formulation = Formulation::tangent;
+  double penalty = 0.1;        ///< p of (M13), in (0, 1]: the form is multiplied by E e^3 / p
+  double stabilisation = 1.0;  ///< rho of (M14), > 0: the form is multiplied by rho E e^3
+};
+
+}  // namespace plastron::element

@@ -1,0 +1,70 @@
+// How nodal values give u and r inside of a cell. The formulations differ here and nowhere else:
+//   Cartesian (M12-M14)   u = sum_i N_i u_i,  r = sum_i N_i r_i
+//   covariant (M15)       u = sum_i N_i (u_i . a_j(i)) a^j,  r = sum_i N_i (r_i . a_alpha(i)) a^alpha
+// Nodal values are Cartesian in both, so supports, contact, loads and output need not know.
+#pragma once
+#include <plastron/algebra/vector.hpp>
+#include <plastron/element/element_tables.hpp>
+#include <plastron/fem/surface.hpp>
+#include <plastron/geometry/moving_basis.hpp>
+#include <plastron/shell/strain.hpp>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace plastron::element {
+
+/// Nodal values of a cell: a row per node, columns u_x u_y u_z r_x r_y r_z.
+using CellField = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+
+/// (u, r) and their derivatives along the cell's coordinates at points: a row per point, Cartesian components.
+/// As duals: what works on each of them.
+struct FieldRows {
+  CellField d1, d2, value;
+
+  shell::LocalField<double> at(Eigen::Index point) const;
+  static FieldRows zero(Eigen::Index points);
+  void add_dual(Eigen::Index point, const shell::LocalField<double>& dual);
+};
+
+class Interpolation {
+ public:
+  using Bases = std::span<const geometry::MovingBasis>;
+
+  Interpolation(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
+                const ElementTables& tables, bool is_covariant);
+
+  /// The moving bases at points of a cell; none for Cartesian interpolation.
+  std::vector<geometry::MovingBasis> bases(std::size_t cell, std::span<const Vector2d> xi) const;
+
+  /// At the points of `at`, whose moving bases are `bases`.
+  FieldRows fields(std::size_t cell, const BasisAt& at, Bases bases, const CellField& nodal) const;
+  /// The transpose of fields(): adds nodal forces.
+  void add_forces(std::size_t cell, const BasisAt& at, Bases bases, FieldRows dual, CellField& forces) const;
+  /// One row of the matrix that takes nodal values (6 a node) to dual : field at a point.
+  void write_row(std::size_t cell, const BasisAt& at, Eigen::Index point, Bases bases,
+                 const shell::LocalField<double>& dual, Eigen::Ref<Eigen::RowVectorXd> row) const;
+
+  /// What is interpolated, at the nodes: (u, r) itself or its covariant components. These fields are polynomials in every
+  /// cell, so refinement carries them exactly. The results have valid ghosts.
+  algebra::Vector interpolated(const algebra::Vector& y) const;
+  /// The inverse of interpolated(), up to the normal part of r, which covariant interpolation does not have.
+  algebra::Vector nodal_values(const algebra::Vector& interpolated) const;
+
+  /// (u, r) alone.
+  CellField values(std::size_t cell, const BasisAt& at, const CellField& nodal) const;
+  /// The transpose of values(): nodal forces of forces and couples at points.
+  CellField forces_of(std::size_t cell, const BasisAt& at, const CellField& forces) const;
+
+ private:
+  CellField components(std::size_t cell, const CellField& nodal) const;
+  void to_nodal_forces(std::size_t cell, CellField& of_components) const;
+
+  std::shared_ptr<const fem::Space> space_;
+  std::shared_ptr<const fem::Surface> surface_;
+  bool is_covariant_;
+  std::vector<geometry::Matrix3d> node_bases_;  // [a_1 a_2 a_3] at the nodes of owned cells; empty if Cartesian
+};
+
+}  // namespace plastron::element

@@ -1,0 +1,132 @@
+// The chart is regular and finite, the thickness positive and small against the radii of curvature (M1 to M3).
+#include <plastron/examination/checks.hpp>
+#include <plastron/geometry/frame.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::examination {
+
+namespace {
+
+bool is_finite(const geometry::SurfaceJet& jet) {
+  bool finite = jet.value.allFinite();
+  for (const auto& d : jet.d) finite = finite && d.allFinite();
+  for (const auto& d : jet.dd) finite = finite && d.allFinite();
+  return finite;
+}
+
+/// Looks at sample points until one is unusable.
+class ChartCheck {
+ public:
+  explicit ChartCheck(Examined& examined) : examined_(examined) {}
+
+  void run() {
+    for (const fem::Cell& cell : examined_.space->cells)
+      if (!usable_points(cell) || !usable_nodes(cell)) return;
+    examined_.size = (high_ - low_).norm() / 2;
+    examined_.is_developable = flattest_ <= 1e-9 * std::max(roundest_, 1 / examined_.size);
+    const std::size_t points = examined_.space->cells.size() * examined_.tables.weights.size();
+    examined_.add(Severity::note, "chart: regular at {} sample points, mid-surface area {:.6g} m^2", points, area_);
+    examined_.add(Severity::note, "thickness: {:.4g} to {:.4g} m; e |kappa| / 2 at most {:.3g} (must stay below 1)",
+                  thinnest_, thickest_, sharpest_);
+    if (sharpest_ > 0.3)
+      examined_.add(Severity::warning,
+                    "e |kappa| / 2 reaches {:.2g}: a shell model is doubtful where the thickness is a sizeable part of "
+                    "the radius",
+                    sharpest_);
+  }
+
+ private:
+  bool usable_points(const fem::Cell& cell) {
+    const auto& xi = examined_.tables.quadrature.xi;
+    const Samples s = samples(cell, xi, true);
+    for (std::size_t p = 0; p < xi.size(); ++p) {
+      if (!regular(s.jets[p], s.x[p], s.y[p]) || !thick(s.e[p], s.x[p], s.y[p])) return false;
+      const geometry::Frame frame = geometry::frame_at(s.jets[p]);
+      if (!thin(frame, s.e[p], s.x[p], s.y[p])) return false;
+      area_ += frame.sqrt_a * examined_.tables.weights[p];
+    }
+    return true;
+  }
+
+  /// Edges of the domain hold nodes but no quadrature points.
+  bool usable_nodes(const fem::Cell& cell) {
+    const Samples s = samples(cell, examined_.tables.nodes, false);
+    for (std::size_t i = 0; i < s.jets.size(); ++i) {
+      if (!regular(s.jets[i], s.x[i], s.y[i]) || !thick(s.e[i], s.x[i], s.y[i])) return false;
+      low_ = low_.cwiseMin(s.jets[i].value);
+      high_ = high_.cwiseMax(s.jets[i].value);
+    }
+    return true;
+  }
+
+  struct Samples {
+    std::vector<double> x, y, e;
+    std::vector<geometry::SurfaceJet> jets;
+  };
+  Samples samples(const fem::Cell& cell, const std::vector<Eigen::Vector2d>& xi, bool second_derivatives) const {
+    const std::size_t n = xi.size();
+    Samples s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), {}};
+    s.jets.resize(n);
+    examined_.surface->positions(cell, xi, s.x, s.y);
+    examined_.surface->jets(cell, xi, s.jets, second_derivatives);
+    examined_.problem.thickness.evaluate(s.x, s.y, s.e);
+    return s;
+  }
+
+  bool regular(const geometry::SurfaceJet& jet, double x, double y) {
+    if (!is_finite(jet)) {
+      examined_.add(Severity::error,
+                    "the chart or one of its derivatives is not finite at x = {:.6g}, y = {:.6g}; the domain must stay "
+                    "inside of where the expressions are smooth",
+                    x, y);
+      return false;
+    }
+    if (geometry::tangent_sine(jet) > geometry::degenerate_sine) return true;
+    examined_.add(Severity::error,
+                  "the chart is degenerate at x = {:.6g}, y = {:.6g}: its tangents a_1 and a_2 are parallel or zero "
+                  "(|a_1 x a_2| = {:.2g}); choose parameters in which phi has independent tangents",
+                  x, y, jet.d[0].cross(jet.d[1]).norm());
+    return false;
+  }
+
+  bool thick(double e, double x, double y) {
+    if (e > 0 && std::isfinite(e)) return true;
+    examined_.add(Severity::error,
+                  "the thickness is {:g} at x = {:.6g}, y = {:.6g}; it must be positive and finite everywhere in the "
+                  "domain",
+                  e, x, y);
+    return false;
+  }
+
+  bool thin(const geometry::Frame& frame, double e, double x, double y) {
+    const auto kappa = geometry::principal_curvatures(frame);
+    const double bending = e / 2 * std::max(std::abs(kappa[0]), std::abs(kappa[1]));
+    if (!(bending < 1)) {
+      examined_.add(Severity::error,
+                    "the shell is too thick for its curvature at x = {:.6g}, y = {:.6g}: thickness {:g} times largest "
+                    "curvature {:g}, halved, is {:.3g} and must stay below 1; reduce the thickness or flatten the "
+                    "chart there",
+                    x, y, e, 2 * bending / e, bending);
+      return false;
+    }
+    thinnest_ = std::min(thinnest_, e);
+    thickest_ = std::max(thickest_, e);
+    sharpest_ = std::max(sharpest_, bending);
+    flattest_ = std::max(flattest_, std::min(std::abs(kappa[0]), std::abs(kappa[1])));
+    roundest_ = std::max(roundest_, std::max(std::abs(kappa[0]), std::abs(kappa[1])));
+    return true;
+  }
+
+  Examined& examined_;
+  double thinnest_ = INFINITY, thickest_ = 0, sharpest_ = 0, area_ = 0;
+  double flattest_ = 0, roundest_ = 0;  ///< largest of the smaller and of the larger principal curvatures [1/m]
+  Eigen::Vector3d low_ = Eigen::Vector3d::Constant(INFINITY), high_ = -low_;  ///< box of the mid-surface
+};
+
+}  // namespace
+
+void check_chart(Examined& examined) { ChartCheck(examined).run(); }
+
+}  // namespace plastron::examination

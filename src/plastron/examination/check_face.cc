@@ -1,0 +1,69 @@
+// The face that is to touch must be the one that is nearer to the obstacle, where the obstacle is near: otherwise the
+// shell ends a thickness inside of it. Far from it, as on the upper half of a tube on a table, either may be nearer.
+#include <plastron/examination/checks.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::examination {
+
+namespace {
+
+using obstacle::Face;
+
+/// Cosine of the angle between a_3 and the obstacle's normal, positive where the named face is the nearer one.
+double facing(const Examined& examined, const ExaminedNodes& nodes, std::size_t i) {
+  const double cosine = nodes.coordinates.gaps[i].normal.dot(nodes.points[i].a3);
+  return examined.problem.obstacle->face == Face::lower ? cosine : -cosine;
+}
+
+/// What matters of the two faces: the node where either is nearest, and how they lie around it.
+struct Nearest {
+  std::size_t node = 0;
+  double facing = 0;  ///< mean over the places no farther than a thickness from the nearest
+};
+
+Nearest nearest(const Examined& examined, const ExaminedNodes& nodes) {
+  const std::size_t count = nodes.points.size();
+  std::vector<double> cosines(count), gaps(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    cosines[i] = facing(examined, nodes, i);
+    // The other face is nearer by 2 |z| |cosine| where the cosine is negative.
+    const auto& gap = nodes.coordinates.gaps[i];
+    gaps[i] = gap.initial + std::min(0.0, 2 * std::abs(gap.z) * cosines[i]);
+  }
+  const auto least = static_cast<std::size_t>(std::ranges::min_element(gaps) - gaps.begin());
+  double weights = 0, sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (gaps[i] > gaps[least] + nodes.points[i].thickness) continue;
+    weights += nodes.points[i].weight;
+    sum += nodes.points[i].weight * cosines[i];
+  }
+  return {least, weights > 0 ? sum / weights : cosines[least]};
+}
+
+}  // namespace
+
+void check_face(Examined& examined, const ExaminedNodes& nodes) {
+  constexpr double alike = 0.1;  // within 6 degrees of upright, the faces are equally near but for a tenth of e
+  const Nearest near = nearest(examined, nodes);
+  const auto& point = nodes.points[near.node];
+  const bool is_lower = examined.problem.obstacle->face == Face::lower;
+  const char *named = is_lower ? "lower" : "upper", *other = is_lower ? "upper" : "lower";
+  const double nearer = point.thickness * std::abs(facing(examined, nodes, near.node));
+  const std::string a3 = vector_text(point.a3);
+  if (near.facing < -alike)
+    return examined.add(
+        Severity::error,
+        "the {0} face is to touch the obstacle, but it is the far one: where the shell is nearest, at {1}, a_3 = {2} "
+        "points {3} the obstacle and the {4} face is {5:.4g} m nearer; write face = \"{4}\", or turn a_3 round by "
+        "exchanging x and y in the chart",
+        named, examined.place(point.x), a3, is_lower ? "to" : "away from", other, nearer);
+  if (near.facing < alike)
+    return examined.add(Severity::note, "face: a_3 = {} at the nearest point, both faces are about equally near", a3);
+  examined.add(Severity::note,
+               "face: a_3 = {} at the nearest point, the {} face is {:.4g} m nearer to the obstacle than the {} one",
+               a3, named, nearer, other);
+}
+
+}  // namespace plastron::examination

@@ -1,0 +1,52 @@
+// The gap of the undeformed shell (M16): K must not be empty.
+#include <plastron/computation/gap.hpp>
+#include <plastron/examination/checks.hpp>
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::examination {
+
+namespace {
+
+/// The boundaries whose supports act at a node, each in quotes.
+std::string supports_of(std::size_t node, const Examined& examined, const ExaminedNodes& nodes) {
+  std::vector<std::string> names;
+  for (const assembly::Support& support : examined.problem.supports) {
+    const auto rows = assembly::node_supports(*examined.space, *examined.surface, nodes.points, {support});
+    const std::string name = fmt::format("\"{}\"", support.boundary);
+    if ((!rows[node].displacement.empty() || !rows[node].rotation.empty()) &&
+        std::ranges::find(names, name) == names.end())
+      names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+void check_gap(Examined& examined, const ExaminedNodes& nodes) {
+  const auto& [points, coordinates] = nodes;
+  const auto initial = [](const obstacle::Gap& gap) { return gap.initial; };
+  const auto [least, most] = std::ranges::minmax_element(coordinates.gaps, {}, initial);
+  const double rounding = 1e-12 * (examined.size + std::abs(least->initial));
+  const char* question =
+      most->initial < -rounding
+          ? "; the whole shell lies inside of it: is a normal reversed, the obstacle's or the chart's?"
+          : "";
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (computation::is_held_inside(coordinates, points[i], i))
+      return examined.add(Severity::error,
+                          "the support of the boundary {} holds the shell inside of the obstacle at {}: its face "
+                          "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",
+                          supports_of(i, examined, nodes), examined.place(points[i].x), -coordinates.bound_gap[i],
+                          question);
+  const auto& at = points[static_cast<std::size_t>(least - coordinates.gaps.begin())].x;
+  const bool reaches_in = least->initial < -rounding;
+  examined.add(reaches_in ? Severity::warning : Severity::note, "initial gap: {:.4g} m (at {}) to {:.4g} m{}{}",
+               least->initial, examined.place(at), most->initial,
+               reaches_in ? "; the undeformed shell reaches into the obstacle and will be pushed out" : "", question);
+}
+
+}  // namespace plastron::examination

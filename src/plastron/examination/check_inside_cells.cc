@@ -1,0 +1,125 @@
+// What elements take for smooth must be smooth inside of each cell: a_3 and the thickness may not jump there, the
+// curvature had better not. Loads may: they are integrated by subdivision (assembly/subdivision.hpp).
+#include <plastron/examination/jumps.hpp>
+#include <plastron/examination/named_expressions.hpp>
+#include <plastron/geometry/frame.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::examination {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+using Lines = JumpSearch::Lines;
+
+constexpr const char* mesh_line = "put a mesh line there: breaks of a rectangle, a polygon's edge or a .msh file";
+
+geometry::SurfaceJet jet_at(const Examined& examined, const fem::Cell& cell, const Vector2d& xi, bool second) {
+  geometry::SurfaceJet jet;
+  examined.surface->jets(cell, {&xi, 1}, {&jet, 1}, second);
+  return jet;
+}
+
+/// The shape operator as a tensor of space, which does not depend on the cell's coordinates [1/m].
+Eigen::Matrix3d shape_tensor(const geometry::SurfaceJet& jet) {
+  const geometry::Frame frame = geometry::frame_at(jet);
+  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+  for (int a = 0; a < 2; ++a) S -= frame.da3[a] * frame.a_con[a].transpose();
+  return S;
+}
+
+bool check_kinks(Examined& examined, const JumpSearch& search) {
+  const CellFunction surface = [&](const fem::Cell& cell, const Vector2d& xi) {
+    const geometry::SurfaceJet jet = jet_at(examined, cell, xi, false);
+    Sample s(6);
+    s << jet.value / examined.size, geometry::unit_normal(jet);
+    return s;
+  };
+  const auto kink = search.in_cells(surface, 1e-5, Lines::forbidden);
+  if (!kink) return true;
+  examined.add(
+      Severity::error,
+      "the mid-surface has a kink or a jump inside of a cell near x = {:.6g}, y = {:.6g}, of about {:.3g} rad; "
+      "curvature may jump, the normal may not: round the fold off, or describe the pieces by regions (breaks "
+      "of a rectangle, or a .msh file) that meet with one tangent plane",
+      kink->at[0], kink->at[1], kink->size);
+  return false;
+}
+
+void check_curvature(Examined& examined, const JumpSearch& search) {
+  // Against 1 / size, too: rounding in an almost plane chart is no curvature.
+  double largest = 1e-3 / examined.size;
+  for (const fem::Cell& cell : examined.space->cells)
+    largest =
+        std::max(largest, shape_tensor(jet_at(examined, cell, fem::centre(examined.space->shape()), true)).norm());
+  const CellFunction curvature = [&](const fem::Cell& cell, const Vector2d& xi) {
+    return Sample(shape_tensor(jet_at(examined, cell, xi, true)).reshaped() / largest);
+  };
+  if (const auto jump = search.in_cells(curvature, 1e-3, Lines::allowed))
+    examined.add(Severity::warning,
+                 "the curvature of the mid-surface jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} 1/m; "
+                 "results converge slowly there; {}",
+                 jump->at[0], jump->at[1], jump->size * largest, mesh_line);
+}
+
+CellFunction values_of(const Examined& examined, const geometry::Expression& f, double scale) {
+  return [&examined, f, scale](const fem::Cell& cell, const Vector2d& xi) {
+    Vector2d x;
+    examined.surface->positions(cell, {&xi, 1}, {&x[0], 1}, {&x[1], 1});
+    return Sample(Sample::Constant(1, f(x[0], x[1]) / scale));
+  };
+}
+
+/// Largest magnitude at the nodes; 1 for what is zero there.
+double scale_of(const Examined& examined, const geometry::Expression& f) {
+  const std::size_t count = examined.tables.nodes.size();
+  std::vector<double> x(count), y(count), values(count);
+  double largest = 0;
+  for (const fem::Cell& cell : examined.space->cells) {
+    examined.surface->positions(cell, examined.tables.nodes, x, y);
+    f.evaluate(x, y, values);
+    for (const double v : values) largest = std::max(largest, std::abs(v));
+  }
+  return largest > 0 && std::isfinite(largest) ? largest : 1;
+}
+
+void check_thickness(Examined& examined, const JumpSearch& search) {
+  const geometry::Expression& e = examined.problem.thickness;
+  if (e.is_constant()) return;
+  const double scale = scale_of(examined, e);
+  if (const auto jump = search.in_cells(values_of(examined, e, scale), 1e-6, Lines::allowed))
+    examined.add(Severity::error,
+                 "the thickness {} jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} m, and elements take "
+                 "it for smooth; {}; or let it change over a length",
+                 quoted(e), jump->at[0], jump->at[1], jump->size * scale, mesh_line);
+}
+
+void check_load(Examined& examined, const JumpSearch& search, const NamedExpression& load) {
+  const CellFunction values = values_of(examined, load.f, scale_of(examined, load.f));
+  const auto jump = load.boundary.empty() ? search.in_cells(values, 1e-6, Lines::allowed)
+                                          : search.along_boundary(load.boundary, values, 1e-6);
+  if (!jump) return;
+  if (!jump->is_bounded)
+    examined.add(Severity::error, "{} grows without limit near x = {:.6g}, y = {:.6g}; it must be finite everywhere",
+                 load.name, jump->at[0], jump->at[1]);
+  else
+    examined.add(Severity::note,
+                 "{} jumps inside of a cell near x = {:.6g}, y = {:.6g}: cells are divided to integrate it; to have it "
+                 "exact, {}",
+                 load.name, jump->at[0], jump->at[1], mesh_line);
+}
+
+}  // namespace
+
+void check_inside_cells(Examined& examined) {
+  const JumpSearch search(examined);
+  if (check_kinks(examined, search)) check_curvature(examined, search);
+  check_thickness(examined, search);
+  for (const NamedExpression& load : load_expressions(examined.problem)) check_load(examined, search, load);
+}
+
+}  // namespace plastron::examination

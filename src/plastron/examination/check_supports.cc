@@ -1,0 +1,49 @@
+// What symmetry and the formulations ask of the supports.
+#include <plastron/examination/checks.hpp>
+
+#include <fmt/ranges.h>
+
+namespace plastron::examination {
+
+void check_symmetry(Examined& examined) {
+  const auto points =
+      assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.thickness);
+  for (const assembly::Support& support : examined.problem.supports) {
+    if (!support.symmetry) continue;
+    const auto rows = assembly::node_supports(*examined.space, *examined.surface, points, {support});
+    const Eigen::Vector3d* first = nullptr;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const auto& [direction, value] : rows[i].displacement) {
+        if (!first) first = &direction;
+        if ((direction - *first).norm() < 1e-6) continue;
+        return examined.add(
+            Severity::error,
+            "the boundary \"{}\" is no symmetry plane: its conormal turns (at x = {:.6g}, y = {:.6g} by {:.3g} rad); "
+            "symmetry needs a plane edge that the shell meets at a right angle",
+            support.boundary, points[i].x[0], points[i].x[1], (direction - *first).norm());
+      }
+  }
+}
+
+void check_formulation(Examined& examined, const ExaminedNodes& nodes) {
+  using element::Formulation;
+  const Formulation kind = examined.problem.discretisation.tangency.formulation;
+  if (kind == Formulation::classical && examined.problem.charts.size() > 1)
+    examined.add(Severity::error,
+                 "the classical formulation needs a smooth chart, and the regions {} have charts of their own, where "
+                 "curvature may jump; use formulation = \"tangent\"",
+                 fmt::join(examined.space->coarse->regions, ", "));
+  if (!element::is_relaxed(kind)) return;
+  for (std::size_t i = 0; i < nodes.points.size(); ++i)
+    if (nodes.coordinates.is_prescribed(i, 5)) return;
+  examined.add(
+      Severity::error,
+      "the {} formulation sees only the gradient of r . a3, and no support fixes a component of r: a constant r . a3 "
+      "is left free{}; add \"r.a3\" to the fix of a support, or use formulation = \"tangent\"",
+      element::to_string(kind),
+      examined.is_developable ? ", and on this developable chart it is part of a seventh motion beside the six rigid "
+                                "ones that costs no energy"
+                              : "");
+}
+
+}  // namespace plastron::examination

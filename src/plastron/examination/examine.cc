@@ -1,0 +1,98 @@
+// The examination top to bottom. Names and chart come first: nothing else makes sense where they are wrong.
+#include <plastron/examination/examine.hpp>
+
+#include <plastron/assembly/load_vector.hpp>
+#include <plastron/computation/gap.hpp>
+#include <plastron/examination/checks.hpp>
+#include <plastron/fem/mesh_sequence.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::examination {
+
+namespace {
+
+/// A mesh of some thousand sample points, the same for every rank.
+std::shared_ptr<const fem::Space> sample_mesh(const computation::Problem& problem) {
+  constexpr int enough_cells = 256;
+  const computation::Discretisation& d = problem.discretisation;
+  const int degree = d.cells == fem::Shape::triangle ? d.degree : std::clamp(d.degree, 2, 4);
+  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, d.cells), degree, MPI_COMM_SELF);
+  while (meshes.space()->global_cells < enough_cells) meshes.refine({});
+  return meshes.space();
+}
+
+/// The checks that need the nodes.
+void check_nodes(Examined& examined) {
+  try {
+    check_symmetry(examined);
+    const ExaminedNodes nodes(examined);
+    if (examined.problem.obstacle) {
+      check_gap(examined, nodes);
+      check_face(examined, nodes);
+    }
+    check_formulation(examined, nodes);
+    check_rigid_motions(examined, nodes);
+  } catch (const assembly::SupportError& error) {
+    examined.add(Severity::error, "{}", error.what());
+  } catch (const assembly::LoadError& error) {
+    if (!has_errors(examined.findings)) examined.add(Severity::error, "{}", error.what());
+  }
+}
+
+std::vector<Finding> findings_of(const computation::Problem& problem) {
+  Examined examined(problem);
+  for (const auto check : {check_names, check_chart}) {
+    check(examined);
+    if (has_errors(examined.findings)) return examined.findings;
+  }
+  for (const auto check : {check_normals, check_seams, check_finite, check_locking, check_precision, check_probes})
+    check(examined);
+  // Values that are not finite would be found again, in other words.
+  if (!has_errors(examined.findings)) check_inside_cells(examined);
+  check_nodes(examined);
+  return examined.findings;
+}
+
+}  // namespace
+
+Examined::Examined(const computation::Problem& a_problem)
+    : problem(a_problem),
+      space(sample_mesh(a_problem)),
+      surface(std::make_shared<const fem::Surface>(space->coarse, a_problem.charts)),
+      tables(element::element_tables(space->shape(), space->degree, false)) {}
+
+std::string Examined::place(const Eigen::Vector2d& x) const {
+  double extent = 0;
+  for (const auto& vertex : space->coarse->vertices) extent = std::max(extent, (vertex - x).norm());
+  const auto cleared = [&](double c) { return std::abs(c) < 1e-12 * extent ? 0 : c; };
+  return fmt::format("x = {:.6g}, y = {:.6g}", cleared(x[0]), cleared(x[1]));
+}
+
+ExaminedNodes::ExaminedNodes(const Examined& examined)
+    : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.thickness)),
+      coordinates(assembly::nodal_coordinates(*examined.space, *examined.surface, points, examined.problem.supports,
+                                              computation::gap_function(examined.problem),
+                                              examined.problem.discretisation.tangency.formulation)) {}
+
+std::string vector_text(Eigen::Vector3d v, double size) {
+  const double negligible = 5e-4 * std::max(v.norm(), size);
+  for (double& c : v)
+    if (std::abs(c) < negligible) c = 0;
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", v[0], v[1], v[2]);
+}
+
+bool has_errors(const std::vector<Finding>& findings) {
+  return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
+}
+
+std::vector<Finding> examine(const computation::Problem& problem) {
+  try {
+    return findings_of(problem);
+  } catch (const fem::DomainError& error) {
+    return {{Severity::error, error.what()}};
+  }
+}
+
+}  // namespace plastron::examination

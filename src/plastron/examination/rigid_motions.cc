@@ -1,0 +1,115 @@
+#include <plastron/examination/rigid_motions.hpp>
+
+#include <plastron/examination/checks.hpp>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace plastron::examination {
+
+namespace {
+
+using Eigen::Matrix;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Matrix6 = Matrix<double, 6, 6>;
+
+/// Orthonormal basis of the kernel of a positive semidefinite matrix.
+MatrixXd kernel(const MatrixXd& gram) {
+  if (gram.cols() == 0) return MatrixXd(0, 0);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
+  const double threshold = 1e-10 * std::max(1.0, eigen.eigenvalues().maxCoeff());
+  const auto dimension = (eigen.eigenvalues().array() < threshold).count();
+  return eigen.eigenvectors().leftCols(dimension);
+}
+
+}  // namespace
+
+RigidMotions::RigidMotions(const std::vector<assembly::NodalPoint>& points) : centre_(Vector3d::Zero()), size_(0) {
+  for (const auto& p : points) centre_ += p.phi / static_cast<double>(points.size());
+  for (const auto& p : points) size_ = std::max(size_, (p.phi - centre_).norm());
+}
+
+Matrix6 RigidMotions::at(const assembly::NodalPoint& point) const {
+  Matrix6 m = Matrix6::Zero();
+  m.topLeftCorner<3, 3>().setIdentity();
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d w = Vector3d::Unit(k) / size_;
+    m.block<3, 1>(0, 3 + k) = w.cross(point.phi - centre_);
+    m.block<3, 1>(3, 3 + k) = w.cross(point.a3) * size_;
+  }
+  return m;
+}
+
+RigidMotion RigidMotions::gap_change(const assembly::NodalPoint& point, const obstacle::Gap& gap) const {
+  RigidMotion row;
+  row << gap.normal, gap.z / size_ * gap.normal;
+  return at(point).transpose() * row;
+}
+
+RigidMotion RigidMotions::work(const std::vector<assembly::NodalPoint>& points, std::span<const double> forces) const {
+  RigidMotion sum = RigidMotion::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    RigidMotion force = Eigen::Map<const RigidMotion>(forces.data() + 6 * i);
+    force.tail<3>() /= size_;
+    sum += at(points[i]).transpose() * force;
+  }
+  return sum;
+}
+
+std::string RigidMotions::in_words(const RigidMotion& motion) const {
+  constexpr double negligible = 1e-3;
+  const Vector3d translation = motion.head<3>(), rotation = motion.tail<3>();
+  if (rotation.norm() < negligible * motion.norm()) return "translation along " + vector_text(translation.normalized());
+  // A translation across the axis moves the axis; one along it makes a screw.
+  const Vector3d axis = rotation.normalized();
+  const Vector3d through = centre_ + size_ * rotation.cross(translation) / rotation.squaredNorm();
+  std::string turn =
+      fmt::format("rotation about the axis {} through {}", vector_text(axis), vector_text(through, size_));
+  const double pitch = axis.dot(translation) / rotation.norm();
+  if (std::abs(pitch) < negligible) return turn;
+  return fmt::format("{} with the translation {:.3g} m along it for each radian", turn, pitch * size_);
+}
+
+std::vector<RigidMotion> readable(const MatrixXd& basis) {
+  MatrixXd rows = basis.transpose();
+  Eigen::Index next = 0;
+  for (Eigen::Index column = rows.cols() - 1; column >= 0 && next < rows.rows(); --column) {
+    Eigen::Index pivot = 0;
+    if (rows.col(column).tail(rows.rows() - next).cwiseAbs().maxCoeff(&pivot) < 1e-8) continue;
+    rows.row(next).swap(rows.row(next + pivot));
+    rows.row(next) /= rows(next, column);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+      if (i != next) rows.row(i) -= rows(i, column) * rows.row(next);
+    ++next;
+  }
+  std::vector<RigidMotion> motions;
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) motions.emplace_back(rows.row(k).transpose());
+  return motions;
+}
+
+FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<assembly::NodalPoint>& points,
+                               const assembly::NodalCoordinates& coordinates) {
+  Matrix6 by_supports = Matrix6::Zero(), by_gap = Matrix6::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Matrix6 at_node = motions.at(points[i]);
+    for (int k = 0; k < coordinates.width; ++k) {
+      if (!coordinates.is_prescribed(i, k)) continue;
+      const RigidMotion row = at_node.transpose() * coordinates.basis[i].col(k);
+      by_supports += row * row.transpose();
+    }
+    if (coordinates.gaps.empty()) continue;
+    const RigidMotion row = motions.gap_change(points[i], coordinates.gaps[i]);
+    by_gap += row * row.transpose() / static_cast<double>(points.size());
+  }
+  const MatrixXd free = kernel(by_supports);
+  FreeMotions result{.unheld = MatrixXd(6, 0), .held_by_obstacle = MatrixXd(6, 0)};
+  if (free.cols() == 0) return result;
+  result.unheld = free * kernel(free.transpose() * by_gap * free);
+  result.held_by_obstacle = free * kernel(free.transpose() * (result.unheld * result.unheld.transpose()) * free);
+  return result;
+}
+
+}  // namespace plastron::examination

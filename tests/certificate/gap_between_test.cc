@@ -1,0 +1,150 @@
+// The gap between the nodes against polynomials and surfaces whose lowest point is known.
+#include "assembly/sample_shells.hpp"
+
+#include <plastron/certificate/gap_between.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plastron::certificate {
+namespace {
+
+constexpr double thickness = 0.2;
+constexpr double flat_gap = 0.2;  // test::flat lies at 0.3, its lower face half a thickness below
+
+/// The table z = 0 or another half-space, touched by the lower face.
+assembly::GapFunction over(const obstacle::HalfSpace& table) {
+  return [table](const Vector3d& phi, const Vector3d& a3, double e) {
+    return obstacle::gap_at(table, obstacle::Face::lower, phi, a3, e);
+  };
+}
+
+struct Shell {
+  test::MeshedSurface mesh;
+  std::unique_ptr<assembly::DiscreteShell> discrete;
+};
+
+Shell shell_over(const obstacle::HalfSpace& table, const fem::Domain& domain, const std::array<std::string, 3>& chart,
+                 fem::Shape shape, int degree, element::Formulation formulation = element::Formulation::tangent) {
+  Shell s{test::meshed(domain, chart, degree, 0, shape), nullptr};
+  s.discrete = assembly::discretise(s.mesh.space, s.mesh.surface,
+                                    {.thickness = geometry::Expression(thickness),
+                                     .material = test::steel_like(),
+                                     .tangency = {.formulation = formulation},
+                                     .gap = over(table)});
+  return s;
+}
+
+/// (u, r) at every node as a function of the node.
+template <class Field>
+algebra::Vector nodal(const Shell& s, const Field& field) {
+  algebra::Vector y(s.mesh.space->layout, 6);
+  for (std::size_t i = 0; i < s.discrete->points.size(); ++i) {
+    const Eigen::Matrix<double, 6, 1> value = field(s.discrete->points[i]);
+    for (std::size_t k = 0; k < 6; ++k) y.local()[6 * i + k] = value[static_cast<Eigen::Index>(k)];
+  }
+  return y;
+}
+
+algebra::Vector at_rest(const Shell& s) {
+  return nodal(
+      s, [](const assembly::NodalPoint&) { return Eigen::Matrix<double, 6, 1>(Eigen::Matrix<double, 6, 1>::Zero()); });
+}
+
+Eigen::Matrix<double, 6, 1> downwards(double u_z) {
+  Eigen::Matrix<double, 6, 1> y = Eigen::Matrix<double, 6, 1>::Zero();
+  y[2] = u_z;
+  return y;
+}
+
+/// All elements that there are for a plane table.
+std::vector<std::pair<fem::Shape, int>> elements() {
+  return {{test::quadrilateral, 1},
+          {test::quadrilateral, 2},
+          {test::quadrilateral, 4},
+          {test::triangle, 1},
+          {test::triangle, 2}};
+}
+
+TEST(GapBetween, OfAPlaneFaceIsThatOfItsLowestCorner) {
+  for (const auto& [shape, degree] : elements()) {
+    const Shell s = shell_over({}, test::skew(), test::flat, shape, degree);
+    const auto y =
+        nodal(s, [](const assembly::NodalPoint& p) { return downwards(-0.19 - 0.05 * p.x[0] + 0.02 * p.x[1]); });
+    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, y), flat_gap - 0.19 - 0.05 + 0.02 * 0.1, 1e-14)
+        << "degree " << degree;
+  }
+}
+
+// The basis function of a vertex falls to -1/8 between the nodes of either shape.
+TEST(GapBetween, OfAVertexLiftedOffTheTableIsAnEighthOfTheLiftBelowIt) {
+  constexpr double lift = 0.08;
+  for (const auto shape : {test::quadrilateral, test::triangle}) {
+    const Shell s = shell_over({}, test::skew(), test::flat, shape, 2);
+    const auto y = nodal(
+        s, [](const assembly::NodalPoint& p) { return downwards(p.x.norm() < 1e-12 ? lift - flat_gap : -flat_gap); });
+    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, y), -lift / 8, 1e-14);
+  }
+}
+
+TEST(GapBetween, OfElementsOfDegreeOneIsNeverLowerThanTheirNodesOnAPlaneTable) {
+  for (const auto shape : {test::quadrilateral, test::triangle}) {
+    const Shell s = shell_over({}, test::skew(), test::flat, shape, 1);
+    const auto y =
+        nodal(s, [](const assembly::NodalPoint& p) { return downwards(p.x.norm() < 1e-12 ? 0.1 : -flat_gap); });
+    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, y), 0, 1e-14);
+  }
+}
+
+// Its nodes stand at one height, so the nodal gaps tell nothing of the dip between them.
+TEST(GapBetween, SeesADipOfTheSurfaceThatNoNodeHas) {
+  const std::array<std::string, 3> dip{"x", "y", "0.3 - x*(1 - x)"};
+  for (const auto& [shape, degree] : {std::pair{test::quadrilateral, 1}, std::pair{test::triangle, 1}}) {
+    const Shell s = shell_over({}, fem::Rectangle{}, dip, shape, degree);
+    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, at_rest(s)), 0.3 - 0.25 - thickness / 2, 1e-14);
+  }
+}
+
+// n . (u - e/2 r) with n inclined: the part of r along a_3 does not count (D2).
+TEST(GapBetween, FeelsTheRotationOfTheFaceWithoutItsPartAlongTheNormal) {
+  const obstacle::HalfSpace inclined{.point = {2, 0, 0}, .normal = {-0.6, 0, 0.8}};
+  for (const auto& [shape, degree] : elements()) {
+    const Shell s = shell_over(inclined, fem::Rectangle{}, test::flat, shape, degree);
+    const double at_edge = 0.6 * (2 - 1) + 0.8 * flat_gap;  // x = 1
+    const auto y = nodal(s, [](const assembly::NodalPoint&) {
+      return (Eigen::Matrix<double, 6, 1>() << 0.1, 0, -0.2, -0.5, 0.3, 7).finished();
+    });
+    const double change = -0.6 * (0.1 - thickness / 2 * -0.5) + 0.8 * -0.2;
+    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, y), at_edge + change, 1e-14) << "degree " << degree;
+  }
+}
+
+// u = c a_3 has constant covariant components: (M15) keeps it exactly between the nodes, Cartesian components do not.
+TEST(GapBetween, InterpolatesAsTheFormulationDoes) {
+  const std::array<std::string, 3> cylinder{"x", "y", "1 - sqrt(1 - x^2)"};
+  const fem::Rectangle domain{.from = {-0.3, 0}, .to = {0.5, 1}};
+  constexpr double c = 0.06, middle = 0.1;  // the cell's middle is the lowest point of the lattice
+  const double expected = 1 + (c - thickness / 2 - 1) * std::sqrt(1 - middle * middle);
+  const auto lowest = [&](element::Formulation formulation) {
+    const Shell s = shell_over({}, domain, cylinder, test::quadrilateral, 1, formulation);
+    return min_gap_between_nodes(*s.discrete, nodal(s, [&](const assembly::NodalPoint& p) {
+      return (Eigen::Matrix<double, 6, 1>() << c * p.a3, Vector3d::Zero()).finished();
+    }));
+  };
+  EXPECT_NEAR(lowest(element::Formulation::classical), expected, 1e-14);
+  EXPECT_GT(std::abs(lowest(element::Formulation::tangent) - expected), 1e-3);
+}
+
+TEST(GapBetween, IsInfiniteWithoutAnObstacleAndWhereNoCellIsNearIt) {
+  const auto infinity = std::numeric_limits<double>::infinity();
+  Shell s = shell_over({.point = {0, 0, -50}}, test::skew(), test::flat, test::quadrilateral, 2);
+  EXPECT_EQ(min_gap_between_nodes(*s.discrete, at_rest(s)), infinity);
+  s = shell_over({}, test::skew(), test::flat, test::quadrilateral, 2);
+  EXPECT_NEAR(min_gap_between_nodes(*s.discrete, at_rest(s)), flat_gap, 1e-14);
+  s.discrete->gap = {};
+  EXPECT_EQ(min_gap_between_nodes(*s.discrete, at_rest(s)), infinity);
+}
+
+}  // namespace
+}  // namespace plastron::certificate

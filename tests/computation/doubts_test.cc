@@ -1,0 +1,156 @@
+// What a result says against itself: contact missed between nodes, the linear model left, reactions on edges, units.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <plastron/computation/doubts.hpp>
+#include <plastron/computation/solve.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using namespace test;
+
+using contact::Status;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// A plate with a bump `depth` deep in its middle, whose edge lies 0.02 above the table.
+Problem bumpy_plate(int cells, double depth) {
+  Problem p = with_chart(free_plate(), {"x", "y", "0.07 - depth*(sin(pi*x)*sin(pi*y))^2"}, {{"depth", depth}});
+  p.domain = fem::Rectangle{.cells = {cells, cells}};
+  for (const char* side : {"left", "right", "bottom", "top"}) p.supports.push_back(clamped(side));
+  p.area_loads = {force(0, 0, -1e-6)};
+  p.obstacle = Obstacle{};
+  p.discretisation = {.degree = 1, .refinements = 0};
+  return p;
+}
+
+TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
+  for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+    // Cut crosswise, the square has a vertex in its middle, and the bumps lie around it.
+    const double bumps = shape == fem::Shape::triangle ? 2 : 1;
+    Problem p = with_chart(bumpy_plate(1, 0), {"x", "y", "0.07 - 0.06*(sin(n*pi*x)*sin(n*pi*y))^2"}, {{"n", bumps}});
+    p.discretisation.cells = shape;
+    p.discretisation.tying = shape == fem::Shape::quadrilateral;
+    const Result missed = solve(p, MPI_COMM_SELF);
+    EXPECT_EQ(missed.summary.touching_nodes, 0);
+    EXPECT_EQ(missed.status, Status::inaccurate);
+    EXPECT_THAT(missed.missed_limits, HasSubstr("min_gap_between"));
+    EXPECT_THAT(status_text(missed), HasSubstr("the nodes have missed the contact"));
+    p.discretisation.refinements = 3;
+    const Result seen = solve(p, MPI_COMM_SELF);
+    EXPECT_EQ(seen.status, Status::solved) << seen.missed_limits;
+    EXPECT_GT(seen.summary.touching_nodes, 0);
+  }
+}
+
+TEST(Penetration, between_nodes_is_told_where_the_mesh_is_too_coarse) {
+  const Result coarse = solve(bumpy_plate(2, 0.12), MPI_COMM_SELF);
+  EXPECT_THAT(coarse.warnings, Contains(HasSubstr("between its nodes")));
+  EXPECT_THAT(coarse.warnings, Not(Contains(HasSubstr("loosened"))));
+  Problem fine = bumpy_plate(2, 0.12);
+  fine.discretisation.refinements = 4;
+  EXPECT_THAT(solve(fine, MPI_COMM_SELF).warnings, Not(Contains(HasSubstr("between its nodes"))));
+}
+
+TEST(LinearModel, that_is_left_is_told_on_the_first_mesh_and_in_the_result) {
+  Problem p = cantilever_plate();
+  EXPECT_THAT(solve(p, MPI_COMM_SELF).warnings, IsEmpty());
+  p.area_loads = {force(0, 0, -100)};
+  std::size_t levels = 0, levels_before_warning = 99;
+  Observer observer;
+  observer.level = [&](int, const Level&) { ++levels; };
+  observer.warning = [&](std::string_view) { levels_before_warning = levels; };
+  const Result r = solve(p, MPI_COMM_SELF, observer);
+  EXPECT_THAT(r.warnings, Contains(AllOf(HasSubstr("linear model is left"), HasSubstr("thicknesses"))));
+  EXPECT_EQ(levels_before_warning, 1u);
+  EXPECT_EQ(levels, 2u);
+  EXPECT_GT(r.summary.max_rotation, 1);
+}
+
+/// A dome that stands on the table with its free rim.
+Problem standing_dome(int refinements) {
+  Problem p =
+      with_chart(free_plate(), {"x", "y", "sqrt(1 - x^2 - y^2) - cos(a) + e/2*cos(a)"}, {{"a", 0.5}, {"e", 0.05}});
+  p.domain = fem::Disk{.radius = std::sin(0.5)};
+  p.thickness = Expression(0.05);
+  p.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.supports = {held("rim", {Direction::tangent})};
+  p.area_loads = {force(0, 0, -1e-4)};
+  p.obstacle = Obstacle{};
+  p.discretisation = {.degree = 2, .refinements = refinements};
+  return p;
+}
+
+TEST(LineReaction, of_a_dome_on_its_rim_settles_while_the_pressure_there_doubles) {
+  const double area = 2 * std::numbers::pi * (1 - std::cos(0.5)), rim = 2 * std::numbers::pi * std::sin(0.5);
+  double last_pressure = 0;
+  for (const int refinements : {2, 3}) {
+    const Result r = solve(standing_dome(refinements), MPI_COMM_SELF);
+    ASSERT_EQ(r.status, Status::solved) << status_text(r);
+    EXPECT_TRUE(r.summary.edge.is_line());
+    EXPECT_NEAR(r.summary.edge.force, 1e-4 * area, 1e-3 * 1e-4 * area);
+    EXPECT_NEAR(r.summary.edge.max_per_length, 1e-4 * area / rim, 0.02 * 1e-4 * area / rim);
+    EXPECT_THAT(r.warnings, Contains(HasSubstr("stands on its edge")));
+    if (last_pressure > 0) {
+      EXPECT_NEAR(r.summary.max_pressure / last_pressure, 2, 0.2);
+    }
+    last_pressure = r.summary.max_pressure;
+  }
+}
+
+TEST(LineReaction, is_none_where_contact_lies_inside) {
+  const Result r = solve(pressed_bowl(), MPI_COMM_SELF);
+  EXPECT_FALSE(r.summary.edge.is_line());
+  EXPECT_EQ(r.summary.edge.nodes, 0);
+  EXPECT_DOUBLE_EQ(r.summary.edge.pressure_inside, r.summary.max_pressure);
+}
+
+TEST(ContactSet, does_not_depend_on_the_unit_of_length) {
+  const Result metres = solve(pressed_bowl(), MPI_COMM_SELF);
+  for (const double s : {1e-12, 1e-9, 1e-6, 1e6}) {
+    Problem p = with_chart(pressed_bowl(), {"x", "y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)"}, {{"s", s}});
+    p.domain = fem::Disk{.radius = 0.479425538604203 * s};
+    p.thickness = Expression(0.02 * s);
+    const Result r = solve(p, MPI_COMM_SELF);
+    EXPECT_EQ(r.status, Status::solved) << s << ": " << status_text(r);
+    EXPECT_EQ(r.summary.touching_nodes, metres.summary.touching_nodes) << s;
+    EXPECT_NEAR(r.summary.energy.total() / (s * s * s) / metres.summary.energy.total(), 1, 1e-9) << s;
+  }
+}
+
+TEST(Certificate, of_a_shell_too_thin_for_double_precision_does_not_pass) {
+  Problem p = with_chart(pressed_strip(), {"x", "y", "0.01 + 0.3*x"});
+  p.thickness = Expression(1e-7);
+  p.supports = {clamped("left"), in_plane("bottom"), in_plane("top")};
+  p.area_loads = {force(0, 0, -4e-21)};
+  p.discretisation.refinements = 1;
+  p.contact.max_iterations = 10;
+  const Result r = solve(p, MPI_COMM_SELF);
+  EXPECT_NE(r.status, Status::solved);
+  EXPECT_THAT(status_text(r), AnyOf(HasSubstr("its limit"), HasSubstr("ill-conditioned"), HasSubstr("ran out")));
+}
+
+TEST(Certificate, of_a_rigid_motion_that_supports_prescribe_passes) {
+  Problem p = free_plate();
+  Support all{.boundary = "left", .components = {}};
+  for (const Direction d : {Direction::x, Direction::y, Direction::z})
+    all.components.push_back(fixed(Unknown::displacement, d, Expression(0.1)));
+  for (const Direction d : {Direction::x, Direction::y}) all.components.push_back(fixed(Unknown::rotation, d));
+  p.supports = {all};
+  const Result r = solve(p, MPI_COMM_SELF);
+  EXPECT_EQ(r.status, Status::solved) << r.missed_limits;
+}
+
+}  // namespace
+}  // namespace plastron::computation

@@ -1,0 +1,39 @@
+// One small problem in other units: the numbers of its lengths and forces are multiplied, the shell stays the same.
+#pragma once
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "computation/problems.hpp"
+
+namespace plastron::test {
+
+/// What the numbers of all lengths and of all forces are multiplied by; a modulus then by force / length^2.
+struct Units {
+  double length = 1, force = 1;
+};
+
+/// A small curved panel above a table, held at two sides and pressed on it by a pressure, a line load and a couple.
+inline Problem panel(const Units& units) {
+  const double L = units.length, F = units.force, pressure = F / (L * L);
+  Problem p = with_chart(free_plate(), {"x", "y", "0.02*L + e/2 + 0.2*x^2/L"}, {{"L", L}, {"e", 0.1 * L}});
+  p.domain = fem::Rectangle{.to = {L, L}, .cells = {2, 2}};
+  p.thickness = Expression(0.1 * L);
+  p.material = shell::Material::from_young_poisson(1e4 * pressure, 0.3, 1);
+  p.supports = {clamped("left"), held("right", {Direction::x, Direction::y, Direction::z})};
+  p.area_loads = {force(0, 0, -60 * pressure)};
+  p.edge_loads = {{.boundary = "top", .force = vector(0, 0, -3 * F / L), .couple = vector(0.1 * F, 0, 0)}};
+  p.obstacle = Obstacle{};
+  p.probes = {{.name = "middle", .at = {0.5 * L, 0.4 * L}}};
+  p.discretisation = {.degree = 2, .refinements = 1};
+  return p;
+}
+
+/// Each alone and together. Lengths with forces that leave the modulus as it is are those of {s, s^2}.
+class EveryUnit : public testing::TestWithParam<Units> {};
+INSTANTIATE_TEST_SUITE_P(Of, EveryUnit,
+                         testing::Values(Units{1e-6, 1}, Units{1e6, 1}, Units{1, 1e-6}, Units{1, 1e6},
+                                         Units{1e-6, 1e-12}, Units{1e6, 1e12}, Units{1e-6, 1e6}, Units{1e6, 1e-6},
+                                         Units{1e-6, 1e-6}, Units{1e6, 1e6}),
+                         [](const auto& units) { return fmt::format("{}", units.index); });
+
+}  // namespace plastron::test

@@ -1,0 +1,470 @@
+// The examination finds what is wrong, where it is wrong, and nothing in good problems.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <plastron/examination/examine.hpp>
+
+#include "computation/problems.hpp"
+
+namespace plastron::examination {
+namespace {
+
+using namespace test;
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::vector<std::string> texts(const computation::Problem& problem, Severity severity) {
+  std::vector<std::string> all;
+  for (const Finding& f : examine(problem))
+    if (f.severity == severity) all.push_back(f.text);
+  return all;
+}
+
+std::vector<std::string> errors(const computation::Problem& problem) { return texts(problem, Severity::error); }
+std::vector<std::string> warnings(const computation::Problem& problem) { return texts(problem, Severity::warning); }
+
+computation::Problem two_regions(const std::array<std::string, 3>& second) {
+  computation::Problem p = cantilever_plate();
+  p.domain = fem::Rectangle{.to = {2, 1}, .cells = {2, 1}, .breaks = {1}, .regions = {"flat", "other"}};
+  p.charts.clear();
+  p.charts.emplace("flat", Chart({"x", "y", "0"}, {}));
+  p.charts.emplace("other", Chart(second, {}));
+  return p;
+}
+
+// ---- good problems -------------------------------------------------------------------------------------------------
+
+std::vector<computation::Problem> good_problems() {
+  std::vector<computation::Problem> all{cantilever_plate(), pressed_strip(), pressed_bowl(),
+                                        two_regions({"1 + sin(x - 1)", "y", "1 - cos(x - 1)"})};
+  all.push_back(with_chart(cantilever_plate(), {"2*sin(x/2)", "y", "2*cos(x/2)"}));
+  all.push_back(with_chart(cantilever_plate(), {"x", "y", "x^2 - y^2"}));
+  computation::Problem quarter = free_plate();
+  quarter.supports = {symmetry("left"), symmetry("bottom"), held("right", {Direction::z})};
+  all.push_back(quarter);
+  computation::Problem quarter_cylinder = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
+  quarter_cylinder.supports = {symmetry("left"), symmetry("bottom"), clamped("top")};
+  all.push_back(quarter_cylinder);
+  computation::Problem probed = cantilever_plate();
+  probed.probes = {{.name = "corner", .at = {1, 1}}, {.name = "middle", .at = {0.5, 0.5}}};
+  all.push_back(probed);
+  computation::Problem polygon = cantilever_plate();
+  polygon.domain = fem::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  polygon.supports = {clamped("edge6")};
+  all.push_back(polygon);
+  return all;
+}
+
+TEST(GoodProblem, is_only_described) {
+  for (const computation::Problem& p : good_problems()) {
+    const auto findings = examine(p);
+    EXPECT_FALSE(has_errors(findings));
+    EXPECT_FALSE(findings.empty());
+    for (const Finding& f : findings) EXPECT_EQ(f.severity, Severity::note) << f.text;
+  }
+}
+
+TEST(GoodProblem, has_its_area_thickness_and_gap_reported) {
+  const auto notes = texts(pressed_strip(), Severity::note);
+  EXPECT_THAT(notes, testing::Contains(HasSubstr("area 0.125 m^2")));
+  EXPECT_THAT(notes, testing::Contains(HasSubstr("thickness: 0.05 to 0.05 m")));
+  EXPECT_THAT(notes, testing::Contains(HasSubstr("initial gap: 0.01 m")));
+  EXPECT_THAT(notes, testing::Contains(HasSubstr("no rigid motion is left free")));
+}
+
+// ---- surface -------------------------------------------------------------------------------------------------------
+
+TEST(Examination, finds_a_chart_with_parallel_tangents) {
+  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x + y", "x + y", "0"})),
+              ElementsAre(AllOf(HasSubstr("degenerate"), HasSubstr("x = "))));
+}
+
+TEST(Examination, finds_a_chart_that_is_degenerate_at_an_edge_only) {
+  computation::Problem polar = with_chart(cantilever_plate(), {"x*cos(y)", "x*sin(y)", "0"});
+  polar.supports = {clamped("right")};
+  EXPECT_THAT(errors(polar), ElementsAre(AllOf(HasSubstr("degenerate"), HasSubstr("x = 0,"))));
+}
+
+TEST(Examination, finds_where_a_chart_is_not_finite) {
+  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x", "y", "sqrt(0.5 - x)"})),
+              ElementsAre(HasSubstr("not finite at x = 0.5")));
+}
+
+TEST(Examination, finds_where_the_chart_is_finite_but_its_derivatives_are_not) {
+  EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x", "y", "sqrt(x)"})),
+              ElementsAre(AllOf(HasSubstr("not finite"), HasSubstr("x = 0,"))));
+}
+
+TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
+  computation::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"});
+  p.thickness = Expression(2.0);
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("too thick for its curvature"), HasSubstr("thickness 2"),
+                                           HasSubstr("curvature 1"))));
+  p.thickness = Expression(1.98);
+  EXPECT_THAT(errors(p), IsEmpty());
+  EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("reaches 0.99")));
+}
+
+TEST(Examination, finds_where_the_thickness_is_not_positive) {
+  for (const std::string thickness : {"0.1 - 0.2*x", "0", "-1", "sqrt(0.5 - x)", "0.1*x"}) {
+    computation::Problem p = cantilever_plate();
+    p.thickness = Expression(thickness, {});
+    EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the thickness is "), HasSubstr("must be positive"))))
+        << thickness;
+  }
+}
+
+TEST(Examination, finds_a_kink_between_regions) {
+  EXPECT_THAT(errors(two_regions({"x", "y", "0.5*(x - 1)"})),
+              ElementsAre(AllOf(HasSubstr("kink at x = 1"), HasSubstr("rad"))));
+}
+
+TEST(Examination, finds_a_gap_between_regions) {
+  EXPECT_THAT(errors(two_regions({"x", "y", "0.25"})),
+              ElementsAre(AllOf(HasSubstr("do not meet at x = 1"), HasSubstr("0.25 m apart"))));
+}
+
+TEST(Examination, finds_a_chart_with_its_normal_on_the_other_side) {
+  EXPECT_THAT(errors(two_regions({"x", "-y", "0"})), SizeIs(1));
+  EXPECT_THAT(errors(two_regions({"2 - x", "y", "0"})), ElementsAre(HasSubstr("kink")));
+}
+
+TEST(Examination, finds_a_region_without_a_chart) {
+  computation::Problem p = two_regions({"x", "y", "0"});
+  p.charts.erase("other");
+  EXPECT_THAT(errors(p), ElementsAre(HasSubstr("\"other\" has no chart")));
+}
+
+// ---- names and places ----------------------------------------------------------------------------------------------
+
+TEST(Examination, finds_boundaries_that_are_not_there) {
+  computation::Problem p = cantilever_plate();
+  p.supports.push_back(clamped("lfet"));
+  p.edge_loads.push_back({.boundary = "rim"});
+  EXPECT_THAT(errors(p),
+              ElementsAre(AllOf(HasSubstr("a support"), HasSubstr("\"lfet\""), HasSubstr("left, right, bottom, top")),
+                          AllOf(HasSubstr("a load"), HasSubstr("\"rim\""))));
+}
+
+TEST(Examination, finds_probes_outside_of_the_domain) {
+  computation::Problem p = cantilever_plate();
+  p.probes = {{.name = "in", .at = {1, 0}}, {.name = "out", .at = {1.2, 0}}};
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("\"out\""), HasSubstr("(1.2, 0)"), HasSubstr("outside"))));
+}
+
+TEST(Examination, finds_a_mesh_file_that_is_not_there) {
+  computation::Problem p = cantilever_plate();
+  p.domain = fem::MeshFile{"/no/such.msh"};
+  EXPECT_THAT(errors(p), ElementsAre(HasSubstr("/no/such.msh")));
+}
+
+TEST(Examination, finds_a_clamped_edge_inside_of_the_obstacle) {
+  computation::Problem p = pressed_strip();
+  p.obstacle->half_space.point[2] = 0.02;
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the boundary \"left\""),
+                                           HasSubstr("inside of the obstacle at x = 0"), HasSubstr("0.01 m deep"))));
+}
+
+TEST(Examination, only_warns_of_a_free_part_inside_of_the_obstacle) {
+  computation::Problem p = with_chart(pressed_strip(), {"x", "y", "0.04 - 0.1*x*(1 - x)"});
+  EXPECT_THAT(errors(p), IsEmpty());
+  EXPECT_THAT(warnings(p), ElementsAre(AllOf(HasSubstr("initial gap: -0.01 m (at x = 0.5"), HasSubstr("pushed out"))));
+}
+
+TEST(Examination, finds_supports_that_contradict_each_other) {
+  computation::Problem p = cantilever_plate();
+  p.supports.push_back(
+      {.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("contradict"), HasSubstr("x = 0, y = 0"))));
+}
+
+TEST(Examination, finds_symmetry_on_an_edge_that_lies_in_no_plane) {
+  computation::Problem p = pressed_bowl();
+  p.supports = {symmetry("rim"), held("rim", {Direction::z})};
+  EXPECT_THAT(errors(p), testing::Contains(AllOf(HasSubstr("\"rim\" is no symmetry plane"), HasSubstr("turns"))));
+}
+
+// ---- rigid motions -------------------------------------------------------------------------------------------------
+
+TEST(FreeRigidMotions, are_all_six_without_a_support) {
+  EXPECT_THAT(errors(free_plate()), SizeIs(6));
+  EXPECT_THAT(errors(free_plate()), testing::Each(HasSubstr("rigid motion free")));
+  EXPECT_THAT(errors(with_chart(free_plate(), {"x", "y", "x^2 - y^2"})), SizeIs(6));
+}
+
+TEST(FreeRigidMotions, about_a_hinge_is_the_rotation_about_it) {
+  computation::Problem p = free_plate();
+  p.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
+  EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (0, 1, 0)")));
+}
+
+TEST(FreeRigidMotions, on_a_knife_edge_are_four) {  // u.z = 0 along x = 0
+  computation::Problem p = free_plate();
+  p.supports = {held("left", {Direction::z})};
+  EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"),
+                                                       HasSubstr("translation along (0, 1, 0)"),
+                                                       HasSubstr("rotation about the axis (0, 0, 1)"),
+                                                       HasSubstr("rotation about the axis (0, 1, 0)")));
+}
+
+TEST(FreeRigidMotions, in_the_plane_are_three) {
+  computation::Problem p = free_plate();
+  for (const char* b : {"left", "right", "bottom", "top"}) p.supports.push_back(held(b, {Direction::z}));
+  EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"),
+                                                       HasSubstr("translation along (0, 1, 0)"),
+                                                       HasSubstr("rotation about the axis (0, 0, 1)")));
+}
+
+TEST(FreeRigidMotions, of_a_quarter_with_two_symmetries_is_the_translation_along_both_planes) {
+  computation::Problem p = free_plate();
+  p.supports = {symmetry("left"), symmetry("bottom")};
+  EXPECT_THAT(errors(p), ElementsAre(HasSubstr("translation along (0, 0, 1)")));
+}
+
+TEST(FreeRigidMotions, of_a_bowl_whose_rim_may_turn_is_the_rotation_about_its_axis) {
+  computation::Problem p = pressed_bowl();
+  p.obstacle.reset();
+  p.supports = {held("rim", {Direction::z, Direction::conormal})};
+  EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (0, 0, 1)")));
+}
+
+TEST(FreeRigidMotions, that_only_the_obstacle_can_stop_are_named) {
+  computation::Problem p = pressed_strip();
+  p.supports = {held("left", {Direction::x, Direction::y})};
+  const auto only_held = [](const computation::Problem& problem) {
+    auto notes = texts(problem, Severity::note);
+    std::erase_if(notes, [](const std::string& text) { return !text.starts_with("only the obstacle holds"); });
+    return notes;
+  };
+  EXPECT_THAT(errors(p), IsEmpty());
+  EXPECT_THAT(only_held(p), SizeIs(3));
+  p.supports.clear();
+  EXPECT_THAT(errors(p), SizeIs(3));  // along the table and about its normal
+  EXPECT_THAT(only_held(p), SizeIs(3));
+}
+
+TEST(FreeRigidMotions, do_not_depend_on_units_of_length) {
+  for (const char* scale : {"1e-4", "1e4"}) {
+    const std::string s = scale;
+    computation::Problem p = with_chart(free_plate(), {s + "*x", s + "*y", "0"});
+    p.thickness = Expression("0.1*" + s, {});
+    p.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
+    EXPECT_THAT(errors(p), SizeIs(1)) << scale;
+    p.supports = {clamped("left")};
+    EXPECT_THAT(errors(p), IsEmpty()) << scale;
+  }
+}
+
+// ---- loads on free motions -----------------------------------------------------------------------------------------
+
+/// The bowl, held against sliding alone: it may lift and tilt.
+computation::Problem loose_bowl(const std::string& load) {
+  computation::Problem p = pressed_bowl();
+  p.supports = {held("rim", {Direction::x, Direction::y})};
+  p.area_loads = {force(0, 0, 0)};
+  p.area_loads[0].force[2] = Expression(load, {});
+  return p;
+}
+
+TEST(LooseShell, is_fine_where_the_loads_press_it_onto_the_obstacle) {
+  for (const char* load : {"-1e-3", "-1e-3-1e-4*x", "-1e-3-2e-3*y", "-1e-300"}) {
+    EXPECT_THAT(errors(loose_bowl(load)), IsEmpty()) << load;
+    EXPECT_THAT(warnings(loose_bowl(load)), IsEmpty()) << load;
+    EXPECT_THAT(texts(loose_bowl(load), Severity::note), testing::Contains(HasSubstr("the loads press the shell")));
+  }
+}
+
+TEST(LooseShell, is_refused_where_the_loads_tip_it) {  // beyond where the rim's lower edge would stand
+  EXPECT_THAT(errors(loose_bowl("-1e-3-1e-2*x")),
+              ElementsAre(AllOf(HasSubstr("nothing stops the shell"), HasSubstr("rotation about the axis (0, 1, 0)"),
+                                HasSubstr("through (0.484, 0, "))));
+  EXPECT_THAT(errors(loose_bowl("-1e-3+1e-2*y")), ElementsAre(HasSubstr("rotation about the axis (1, 0, 0)")));
+}
+
+TEST(LooseShell, is_refused_where_the_loads_lift_it) {
+  EXPECT_THAT(errors(loose_bowl("1e-3")), ElementsAre(HasSubstr("translation along (0, 0, 1)")));
+}
+
+// The limit: the moment of -1e-3 (1 + k x) about the rim, I k = A R.
+TEST(LooseShell, is_judged_up_to_the_load_that_just_tips_it) {
+  computation::Problem flat = with_chart(free_plate(), {"x", "y", "0.1"});
+  flat.domain = fem::Rectangle{.from = {-1, -1}, .to = {1, 1}, .cells = {2, 2}};
+  flat.supports = {held("left", {Direction::x, Direction::y})};
+  flat.obstacle = computation::Obstacle{};
+  flat.area_loads = {force(0, 0, 0)};
+  const auto with_load = [&](const std::string& load) {
+    flat.area_loads[0].force[2] = Expression(load, {});
+    return flat;
+  };
+  EXPECT_THAT(errors(with_load("-1-2.99*x")), IsEmpty());  // I = A / 3
+  EXPECT_THAT(warnings(with_load("-1-2.99*x")), IsEmpty());
+  EXPECT_THAT(errors(with_load("-1-3*x")), IsEmpty());
+  EXPECT_THAT(warnings(with_load("-1-3*x")),
+              ElementsAre(AllOf(HasSubstr("need not be unique"), HasSubstr("axis (0, 1, 0)"))));
+  EXPECT_THAT(errors(with_load("-1-3.01*x")), SizeIs(1));
+}
+
+TEST(LooseShell, is_warned_of_where_the_loads_do_no_work) {
+  for (computation::Problem p : {loose_bowl("0"), loose_bowl("x^2-y^2")}) {
+    EXPECT_THAT(errors(p), IsEmpty());
+    EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("do not press")));
+  }
+}
+
+TEST(LooseShell, may_be_pressed_by_its_edges_and_by_couples) {
+  computation::Problem p = loose_bowl("0");
+  p.edge_loads = {{.boundary = "rim", .force = vector(0, 0, -1), .couple = {}}};
+  EXPECT_THAT(errors(p), IsEmpty());
+  EXPECT_THAT(warnings(p), IsEmpty());
+  p.edge_loads[0].couple[1] = Expression(1.0);  // works on r.y, hence on a rotation about -x
+  EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (-1, 0, 0)")));
+}
+
+TEST(LooseShell, is_judged_alike_in_every_formulation_and_on_triangles) {
+  for (const auto formulation :
+       {element::Formulation::penalised, element::Formulation::mixed, element::Formulation::classical})
+    for (const char* load : {"-1e-3", "-1e-3-1e-2*x"}) {
+      computation::Problem p = loose_bowl(load);
+      p.supports[0].components.push_back(fixed(Unknown::rotation, Direction::normal));
+      p.discretisation.tangency.formulation = formulation;
+      EXPECT_THAT(errors(p), SizeIs(load == std::string("-1e-3") ? 0 : 1));
+      p.discretisation.cells = fem::Shape::triangle;
+      EXPECT_THAT(errors(p), SizeIs(load == std::string("-1e-3") ? 0 : 1));
+    }
+}
+
+// ---- faces ---------------------------------------------------------------------------------------------------------
+
+/// The chart with its parameters exchanged: the same surface, a_3 turned round.
+computation::Problem turned(computation::Problem p) {
+  auto [x, y, z] = p.charts.at("").components();
+  return with_chart(std::move(p), {y, x, z}, {{"R", 1}, {"e", p.thickness(0, 0)}, {"clearance", 0.01}});
+}
+
+TEST(Face, that_is_the_far_one_is_an_error_that_says_where_a3_points) {
+  for (const computation::Problem& p : {turned(pressed_bowl()), turned(pressed_strip())}) {
+    EXPECT_THAT(errors(p), testing::Contains(AllOf(HasSubstr("the lower face is to touch"), HasSubstr("the far one"),
+                                                   HasSubstr("a_3 = (0, 0, -1)"), HasSubstr("face = \"upper\""))));
+    computation::Problem mended = p;
+    mended.obstacle->face = obstacle::Face::upper;
+    EXPECT_THAT(errors(mended), IsEmpty());
+  }
+  computation::Problem wrong = pressed_bowl();
+  wrong.obstacle->face = obstacle::Face::upper;
+  EXPECT_THAT(errors(wrong), ElementsAre(AllOf(HasSubstr("face = \"lower\""), HasSubstr("away from"))));
+}
+
+TEST(Face, that_is_near_is_described) {
+  EXPECT_THAT(texts(pressed_bowl(), Severity::note),
+              testing::Contains(AllOf(HasSubstr("a_3 = (0, 0, 1)"), HasSubstr("the lower face is 0.02 m nearer"))));
+}
+
+TEST(Face, is_judged_only_where_the_obstacle_is_near) {  // the upper half of a tube is farther than its thickness
+  computation::Problem tube = with_chart(free_plate(), {"sin(x)", "-y", "1.1 - cos(x)"});
+  tube.domain = fem::Rectangle{.from = {-3, 0}, .to = {3, 1}, .cells = {12, 2}};
+  tube.supports = {clamped("left"), clamped("right")};
+  tube.obstacle = computation::Obstacle{.half_space = {}, .face = obstacle::Face::upper};
+  EXPECT_THAT(errors(tube), IsEmpty());
+  tube.obstacle->face = obstacle::Face::lower;
+  EXPECT_THAT(errors(tube), ElementsAre(HasSubstr("face = \"upper\"")));
+}
+
+TEST(Face, of_an_upright_shell_may_be_either) {
+  computation::Problem wall = with_chart(free_plate(), {"x", "0", "y + 0.01"});
+  wall.supports = {clamped("top")};
+  for (const auto face : {obstacle::Face::lower, obstacle::Face::upper}) {
+    wall.obstacle = computation::Obstacle{.half_space = {}, .face = face};
+    EXPECT_THAT(errors(wall), IsEmpty());
+    EXPECT_THAT(texts(wall, Severity::note), testing::Contains(HasSubstr("about equally near")));
+  }
+}
+
+TEST(Face, of_an_inclined_strip_is_the_lower_one) {
+  for (const double slope : {0.3, 1.0, 1.4}) {
+    computation::Problem strip = with_chart(pressed_strip(), {"x*cos(s)", "y", "0.05 + x*sin(s)"}, {{"s", slope}});
+    EXPECT_THAT(errors(strip), IsEmpty()) << slope;
+    strip.obstacle->face = obstacle::Face::upper;
+    EXPECT_THAT(errors(strip), SizeIs(1)) << slope;
+  }
+}
+
+TEST(InitialGap, that_is_negative_everywhere_asks_for_a_reversed_normal) {
+  computation::Problem p = pressed_strip();
+  p.obstacle->half_space.normal = {0, 0, -1};
+  p.obstacle->face = obstacle::Face::upper;
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("inside of the obstacle"), HasSubstr("is a normal reversed"))));
+  computation::Problem lifted = pressed_strip();  // by its supports, out of the obstacle
+  lifted.obstacle->half_space.point[2] = 0.02;
+  for (Support& s : lifted.supports)
+    for (auto& c : s.components)
+      if (c.unknown == Unknown::displacement && c.direction == Direction::z) c.value = Expression(0.03);
+  EXPECT_THAT(errors(lifted), IsEmpty());
+  EXPECT_THAT(warnings(lifted), ElementsAre(AllOf(HasSubstr("initial gap: -0.01"), HasSubstr("is a normal reversed"))));
+}
+
+// ---- units ---------------------------------------------------------------------------------------------------------
+
+std::string times(const std::string& scale, const std::string& text) { return scale + "*(" + text + ")"; }
+
+/// All lengths in space in another unit; the parameters too if they are lengths.
+computation::Problem in_units(const computation::Problem& p, const std::string& scale,
+                              const std::array<std::string, 3>& chart) {
+  computation::Problem q = with_chart(p, {times(scale, chart[0]), times(scale, chart[1]), times(scale, chart[2])});
+  const double s = std::stod(scale);
+  q.thickness = Expression(s * p.thickness(0, 0));
+  if (q.obstacle) q.obstacle->half_space.point *= s;
+  return q;
+}
+
+std::vector<Severity> severities(const computation::Problem& p) {
+  std::vector<Severity> all;
+  for (const Finding& f : examine(p)) all.push_back(f.severity);
+  return all;
+}
+
+TEST(Units, of_length_change_no_finding) {
+  const std::array<std::string, 3> bowl{"x", "y", "0.02 + 1 - sqrt(1 - x^2 - y^2)"}, strip{"x", "y", "0.035"};
+  const std::array<std::string, 3> inside{"x", "y", "0.035 - 1e-4*x*(1-x)"};
+  const std::array<std::string, 3> deep{"x", "y", "0.02"};
+  computation::Problem loose = pressed_strip();
+  loose.supports = {held("left", {Direction::x, Direction::y})};
+  for (const char* scale : {"1e-12", "1e-6", "1e6"}) {
+    for (const auto& [problem, chart] :
+         std::vector<std::pair<computation::Problem, std::array<std::string, 3>>>{{pressed_bowl(), bowl},
+                                                                                  {turned(pressed_bowl()), bowl},
+                                                                                  {pressed_strip(), strip},
+                                                                                  {pressed_strip(), inside},
+                                                                                  {pressed_strip(), deep},
+                                                                                  {loose, strip}})
+      EXPECT_EQ(severities(in_units(problem, scale, chart)), severities(in_units(problem, "1", chart)))
+          << scale << " " << chart[2];
+  }
+}
+
+TEST(Units, of_length_hide_no_jump_between_regions) {
+  for (const std::string s : {"1e-9", "1e9"}) {
+    computation::Problem p = two_regions({s + "*x", s + "*y", s + "*1e-4"});
+    p.charts.erase("flat");
+    p.charts.emplace("flat", Chart({s + "*x", s + "*y", "0*x"}, {}));
+    p.thickness = Expression(0.1 * std::stod(s));
+    EXPECT_THAT(errors(p), ElementsAre(HasSubstr("do not meet at x = 1"))) << s;
+  }
+}
+
+TEST(Units, of_length_hide_no_support_inside_of_the_obstacle) {
+  for (const double s : {1e-12, 1e-6, 1e6}) {
+    computation::Problem p = in_units(pressed_strip(), std::to_string(1), {"x", "y", "0.035"});
+    p = with_chart(p, {fmt::format("{}*x", s), fmt::format("{}*y", s), fmt::format("{}*(0.025 - 1e-9)", s)});
+    p.thickness = Expression(0.05 * s);
+    EXPECT_THAT(errors(p), ElementsAre(HasSubstr("inside of the obstacle"))) << s;
+    p = with_chart(p, {fmt::format("{}*x", s), fmt::format("{}*y", s), fmt::format("{}*0.025", s)});
+    EXPECT_THAT(errors(p), IsEmpty()) << s;
+  }
+}
+
+}  // namespace
+}  // namespace plastron::examination

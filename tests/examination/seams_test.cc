@@ -1,0 +1,53 @@
+// Seams are named: edges of the domain that the chart brings together without joining them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <plastron/examination/examine.hpp>
+
+#include "computation/problems.hpp"
+
+namespace plastron::examination {
+namespace {
+
+using namespace test;
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> seams(const computation::Problem& problem) {
+  std::vector<std::string> all;
+  for (const Finding& f : examine(problem))
+    if (f.severity == Severity::warning && f.text.find("seam") != std::string::npos) all.push_back(f.text);
+  return all;
+}
+
+/// A sheet of `turns` turns of a cylinder of radius `radius`, its lower end clamped.
+computation::Problem rolled(double turns, double radius, fem::Shape cells = fem::Shape::quadrilateral) {
+  const Constants constants{{"R", radius}, {"w", 2 * 3.14159265358979323846}};
+  computation::Problem p = cantilever_plate();
+  p.domain = fem::Rectangle{.to = {turns, 1}};
+  p.charts.clear();
+  p.charts.emplace("", Chart({"R*sin(w*x)", "R*y", "R*cos(w*x)"}, constants));
+  p.thickness = Expression(0.01 * radius);
+  p.supports = {clamped("bottom")};
+  p.discretisation.cells = cells;
+  return p;
+}
+
+TEST(Seams, of_a_slit_tube_are_named_in_every_unit_of_length) {
+  for (const double radius : {1e-9, 1e-3, 1.0, 1e6})
+    for (const auto cells : {fem::Shape::quadrilateral, fem::Shape::triangle})
+      EXPECT_THAT(seams(rolled(1, radius, cells)),
+                  ElementsAre(AllOf(HasSubstr("\"left\" at x = 0"), HasSubstr("\"right\" at x = 1"))))
+          << radius;
+}
+
+TEST(Seams, are_not_seen_where_there_are_none) {
+  EXPECT_THAT(seams(rolled(0.5, 1)), IsEmpty());
+  EXPECT_THAT(seams(rolled(0.999, 1)), IsEmpty());
+  EXPECT_THAT(seams(cantilever_plate()), IsEmpty());
+}
+
+}  // namespace
+}  // namespace plastron::examination
