@@ -21,7 +21,7 @@ inline assembly::Support clamped(const std::string& boundary) {
 
 inline computation::Problem pressed(double load) {
   computation::Problem problem;
-  problem.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   assembly::AreaLoad weight;
   weight.force[2] = geometry::Expression(-load);
   problem.area_loads = {weight};
@@ -37,7 +37,7 @@ inline computation::Problem cap(double e, int degree, int refinements) {
   problem.domain = fem::Disk{.radius = std::sin(0.5)};
   const geometry::Constants constants{{"z0", 1 + e / 2 + 0.01}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0 - sqrt(1 - x^2 - y^2)"}, constants));
-  problem.thickness = geometry::Expression(e);
+  problem.sections.common.thickness = geometry::Expression(e);
   problem.supports = {clamped("rim")};
   problem.discretisation = {.degree = degree, .tying = true, .refinements = refinements};
   return problem;
@@ -48,7 +48,7 @@ inline computation::Problem strip(double e, int degree, int refinements) {
   computation::Problem problem = pressed(3 * e * e * e);
   problem.domain = fem::Rectangle{.to = {1, 0.25}, .cells = {4, 1}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", e / 2 + 0.01}}));
-  problem.thickness = geometry::Expression(e);
+  problem.sections.common.thickness = geometry::Expression(e);
   problem.supports = {clamped("left"), clamped("right")};
   for (const char* side : {"bottom", "top"})
     problem.supports.push_back({.boundary = side,

@@ -38,8 +38,7 @@ void report(int degree, int refinements) {
   fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, problem.discretisation.cells), degree, MPI_COMM_WORLD);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
-  const assembly::ShellDescription shell{.thickness = problem.thickness,
-                                         .material = problem.material,
+  const assembly::ShellDescription shell{.sections = problem.sections,
                                          .supports = problem.supports,
                                          .area_loads = problem.area_loads,
                                          .gap = computation::gap_function(problem)};

@@ -106,6 +106,8 @@ void print_summary(const computation::Result& result) {
         s.max_relative_displacement, s.max_rotation);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
+  for (const auto& p : s.point_reactions)
+    print("  at {:<13}{} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
   if (result.has_obstacle) {
     print("obstacle          {} N\n", vector_text(s.reaction.force));
     print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area,

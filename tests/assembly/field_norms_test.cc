@@ -12,13 +12,13 @@ namespace {
 
 ShellOperator make(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree, int refinements) {
   const auto m = test::meshed(domain, chart, degree, refinements);
-  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false};
+  return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false};
 }
 
 /// The interpolant of a function of position on the mid-surface, its value (u, r).
 template <class Function>
 algebra::Vector interpolant(const ShellOperator& shell, const Function& f) {
-  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
   algebra::Vector y(shell.space().layout, 6);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Matrix<double, 6, 1> value = f(points[i]);
@@ -88,7 +88,7 @@ TEST(DistanceToKoiter, OfAPlateIsThatOfRAndMinusTheSlope) {
 
 TEST(DistanceToKoiter, OfARigidMotionIsZero) {
   const ShellOperator shell = make(fem::Rectangle{.cells = {2, 2}}, test::saddle, 3, 1);
-  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
   const auto y = test::rigid_motion(shell.space(), points, {1, 2, 3}, {0.3, -0.2, 0.5});
   EXPECT_LT(std::sqrt(squared_distance_to_koiter(shell, y)), 1e-2 * std::sqrt(squared_norms(shell, y).r));
 }

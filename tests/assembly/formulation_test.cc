@@ -22,8 +22,7 @@ algebra::Vector random_field(const fem::Space& space, int block, unsigned seed) 
 
 std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const element::Tangency& tangency) {
   return discretise(m.space, m.surface,
-                    {.thickness = geometry::Expression("0.1 + 0.02*x", {}),
-                     .material = test::steel_like(),
+                    {.sections = test::steel_of(geometry::Expression("0.1 + 0.02*x", {})),
                      .tangency = tangency,
                      .supports = {test::clamp("edge1")}});
 }

@@ -38,9 +38,8 @@ void for_every_mesh(const std::function<void(const test::MeshedSurface&)>& check
 }
 
 std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const std::vector<Support>& supports) {
-  return discretise(
-      m.space, m.surface,
-      {.thickness = geometry::Expression(0.1), .material = test::steel_like(), .supports = supports, .gap = {}});
+  return discretise(m.space, m.surface,
+                    {.sections = test::steel_of(geometry::Expression(0.1)), .supports = supports, .gap = {}});
 }
 
 Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {
@@ -54,7 +53,7 @@ Eigen::Matrix<double, 6, 1> total_of_load_on(const test::MeshedSurface& m, const
   EdgeLoad load{.boundary = boundary};
   load.force = {geometry::Expression("x^2 + y^2", {}), geometry::Expression(7.0), geometry::Expression(-2.0)};
   load.couple[1] = geometry::Expression(3.0);
-  const ShellOperator shell(m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false);
+  const ShellOperator shell(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false);
   return total(load_vector(shell, {}, {load}));
 }
 

@@ -18,7 +18,7 @@ Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {
 
 ShellOperator cap_on_disk(int degree, int refinements, fem::Shape shape = test::quadrilateral) {
   const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, degree, refinements, shape);
-  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false};
+  return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false};
 }
 
 // The cap of height h of a sphere of radius 2 has the area 2 pi 2 h.
@@ -77,7 +77,7 @@ TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
 
 ShellOperator plate(int degree, fem::Shape shape, int refinements = 1) {
   const auto m = test::meshed(fem::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, degree, refinements, shape);
-  return {m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, false};
+  return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false};
 }
 
 TEST(PiecewiseLoad, SumsToItsIntegralThoughItJumpsInsideOfCells) {
@@ -118,7 +118,7 @@ TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
 
 TEST(PiecewiseLoad, IsIntegratedAlikeWithCovariantInterpolation) {
   const auto m = test::meshed(fem::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, 2, 1);
-  const ShellOperator covariant(m.space, m.surface, geometry::Expression(0.1), test::steel_like(), true, true);
+  const ShellOperator covariant(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, true);
   AreaLoad load;
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   const auto a = load_vector(covariant, {load}, {}), b = load_vector(plate(2, test::quadrilateral), {load}, {});

@@ -25,11 +25,9 @@ struct Sample {
 
 Sample sample(const std::vector<Support>& supports, const GapFunction& gap) {
   auto m = test::meshed(test::skew(), test::saddle, 3, 1);
-  auto discrete = discretise(m.space, m.surface,
-                             {.thickness = geometry::Expression("0.1 + 0.02*x", {}),
-                              .material = test::steel_like(),
-                              .supports = supports,
-                              .gap = gap});
+  auto discrete = discretise(
+      m.space, m.surface,
+      {.sections = test::steel_of(geometry::Expression("0.1 + 0.02*x", {})), .supports = supports, .gap = gap});
   return {std::move(m), std::move(discrete)};
 }
 
@@ -88,8 +86,7 @@ TEST(NodalCoordinates, RelaxedFormulationsAddTheNormalRotation) {
   auto m = test::meshed(test::skew(), test::saddle, 3, 1);
   for (const auto formulation : {element::Formulation::penalised, element::Formulation::mixed}) {
     const auto discrete = discretise(m.space, m.surface,
-                                     {.thickness = geometry::Expression(0.1),
-                                      .material = test::steel_like(),
+                                     {.sections = test::steel_of(geometry::Expression(0.1)),
                                       .tangency = {.formulation = formulation},
                                       .supports = assorted_supports(),
                                       .gap = table()});

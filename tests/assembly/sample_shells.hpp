@@ -36,6 +36,9 @@ inline MeshedSurface meshed(const fem::Domain& domain, const std::array<std::str
 }
 
 inline shell::Material steel_like() { return shell::Material::from_young_poisson(1.0, 0.3, 5.0 / 6); }
+inline assembly::CrossSections steel_of(const geometry::Expression& thickness) {
+  return {.common = {.thickness = thickness, .material = steel_like()}};
+}
 
 inline assembly::Support clamp(const std::string& boundary) {
   assembly::Support support{.boundary = boundary, .components = {}};

@@ -14,7 +14,7 @@ namespace {
 ShellOperator make(const std::array<std::string, 3>& chart, const test::Element& element, int refinements) {
   const auto [shape, degree, tying] = element;
   const auto m = test::meshed(test::skew(), chart, degree, refinements, shape);
-  return {m.space, m.surface, geometry::Expression("0.1 + 0.02*x", {}), test::steel_like(), tying, false};
+  return {m.space, m.surface, test::steel_of(geometry::Expression("0.1 + 0.02*x", {})), tying, false};
 }
 
 algebra::Vector random_field(const fem::Space& space, int seed) {
@@ -85,7 +85,7 @@ TEST_P(EveryElement, ApplyIsTheDerivativeOfTheEnergy) {
 TEST_P(EveryElement, ATranslationHasNoStrainAtAll) {
   for (const auto& chart : {test::flat, test::saddle, test::cap}) {
     const ShellOperator shell = make(chart, GetParam(), 1);
-    const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+    const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
     const auto y = test::rigid_motion(shell.space(), points, {1, -2, 0.5}, {0, 0, 0});
     EXPECT_LT(shell.energies(y).total(), 1e-25);
   }
@@ -93,7 +93,7 @@ TEST_P(EveryElement, ATranslationHasNoStrainAtAll) {
 
 TEST_P(EveryElement, ARotationOfAFlatShellHasNoStrain) {
   const ShellOperator shell = make(test::flat, GetParam(), 1);
-  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
   const auto y = test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7});
   EXPECT_LT(shell.energies(y).total(), 1e-25);
 }
@@ -106,7 +106,7 @@ TEST_P(EveryElement, TheEnergyOfARotationFallsLikeTheMeshSizeToTheTwiceDegree) {
     double energy[2];
     for (int i = 0; i < 2; ++i) {
       const ShellOperator shell = make(chart, GetParam(), i + 2);
-      const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+      const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
       energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
     }
     EXPECT_GT(std::log2(energy[0] / energy[1]), 2 * degree - 0.3) << chart[2];
@@ -117,7 +117,7 @@ TEST(ShellOperator, TheRateOfARotationsEnergyIsAtMostWhatTheInterpolationGives) 
   double energy[2];
   for (int i = 0; i < 2; ++i) {
     const ShellOperator shell = make(test::cap, {test::quadrilateral, 1, true}, i + 3);
-    const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), geometry::Expression(0.1));
+    const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
     energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
   }
   EXPECT_GT(energy[1], 1e-14);

@@ -90,8 +90,7 @@ Solved solve(const Sample& sample) {
   assembly::AreaLoad load{};
   load.force[2] = geometry::Expression(sample.is_flat() ? "-1e-4*(1 + x*y)" : "-1e-3*(1 + 0.1*x)", {});
   s.discrete = assembly::discretise(s.mesh.space, s.mesh.surface,
-                                    {.thickness = geometry::Expression(0.1),
-                                     .material = test::steel_like(),
+                                    {.sections = test::steel_of(geometry::Expression(0.1)),
                                      .tangency = {.formulation = sample.formulation},
                                      .supports = {test::clamp(sample.clamped)},
                                      .area_loads = {load},

@@ -29,8 +29,7 @@ Shell shell_over(const obstacle::HalfSpace& table, const fem::Domain& domain, co
                  fem::Shape shape, int degree, element::Formulation formulation = element::Formulation::tangent) {
   Shell s{test::meshed(domain, chart, degree, 0, shape), nullptr};
   s.discrete = assembly::discretise(s.mesh.space, s.mesh.surface,
-                                    {.thickness = geometry::Expression(thickness),
-                                     .material = test::steel_like(),
+                                    {.sections = test::steel_of(geometry::Expression(thickness)),
                                      .tangency = {.formulation = formulation},
                                      .gap = over(table)});
   return s;

@@ -18,8 +18,8 @@ std::vector<PointValues> recovered(int degree, const Field& field, fem::Shape sh
   const bool is_bilinear = degree == 1 && shape == test::quadrilateral;
   const fem::Domain domain = is_bilinear ? fem::Domain(fem::Rectangle{}) : fem::Domain(test::skew());
   const auto m = test::meshed(domain, test::flat, degree, 1, shape);
-  const auto discrete = assembly::discretise(m.space, m.surface,
-                                             {.thickness = geometry::Expression(0.1), .material = test::steel_like()});
+  const auto discrete =
+      assembly::discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1))});
   NodalSolution solution{algebra::Vector(m.space->layout, 6), algebra::Vector(m.space->layout, 1),
                          algebra::Vector(m.space->layout, 1)};
   for (std::size_t i = 0; i < discrete->points.size(); ++i) {
@@ -81,8 +81,8 @@ TEST(Recovery, AConstantShearStateHasItsShearForce) {
 
 TEST(Recovery, TheFrameIsOrthonormalAndFollowsTheFirstParameter) {
   const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, 3, 1);
-  const auto discrete = assembly::discretise(m.space, m.surface,
-                                             {.thickness = geometry::Expression(0.1), .material = test::steel_like()});
+  const auto discrete =
+      assembly::discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1))});
   const NodalSolution zero{algebra::Vector(m.space->layout, 6), algebra::Vector(m.space->layout, 1),
                            algebra::Vector(m.space->layout, 1)};
   const Recovery recovery(*discrete, zero, somewhere);

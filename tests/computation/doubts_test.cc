@@ -83,8 +83,8 @@ Problem standing_dome(int refinements) {
   Problem p =
       with_chart(free_plate(), {"x", "y", "sqrt(1 - x^2 - y^2) - cos(a) + e/2*cos(a)"}, {{"a", 0.5}, {"e", 0.05}});
   p.domain = fem::Disk{.radius = std::sin(0.5)};
-  p.thickness = Expression(0.05);
-  p.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.sections.common.thickness = Expression(0.05);
+  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.supports = {held("rim", {Direction::tangent})};
   p.area_loads = {force(0, 0, -1e-4)};
   p.obstacle = Obstacle{};
@@ -121,7 +121,7 @@ TEST(ContactSet, does_not_depend_on_the_unit_of_length) {
   for (const double s : {1e-12, 1e-9, 1e-6, 1e6}) {
     Problem p = with_chart(pressed_bowl(), {"x", "y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)"}, {{"s", s}});
     p.domain = fem::Disk{.radius = 0.479425538604203 * s};
-    p.thickness = Expression(0.02 * s);
+    p.sections.common.thickness = Expression(0.02 * s);
     const Result r = solve(p, MPI_COMM_SELF);
     EXPECT_EQ(r.status, Status::solved) << s << ": " << status_text(r);
     EXPECT_EQ(r.summary.touching_nodes, metres.summary.touching_nodes) << s;
@@ -131,7 +131,7 @@ TEST(ContactSet, does_not_depend_on_the_unit_of_length) {
 
 TEST(Certificate, of_a_shell_too_thin_for_double_precision_does_not_pass) {
   Problem p = with_chart(pressed_strip(), {"x", "y", "0.01 + 0.3*x"});
-  p.thickness = Expression(1e-7);
+  p.sections.common.thickness = Expression(1e-7);
   p.supports = {clamped("left"), in_plane("bottom"), in_plane("top")};
   p.area_loads = {force(0, 0, -4e-21)};
   p.discretisation.refinements = 1;

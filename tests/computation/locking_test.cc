@@ -19,7 +19,7 @@ using testing::IsEmpty;
 /// A cantilever of side 1 with 2^(refinements + 1) cells along it.
 Problem cantilever(fem::Shape cells, int degree, double thickness, int refinements, bool tying = false) {
   Problem p = cantilever_plate();
-  p.thickness = Expression(thickness);
+  p.sections.common.thickness = Expression(thickness);
   p.discretisation = {.cells = cells, .degree = degree, .tying = tying, .refinements = refinements};
   return p;
 }

@@ -20,7 +20,7 @@ using testing::IsEmpty;
 Problem bent_strip(double e, double unit = 1) {
   Problem p = with_chart(pressed_strip(), {"unit*x*cos(0.3)", "unit*y", "unit*(0.01 + x*sin(0.3) + e/2*cos(0.3))"},
                          {{"unit", unit}, {"e", e}});
-  p.thickness = Expression(e * unit);
+  p.sections.common.thickness = Expression(e * unit);
   p.area_loads = {force(0, 0, -20 * e * e * e)};
   p.discretisation.degree = 3;
   p.discretisation.refinements = 1;

@@ -25,7 +25,7 @@ constexpr double shear_stiffness = E / 2 * thickness;  // k_s e mu with nu = 0, 
 Problem beam() {
   Problem p = free_plate();
   p.domain = fem::Rectangle{.to = {length, width}, .cells = {3, 1}};
-  p.material = shell::Material::from_young_poisson(E, 0, 1);
+  p.sections.common.material = shell::Material::from_young_poisson(E, 0, 1);
   p.supports = {clamped("left")};
   p.probes = {{.name = "tip", .at = {length, width / 2}},
               {.name = "root", .at = {0, 0}},

@@ -16,7 +16,7 @@ Case parsed(const std::string& more = "") {
 }
 
 TEST(Shell, TakesYoungAndPoisson) {
-  const auto& material = parsed().problem.material;
+  const auto& material = parsed().problem.sections.common.material;
   EXPECT_DOUBLE_EQ(material.mu, 0.8);
   EXPECT_DOUBLE_EQ(material.lambda, 0.8);
   EXPECT_EQ(material.shear_correction, 1);
@@ -27,10 +27,10 @@ TEST(Shell, TakesLameConstantsAndAShearCorrection) {
       parse_case("[shell]\nlambda = \"-1/2\"\nmu = 3\nshear_correction = \"5/6\"\nthickness = \"0.1*(1 + x^2)\"\n" +
                      geometry_section,
                  "case.toml");
-  EXPECT_EQ(c.problem.material.lambda, -0.5);
-  EXPECT_EQ(c.problem.material.mu, 3);
-  EXPECT_DOUBLE_EQ(c.problem.material.shear_correction, 5.0 / 6);
-  EXPECT_DOUBLE_EQ(c.problem.thickness(2, 7), 0.5);
+  EXPECT_EQ(c.problem.sections.common.material.lambda, -0.5);
+  EXPECT_EQ(c.problem.sections.common.material.mu, 3);
+  EXPECT_DOUBLE_EQ(c.problem.sections.common.material.shear_correction, 5.0 / 6);
+  EXPECT_DOUBLE_EQ(c.problem.sections.common.thickness(2, 7), 0.5);
 }
 
 TEST(Constants, MayUseThoseAboveThemInTheOrderOfTheFile) {
@@ -51,12 +51,24 @@ TEST(Constants, StandInChartsLoadsAndThickness) {
       "domain = { disk = { radius = \"R/2\" } }\nchart = [\"x\", \"y\", \"R - sqrt(R^2 - x^2 - y^2)\"]\n"
       "[[load]]\nforce = [0, \"x\", \"-R*y\"]\n",
       "case.toml");
-  EXPECT_DOUBLE_EQ(c.problem.thickness(0, 0), 0.02);
-  EXPECT_TRUE(c.problem.thickness.is_constant());
+  EXPECT_DOUBLE_EQ(c.problem.sections.common.thickness(0, 0), 0.02);
+  EXPECT_TRUE(c.problem.sections.common.thickness.is_constant());
   EXPECT_EQ(std::get<fem::Disk>(c.problem.domain).radius, 1);
   const auto jet = c.problem.charts.at("")(0, 0);
   EXPECT_NEAR(jet.dd[0][2], 0.5, 1e-15);
   EXPECT_DOUBLE_EQ(c.problem.area_loads[0].force[2](0, 3), -6);
+}
+
+/// A rectangle of the regions a and b, E = 2, density 7.
+Case two_regions(const std::string& more) {
+  const std::string gravity =
+      more.find("[gravity]") == std::string::npos ? "[gravity]\nacceleration = [0, 0, 0]\n" : "";
+  return parse_case(
+      "[shell]\nE = 2\nnu = 0.25\nthickness = 0.125\nshear_correction = 0.5\ndensity = 7\n[geometry]\n"
+      "domain = { rectangle = { to = [2, 1], breaks = [1], regions = [\"a\", \"b\"] } }\n"
+      "chart = [\"x\", \"y\", 0]\n" +
+          gravity + more,
+      "case.toml");
 }
 
 TEST(Loads, ActOnTheAreaOrOnABoundary) {
@@ -73,6 +85,39 @@ TEST(Loads, ActOnTheAreaOrOnABoundary) {
   EXPECT_EQ(problem.edge_loads[0].boundary, "rim");
   EXPECT_EQ(problem.edge_loads[0].force[0](0, 5), 5);
   EXPECT_EQ(problem.edge_loads[0].couple[2](0, 5), 0);
+}
+
+TEST(Loads, ActOnRegionsAndOnListsOfBoundaries) {
+  const auto problem = two_regions(
+                           "[[load]]\nregion = \"b\"\npressure = 1\n[[load]]\nregion = [\"b\", \"a\"]\npressure = 2\n"
+                           "[[load]]\nboundary = [\"top\", \"left\"]\nforce = [0, 0, \"x\"]\n")
+                           .problem;
+  ASSERT_EQ(problem.area_loads.size(), 2u);
+  EXPECT_EQ(problem.area_loads[0].regions, std::vector<std::string>{"b"});
+  EXPECT_EQ(problem.area_loads[1].regions, (std::vector<std::string>{"b", "a"}));
+  ASSERT_EQ(problem.edge_loads.size(), 2u);
+  EXPECT_EQ(problem.edge_loads[0].boundary, "top");
+  EXPECT_EQ(problem.edge_loads[1].boundary, "left");
+  EXPECT_EQ(problem.edge_loads[1].force[2](3, 0), 3);
+}
+
+TEST(Regions, HaveOfTheShellWhatTheyDoNotGive) {
+  const auto problem = two_regions(
+                           "[[region]]\nname = \"b\"\nthickness = \"0.5 + x\"\ndensity = 3\n[[region]]\nname = \"a\"\n"
+                           "E = 8\nnu = 0.25\n[gravity]\nacceleration = [0, 1, -2]\n")
+                           .problem;
+  const auto& [common, regions] = problem.sections;
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions.at("b").thickness(1, 0), 1.5);
+  EXPECT_EQ(regions.at("b").material.mu, common.material.mu);
+  EXPECT_EQ(regions.at("b").density, 3);
+  EXPECT_EQ(regions.at("a").thickness(1, 0), common.thickness(1, 0));
+  EXPECT_NEAR(regions.at("a").material.young(), 8, 1e-14);
+  EXPECT_EQ(regions.at("a").material.shear_correction, 0.5);
+  EXPECT_EQ(regions.at("a").density, 7);
+  EXPECT_EQ(common.density, 7);
+  EXPECT_EQ(problem.gravity, Eigen::Vector3d(0, 1, -2));
+  EXPECT_EQ(parsed().problem.gravity, Eigen::Vector3d(0, 0, 0));
 }
 
 TEST(Obstacle, HasAUnitNormal) {
@@ -138,19 +183,28 @@ std::string in_toml(const nlohmann::json& value) {
 
 TEST(Effective, IsACaseOfItsOwnWithTheSameSettings) {
   const Case c = parse_case(
-      "[constants]\nb = 2\na = \"1/b\"\n[shell]\nlambda = 1\nmu = 1\nthickness = \"a + x^2\"\n[geometry]\n"
+      "[constants]\nb = 2\na = \"1/b\"\n[shell]\nlambda = 1\nmu = 1\nthickness = \"a + x^2\"\ndensity = \"b\"\n"
+      "[[region]]\nname = \"two\"\nthickness = \"b*y\"\nE = 3\nnu = 0\n[gravity]\nacceleration = [0, \"-a\", "
+      "0]\n[geometry]\n"
       "domain = { rectangle = { to = [2, 1], cells = [4, 2], breaks = [\"a\"], regions = [\"one\", \"two\"] } }\n"
       "chart = { one = [\"x\", \"y\", 0], two = [\"x\", \"y\", \"1e-3*(x - a)^3\"] }\n"
       "[[support]]\nboundary = \"left\"\nfix = [\"symmetry\", \"u.t\", \"r.x\"]\nvalues = { u.t = \"y*a\" }\n"
       "[[support]]\nboundary = \"top\"\nfix = [\"u\"]\nvalues = { u = [0, \"a\", \"x\"] }\n"
-      "[[load]]\npressure = \"1/3\"\n[[load]]\nboundary = \"top\"\ncouple = [0, 0, \"x\"]\n"
+      "[[support]]\npoint = [\"a\", 0]\nfix = [\"u.z\", \"u.x\"]\nvalues = { u.x = \"b\" }\n"
+      "[[load]]\npressure = \"1/3\"\n[[load]]\nboundary = [\"top\", \"right\"]\ncouple = [0, 0, \"x\"]\n"
+      "[[load]]\nregion = [\"one\"]\npressure = 1\n"
       "[[obstacle]]\nhalf_space = { normal = [1, 1, 1] }\n[[probe]]\nname = \"p\"\nat = [\"a/3\", 0.5]\n",
       "case.toml");
   std::string text;
   for (const auto& [key, value] : c.effective.items()) text += key + " = " + in_toml(value) + "\n";
   const Case again = parse_case(text, "effective.toml");
   EXPECT_EQ(again.effective, c.effective) << text;
-  EXPECT_EQ(again.problem.thickness(1, 0), c.problem.thickness(1, 0));
+  EXPECT_EQ(again.problem.sections.common.thickness(1, 0), c.problem.sections.common.thickness(1, 0));
+  EXPECT_EQ(again.problem.sections.regions.at("two").thickness(1, 3), 6);
+  EXPECT_EQ(c.effective["load"][1]["boundary"], (nlohmann::json{"top", "right"}));
+  EXPECT_EQ(c.effective["load"][2]["region"], nlohmann::json::array({"one"}));
+  EXPECT_EQ(c.effective["support"][0]["boundary"], "left");
+  EXPECT_EQ(c.effective["support"][2]["point"], (nlohmann::json{0.5, 0.0}));
   EXPECT_EQ(again.problem.supports[1].components[2].value(3, 0), 3);
 }
 

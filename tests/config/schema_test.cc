@@ -52,7 +52,7 @@ TEST(Defaults, OfTheFileAreThoseOfTheProgram) {
   EXPECT_EQ(c.problem.contact.gap_tolerance, fresh.contact.gap_tolerance);
   EXPECT_EQ(c.problem.contact.multiplier_tolerance, fresh.contact.multiplier_tolerance);
   EXPECT_EQ(c.problem.contact.linear_tolerance, fresh.contact.linear_tolerance);
-  EXPECT_EQ(c.problem.material.shear_correction, fresh.material.shear_correction);
+  EXPECT_EQ(c.problem.sections.common.material.shear_correction, fresh.sections.common.material.shear_correction);
   EXPECT_EQ(c.problem.obstacle->face, computation::Obstacle{}.face);
   EXPECT_EQ(c.problem.obstacle->half_space.point, obstacle::HalfSpace{}.point);
   EXPECT_EQ(c.problem.obstacle->half_space.normal, obstacle::HalfSpace{}.normal);

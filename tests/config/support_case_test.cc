@@ -56,6 +56,24 @@ TEST(SupportValues, MayBeDottedQuotedOrAVector) {
   EXPECT_EQ(listed(supports("fix = [\"u\"]\n[support.values]\nu.z = \"-0.01*y\"\n").at(0)), expected);
 }
 
+TEST(Supports, OfAListAreOnePerBoundary) {
+  const auto all = supports("fix = [\"u.z\"]\n[[support]]\nboundary = [\"top\", \"right\"]\nfix = [\"u.n\"]\n");
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[1].boundary, "top");
+  EXPECT_EQ(all[2].boundary, "right");
+  EXPECT_EQ(listed(all[2]), List{"u.n = 0"});
+}
+
+TEST(Supports, MayHoldPoints) {
+  const auto all =
+      supports("fix = [\"u.z\"]\n[[support]]\npoint = [1, 0.5]\nfix = [\"u.x\", \"u.z\"]\nvalues = { u.z = 2 }\n");
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_FALSE(all[0].point);
+  EXPECT_EQ(all[1].boundary, "");
+  EXPECT_EQ(all[1].point, Eigen::Vector2d(1, 0.5));
+  EXPECT_EQ(listed(all[1]), (List{"u.x = 0", "u.z = 2"}));
+}
+
 TEST(Supports, OfOneBoundaryMayBeSplit) {
   const auto split = supports("fix = [\"u\"]\n[[support]]\nboundary = \"left\"\nfix = [\"r.t\"]\n");
   ASSERT_EQ(split.size(), 2u);

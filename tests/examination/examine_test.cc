@@ -101,10 +101,10 @@ TEST(Examination, finds_where_the_chart_is_finite_but_its_derivatives_are_not) {
 
 TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
   computation::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"});
-  p.thickness = Expression(2.0);
+  p.sections.common.thickness = Expression(2.0);
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("too thick for its curvature"), HasSubstr("thickness 2"),
                                            HasSubstr("curvature 1"))));
-  p.thickness = Expression(1.98);
+  p.sections.common.thickness = Expression(1.98);
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("reaches 0.99")));
 }
@@ -112,7 +112,7 @@ TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
 TEST(Examination, finds_where_the_thickness_is_not_positive) {
   for (const std::string thickness : {"0.1 - 0.2*x", "0", "-1", "sqrt(0.5 - x)", "0.1*x"}) {
     computation::Problem p = cantilever_plate();
-    p.thickness = Expression(thickness, {});
+    p.sections.common.thickness = Expression(thickness, {});
     EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the thickness is "), HasSubstr("must be positive"))))
         << thickness;
   }
@@ -251,7 +251,7 @@ TEST(FreeRigidMotions, do_not_depend_on_units_of_length) {
   for (const char* scale : {"1e-4", "1e4"}) {
     const std::string s = scale;
     computation::Problem p = with_chart(free_plate(), {s + "*x", s + "*y", "0"});
-    p.thickness = Expression("0.1*" + s, {});
+    p.sections.common.thickness = Expression("0.1*" + s, {});
     p.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
     EXPECT_THAT(errors(p), SizeIs(1)) << scale;
     p.supports = {clamped("left")};
@@ -342,7 +342,7 @@ TEST(LooseShell, is_judged_alike_in_every_formulation_and_on_triangles) {
 /// The chart with its parameters exchanged: the same surface, a_3 turned round.
 computation::Problem turned(computation::Problem p) {
   auto [x, y, z] = p.charts.at("").components();
-  return with_chart(std::move(p), {y, x, z}, {{"R", 1}, {"e", p.thickness(0, 0)}, {"clearance", 0.01}});
+  return with_chart(std::move(p), {y, x, z}, {{"R", 1}, {"e", p.sections.common.thickness(0, 0)}, {"clearance", 0.01}});
 }
 
 TEST(Face, that_is_the_far_one_is_an_error_that_says_where_a3_points) {
@@ -415,7 +415,7 @@ computation::Problem in_units(const computation::Problem& p, const std::string& 
                               const std::array<std::string, 3>& chart) {
   computation::Problem q = with_chart(p, {times(scale, chart[0]), times(scale, chart[1]), times(scale, chart[2])});
   const double s = std::stod(scale);
-  q.thickness = Expression(s * p.thickness(0, 0));
+  q.thickness = Expression(s * p.sections.common.thickness(0, 0));
   if (q.obstacle) q.obstacle->half_space.point *= s;
   return q;
 }
@@ -450,7 +450,7 @@ TEST(Units, of_length_hide_no_jump_between_regions) {
     computation::Problem p = two_regions({s + "*x", s + "*y", s + "*1e-4"});
     p.charts.erase("flat");
     p.charts.emplace("flat", Chart({s + "*x", s + "*y", "0*x"}, {}));
-    p.thickness = Expression(0.1 * std::stod(s));
+    p.sections.common.thickness = Expression(0.1 * std::stod(s));
     EXPECT_THAT(errors(p), ElementsAre(HasSubstr("do not meet at x = 1"))) << s;
   }
 }
@@ -459,7 +459,7 @@ TEST(Units, of_length_hide_no_support_inside_of_the_obstacle) {
   for (const double s : {1e-12, 1e-6, 1e6}) {
     computation::Problem p = in_units(pressed_strip(), std::to_string(1), {"x", "y", "0.035"});
     p = with_chart(p, {fmt::format("{}*x", s), fmt::format("{}*y", s), fmt::format("{}*(0.025 - 1e-9)", s)});
-    p.thickness = Expression(0.05 * s);
+    p.sections.common.thickness = Expression(0.05 * s);
     EXPECT_THAT(errors(p), ElementsAre(HasSubstr("inside of the obstacle"))) << s;
     p = with_chart(p, {fmt::format("{}*x", s), fmt::format("{}*y", s), fmt::format("{}*0.025", s)});
     EXPECT_THAT(errors(p), IsEmpty()) << s;

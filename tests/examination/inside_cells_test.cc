@@ -32,7 +32,7 @@ constexpr auto both_shapes = {fem::Shape::quadrilateral, fem::Shape::triangle};
 
 computation::Problem with_thickness(const std::string& e) {
   computation::Problem p = cantilever_plate();
-  p.thickness = Expression(e, {});
+  p.sections.common.thickness = Expression(e, {});
   return p;
 }
 computation::Problem with_pressure(const std::string& pressure) {
@@ -86,7 +86,7 @@ TEST(InsideACell, a_fold_that_is_rounded_off_is_no_kink) {
   for (const char* z :
        {"sqrt((x - 0.3)^2 + 1e-2)", "0.05*tanh(50*(x - 0.3))", "sin(20*x)*0.1", "exp(-200*(x-0.4)^2)"}) {
     computation::Problem p = with_chart(cantilever_plate(), {"x", "y", z});
-    p.thickness = Expression(1e-3);
+    p.sections.common.thickness = Expression(1e-3);
     EXPECT_THAT(errors(p), IsEmpty()) << z;
     EXPECT_THAT(warnings(p), IsEmpty()) << z;
   }

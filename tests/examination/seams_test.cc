@@ -29,7 +29,7 @@ computation::Problem rolled(double turns, double radius, fem::Shape cells = fem:
   p.domain = fem::Rectangle{.to = {turns, 1}};
   p.charts.clear();
   p.charts.emplace("", Chart({"R*sin(w*x)", "R*y", "R*cos(w*x)"}, constants));
-  p.thickness = Expression(0.01 * radius);
+  p.sections.common.thickness = Expression(0.01 * radius);
   p.supports = {clamped("bottom")};
   p.discretisation.cells = cells;
   return p;

@@ -8,8 +8,8 @@ computation::Problem pressed_plate(const PressedPlate& options) {
   computation::Problem problem;
   problem.domain = fem::Rectangle{.cells = {options.cells, options.cells}};
   problem.charts.emplace("", geometry::Chart({"2 * x", "y", "0.012"}, {}));
-  problem.thickness = geometry::Expression(0.02);
-  problem.material = shell::Material::from_young_poisson(1e9, 0.3, 1);
+  problem.sections.common.thickness = geometry::Expression(0.02);
+  problem.sections.common.material = shell::Material::from_young_poisson(1e9, 0.3, 1);
   for (const char* boundary : {"left", "right", "bottom", "top"}) {
     assembly::Support support{.boundary = boundary, .components = {}};
     for (const Unknown unknown : {Unknown::displacement, Unknown::rotation})

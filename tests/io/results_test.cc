@@ -32,6 +32,7 @@ computation::Result some_result(bool has_obstacle) {
   result.summary.energy = {.membrane = 1.0 / 3, .bending = 2e-17, .shear = 1e300};
   result.summary.reaction.force = {0, 0, 5};
   result.certificate.min_gap_between = -1e-5;
+  result.summary.point_reactions = {{.at = {0.25, 1}, .force = {1e-9, 0, -2}}};
   result.probes = {{"a point", some_point()}};
   result.levels.push_back(
       {.cells = 3'000'000'000, .history = {{.active = 7, .safeguarded = true}}, .seconds = {.mesh = 2, .assembly = 3}});
@@ -45,11 +46,15 @@ Json some_json(bool has_obstacle = true) {
 
 TEST(Results, have_every_key_that_the_documentation_promises) {
   const Json json = some_json();
-  for (const char* key :
-       {"title",    "status",           "status_text", "energy", "energy_parts", "load_work", "loads",
-        "reaction", "support_reaction", "contact",     "probes", "certificate",  "levels",    "memory",
-        "ranks",    "settings",         "versions",    "files",  "fields",       "units"})
+  for (const char* key : {"title",   "status",       "status_text",
+                          "energy",  "energy_parts", "load_work",
+                          "loads",   "reaction",     "support_reaction",
+                          "contact", "probes",       "certificate",
+                          "levels",  "memory",       "point_supports",
+                          "ranks",   "settings",     "versions",
+                          "files",   "fields",       "units"})
     EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json["point_supports"], Json::parse(R"([{"at": [0.25, 1.0], "force": [1e-9, 0.0, -2.0]}])"));
   for (const char* key : {"area", "nodes", "min_gap", "max_penetration_between_nodes", "max_pressure"})
     EXPECT_TRUE(json["contact"].contains(key)) << key;
   for (const char* key : {"x", "position", "u", "r", "gap", "eta", "contact", "N", "M", "Q", "frame", "thickness"})

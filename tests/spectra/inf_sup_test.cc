@@ -52,8 +52,7 @@ std::unique_ptr<assembly::DiscreteShell> clamped_shell(const std::array<std::str
                                                        element::Formulation formulation, bool with_gap) {
   const auto m = test::meshed(test::skew(), chart, 2, 1);
   return assembly::discretise(m.space, m.surface,
-                              {.thickness = geometry::Expression(0.1),
-                               .material = test::steel_like(),
+                              {.sections = test::steel_of(geometry::Expression(0.1)),
                                .tangency = {.formulation = formulation},
                                .supports = {test::clamp("edge1"), test::clamp("edge2")},
                                .gap = with_gap ? assembly::GapFunction(gap_to_table) : assembly::GapFunction{}});
@@ -169,10 +168,9 @@ TEST(SoftModes, StartWithTheConstantOfCoercivity) {
 /// Kinds of the modes softer than a hundredth of the eighth.
 std::vector<ModeKind> soft_kinds(const std::array<std::string, 3>& chart, element::Formulation formulation) {
   const auto m = test::meshed(test::skew(), chart, 3, 2);
-  const auto discrete = assembly::discretise(m.space, m.surface,
-                                             {.thickness = geometry::Expression(0.1),
-                                              .material = test::steel_like(),
-                                              .tangency = {.formulation = formulation}});
+  const auto discrete = assembly::discretise(
+      m.space, m.surface,
+      {.sections = test::steel_of(geometry::Expression(0.1)), .tangency = {.formulation = formulation}});
   const auto modes = softest_modes(*discrete, 8, 1);
   std::vector<ModeKind> kinds;
   for (const Mode& mode : modes)

@@ -16,8 +16,8 @@ Eigen::VectorXd spectrum(const fem::Domain& domain, const std::array<std::string
                          const test::Element& element, int refinements) {
   const auto [shape, degree, tying] = element;
   const auto m = test::meshed(domain, chart, degree, refinements, shape);
-  const auto discrete = assembly::discretise(
-      m.space, m.surface, {.thickness = geometry::Expression(0.1), .material = test::steel_like(), .tying = tying});
+  const auto discrete =
+      assembly::discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1)), .tying = tying});
   const auto size = 5 * static_cast<Eigen::Index>(m.space->layout->owned);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t c = 0; c < m.space->owned_cells; ++c) {

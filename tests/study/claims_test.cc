@@ -168,7 +168,7 @@ TEST(Compare, OfEqualSolutionsSaysNothing) { expect_none_judged(run("compare", c
 TEST(Compare, FindsAPenaltyTooWeakForTheMesh) {
   computation::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
   p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
-  p.thickness = Expression(0.2);
+  p.sections.common.thickness = Expression(0.2);
   p.discretisation.degree = 6;
   p.discretisation.refinements = 2;
   p.discretisation.tangency.penalty = 1;

@@ -43,7 +43,7 @@ TEST(SoftModesStudy, OfACylinderFindsTheSeventhModeOfTheRelaxedFormulations) {
 
 TEST(SoftModesStudy, OfACapFindsSixEverywhere) {
   computation::Problem p = pressed_bowl();
-  p.thickness = Expression(0.05);
+  p.sections.common.thickness = Expression(0.05);
   p.discretisation = {.degree = 2, .refinements = 3};
   expect_all_hold(soft_modes(p, {}, MPI_COMM_SELF, {}).table);
 }

@@ -92,8 +92,8 @@ TEST_P(EveryUnit, FindsTheSameInEveryStudy) {
 TEST(ASmallCap, InMetresHasItsSoftModes) {
   computation::Problem p = with_chart(free_plate(), {"x", "y", "R - sqrt(R^2 - x^2 - y^2)"}, {{"R", 0.005}});
   p.domain = fem::Disk{.radius = 0.0024};
-  p.thickness = Expression(2.5e-4);
-  p.material = shell::Material::from_young_poisson(2.1e11, 0.3, 1);
+  p.sections.common.thickness = Expression(2.5e-4);
+  p.sections.common.material = shell::Material::from_young_poisson(2.1e11, 0.3, 1);
   p.discretisation = {.degree = 2, .refinements = 3};
   const Table table = find_kind("soft-modes")->run(p, {}, MPI_COMM_SELF, {}).table;
   for (const std::string formulation : {"tangent", "penalised", "mixed", "classical"})

@@ -29,7 +29,7 @@ TEST(Thickness, of_a_cylinder_held_along_a_generator_is_bending_dominated) {
   computation::Problem p = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
   p.supports = {clamped("left")};
   p.area_loads = {force(0, 0, -1e-6)};
-  p.thickness = Expression(0.02);
+  p.sections.common.thickness = Expression(0.02);
   p.discretisation = {.degree = 3, .refinements = 2};
   const Report report = thickness(p, halvings(3), MPI_COMM_SELF, {});
   ASSERT_EQ(report.status, contact::Status::solved);

@@ -22,10 +22,27 @@ TEST(Variation, of_the_loads_scales_a_linear_solution) {
 
 TEST(Variation, of_the_thickness_scales_bending_with_its_cube) {
   computation::Problem p = cantilever_plate();
-  p.thickness = Expression("0.001 * (1 + x)", {});
+  p.sections.common.thickness = Expression("0.001 * (1 + x)", {});
   p.area_loads = {force(0, 0, -1e-6)};
   const double thick = computation::solve(p, MPI_COMM_SELF).summary.load_work;
   EXPECT_NEAR(computation::solve(with_thickness_scaled(p, 0.5), MPI_COMM_SELF).summary.load_work / thick, 8, 1e-2);
+}
+
+TEST(Variation, of_the_thickness_reaches_every_region_and_leaves_the_weight) {
+  computation::Problem p = cantilever_plate();
+  p.sections.common.density = 3;
+  p.sections.regions["stiff"] = {.thickness = Expression(0.2), .material = p.sections.common.material, .density = 5};
+  const auto thin = with_thickness_scaled(p, 0.25).sections;
+  EXPECT_EQ(thin.common.thickness(0, 0), 0.025);
+  EXPECT_EQ(thin.regions.at("stiff").thickness(0, 0), 0.05);
+  EXPECT_EQ(thin.common.density, 12);
+  EXPECT_EQ(thin.regions.at("stiff").density, 20);
+}
+
+TEST(Variation, of_the_loads_scales_the_weight) {
+  computation::Problem p = cantilever_plate();
+  p.gravity = {0, 1, -2};
+  EXPECT_EQ(with_loads_scaled(p, 3).gravity, Eigen::Vector3d(0, 3, -6));
 }
 
 TEST(Variation, that_is_linear_and_homogeneous_keeps_what_is_held) {

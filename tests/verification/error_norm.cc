@@ -69,8 +69,9 @@ double energy_error(const computation::Solution& solution, const Manufactured& e
     const CellStrain computed = shell.strains_at(c, shell.gather(c, solution.nodal.y), basis, tied, jets);
     for (std::size_t q = 0; q < jets.size(); ++q) {
       const geometry::Frame frame = geometry::frame_at(jets[q]);
+      const auto& section = shell.section(c);
       const auto stiffness =
-          shell::section_stiffness(shell.material(), discrete.thickness(x[q], y[q]), frame.metric_con);
+          shell::section_stiffness(section.material, section.thickness(x[q], y[q]), frame.metric_con);
       const auto row = computed.row(static_cast<Eigen::Index>(q));
       const shell::Strain<double> e = exact_strain(exact, frame, x[q], y[q]);
       const shell::Strain<double> difference{row.head<3>().transpose() - e.membrane,

@@ -47,7 +47,7 @@ LinearReference saddle(double thickness, int refinements) {
       hyperbolic_paraboloid(std::max(thickness, 1e-3), ShearCorrection::one, false, 2, refinements);
   if (thickness < 1e-3) {
     reference.name = "hyperbolic paraboloid, e = 1e-4";
-    reference.problem.thickness = geometry::Expression(thickness);
+    reference.problem.sections.common.thickness = geometry::Expression(thickness);
     reference.problem.area_loads.front().force[2] = geometry::Expression(-8000 * thickness);
     reference.displacement = 0.530;
     reference.energy.reset();

@@ -86,8 +86,8 @@ double radius_at(const ordered_json& entry, double t) {
 
 computation::Problem pressed_shell(const ordered_json& params) {
   computation::Problem problem;
-  problem.thickness = Expression(params["e"].get<double>());
-  problem.material = shell::Material::from_young_poisson(params["E"], params["nu"], params["ks"]);
+  problem.sections.common.thickness = Expression(params["e"].get<double>());
+  problem.sections.common.material = shell::Material::from_young_poisson(params["E"], params["nu"], params["ks"]);
   problem.area_loads = {downward(params["p"])};
   problem.obstacle = computation::Obstacle{};
   return problem;
@@ -137,8 +137,8 @@ double pick(ShearCorrection k, double five_sixths, double one) { return k == She
 
 computation::Problem free_shell(double E, double nu, ShearCorrection k, double thickness, int degree, int refinements) {
   computation::Problem problem;
-  problem.thickness = Expression(thickness);
-  problem.material = shell::Material::from_young_poisson(E, nu, factor_of(k));
+  problem.sections.common.thickness = Expression(thickness);
+  problem.sections.common.material = shell::Material::from_young_poisson(E, nu, factor_of(k));
   problem.discretisation = {.degree = degree, .refinements = refinements};
   return problem;
 }
@@ -199,8 +199,8 @@ computation::Problem manufactured_problem(const Manufactured& exact, int degree,
   computation::Problem problem;
   problem.domain = fem::Rectangle{.cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart(Manufactured::chart(), {}));
-  problem.thickness = Expression(e);
-  problem.material = shell::Material::from_young_poisson(E, nu, k_s);
+  problem.sections.common.thickness = Expression(e);
+  problem.sections.common.material = shell::Material::from_young_poisson(E, nu, k_s);
   problem.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
   assembly::AreaLoad load{};
   load.force_function = [exact](double x, double y) { return exact.force(x, y); };

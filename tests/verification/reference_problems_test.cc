@@ -13,7 +13,7 @@ namespace {
 obstacle::Gap gap_of(const computation::Problem& problem, double x, double y) {
   const geometry::SurfaceJet phi = problem.charts.at("")(x, y);
   return obstacle::gap_at(problem.obstacle->half_space, problem.obstacle->face, phi.value, geometry::unit_normal(phi),
-                          problem.thickness(x, y));
+                          problem.sections.common.thickness(x, y));
 }
 
 }  // namespace

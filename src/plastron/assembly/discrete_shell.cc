@@ -4,21 +4,34 @@
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/assembly/stiffness.hpp>
 
+#include <algorithm>
+
 namespace plastron::assembly {
+
+namespace {
+
+std::vector<Eigen::Vector2d> support_points(const std::vector<Support>& supports) {
+  std::vector<Eigen::Vector2d> points;
+  for (const Support& support : supports)
+    if (support.point && std::ranges::find(points, *support.point) == points.end()) points.push_back(*support.point);
+  return points;
+}
+
+}  // namespace
 
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description) {
   const element::Formulation formulation = description.tangency.formulation;
-  ShellOperator shell(std::move(space), std::move(surface), description.thickness, description.material,
-                      description.tying, formulation == element::Formulation::classical);
-  auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.thickness);
+  ShellOperator shell(std::move(space), std::move(surface), description.sections, description.tying,
+                      formulation == element::Formulation::classical);
+  auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
   auto coordinates =
       nodal_coordinates(shell.space(), shell.surface(), points, description.supports, description.gap, formulation);
-  auto load = load_vector(shell, description.area_loads, description.edge_loads);
+  auto load = load_vector(shell, description.area_loads, description.edge_loads, description.gravity);
   return std::make_unique<DiscreteShell>(DiscreteShell{std::move(shell), std::move(points), std::move(coordinates),
-                                                       std::move(load), description.thickness, description.gap,
-                                                       description.tangency});
+                                                       std::move(load), description.gap, description.tangency,
+                                                       support_points(description.supports)});
 }
 
 double DiscreteShell::tangency_factor() const {

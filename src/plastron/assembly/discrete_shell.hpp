@@ -14,10 +14,10 @@ struct DiscreteShell {
   ShellOperator shell;
   std::vector<NodalPoint> points;
   NodalCoordinates coordinates;
-  algebra::Vector load;            ///< Cartesian nodal forces and couples (block 6)
-  geometry::Expression thickness;  ///< e(x, y) [m]
-  GapFunction gap;                 ///< empty without obstacle
+  algebra::Vector load;  ///< Cartesian nodal forces and couples (block 6)
+  GapFunction gap;       ///< empty without obstacle
   element::Tangency tangency;
+  std::vector<Eigen::Vector2d> support_points{};  ///< where supports hold points of Omega, each once
 
   const fem::Space& space() const { return shell.space(); }
   /// What multiplies the form of normal_rotation.hpp: 1/p (M13), rho (M14) or nothing.
@@ -28,14 +28,14 @@ struct DiscreteShell {
 
 /// All that discretises a shell, independent of the mesh.
 struct ShellDescription {
-  geometry::Expression thickness{1.0};
-  shell::Material material{};
+  CrossSections sections{};
   bool tying = true;
   element::Tangency tangency{};
   std::vector<Support> supports{};
   std::vector<AreaLoad> area_loads{};
   std::vector<EdgeLoad> edge_loads{};
-  GapFunction gap{};  ///< empty without obstacle
+  Vector3d gravity = Vector3d::Zero();  ///< g [m/s^2]
+  GapFunction gap{};                    ///< empty without obstacle
 };
 
 /// (collective) Throws SupportError.

@@ -15,8 +15,6 @@ namespace plastron::assembly {
 
 namespace {
 
-using geometry::Vector3d;
-
 /// Values of a load (force, couple) at points, a row per point.
 void add_expression(const VectorExpression& f, std::span<const double> x, std::span<const double> y, int column,
                     element::CellField& values) {
@@ -42,20 +40,33 @@ bool is_piecewise(const AreaLoad& load) {
   return is_piecewise(load.force) || is_piecewise(load.couple) || geometry::is_piecewise(load.pressure);
 }
 
+/// What acts on the area of one region.
+struct RegionLoads {
+  std::vector<const AreaLoad*> loads{};
+  const geometry::Expression* thickness = nullptr;
+  Vector3d weight = Vector3d::Zero();  ///< rho g [N/m^3], to be multiplied by e
+
+  bool is_empty() const { return loads.empty() && weight.isZero(0); }
+  bool is_piecewise() const {
+    return std::ranges::any_of(loads, [](const AreaLoad* load) { return assembly::is_piecewise(*load); });
+  }
+};
+
 /// Adds loads up, and remembers the first place where one is not finite.
 class LoadSum {
  public:
   LoadSum(const ShellOperator& shell, algebra::Vector& f)
       : shell_(shell), space_(shell.space()), line_(fem::gauss(space_.degree + 1)), f_(f) {}
 
-  void add_area_loads(const std::vector<AreaLoad>& loads) {
-    if (loads.empty()) return;
+  void add_area_loads(const std::vector<AreaLoad>& all, const Vector3d& gravity) {
     constexpr int levels = 6;
-    const bool divide = std::ranges::any_of(loads, [](const AreaLoad& load) { return is_piecewise(load); });
+    for (const AreaLoad& load : all) check_regions(load);
     for (std::size_t c = 0; c < space_.owned_cells; ++c) {
+      const RegionLoads loads = loads_on(c, all, gravity);
+      if (loads.is_empty()) continue;
       const auto integral = [&](const element::CellPart& part) { return on_part(loads, c, part); };
       shell_.scatter(c,
-                     divide
+                     loads.is_piecewise()
                          ? element::Subdivision<element::CellPart, decltype(integral)>(space_.shape(), integral)(levels)
                          : on_cell(loads, c),
                      f_);
@@ -98,33 +109,59 @@ class LoadSum {
   }
 
  private:
+  void check_regions(const AreaLoad& load) const {
+    const auto& known = space_.coarse->regions;
+    for (const std::string& region : load.regions)
+      if (std::ranges::find(known, region) == known.end())
+        throw LoadError(fmt::format("a load names the region \"{}\", which the mesh does not have; it has: {}", region,
+                                    fmt::join(known, ", ")));
+  }
+
+  RegionLoads loads_on(std::size_t c, const std::vector<AreaLoad>& all, const Vector3d& gravity) const {
+    const CrossSection& section = shell_.section(c);
+    const std::string& region = region_of(*space_.coarse, space_.cells[c]);
+    RegionLoads loads{.thickness = &section.thickness, .weight = section.density * gravity};
+    for (const AreaLoad& load : all)
+      if (load.acts_in(region)) loads.loads.push_back(&load);
+    return loads;
+  }
+
   /// Loads at points of a cell with normals a_3.
   template <class NormalAt>
-  element::CellField values(const std::vector<AreaLoad>& loads, std::size_t c, const std::vector<Vector2d>& xi,
+  element::CellField values(const RegionLoads& loads, std::size_t c, const std::vector<Vector2d>& xi,
                             const NormalAt& a3) {
     std::vector<double> x(xi.size()), y(xi.size()), pressure(xi.size());
     shell_.surface().positions(space_.cells[c], xi, x, y);
     element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
-    for (const AreaLoad& load : loads) {
-      add_expression(load.force, x, y, 0, values);
-      add_expression(load.couple, x, y, 3, values);
-      add_function(load.force_function, x, y, 0, values);
-      add_function(load.couple_function, x, y, 3, values);
-      load.pressure.evaluate(x, y, pressure);
+    for (const AreaLoad* load : loads.loads) {
+      add_expression(load->force, x, y, 0, values);
+      add_expression(load->couple, x, y, 3, values);
+      add_function(load->force_function, x, y, 0, values);
+      add_function(load->couple_function, x, y, 3, values);
+      load->pressure.evaluate(x, y, pressure);
       for (int q = 0; q < values.rows(); ++q) values.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * a3(q);
     }
+    if (!loads.weight.isZero(0)) add_weight(loads, x, y, values);
     note(values, x, y);
     return values;
   }
 
-  element::CellField on_cell(const std::vector<AreaLoad>& loads, std::size_t c) {
+  /// rho e g.
+  static void add_weight(const RegionLoads& loads, std::span<const double> x, std::span<const double> y,
+                         element::CellField& values) {
+    std::vector<double> e(x.size());
+    loads.thickness->evaluate(x, y, e);
+    for (int q = 0; q < values.rows(); ++q) values.row(q).head<3>() += e[static_cast<std::size_t>(q)] * loads.weight;
+  }
+
+  element::CellField on_cell(const RegionLoads& loads, std::size_t c) {
     const element::BasisAt& at = shell_.tables().quadrature;
     element::CellField v = values(loads, c, at.xi, [&](int q) { return shell_.point(c, q).frame.a3; });
     for (int q = 0; q < v.rows(); ++q) v.row(q) *= shell_.point(c, q).area;
     return shell_.interpolation().forces_of(c, at, v);
   }
 
-  element::CellField on_part(const std::vector<AreaLoad>& loads, std::size_t c, const element::CellPart& part) {
+  element::CellField on_part(const RegionLoads& loads, std::size_t c, const element::CellPart& part) {
     std::vector<Vector2d> xi = shell_.tables().quadrature.xi;
     for (Vector2d& point : xi) point = part.corner + part.size * point;
     std::vector<geometry::SurfaceJet> jets(xi.size());
@@ -173,10 +210,10 @@ class LoadSum {
 }  // namespace
 
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
-                            const std::vector<EdgeLoad>& edge_loads) {
+                            const std::vector<EdgeLoad>& edge_loads, const Vector3d& gravity) {
   algebra::Vector f(shell.space().layout, 6);
   LoadSum sum(shell, f);
-  sum.add_area_loads(area_loads);
+  sum.add_area_loads(area_loads, gravity);
   for (const EdgeLoad& load : edge_loads) sum.add_edge_load(load);
   sum.throw_if_not_finite();
   f.accumulate_ghosts();

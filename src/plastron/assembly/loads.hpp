@@ -3,9 +3,11 @@
 #include <plastron/geometry/expression.hpp>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace plastron::assembly {
 
@@ -13,13 +15,18 @@ using VectorExpression = std::array<geometry::Expression, 3>;
 /// A load that a program computes itself, as a function of x and y.
 using VectorFunction = std::function<Eigen::Vector3d(double x, double y)>;
 
-/// Dead load per unit mid-surface area.
+/// Dead load per unit mid-surface area, on the whole surface or on some of its regions.
 struct AreaLoad {
-  VectorExpression force{};          ///< p, Cartesian [N/m^2]
-  geometry::Expression pressure{};   ///< force along a_3, positive along the normal [N/m^2]
-  VectorExpression couple{};         ///< m, works on r [N m/m^2]
-  VectorFunction force_function{};   ///< added to `force`; empty in loads from case files
-  VectorFunction couple_function{};  ///< added to `couple`
+  VectorExpression force{};            ///< p, Cartesian [N/m^2]
+  geometry::Expression pressure{};     ///< force along a_3, positive along the normal [N/m^2]
+  VectorExpression couple{};           ///< m, works on r [N m/m^2]
+  VectorFunction force_function{};     ///< added to `force`; empty in loads from case files
+  VectorFunction couple_function{};    ///< added to `couple`
+  std::vector<std::string> regions{};  ///< where it acts; empty: everywhere
+
+  bool acts_in(const std::string& region) const {
+    return regions.empty() || std::ranges::find(regions, region) != regions.end();
+  }
 };
 
 /// Dead load per unit length of the curve phi(Gamma), on the boundary or inside of the shell.

@@ -32,7 +32,7 @@ using NodeBasis = Eigen::Matrix<double, 6, 6>;
 /// The gap of (M16) at a point with mid-surface position phi, normal a_3 and thickness e.
 using GapFunction = std::function<obstacle::Gap(const Vector3d& phi, const Vector3d& a3, double thickness)>;
 
-/// Supports that contradict each other or name a boundary that is not there.
+/// Supports that contradict each other or name a boundary or a node that is not there.
 struct SupportError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
@@ -64,6 +64,10 @@ struct NodeSupport {
   /// The largest values that these supports prescribe anywhere on their boundaries: what values are small against.
   double displacement_scale = 0, rotation_scale = 0;
 };
+/// The owned nodes at a point of Omega, up to fem::point_tolerance(): none or one, more where a mesh file has several in one place.
+std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const std::vector<NodalPoint>& points,
+                                                const Eigen::Vector2d& x);
+
 /// Supports of owned nodes by local index; empty where there are none (collective, throws SupportError).
 std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
                                        const std::vector<NodalPoint>& points, const std::vector<Support>& supports);

@@ -2,21 +2,47 @@
 
 #include <plastron/geometry/frame.hpp>
 
+#include <algorithm>
+
 namespace plastron::assembly {
 
+namespace {
+
+// Block: x (2), phi (3), a_3 (3), e, E.
+constexpr int block = 10;
+
+/// The largest thickness and modulus at owned nodes, of all cells that meet there, whichever rank owns those.
+void add_sections(const fem::Space& space, const fem::Surface& surface, const element::ElementTables& tables,
+                  const CrossSections& sections, algebra::Vector& data) {
+  std::vector<double> x(tables.nodes.size()), y(x.size()), e(x.size());
+  for (std::size_t c = 0; c < space.cells.size(); ++c) {
+    const CrossSection& section = sections.at(*space.coarse, space.cells[c]);
+    const double young = section.material.young();
+    surface.positions(space.cells[c], tables.nodes, x, y);
+    section.thickness.evaluate(x, y, e);
+    const auto nodes = space.nodes(c);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i] >= space.layout->owned) continue;
+      double* d = data.local().data() + static_cast<std::size_t>(nodes[i]) * block;
+      d[8] = std::max(d[8], e[i]);
+      d[9] = std::max(d[9], young);
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
-                                       const element::ElementTables& tables, const geometry::Expression& thickness) {
-  // Block: x (2), phi (3), a_3 (3), e. Owners write, ghosts read, so that ranks agree to the last bit.
-  constexpr int block = 9;
+                                       const element::ElementTables& tables, const CrossSections& sections) {
+  // Owners write, ghosts read, so that ranks agree to the last bit.
   algebra::Vector data(space.layout, block), weights(space.layout, 1);
   std::vector<char> done(static_cast<std::size_t>(space.layout->local_size()), 0);
   std::vector<geometry::SurfaceJet> jets(tables.nodes.size());
-  std::vector<double> x(jets.size()), y(jets.size()), e(jets.size());
+  std::vector<double> x(jets.size()), y(jets.size());
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const fem::Cell& cell = space.cells[c];
     surface.jets(cell, tables.nodes, jets, false);
     surface.positions(cell, tables.nodes, x, y);
-    thickness.evaluate(x, y, e);
     const auto nodes = space.nodes(c);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto node = static_cast<std::size_t>(nodes[i]);
@@ -32,9 +58,9 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
         d[2 + k] = jets[i].value[k];
         d[5 + k] = a3[k];
       }
-      d[8] = e[i];
     }
   }
+  add_sections(space, surface, tables, sections, data);
   data.update_ghosts();
   weights.accumulate_ghosts();
   weights.update_ghosts();
@@ -42,7 +68,7 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   std::vector<NodalPoint> points(done.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double* d = data.local().data() + i * block;
-    points[i] = {{d[0], d[1]}, {d[2], d[3], d[4]}, {d[5], d[6], d[7]}, d[8], weights.local()[i]};
+    points[i] = {{d[0], d[1]}, {d[2], d[3], d[4]}, {d[5], d[6], d[7]}, d[8], d[9], weights.local()[i]};
   }
   return points;
 }

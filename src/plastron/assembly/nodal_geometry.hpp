@@ -1,10 +1,10 @@
-// What the nodes need to know of the surface: position, normal, thickness, and the weight of the nodal quadrature
-// (M21).
+// What the nodes need to know of the shell: position, normal, thickness, and the weight of the nodal quadrature (M21).
+// Where regions of different thickness meet, a node has the largest: the thickest part touches an obstacle first (M16).
 #pragma once
 #include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/cross_sections.hpp>
 #include <plastron/element/element_tables.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/geometry/expression.hpp>
 
 #include <Eigen/Core>
 #include <vector>
@@ -17,12 +17,13 @@ struct NodalPoint {
   Eigen::Vector2d x;  ///< parameters in Omega
   Vector3d phi;       ///< position [m]
   Vector3d a3;        ///< unit normal
-  double thickness;   ///< e [m]
+  double thickness;   ///< e, the largest of the cells that meet [m]
+  double young;       ///< E, the largest of the cells that meet [Pa]
   double weight;      ///< nodal quadrature weight: mid-surface area that the node stands for, or 0 [m^2]
 };
 
 /// Of every local node, the same on every rank that sees the node (collective).
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
-                                       const element::ElementTables& tables, const geometry::Expression& thickness);
+                                       const element::ElementTables& tables, const CrossSections& sections);
 
 }  // namespace plastron::assembly

@@ -1,7 +1,8 @@
-// From supports by boundary and component to prescribed directions at nodes.
+// From supports by boundary or point and component to prescribed directions at nodes.
 #include <plastron/assembly/nodal_coordinates.hpp>
 
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/kept_nodes.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <fmt/format.h>
@@ -125,16 +126,45 @@ class Rows {
 
 }  // namespace
 
+namespace {
+
+using NodeFrames = std::vector<std::pair<algebra::LocalIndex, EdgeFrames>>;
+
+/// The owned nodes on which a support acts, with the frames of its boundary (collective).
+NodeFrames nodes_of(const Support& support, const fem::Space& space, const fem::Surface& surface,
+                    const std::vector<NodalPoint>& points) {
+  if (support.point) {
+    NodeFrames nodes;
+    for (const algebra::LocalIndex node : owned_nodes_at(space, points, *support.point))
+      nodes.emplace_back(node, EdgeFrames{});
+    if (algebra::sum_over_ranks(static_cast<std::int64_t>(nodes.size()), space.layout->comm) > 0) return nodes;
+    throw SupportError(fmt::format("the point ({:.10g}, {:.10g}) of a support is no node of the mesh",
+                                   (*support.point)[0], (*support.point)[1]));
+  }
+  const auto& names = space.coarse->boundaries;
+  const auto found = std::ranges::find(names, support.boundary);
+  if (found == names.end())
+    throw SupportError(
+        fmt::format("there is no boundary \"{}\"; the mesh has: {}", support.boundary, fmt::join(names, ", ")));
+  return frames_on(space, surface, static_cast<int>(found - names.begin()));
+}
+
+}  // namespace
+
+std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const std::vector<NodalPoint>& points,
+                                                const Eigen::Vector2d& x) {
+  const double tolerance = fem::point_tolerance(*space.coarse);
+  std::vector<algebra::LocalIndex> nodes;
+  for (algebra::LocalIndex i = 0; i < space.layout->owned; ++i)
+    if ((points[static_cast<std::size_t>(i)].x - x).norm() <= tolerance) nodes.push_back(i);
+  return nodes;
+}
+
 std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
                                        const std::vector<NodalPoint>& points, const std::vector<Support>& supports) {
   std::vector<NodeSupport> all(static_cast<std::size_t>(space.layout->owned));
-  const auto& names = space.coarse->boundaries;
   for (const Support& support : supports) {
-    const auto found = std::ranges::find(names, support.boundary);
-    if (found == names.end())
-      throw SupportError(
-          fmt::format("there is no boundary \"{}\"; the mesh has: {}", support.boundary, fmt::join(names, ", ")));
-    const auto frames = frames_on(space, surface, static_cast<int>(found - names.begin()));
+    const NodeFrames frames = nodes_of(support, space, surface, points);
     Rows rows(support, points);
     for (const auto& [node, edges] : frames) rows.add(node, edges, all[static_cast<std::size_t>(node)]);
     const double displacement = algebra::max_over_ranks(rows.largest(Unknown::displacement), space.layout->comm),

@@ -11,9 +11,7 @@ using shell::LocalField;
 namespace {
 
 /// E e^3 times the area of a quadrature point [N m^3].
-double stiffness_at(const ShellOperator& shell, const QuadraturePoint& p) {
-  return shell.material().young() * p.thickness * p.thickness * p.thickness * p.area;
-}
+double stiffness_at(const QuadraturePoint& p) { return p.young * p.thickness * p.thickness * p.thickness * p.area; }
 
 }  // namespace
 
@@ -44,7 +42,7 @@ void add_normal_rotation_form(const ShellOperator& shell, double factor, const a
     CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
     for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
       const QuadraturePoint& p = shell.point(c, q);
-      g.row(q) = factor * stiffness_at(shell, p) * (g.row(q) * p.frame.metric_con).eval();
+      g.row(q) = factor * stiffness_at(p) * (g.row(q) * p.frame.metric_con).eval();
     }
     element::CellField forces = element::CellField::Zero(shell.tables().nodes_per_cell(), 6);
     add_normal_rotation_forces(shell, c, g, forces);
@@ -60,7 +58,7 @@ double tangency_energy(const ShellOperator& shell, double factor, const algebra:
     const CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
     for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
       const QuadraturePoint& p = shell.point(c, q);
-      sum += factor / 2 * stiffness_at(shell, p) * g.row(q).dot(g.row(q) * p.frame.metric_con);
+      sum += factor / 2 * stiffness_at(p) * g.row(q).dot(g.row(q) * p.frame.metric_con);
     }
   }
   return algebra::sum_over_ranks(sum, shell.space().layout->comm);
@@ -72,7 +70,7 @@ RowMatrix scaled_normal_rotation_matrix(const ShellOperator& shell, std::size_t 
   Eigen::RowVectorXd row(columns);
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
     const QuadraturePoint& p = shell.point(cell, q);
-    const Eigen::Matrix2d root = (factor * stiffness_at(shell, p) * p.frame.metric_con).llt().matrixU();
+    const Eigen::Matrix2d root = (factor * stiffness_at(p) * p.frame.metric_con).llt().matrixU();
     for (int a = 0; a < 2; ++a) {
       LocalField<double> dual = shell::zero_field();
       shell::add_normal_rotation_dual(root.row(a), p.frame, dual);

@@ -10,33 +10,34 @@ using geometry::Vector3d;
 using shell::LocalField;
 
 ShellOperator::ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
-                             const geometry::Expression& thickness, const shell::Material& material, bool tying,
-                             bool is_covariant)
+                             CrossSections sections, bool tying, bool is_covariant)
     : space_(std::move(space)),
       surface_(std::move(surface)),
-      material_(material),
+      sections_(std::move(sections)),
       tables_(element::element_tables(space_->shape(), space_->degree, tying)),
       interpolation_(space_, surface_, tables_, is_covariant),
       sampling_bases_(tables_.samplings.size()) {
+  check_regions(sections_, *space_->coarse);
   const std::size_t cells = space_->owned_cells;
   points_.resize(cells * tables_.weights.size());
   for (const element::Sampling& sampling : tables_.samplings)
     sampling_points_.emplace_back(cells * sampling.basis.xi.size());
-  for (std::size_t c = 0; c < cells; ++c) prepare_cell(c, thickness);
+  for (std::size_t c = 0; c < cells; ++c) prepare_cell(c);
 }
 
-void ShellOperator::prepare_cell(std::size_t cell, const geometry::Expression& thickness) {
+void ShellOperator::prepare_cell(std::size_t cell) {
   const fem::Cell& where = space_->cells[cell];
   const auto& xi = tables_.quadrature.xi;
   std::vector<SurfaceJet> jets(xi.size());
   std::vector<double> x(xi.size()), y(xi.size()), e(xi.size());
   surface_->jets(where, xi, jets);
   surface_->positions(where, xi, x, y);
-  thickness.evaluate(x, y, e);
+  const CrossSection& own = section(cell);
+  own.thickness.evaluate(x, y, e);
   for (std::size_t q = 0; q < xi.size(); ++q) {
     const geometry::Frame frame = geometry::frame_at(jets[q]);
-    points_[cell * xi.size() + q] = {frame, shell::section_stiffness(material_, e[q], frame.metric_con), e[q],
-                                     frame.sqrt_a * tables_.weights[q]};
+    points_[cell * xi.size() + q] = {frame, shell::section_stiffness(own.material, e[q], frame.metric_con), e[q],
+                                     own.material.young(), frame.sqrt_a * tables_.weights[q]};
   }
   std::ranges::move(interpolation_.bases(cell, xi), std::back_inserter(quadrature_bases_));
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {

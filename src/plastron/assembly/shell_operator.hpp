@@ -3,8 +3,8 @@
 #pragma once
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/cross_sections.hpp>
 #include <plastron/element/interpolation.hpp>
-#include <plastron/geometry/expression.hpp>
 #include <plastron/shell/energy.hpp>
 
 #include <Eigen/Core>
@@ -31,21 +31,24 @@ struct Energies {
 struct QuadraturePoint {
   geometry::Frame frame;
   shell::SectionStiffness stiffness;  ///< not weighted
-  double thickness;                   ///< e [m]
+  double thickness;                   ///< e of the cell's own region [m]
+  double young;                       ///< E of the cell's own region [Pa]
   double area;                        ///< sqrt(a) times the quadrature weight [m^2]
 };
 
 class ShellOperator {
  public:
   /// Precondition: the surface is regular and the thickness positive at the quadrature points. Covariant interpolation
-  /// is that of (M15).
+  /// is that of (M15). Throws fem::DomainError for cross-sections of regions that the mesh does not have.
   ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
-                const geometry::Expression& thickness, const shell::Material& material, bool tying, bool is_covariant);
+                CrossSections sections, bool tying, bool is_covariant);
 
   const fem::Space& space() const { return *space_; }
   const fem::Surface& surface() const { return *surface_; }
   const element::ElementTables& tables() const { return tables_; }
-  const shell::Material& material() const { return material_; }
+  const CrossSections& sections() const { return sections_; }
+  /// That of the cell's region.
+  const CrossSection& section(std::size_t cell) const { return sections_.at(*space_->coarse, space_->cells[cell]); }
   const element::Interpolation& interpolation() const { return interpolation_; }
   /// Moving bases at the quadrature points of a cell; none for Cartesian interpolation.
   element::Interpolation::Bases quadrature_bases(std::size_t cell) const {
@@ -91,7 +94,7 @@ class ShellOperator {
 
   /// Asserts six values for every node that this rank sees.
   void assert_is_field(const algebra::Vector& y, const char* what) const;
-  void prepare_cell(std::size_t cell, const geometry::Expression& thickness);
+  void prepare_cell(std::size_t cell);
   const SamplingPoint* sampling_points(std::size_t sampling, std::size_t cell) const {
     return sampling_points_[sampling].data() + cell * tables_.samplings[sampling].basis.xi.size();
   }
@@ -107,7 +110,7 @@ class ShellOperator {
 
   std::shared_ptr<const fem::Space> space_;
   std::shared_ptr<const fem::Surface> surface_;
-  shell::Material material_;
+  CrossSections sections_;
   element::ElementTables tables_;
   element::Interpolation interpolation_;
   std::vector<geometry::MovingBasis> quadrature_bases_;             // like points_; empty if Cartesian

@@ -1,7 +1,9 @@
-// Supports: which components of (u, r) a boundary prescribes, and to which values.
+// Supports: which components of (u, r) a boundary prescribes, or which of u a point, and to which values.
 #pragma once
 #include <plastron/geometry/expression.hpp>
 
+#include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +22,12 @@ struct PrescribedComponent {
   geometry::Expression value{};
 };
 
+/// A point has no boundary and prescribes Cartesian components of u alone; it is a node of every mesh (fem/kept_nodes.hpp).
 struct Support {
-  std::string boundary;
-  std::vector<PrescribedComponent> components;
+  std::string boundary{};
+  std::vector<PrescribedComponent> components{};
   bool symmetry = false;  ///< the components came from "symmetry": the edge must lie in a plane normal to the shell
+  std::optional<Eigen::Vector2d> point{};  ///< in Omega
 };
 
 }  // namespace plastron::assembly

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace plastron::certificate {
 
@@ -43,8 +44,8 @@ Wrench over_ranks(const Wrench& w, MPI_Comm comm) {
 struct StrainScale {
   double force = 0, squared_force = 0, moment = 0, energy = 0;
 
-  void add(const assembly::NodalPoint& p, const Vector6& y, double young, double size) {
-    const double u = y.head<3>().norm() + size * y.tail<3>().norm(), f = young * p.thickness * u;
+  void add(const assembly::NodalPoint& p, const Vector6& y, double size) {
+    const double u = y.head<3>().norm() + size * y.tail<3>().norm(), f = p.young * p.thickness * u;
     force += f;
     squared_force += f * f;
     moment += f * (p.phi.norm() + size);
@@ -83,6 +84,7 @@ struct Sums {
   StrainScale strain_scale;
   double min_pressure = std::numeric_limits<double>::infinity(), min_gap = std::numeric_limits<double>::infinity();
   std::int64_t touching = 0;
+  std::map<std::size_t, Vector3d> at_points{};  // forces of the supports at nodes that a support holds as a point
 };
 
 void add(Wrench& wrench, const assembly::NodalPoint& p, const Vector6& f, Sums& sums) {
@@ -150,6 +152,8 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
     sums.all_forces += per_force * (std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2));
     if (coordinates.is_prescribed(i, k)) {
       add(sums.supports, discrete.points[i], component * direction, sums);
+      if (const auto at = sums.at_points.find(i); at != sums.at_points.end())
+        at->second += component * direction.head<3>();
       sums.support_work += component * direction.dot(y);
       // Prescribed directions are unit vectors orthogonal to all others of the node: the coordinate is a projection.
       const double error = std::abs(direction.dot(y) - coordinates.lower.local()[coordinates.at(i, k)]);
@@ -251,11 +255,12 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
 Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const algebra::Vector r = residual(discrete, solution);
-  const double size = size_of(discrete), young = discrete.shell.material().young();
+  const double size = size_of(discrete);
   Sums sums;
+  for (const auto& [support, node] : point_nodes(discrete)) sums.at_points.emplace(node, Vector3d::Zero());
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     add_node(discrete, solution, i, block6(r, i), sums);
-    sums.strain_scale.add(discrete.points[i], block6(solution.y, i), young, size);
+    sums.strain_scale.add(discrete.points[i], block6(solution.y, i), size);
   }
 
   Verdict verdict{.summary = summary_of(discrete, solution, sums), .certificate = {}};
@@ -263,6 +268,9 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   const double a = 2 * (verdict.summary.energy.total() + verdict.summary.tangency_energy);
   const StrainScale scale = sums.strain_scale.over_ranks(comm);
   const bool is_unstrained = a < rounding_of_energy * scale.energy;
+  verdict.summary.is_unstrained = is_unstrained;
+  verdict.summary.load_norms = load_norms(discrete, size);
+  verdict.summary.point_reactions = point_reactions(discrete, sums.at_points);
   verdict.certificate =
       certificate_of(discrete, solution, sums, verdict.summary, is_unstrained ? scale : StrainScale{});
   return verdict;

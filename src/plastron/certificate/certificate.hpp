@@ -1,6 +1,7 @@
 // The certificate of a solution (docs/model.md, section 8), recomputed from displacements, strains and bounds alone.
 #pragma once
 #include <plastron/certificate/edge_contact.hpp>
+#include <plastron/certificate/point_reactions.hpp>
 
 #include <vector>
 
@@ -42,7 +43,10 @@ struct Summary {
   double tangency_energy = 0;            ///< energy of the penalty or stabilisation [J]
   double multiplier_norm = 0;            ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
-  EdgeContact edge;  ///< what of the contact lies on edges of the shell
+  double load_norms = 0;                         ///< sum of |nodal load|, couples over the shell's size [N]
+  bool is_unstrained = false;                    ///< displacements strain the shell no more than rounding does
+  std::vector<PointReaction> point_reactions{};  ///< of the points that supports hold
+  EdgeContact edge;                              ///< what of the contact lies on edges of the shell
 };
 
 /// Nodal results of a solution, per local node with valid ghosts.

@@ -45,7 +45,7 @@ double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const alge
       if (!is_near_obstacle(discrete, field, space.nodes(c))) continue;
       discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
       discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
-      discrete.thickness.evaluate(px, py, e);
+      discrete.shell.section(c).thickness.evaluate(px, py, e);
       const element::CellField values = discrete.shell.interpolation().values(c, basis, field);
       for (std::size_t p = 0; p < jets.size(); ++p) {
         const auto row = values.row(static_cast<Eigen::Index>(p));

@@ -48,7 +48,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor> Recovery::resultants_a
   shell.surface().jets(where, at_gauss_.xi, jets);
   shell.surface().parameter_jets(where, at_gauss_.xi, in_parameters);
   shell.surface().positions(where, at_gauss_.xi, x, y);
-  discrete_.thickness.evaluate(x, y, e);
+  const assembly::CrossSection& section = shell.section(cell);
+  section.thickness.evaluate(x, y, e);
   const auto strains = shell.strains_at(cell, field, at_gauss_, tied_at_gauss_, jets);
 
   Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor> result(static_cast<Eigen::Index>(count), 8);
@@ -56,7 +57,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor> Recovery::resultants_a
     const geometry::Frame frame = geometry::frame_at(jets[p]);
     const auto row = strains.row(static_cast<Eigen::Index>(p));
     const shell::Strain<double> strain{row.head<3>(), row.segment<3>(3), row.tail<2>()};
-    const auto stiffness = shell::section_stiffness(shell.material(), e[p], frame.metric_con);
+    const auto stiffness = shell::section_stiffness(section.material, e[p], frame.metric_con);
     const auto s = shell::resultants(stiffness, strain);
     const SurfaceAxes axes = surface_axes(in_parameters[p], frame.a3);
     Eigen::Matrix2d to_axes;
@@ -76,7 +77,7 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
   std::vector<double> x(count), y(count), e(count);
   shell.surface().parameter_jets(where, at_points_.xi, jets);
   shell.surface().positions(where, at_points_.xi, x, y);
-  discrete_.thickness.evaluate(x, y, e);
+  shell.section(cell).thickness.evaluate(x, y, e);
 
   const element::CellField field = shell.gather(cell, solution_.y);
   const auto nodes = shell.space().nodes(cell);

@@ -26,7 +26,7 @@ CornerPoints corner_points(const Problem& problem, const fem::Surface& surface, 
   CornerPoints corners{.phi = {}, .thickness = std::vector<double>(xi.size())};
   surface.jets(cell, xi, jets, false);
   surface.positions(cell, xi, x, y);
-  problem.thickness.evaluate(x, y, corners.thickness);
+  problem.sections.at(surface.coarse(), cell).thickness.evaluate(x, y, corners.thickness);
   for (const geometry::SurfaceJet& jet : jets) corners.phi.push_back(jet.value);
   return corners;
 }

@@ -5,13 +5,13 @@
 namespace plastron::computation {
 
 assembly::ShellDescription shell_description(const Problem& problem) {
-  return {.thickness = problem.thickness,
-          .material = problem.material,
+  return {.sections = problem.sections,
           .tying = problem.discretisation.tying,
           .tangency = problem.discretisation.tangency,
           .supports = problem.supports,
           .area_loads = problem.area_loads,
           .edge_loads = problem.edge_loads,
+          .gravity = problem.gravity,
           .gap = gap_function(problem)};
 }
 

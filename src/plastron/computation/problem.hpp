@@ -1,5 +1,6 @@
 // All that defines a computation: geometry, shell, supports, loads, obstacle, discretisation. Plain values.
 #pragma once
+#include <plastron/assembly/cross_sections.hpp>
 #include <plastron/assembly/loads.hpp>
 #include <plastron/assembly/supports.hpp>
 #include <plastron/contact/settings.hpp>
@@ -7,9 +8,7 @@
 #include <plastron/fem/domain.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/chart.hpp>
-#include <plastron/geometry/expression.hpp>
 #include <plastron/obstacle/gap.hpp>
-#include <plastron/shell/material.hpp>
 
 #include <map>
 #include <optional>
@@ -43,11 +42,11 @@ struct Probe {
 struct Problem {
   fem::Domain domain = fem::Rectangle{};
   std::map<std::string, geometry::Chart> charts;  ///< by region; the unnamed region is ""
-  geometry::Expression thickness{1.0};            ///< e(x, y) [m]
-  shell::Material material{};
+  assembly::CrossSections sections{};             ///< thickness, material and density, by region
   std::vector<assembly::Support> supports{};
   std::vector<assembly::AreaLoad> area_loads{};
   std::vector<assembly::EdgeLoad> edge_loads{};
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g that makes the weight of the density [m/s^2]
   std::optional<Obstacle> obstacle{};
   std::vector<Probe> probes{};
   Discretisation discretisation{};

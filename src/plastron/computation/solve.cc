@@ -9,6 +9,7 @@
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/locking.hpp>
 #include <plastron/computation/memory.hpp>
+#include <plastron/computation/point_supports.hpp>
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/stopwatch.hpp>
 
@@ -83,6 +84,7 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
   if (result.solution) {
     judge_certificate(result);
     warn(contact_warnings(result, problem.contact), observer, result);
+    warn(point_support_warnings(result, problem.supports), observer, result);
     result.probes = probe(*result.solution, problem.probes);
   }
   result.peak_memory = peak_memory(comm);

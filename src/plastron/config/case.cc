@@ -61,9 +61,11 @@ Case parse_case(std::string text, std::string file_name) {
   read_constants(root);
   read_shell(root, result.problem);
   const auto domain = read_geometry(root, result.problem);
+  read_regions(root, domain, result.problem);
   read_mesh(root, result.problem);
   read_supports(root, domain, result.problem);
   read_loads(root, domain, result.problem);
+  read_gravity(root, result.problem);
   read_obstacles(root, result.problem);
   read_probes(root, domain, result.problem);
   read_solver(root, result.problem);

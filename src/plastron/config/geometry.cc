@@ -30,15 +30,16 @@ void report_chart(Reading& reading, const Item& item, const Formulas& formulas) 
     }
 }
 
-void read_chart(const Table& geometry, const Item& item, const std::vector<std::string>& regions,
-                computation::Problem& problem, nlohmann::json& effective) {
+/// Without the name of a region the chart is that of all.
+void read_chart(const Table& geometry, const Item& item, const std::string& region, computation::Problem& problem,
+                nlohmann::json& effective) {
   Reading& reading = geometry.reading();
   const auto list = read_list(reading, item, Kind::formulas, 3, read_formula);
   if (!list) return;
   const Formulas formulas{(*list)[0], (*list)[1], (*list)[2]};
   try {
     const geometry::Chart chart(formulas, reading.constants);
-    for (const std::string& region : regions) problem.charts.insert_or_assign(region, chart);
+    problem.charts.insert_or_assign(region, chart);
     effective = formulas;
   } catch (const geometry::ExpressionError&) {
     report_chart(reading, item, formulas);
@@ -65,7 +66,7 @@ void read_charts_by_region(const Table& geometry, const toml::value& table, cons
       report_unknown_region(reading, region, value, regions);
       continue;
     }
-    read_chart(geometry, Item{value, fmt::format("the chart of {}", geometry::shortened(region))}, {region}, problem,
+    read_chart(geometry, Item{value, fmt::format("the chart of {}", geometry::shortened(region))}, region, problem,
                effective[region]);
   }
   if (table.as_table().empty()) geometry.report("chart", "chart is an empty table", description(Kind::formulas));
@@ -86,8 +87,7 @@ void read_charts(Table& geometry, const fem::Domain& domain, computation::Proble
   if (given->is_table())
     read_charts_by_region(geometry, *given, regions, problem, effective);
   else
-    read_chart(geometry, Item{*given, "chart"}, regions.empty() ? std::vector<std::string>{""} : regions, problem,
-               effective);
+    read_chart(geometry, Item{*given, "chart"}, "", problem, effective);
 }
 
 std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& problem) {
@@ -100,7 +100,7 @@ std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& prob
   } else if (const auto chart = geometry->value("chart"); chart && !chart->is_table()) {
     const Item item{*chart, "chart"};  // its own mistakes are found whatever the domain
     nlohmann::json unused;
-    read_chart(*geometry, item, {""}, problem, unused);
+    read_chart(*geometry, item, "", problem, unused);
   }
   root.effective["geometry"] = geometry->effective;
   return domain;

@@ -12,19 +12,31 @@ assembly::VectorExpression vector_or_zero(Table& load, const char* name) {
 }
 
 void read_edge_load(Table& load, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
-  const auto boundary = read_boundary(load, domain);
+  const auto boundaries = read_boundaries(load, domain);
   if (load.has("pressure"))
     load.reading().report(load.key_place("pressure"), "a load on a boundary has no pressure", "force, couple",
                           "an edge is loaded by force = [x, y, z] per length");
-  problem.edge_loads.push_back({boundary.value_or(""), vector_or_zero(load, "force"), vector_or_zero(load, "couple")});
+  if (load.has("region"))
+    load.reading().report(load.key_place("region"), "a load acts on a boundary or on a region, not on both", "",
+                          "write two [[load]]");
+  const assembly::EdgeLoad result{
+      .boundary = "", .force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
+  for (const std::string& boundary : boundaries.value_or(std::vector<std::string>{})) {
+    problem.edge_loads.push_back(result);
+    problem.edge_loads.back().boundary = boundary;
+  }
 }
 
-void read_area_load(Table& load, computation::Problem& problem) {
+void read_area_load(Table& load, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
   assembly::AreaLoad result{.force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
   if (load.has("pressure"))
     result.pressure = load.field("pressure").value_or(geometry::Expression{});
   else
     load.effective["pressure"] = 0.0;
+  if (load.has("region")) {
+    const auto known = domain ? fem::region_names(*domain) : std::vector<std::string>{};
+    result.regions = load.name_list("region", "region", known).value_or(std::vector<std::string>{});
+  }
   problem.area_loads.push_back(std::move(result));
 }
 
@@ -39,7 +51,7 @@ void read_loads(Table& root, const std::optional<fem::Domain>& domain, computati
     if (load.has("boundary"))
       read_edge_load(load, domain, problem);
     else
-      read_area_load(load, problem);
+      read_area_load(load, domain, problem);
     effective.push_back(load.effective);
   }
 }

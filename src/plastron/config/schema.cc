@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <plastron/config/geometry_schema.hpp>
+#include <plastron/config/shell_schema.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -20,9 +21,14 @@ Section file_section() {
        {.name = "constants", .kind = Kind::free_table, .fallback = "{}", .meaning = "named numbers for expressions"},
        {.name = "shell", .kind = Kind::table, .required = true, .meaning = "material and thickness"},
        {.name = "geometry", .kind = Kind::table, .required = true, .meaning = "the mid-surface"},
+       {.name = "region",
+        .kind = Kind::tables,
+        .fallback = "[]",
+        .meaning = "thickness, material, density of a region"},
        {.name = "mesh", .kind = Kind::table, .fallback = "{}", .meaning = "the discretisation"},
        {.name = "support", .kind = Kind::tables, .fallback = "[]", .meaning = "prescribed displacements and rotations"},
        {.name = "load", .kind = Kind::tables, .fallback = "[]", .meaning = "dead loads"},
+       {.name = "gravity", .kind = Kind::table, .fallback = "{}", .meaning = "what makes the weight of the shell"},
        {.name = "obstacle",
         .kind = Kind::tables,
         .fallback = "[]",
@@ -39,48 +45,6 @@ Section constants_section() {
       "begin with a digit, has at most 60 characters, and is not x, y, pi or a function's name; nor is it a name that "
       "the libraries behind expressions know: log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan.",
       {}};
-}
-
-Section shell_section() {
-  return {
-      "shell",
-      "[shell]",
-      "The elastic constants are either E and nu, or lambda and mu.",
-      {{.name = "E", .unit = "Pa", .range = positive(), .meaning = "Young's modulus", .example = "2.1e11"},
-       {.name = "nu",
-        .range = {-0.999, 0.5, false, true},
-        .meaning = "Poisson's ratio; towards -1 the shell becomes too soft in shape and too stiff in shear for double "
-                   "precision",
-        .example = "0.3"},
-       {.name = "lambda",
-        .unit = "Pa",
-        .meaning = "first Lame constant, 3 lambda + 2 mu > 0 and Poisson's ratio at least -0.999",
-        .example = "1.2e11"},
-       {.name = "mu", .unit = "Pa", .range = positive(), .meaning = "shear modulus", .example = "8e10"},
-       {.name = "thickness",
-        .kind = Kind::field,
-        .unit = "m",
-        .required = true,
-        .range = positive(),
-        .meaning = "the thickness e",
-        .example = "0.02"},
-       {.name = "shear_correction",
-        .fallback = "1",
-        .range = above_to(0, 2),
-        .meaning = "factor of the transverse shear energy: 1 in the paper, 5/6 on request"},
-       {.name = "formulation",
-        .kind = Kind::word,
-        .fallback = "\"tangent\"",
-        .words = {{"tangent"}, {"penalised"}, {"mixed"}, {"classical"}},
-        .meaning = "how r . a3 = 0 is kept: two rotations a node, a penalty, a multiplier, covariant components"},
-       {.name = "penalty",
-        .fallback = "0.1",
-        .range = above_to(0, 1),
-        .meaning = "p of the penalised formulation; the penalty is E e^3 / p"},
-       {.name = "stabilisation",
-        .fallback = "1",
-        .range = positive(),
-        .meaning = "rho of the mixed formulation; the stabilisation is rho E e^3"}}};
 }
 
 Section mesh_section() {
@@ -112,12 +76,18 @@ Section support_section() {
   return {
       "support",
       "[[support]]",
-      "Components of the displacement u and of the rotation r prescribed on a boundary.",
+      "Components of the displacement u and of the rotation r prescribed on boundaries, or of u at a point. Three "
+      "points "
+      "that fix three, two and one component hold the six rigid motions of a shell whose loads are in equilibrium; any "
+      "other force at a point is singular in this model, and is warned of.",
       {{.name = "boundary",
-        .kind = Kind::name,
-        .required = true,
-        .meaning = "a boundary of the domain",
-        .example = "\"left\""},
+        .kind = Kind::name_or_names,
+        .meaning = "a boundary of the domain or several; either this or point"},
+       {.name = "point",
+        .kind = Kind::point,
+        .meaning =
+            "a node of the coarsest mesh that finer ones keep: a corner of a cell; where the degree is even, the "
+            "middle of a side or of a quadrilateral, too. Only u.x, u.y, u.z can be fixed there"},
        {.name = "fix",
         .kind = Kind::names,
         .required = true,
@@ -150,22 +120,27 @@ Section support_section() {
 }
 
 Section load_section() {
-  return {"load",
-          "[[load]]",
-          "Dead loads, at least one of force, pressure and couple: per area of the mid-surface, or per length of a "
-          "boundary's curve if a boundary is named. Several loads add up.",
-          {{.name = "boundary",
-            .kind = Kind::name,
-            .meaning = "a boundary of the domain; without it the load acts on the whole surface"},
-           {.name = "force", .kind = Kind::field_vector, .unit = "N/m^2, N/m", .meaning = "Cartesian force"},
-           {.name = "pressure",
-            .kind = Kind::field,
-            .unit = "N/m^2",
-            .meaning = "force along the normal a3; not on a boundary"},
-           {.name = "couple",
-            .kind = Kind::field_vector,
-            .unit = "N m/m^2, N m/m",
-            .meaning = "Cartesian vector that works on r"}}};
+  return {
+      "load",
+      "[[load]]",
+      "Dead loads, at least one of force, pressure and couple: per area of the mid-surface, or per length of a "
+      "boundary's curve if a boundary is named. Several loads add up.",
+      {{.name = "boundary",
+        .kind = Kind::name_or_names,
+        .meaning = "a boundary of the domain or several; without it the load acts on the surface"},
+       {.name = "region",
+        .kind = Kind::name_or_names,
+        .meaning = "a region of the domain or several; without it the load acts on all of the surface. Not together "
+                   "with boundary"},
+       {.name = "force", .kind = Kind::field_vector, .unit = "N/m^2, N/m", .meaning = "Cartesian force"},
+       {.name = "pressure",
+        .kind = Kind::field,
+        .unit = "N/m^2",
+        .meaning = "force along the normal a3; not on a boundary"},
+       {.name = "couple",
+        .kind = Kind::field_vector,
+        .unit = "N m/m^2, N m/m",
+        .meaning = "Cartesian vector that works on r"}}};
 }
 
 std::vector<Section> obstacle_sections() {
@@ -233,8 +208,9 @@ Section solver_section() {
 }
 
 std::vector<Section> all_sections() {
-  std::vector<Section> all{file_section(), constants_section(), shell_section()};
+  std::vector<Section> all{file_section(), constants_section()};
   const auto append = [&](std::vector<Section> more) { all.insert(all.end(), more.begin(), more.end()); };
+  append(shell_sections());
   append(geometry_sections());
   append({mesh_section(), support_section(), load_section()});
   append(obstacle_sections());

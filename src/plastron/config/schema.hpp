@@ -13,16 +13,17 @@ enum class Kind {
   word,  ///< one of Key::words
   boolean,
   integer,
-  number,        ///< a number or an expression of the constants
-  numbers,       ///< a list of numbers
-  point,         ///< two numbers
-  vector,        ///< three numbers
-  cell_counts,   ///< two integers
-  names,         ///< a list of texts; one of Key::words each, if there are any
-  points,        ///< a list of points
-  field,         ///< a number or an expression of x, y and the constants
-  field_vector,  ///< three fields
-  formulas,      ///< three fields with two derivatives, or a table of such by region
+  number,         ///< a number or an expression of the constants
+  numbers,        ///< a list of numbers
+  point,          ///< two numbers
+  vector,         ///< three numbers
+  cell_counts,    ///< two integers
+  names,          ///< a list of texts; one of Key::words each, if there are any
+  name_or_names,  ///< a name, or a list of some
+  points,         ///< a list of points
+  field,          ///< a number or an expression of x, y and the constants
+  field_vector,   ///< three fields
+  formulas,       ///< three fields with two derivatives, or a table of such by region
   table,
   tables,     ///< a repeated section
   free_table  ///< a table whose keys are names of the user's choice

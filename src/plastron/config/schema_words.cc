@@ -62,6 +62,8 @@ std::string description(Kind kind) {
       return "a list of two whole numbers";
     case Kind::names:
       return "a list of texts";
+    case Kind::name_or_names:
+      return "a name in quotes or a list of names";
     case Kind::points:
       return "a list of points [x, y]";
     case Kind::field:

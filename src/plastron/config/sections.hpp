@@ -12,6 +12,10 @@ namespace plastron::config {
 /// Fills Reading::constants, which all other sections use.
 void read_constants(Table& root);
 void read_shell(Table& root, computation::Problem& problem);
+/// Cross-sections of regions; after [shell], whose values they begin with.
+void read_regions(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
+/// After all densities.
+void read_gravity(Table& root, computation::Problem& problem);
 /// The domain and its charts; nothing if the domain is wrong.
 std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& problem);
 std::optional<fem::Domain> read_domain(Table& geometry);
@@ -23,8 +27,8 @@ void read_loads(Table& root, const std::optional<fem::Domain>& domain, computati
 void read_obstacles(Table& root, computation::Problem& problem);
 void read_probes(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 
-/// The name under "boundary", one of the domain if its names are known.
-std::optional<std::string> read_boundary(Table& table, const std::optional<fem::Domain>& domain);
+/// The names under "boundary", those of the domain if its names are known.
+std::optional<std::vector<std::string>> read_boundaries(Table& table, const std::optional<fem::Domain>& domain);
 
 /// What is wrong with a closed polygon, in words; "" if nothing.
 std::string polygon_fault(const std::vector<Eigen::Vector2d>& corners);

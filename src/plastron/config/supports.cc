@@ -27,39 +27,45 @@ assembly::PrescribedComponent component(const std::string& name) {
   return {name[0] == 'u' ? Unknown::displacement : Unknown::rotation, directions.at(name.substr(2)), {}};
 }
 
+const Key& fix_key() { return *std::ranges::find(section("support").keys, "fix", &Key::name); }
+
 struct Fixed {
   std::string name;
   bool by_symmetry;
 };
 
-// What earlier words and sections fixed on each boundary.
+// What earlier words and sections fixed at each place, a boundary in quotes or a point.
 using FixedOn = std::map<std::string, std::vector<std::string>>;
 
-bool check_new(Reading& reading, const toml::value& word, const std::string& boundary, const std::string& name,
+bool check_new(Reading& reading, const toml::value& word, const std::string& place, const std::string& name,
                const std::vector<std::string>& before) {
-  const Place place = reading.source.value(word);
+  const Place at = reading.source.value(word);
   if (std::ranges::count(before, name) > 0) {
-    reading.report(place, fmt::format("{} is fixed twice on \"{}\"", name, boundary));
+    reading.report(at, fmt::format("{} is fixed twice on {}", name, place));
     return false;
   }
   if (std::ranges::count(before, name[0], [](const std::string& other) { return other[0]; }) < 3) return true;
-  reading.report(
-      place, fmt::format("{} on \"{}\": three other components of {} are fixed there already", name, boundary, name[0]),
-      "at most three components of each of u and r on a boundary");
+  reading.report(at,
+                 fmt::format("{} on {}: three other components of {} are fixed there already", name, place, name[0]),
+                 "at most three components of each of u and r on a boundary");
   return false;
 }
 
-std::optional<std::vector<Fixed>> read_fix(Table& support, const std::string& boundary, FixedOn& fixed_on) {
+std::optional<std::vector<Fixed>> read_fix(Table& support, const std::vector<std::string>& places, FixedOn& fixed_on) {
   const auto words = support.texts("fix");
   if (!words) return {};
-  if (words->empty())
-    support.report("fix", "fix names no component", joined(available_names(section("support").keys[1].words)));
+  if (words->empty()) support.report("fix", "fix names no component", joined(available_names(fix_key().words)));
   const toml::value list = support.value("fix").value();
+  const auto is_new_everywhere = [&](const toml::value& word, const std::string& name) {
+    return std::ranges::all_of(places, [&](const std::string& place) {
+      return check_new(support.reading(), word, place, name, fixed_on[place]);
+    });
+  };
   std::vector<Fixed> fixed;
   for (std::size_t i = 0; i < words->size(); ++i)
     for (const std::string& name : components_of((*words)[i])) {
-      if (!check_new(support.reading(), list.as_array()[i], boundary, name, fixed_on[boundary])) break;
-      fixed_on[boundary].push_back(name);
+      if (!is_new_everywhere(list.as_array()[i], name)) break;
+      for (const std::string& place : places) fixed_on[place].push_back(name);
       fixed.push_back({name, (*words)[i] == "symmetry"});
     }
   return fixed;
@@ -125,29 +131,80 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
 
 }  // namespace
 
-std::optional<std::string> read_boundary(Table& table, const std::optional<fem::Domain>& domain) {
-  auto boundary = table.text("boundary");
-  if (!boundary) return {};
-  if (boundary->empty()) {
-    table.report("boundary", "the boundary has no name");
+std::optional<std::vector<std::string>> read_boundaries(Table& table, const std::optional<fem::Domain>& domain) {
+  return table.name_list("boundary", "boundary", domain ? fem::boundary_names(*domain) : std::vector<std::string>{});
+}
+
+namespace {
+
+/// Where a support acts: boundaries, or a point. Nothing if that is wrong.
+struct Places {
+  std::vector<std::string> boundaries{};
+  std::optional<Eigen::Vector2d> point{};
+
+  /// As messages call them.
+  std::vector<std::string> names() const {
+    if (point) return {fmt::format("the point ({:.10g}, {:.10g})", (*point)[0], (*point)[1])};
+    std::vector<std::string> all;
+    for (const std::string& boundary : boundaries) all.push_back(fmt::format("\"{}\"", boundary));
+    return all;
+  }
+};
+
+Places read_places(Table& support, const std::optional<fem::Domain>& domain) {
+  if (support.has("boundary") == support.has("point")) {
+    support.reading().report(support.place(),
+                             support.has("point") ? "[[support]] has both boundary and point"
+                                                  : "[[support]] has no \"boundary\" and no \"point\"",
+                             "one of the two", "write boundary = \"left\", or point = [0, 0]");
     return {};
   }
-  const auto known = domain ? fem::boundary_names(*domain) : std::vector<std::string>{};
-  if (known.empty() || std::ranges::count(known, *boundary) > 0) return boundary;
-  table.report("boundary", fmt::format("the domain has no boundary \"{}\"", *boundary), joined(known),
-               did_you_mean(*boundary, known));
+  if (!support.has("point"))
+    return {.boundaries = read_boundaries(support, domain).value_or(std::vector<std::string>{})};
+  const auto point = support.point("point");
+  if (!point || !domain || may_contain(*domain, *point)) return {.point = point};
+  support.report("point", fmt::format("the point ({:g}, {:g}) lies outside of the domain", (*point)[0], (*point)[1]));
   return {};
 }
+
+/// At a point only Cartesian components of u can be held.
+void check_components_at_point(const Table& support) {
+  const toml::value given = support.value("fix").value_or(toml::value());
+  if (!given.is_array()) return;
+  const auto known = available_names(fix_key().words);
+  for (const toml::value& word : given.as_array()) {
+    if (!word.is_string()) continue;
+    const std::string& name = word.as_string().str;
+    if (std::ranges::count(known, name) == 0 || name == "u" || name == "u.x" || name == "u.y" || name == "u.z")
+      continue;
+    if (name.starts_with("u."))
+      support.reading().report(support.reading().source.value(word),
+                               fmt::format("{} is no component at a point: a point has no edge to go by", name),
+                               "u, u.x, u.y, u.z");
+    else
+      support.reading().report(
+          support.reading().source.value(word),
+          fmt::format("{} cannot be held at a point: rotations of this model have no value there, and "
+                      "a couple at a point turns the shell without limit as the mesh is refined",
+                      name),
+          "u, u.x, u.y, u.z", "fix it on a boundary");
+  }
+}
+
+}  // namespace
 
 void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
   auto& effective = root.effective["support"] = nlohmann::json::array();
   FixedOn fixed_on;
   for (Table& support : root.tables("support")) {
-    const auto boundary = read_boundary(support, domain);
+    const Places places = read_places(support, domain);
+    if (support.has("point")) check_components_at_point(support);
     FixedOn elsewhere;
-    const auto fixed = read_fix(support, boundary.value_or(""), boundary ? fixed_on : elsewhere);
+    const auto names = places.names();
+    const auto fixed = read_fix(support, names.empty() ? std::vector<std::string>{"\"\""} : names,
+                                names.empty() ? elsewhere : fixed_on);
     if (!fixed) continue;
-    assembly::Support result{boundary.value_or(""), {}};
+    assembly::Support result{.point = places.point};
     for (const Fixed& f : *fixed) {
       result.components.push_back(component(f.name));
       result.symmetry = result.symmetry || f.by_symmetry;
@@ -157,7 +214,11 @@ void read_supports(Table& root, const std::optional<fem::Domain>& domain, comput
       if (!f.by_symmetry) values[f.name] = 0.0;
     read_values(support, *fixed, result, values);
     effective.push_back(support.effective);
-    problem.supports.push_back(std::move(result));
+    if (places.point) problem.supports.push_back(result);
+    for (const std::string& boundary : places.boundaries) {
+      problem.supports.push_back(result);
+      problem.supports.back().boundary = boundary;
+    }
   }
 }
 

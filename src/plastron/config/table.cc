@@ -168,6 +168,61 @@ std::optional<std::vector<std::string>> Table::texts(const std::string& name) {
   return read(name, list_reader(Kind::names, 0, read_one));
 }
 
+std::optional<std::string> Table::checked_name(const Item& item, const std::string& what,
+                                               const std::vector<std::string>& known) const {
+  auto name = read_name(*reading_, item);
+  if (!name) return {};
+  const Place place = reading_->source.value(item.value);
+  if (name->empty())
+    reading_->report(place, fmt::format("the {} has no name", what));
+  else if (!known.empty() && std::ranges::count(known, *name) == 0)
+    report_unknown_name(place, what, *name, known);
+  else
+    return name;
+  return {};
+}
+
+std::optional<std::string> Table::known_name(const std::string& name, const std::string& what,
+                                             const std::vector<std::string>& known) {
+  return read(name, [&](Reading& /*reading*/, const Item& item) { return checked_name(item, what, known); });
+}
+
+std::optional<std::vector<std::string>> Table::name_list(const std::string& name, const std::string& what,
+                                                         const std::vector<std::string>& known) {
+  const auto given = value(name);
+  if (!given) return {};
+  if (given->is_string()) {
+    const auto one = known_name(name, what, known);
+    return one ? std::optional(std::vector{*one}) : std::nullopt;
+  }
+  std::vector<std::string> seen;
+  const auto read_one = [&](Reading& reading, const Item& item) {
+    auto word = checked_name(item, what, known);
+    if (word && std::ranges::count(seen, *word) > 0) {
+      reading.report(reading.source.value(item.value), fmt::format("the {} \"{}\" is named twice", what, *word));
+      word.reset();
+    }
+    if (word) seen.push_back(*word);
+    return word;
+  };
+  if (given->is_array() && given->as_array().empty()) {
+    report(name, fmt::format("{} names no {}", name, what), joined(known));
+    return {};
+  }
+  return read(name, list_reader(Kind::name_or_names, 0, read_one));
+}
+
+void Table::report_unknown_name(Place place, const std::string& what, const std::string& name,
+                                const std::vector<std::string>& known) const {
+  const bool unnamed = known == std::vector<std::string>{""};
+  reading_->report(
+      place, fmt::format("the domain has no {} \"{}\"", what, geometry::shortened(name)), unnamed ? "" : joined(known),
+      unnamed ? fmt::format("the domain is one {0} without a name: give a rectangle breaks and {0}s, or take a "
+                            "mesh file with named surfaces",
+                            what)
+              : did_you_mean(name, known));
+}
+
 std::optional<Table> Table::table(const std::string& name) const {
   const auto given = value(name);
   if (!given) return {};

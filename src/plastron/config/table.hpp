@@ -34,6 +34,12 @@ class Table {
   /// A text; where words are declared, one of them that this version can do.
   std::optional<std::string> text(const std::string& name);
   std::optional<std::vector<std::string>> texts(const std::string& name);
+  /// A name that is not empty, one of `known` if that has any; messages call it a `what`.
+  std::optional<std::string> known_name(const std::string& name, const std::string& what,
+                                        const std::vector<std::string>& known);
+  /// One such name or a list of some, none of them twice.
+  std::optional<std::vector<std::string>> name_list(const std::string& name, const std::string& what,
+                                                    const std::vector<std::string>& known);
   std::optional<geometry::Expression> field(const std::string& name);
   std::optional<assembly::VectorExpression> field_vector(const std::string& name);
   std::optional<Table> table(const std::string& name) const;
@@ -45,6 +51,10 @@ class Table {
   const Key& declared(const std::string& name) const;
   void report_unknown(const std::string& name, const toml::value& value) const;
   void report_missing(const Key& key) const;
+  std::optional<std::string> checked_name(const Item& item, const std::string& what,
+                                          const std::vector<std::string>& known) const;
+  void report_unknown_name(Place place, const std::string& what, const std::string& name,
+                           const std::vector<std::string>& known) const;
   bool check_word(const Key& key, const Item& item, const std::string& word) const;
   template <class Read>
   auto read(const std::string& name, Read read_value);

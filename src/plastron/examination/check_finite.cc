@@ -22,9 +22,10 @@ struct Points {
   }
 };
 
-Points in_domain(const Examined& examined) {
+Points in_domain(const Examined& examined, const NamedExpression& e) {
   Points points;
   for (const fem::Cell& cell : examined.space->cells) {
+    if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) continue;
     points.add(examined, cell, examined.tables.quadrature.xi);
     points.add(examined, cell, examined.tables.nodes);
   }
@@ -48,16 +49,24 @@ Points on_boundary(const Examined& examined, const std::string& name) {
   return points;
 }
 
+Points points_of(const Examined& examined, const NamedExpression& e) {
+  if (e.point) return {{(*e.point)[0]}, {(*e.point)[1]}};
+  return e.boundary.empty() ? in_domain(examined, e) : on_boundary(examined, e.boundary);
+}
+
 }  // namespace
 
 void check_finite(Examined& examined) {
-  std::map<std::string, Points> known;
+  std::map<std::pair<std::string, std::vector<std::string>>, Points> known;  // by boundary and regions
+  const auto points_at = [&](const NamedExpression& e) -> const Points& {
+    const auto place = std::pair(e.boundary, e.regions);
+    if (!known.contains(place)) known.emplace(place, points_of(examined, e));
+    return known.at(place);
+  };
   auto all = load_expressions(examined.problem);
   std::ranges::move(support_expressions(examined.problem), std::back_inserter(all));
   for (const NamedExpression& e : all) {
-    if (!known.contains(e.boundary))
-      known.emplace(e.boundary, e.boundary.empty() ? in_domain(examined) : on_boundary(examined, e.boundary));
-    const Points& points = known.at(e.boundary);
+    const Points points = e.point ? points_of(examined, e) : points_at(e);
     std::vector<double> values(points.x.size());
     e.f.evaluate(points.x, points.y, values);
     const auto bad = std::ranges::find_if_not(values, [](double v) { return std::isfinite(v); });

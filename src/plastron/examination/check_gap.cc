@@ -11,12 +11,14 @@ namespace plastron::examination {
 
 namespace {
 
-/// The boundaries whose supports act at a node, each in quotes.
+/// What the supports that act at a node name: 'the boundary "left"', "the point (0, 0)".
 std::string supports_of(std::size_t node, const Examined& examined, const ExaminedNodes& nodes) {
   std::vector<std::string> names;
   for (const assembly::Support& support : examined.problem.supports) {
     const auto rows = assembly::node_supports(*examined.space, *examined.surface, nodes.points, {support});
-    const std::string name = fmt::format("\"{}\"", support.boundary);
+    const std::string name = support.point
+                                 ? fmt::format("the point ({:.6g}, {:.6g})", (*support.point)[0], (*support.point)[1])
+                                 : fmt::format("the boundary \"{}\"", support.boundary);
     if ((!rows[node].displacement.empty() || !rows[node].rotation.empty()) &&
         std::ranges::find(names, name) == names.end())
       names.push_back(name);
@@ -38,7 +40,7 @@ void check_gap(Examined& examined, const ExaminedNodes& nodes) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (computation::is_held_inside(coordinates, points[i], i))
       return examined.add(Severity::error,
-                          "the support of the boundary {} holds the shell inside of the obstacle at {}: its face "
+                          "the support of {} holds the shell inside of the obstacle at {}: its face "
                           "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",
                           supports_of(i, examined, nodes), examined.place(points[i].x), -coordinates.bound_gap[i],
                           question);

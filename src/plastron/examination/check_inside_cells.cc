@@ -66,40 +66,59 @@ void check_curvature(Examined& examined, const JumpSearch& search) {
                  jump->at[0], jump->at[1], jump->size * largest, mesh_line);
 }
 
-CellFunction values_of(const Examined& examined, const geometry::Expression& f, double scale) {
-  return [&examined, f, scale](const fem::Cell& cell, const Vector2d& xi) {
+/// f over the scale in the cells in which it acts, zero in others.
+CellFunction values_of(const Examined& examined, const NamedExpression& e, double scale) {
+  return [&examined, e, scale](const fem::Cell& cell, const Vector2d& xi) {
+    if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) return Sample(Sample::Zero(1));
     Vector2d x;
     examined.surface->positions(cell, {&xi, 1}, {&x[0], 1}, {&x[1], 1});
-    return Sample(Sample::Constant(1, f(x[0], x[1]) / scale));
+    return Sample(Sample::Constant(1, e.f(x[0], x[1]) / scale));
   };
 }
 
 /// Largest magnitude at the nodes; 1 for what is zero there.
-double scale_of(const Examined& examined, const geometry::Expression& f) {
+double scale_of(const Examined& examined, const NamedExpression& e) {
   const std::size_t count = examined.tables.nodes.size();
   std::vector<double> x(count), y(count), values(count);
   double largest = 0;
   for (const fem::Cell& cell : examined.space->cells) {
+    if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) continue;
     examined.surface->positions(cell, examined.tables.nodes, x, y);
-    f.evaluate(x, y, values);
+    e.f.evaluate(x, y, values);
     for (const double v : values) largest = std::max(largest, std::abs(v));
   }
   return largest > 0 && std::isfinite(largest) ? largest : 1;
 }
 
+/// The thicknesses that are not constant, each with the regions whose cells have it.
+std::vector<NamedExpression> thickness_expressions(const Examined& examined) {
+  const assembly::CrossSections& sections = examined.problem.sections;
+  std::vector<NamedExpression> all;
+  NamedExpression common{.f = sections.common.thickness};
+  for (const std::string& region : examined.space->coarse->regions) {
+    const auto own = sections.regions.find(region);
+    if (own == sections.regions.end())
+      common.regions.push_back(region);
+    else if (!own->second.thickness.is_constant())
+      all.push_back({.f = own->second.thickness, .regions = {region}});
+  }
+  if (!common.f.is_constant() && !common.regions.empty()) all.push_back(common);
+  return all;
+}
+
 void check_thickness(Examined& examined, const JumpSearch& search) {
-  const geometry::Expression& e = examined.problem.thickness;
-  if (e.is_constant()) return;
-  const double scale = scale_of(examined, e);
-  if (const auto jump = search.in_cells(values_of(examined, e, scale), 1e-6, Lines::allowed))
-    examined.add(Severity::error,
-                 "the thickness {} jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} m, and elements take "
-                 "it for smooth; {}; or let it change over a length",
-                 quoted(e), jump->at[0], jump->at[1], jump->size * scale, mesh_line);
+  for (const NamedExpression& e : thickness_expressions(examined)) {
+    const double scale = scale_of(examined, e);
+    if (const auto jump = search.in_cells(values_of(examined, e, scale), 1e-6, Lines::allowed))
+      examined.add(Severity::error,
+                   "the thickness {} jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} m, and elements "
+                   "take it for smooth; {}; or let it change over a length",
+                   quoted(e.f), jump->at[0], jump->at[1], jump->size * scale, mesh_line);
+  }
 }
 
 void check_load(Examined& examined, const JumpSearch& search, const NamedExpression& load) {
-  const CellFunction values = values_of(examined, load.f, scale_of(examined, load.f));
+  const CellFunction values = values_of(examined, load, scale_of(examined, load));
   const auto jump = load.boundary.empty() ? search.in_cells(values, 1e-6, Lines::allowed)
                                           : search.along_boundary(load.boundary, values, 1e-6);
   if (!jump) return;

@@ -1,5 +1,6 @@
-// Supports and loads name boundaries, probes name points: they must be there.
+// Supports and loads name boundaries and regions, cross-sections regions, supports and probes points: they must be there.
 #include <plastron/examination/checks.hpp>
+#include <plastron/fem/kept_nodes.hpp>
 
 #include <fmt/ranges.h>
 
@@ -7,15 +8,40 @@
 
 namespace plastron::examination {
 
+namespace {
+
+void check_point(Examined& examined, const Eigen::Vector2d& x) {
+  const auto nodes = fem::kept_nodes(*examined.space->coarse, examined.problem.discretisation.degree);
+  const auto nearest =
+      *std::ranges::min_element(nodes, {}, [&](const Eigen::Vector2d& node) { return (node - x).norm(); });
+  if ((nearest - x).norm() <= fem::point_tolerance(*examined.space->coarse)) return;
+  examined.add(
+      Severity::error,
+      "a support holds the point ({:.10g}, {:.10g}), which is no node of the coarsest mesh that finer ones keep; "
+      "the nearest one is ({:.10g}, {:.10g}): hold that, or choose cells with a corner at the point",
+      x[0], x[1], nearest[0], nearest[1]);
+}
+
+}  // namespace
+
 void check_names(Examined& examined) {
-  const auto& known = examined.space->coarse->boundaries;
-  const auto check = [&](const std::string& name, const char* what) {
+  const fem::CoarseMesh& mesh = *examined.space->coarse;
+  const auto check = [&](const std::string& name, const std::vector<std::string>& known, const char* what) {
     if (std::ranges::find(known, name) == known.end())
-      examined.add(Severity::error, "{} names the boundary \"{}\", which the mesh does not have; it has: {}", what,
-                   name, fmt::join(known, ", "));
+      examined.add(Severity::error, "{} \"{}\", which the mesh does not have; it has: {}", what, name,
+                   fmt::join(known, ", "));
   };
-  for (const auto& s : examined.problem.supports) check(s.boundary, "a support");
-  for (const auto& l : examined.problem.edge_loads) check(l.boundary, "a load");
+  for (const auto& [name, section] : examined.problem.sections.regions)
+    check(name, mesh.regions, "a thickness, material or density is given for the region");
+  for (const auto& l : examined.problem.area_loads)
+    for (const std::string& region : l.regions) check(region, mesh.regions, "a load names the region");
+  for (const auto& l : examined.problem.edge_loads) check(l.boundary, mesh.boundaries, "a load names the boundary");
+  for (const auto& s : examined.problem.supports) {
+    if (s.point)
+      check_point(examined, *s.point);
+    else
+      check(s.boundary, mesh.boundaries, "a support names the boundary");
+  }
 }
 
 void check_probes(Examined& examined) {

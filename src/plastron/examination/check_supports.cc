@@ -7,7 +7,7 @@ namespace plastron::examination {
 
 void check_symmetry(Examined& examined) {
   const auto points =
-      assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.thickness);
+      assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.sections);
   for (const assembly::Support& support : examined.problem.supports) {
     if (!support.symmetry) continue;
     const auto rows = assembly::node_supports(*examined.space, *examined.surface, points, {support});

@@ -48,7 +48,7 @@ struct ExaminedNodes {
 /// (x, y, z) for the user, without what is negligible beside `size` or the vector itself.
 std::string vector_text(Eigen::Vector3d v, double size = 0);
 
-/// The mesh has the boundaries that supports and loads name.
+/// The mesh has the boundaries, regions and nodes that supports, loads and cross-sections name.
 void check_names(Examined& examined);
 /// The chart is regular, the thickness positive, and thin against the curvature. Others rely on it.
 void check_chart(Examined& examined);

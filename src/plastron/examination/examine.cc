@@ -71,7 +71,7 @@ std::string Examined::place(const Eigen::Vector2d& x) const {
 }
 
 ExaminedNodes::ExaminedNodes(const Examined& examined)
-    : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.thickness)),
+    : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.sections)),
       coordinates(assembly::nodal_coordinates(*examined.space, *examined.surface, points, examined.problem.supports,
                                               computation::gap_function(examined.problem),
                                               examined.problem.discretisation.tangency.formulation)) {}

@@ -1,6 +1,7 @@
 #include <plastron/examination/named_expressions.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -12,16 +13,25 @@ using geometry::Expression;
 
 bool matters(const Expression& f) { return !f.is_constant() || !std::isfinite(f(0, 0)); }
 
-void add(const std::string& name, const Expression& f, const std::string& boundary, std::vector<NamedExpression>& all) {
-  if (!matters(f)) return;
-  all.push_back({boundary.empty() ? fmt::format("{}, {},", name, quoted(f))
-                                  : fmt::format("{} on the boundary \"{}\", {},", name, boundary, quoted(f)),
-                 f, boundary});
+/// " on the boundary "left"" and the like.
+std::string place_of(const NamedExpression& e) {
+  if (e.point) return fmt::format(" at the point ({:.6g}, {:.6g})", (*e.point)[0], (*e.point)[1]);
+  if (!e.boundary.empty()) return fmt::format(" on the boundary \"{}\"", e.boundary);
+  if (e.regions.empty()) return "";
+  return fmt::format(" on the region{} \"{}\"", e.regions.size() > 1 ? "s" : "", fmt::join(e.regions, "\", \""));
 }
 
-void add(const std::string& name, const assembly::VectorExpression& f, const std::string& boundary,
+/// `where`: without name and f.
+void add(const std::string& name, const Expression& f, NamedExpression where, std::vector<NamedExpression>& all) {
+  if (!matters(f)) return;
+  where.name = fmt::format("{}{}, {},", name, place_of(where), quoted(f));
+  where.f = f;
+  all.push_back(std::move(where));
+}
+
+void add(const std::string& name, const assembly::VectorExpression& f, const NamedExpression& where,
          std::vector<NamedExpression>& all) {
-  for (std::size_t k = 0; k < 3; ++k) add(fmt::format("the {} component of {}", "xyz"[k], name), f[k], boundary, all);
+  for (std::size_t k = 0; k < 3; ++k) add(fmt::format("the {} component of {}", "xyz"[k], name), f[k], where, all);
 }
 
 std::string component_name(const assembly::PrescribedComponent& component) {
@@ -56,20 +66,23 @@ std::vector<NamedExpression> support_expressions(const computation::Problem& pro
   std::vector<NamedExpression> all;
   for (const assembly::Support& support : problem.supports)
     for (const assembly::PrescribedComponent& component : support.components)
-      add("the value of " + component_name(component), component.value, support.boundary, all);
+      add("the value of " + component_name(component), component.value,
+          {.boundary = support.boundary, .point = support.point}, all);
   return all;
 }
 
 std::vector<NamedExpression> load_expressions(const computation::Problem& problem) {
   std::vector<NamedExpression> all;
   for (const assembly::AreaLoad& load : problem.area_loads) {
-    add("a load's force", load.force, "", all);
-    add("a load's pressure", load.pressure, "", all);
-    add("a load's couple", load.couple, "", all);
+    const NamedExpression where{.regions = load.regions};
+    add("a load's force", load.force, where, all);
+    add("a load's pressure", load.pressure, where, all);
+    add("a load's couple", load.couple, where, all);
   }
   for (const assembly::EdgeLoad& load : problem.edge_loads) {
-    add("a load's force", load.force, load.boundary, all);
-    add("a load's couple", load.couple, load.boundary, all);
+    const NamedExpression where{.boundary = load.boundary};
+    add("a load's force", load.force, where, all);
+    add("a load's couple", load.couple, where, all);
   }
   return all;
 }

@@ -2,15 +2,24 @@
 #pragma once
 #include <plastron/computation/problem.hpp>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace plastron::examination {
 
 struct NamedExpression {
-  std::string name;  ///< "the z component of a load's force, "1/x","
-  geometry::Expression f;
-  std::string boundary{};  ///< where it acts; empty: in the whole domain
+  std::string name{};  ///< "the z component of a load's force, "1/x","
+  geometry::Expression f{};
+  std::string boundary{};                  ///< where it acts; empty: in the domain
+  std::vector<std::string> regions{};      ///< of the domain; empty: in all of it
+  std::optional<Eigen::Vector2d> point{};  ///< where alone it acts
+
+  /// Whether it acts inside of the cells of a region.
+  bool acts_in(const std::string& region) const {
+    return regions.empty() || std::ranges::find(regions, region) != regions.end();
+  }
 };
 
 /// Those that are not constant or not finite; so are `load_expressions`.

@@ -63,6 +63,19 @@ std::span<const Quantity<Result>> result_quantities() {
   return all;
 }
 
+std::span<const Quantity<certificate::PointReaction>> point_support_quantities() {
+  using certificate::PointReaction;
+  static const std::vector<Quantity<PointReaction>> all{
+      {"at", "-", "the point, parameters in the domain",
+       [](const PointReaction& r) {
+         return Json::array({number(r.at[0]), number(r.at[1])});
+       }},
+      {"force", "N", "what the supports of its node carry there; a force that is not zero depends on the mesh",
+       [](const PointReaction& r) { return triple(r.force); }},
+  };
+  return all;
+}
+
 std::span<const Quantity<Result>> contact_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"area", "m^2", "mid-surface area of the touching nodes",

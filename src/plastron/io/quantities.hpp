@@ -24,6 +24,8 @@ struct Quantity {
 Json number(double value);
 
 std::span<const Quantity<computation::Result>> result_quantities();
+/// Paths inside "point_supports[]".
+std::span<const Quantity<certificate::PointReaction>> point_support_quantities();
 /// Null as a whole where there is no obstacle; paths inside "contact".
 std::span<const Quantity<computation::Result>> contact_quantities();
 /// Paths inside "certificate".

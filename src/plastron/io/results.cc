@@ -27,6 +27,14 @@ Json probe_json(const certificate::PointValues& values, const computation::Resul
   return json;
 }
 
+/// A record for every point that supports hold.
+Json point_supports_json(const computation::Result& result) {
+  Json list = Json::array();
+  for (const certificate::PointReaction& reaction : result.summary.point_reactions)
+    list.push_back(record_json(point_support_quantities(), reaction));
+  return list;
+}
+
 /// Row -> its limit, whether it is kept, and why it is what it is.
 Json limits_json(const computation::Result& result) {
   Json json = Json::object();
@@ -74,6 +82,7 @@ void add_units(Json& units, const std::string& prefix, std::span<const Quantity<
 Json units_json() {
   Json units = Json::object();
   add_units(units, "", result_quantities());
+  add_units(units, "point_supports/*/", point_support_quantities());
   add_units(units, "contact/", contact_quantities());
   for (const Field& field : fields()) units["probes/*/" + std::string(field.key)] = field.unit;
   add_units(units, "certificate/", certificate_quantities());
@@ -97,6 +106,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
+  json["point_supports"] = point_supports_json(result);
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
   json["probes"] = Json::object();
   for (const computation::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);

@@ -28,12 +28,12 @@ std::vector<char> prescribed(const assembly::DiscreteShell& discrete) {
   return marks;
 }
 
-/// E e^3 at the thinnest node: what bending stiffness is made of.
+/// The smallest E e^3 of a node: what bending stiffness is made of.
 double bending_scale(const assembly::DiscreteShell& discrete) {
-  double e = std::numeric_limits<double>::infinity();
-  for (const assembly::NodalPoint& p : discrete.points) e = std::min(e, p.thickness);
-  e = algebra::min_over_ranks(e, discrete.space().layout->comm);
-  return discrete.shell.material().young() * e * e * e;
+  double least = std::numeric_limits<double>::infinity();
+  for (const assembly::NodalPoint& p : discrete.points)
+    least = std::min(least, p.young * p.thickness * p.thickness * p.thickness);
+  return algebra::min_over_ranks(least, discrete.space().layout->comm);
 }
 
 /// The shift must be positive, for a(., .) may have a kernel, and should be smaller than what is looked for.

@@ -137,6 +137,7 @@ class Continuity {
     computation::Problem linear = linear_and_homogeneous(problem_);
     linear.area_loads = {extra};
     linear.edge_loads.clear();
+    linear.gravity.setZero();
     const computation::Result w = solve_for(linear, "its dual norm");
     if (w.status == Status::singular)
       return leave_out("the load: without contact a rigid motion is free, so no bound is finite");
@@ -226,7 +227,7 @@ class Continuity {
 
   /// A force per area that does work like the loads: 2 W over area and largest displacement [Pa].
   double typical_load() const {
-    return largest_ > 0 ? norm_ * norm_ / (largest_ * area()) : problem_.material.mu * 1e-6;
+    return largest_ > 0 ? norm_ * norm_ / (largest_ * area()) : problem_.sections.softest().mu * 1e-6;
   }
 
   /// |V|_a with the a of the unchanged shell, the form of (M13) or (M14) included [J^{1/2}].

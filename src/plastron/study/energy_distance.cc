@@ -29,7 +29,7 @@ double rounding_norm(const computation::Solution& solution) {
     const assembly::NodalPoint& p = discrete.points[i];
     const double error = is_moved_by_support(discrete.coordinates, i) ? of_prescribed_motion : of_nodal_values;
     const double u = y[0] * y[0] + y[1] * y[1] + y[2] * y[2], r = y[3] * y[3] + y[4] * y[4] + y[5] * y[5];
-    const double weight = error * error * p.weight * p.thickness;
+    const double weight = error * error * p.weight * p.young * p.thickness;
     area += p.weight;
     displacement += weight * u;
     rotation += weight * p.thickness * p.thickness * r;
@@ -39,7 +39,7 @@ double rounding_norm(const computation::Solution& solution) {
   const double degree = discrete.space().degree;
   const double spacing_squared = area / (static_cast<double>(discrete.space().global_cells) * degree * degree);
   const double strains = algebra::sum_over_ranks((displacement + rotation) / spacing_squared + shear, layout.comm);
-  return std::sqrt(discrete.shell.material().young() * strains);
+  return std::sqrt(strains);
 }
 
 double relative_noise(const computation::Solution& solution, double energy_norm) {

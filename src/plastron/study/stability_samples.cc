@@ -19,6 +19,7 @@ assembly::ShellDescription without_loads(const computation::Problem& problem, bo
   assembly::ShellDescription shell = computation::shell_description(problem);
   shell.area_loads.clear();
   shell.edge_loads.clear();
+  shell.gravity.setZero();
   if (!with_gap) shell.gap = {};
   return shell;
 }
@@ -70,7 +71,7 @@ class Stability {
     StabilitySample sample{.factor = factor, .level = level, .nodes = space->layout->global_size};
     measure_size(*discrete, sample);
     sample.alpha = spectra::softest_modes(*discrete, 1, length_).at(0).stiffness;
-    sample.relative_alpha = sample.alpha / (problem_.material.young() * std::pow(sample.thickness, 3));
+    sample.relative_alpha = sample.alpha / (problem_.sections.softest().young() * std::pow(sample.thickness, 3));
     if (!problem_.obstacle) return sample;
     tell(level, fmt::format("inf-sup constant of c, thickness times {:g}", factor));
     const auto touching = assembly::discretise(space, surface_, without_loads(thin, true));

@@ -67,7 +67,7 @@ Sample sample_of(const computation::Result& result, const computation::Problem& 
   const double energy = result.summary.energy.total() + result.summary.tangency_energy;
   const double noise = relative_noise(*result.solution, std::sqrt(2 * energy));
   // An error of so many J^{1/2} can all be shear: k mu e |2 delta|^2 <= its square.
-  const shell::Material& material = problem.material;
+  const shell::Material& material = problem.sections.softest();
   const double shear_noise =
       noise * std::sqrt(2 * energy / (material.shear_correction * material.mu * m.mean_thickness));
   return {.factor = factor,

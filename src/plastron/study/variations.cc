@@ -16,10 +16,17 @@ void scale(assembly::VectorFunction& f, double factor) {
   if (f) f = [f, factor](double x, double y) -> Eigen::Vector3d { return factor * f(x, y); };
 }
 
+/// Another shell under the same loads: rho e stays, so the weight does.
+void scale_thickness(assembly::CrossSection& section, double factor) {
+  section.thickness = section.thickness.scaled(factor);
+  section.density /= factor;
+}
+
 }  // namespace
 
 computation::Problem with_thickness_scaled(computation::Problem problem, double factor) {
-  problem.thickness = problem.thickness.scaled(factor);
+  scale_thickness(problem.sections.common, factor);
+  for (auto& [name, section] : problem.sections.regions) scale_thickness(section, factor);
   return problem;
 }
 
@@ -43,6 +50,7 @@ computation::Problem with_loads_scaled(computation::Problem problem, double fact
     scale(load.force, factor);
     scale(load.couple, factor);
   }
+  problem.gravity *= factor;
   return problem;
 }
 

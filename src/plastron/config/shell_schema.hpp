@@ -1,0 +1,9 @@
+// The declarations of [shell], [[region]] and [gravity]: what the shell consists of, and its weight.
+#pragma once
+#include <plastron/config/schema.hpp>
+
+namespace plastron::config {
+
+std::vector<Section> shell_sections();
+
+}  // namespace plastron::config

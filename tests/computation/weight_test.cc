@@ -1,0 +1,77 @@
+// The weight of a shell: the load rho e g per area of the mid-surface (M9), by region.
+#include <gtest/gtest.h>
+#include <plastron/computation/solve.hpp>
+#include <plastron/examination/examine.hpp>
+
+#include <cmath>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using namespace test;
+using Eigen::Vector3d;
+
+/// A saddle of two regions, one of varying thickness, clamped at one side.
+Problem saddle(fem::Shape shape) {
+  Problem p = with_chart(free_plate(), {"x", "y", "0.3*x*y"});
+  p.domain = fem::Rectangle{.to = {1, 1}, .cells = {2, 2}, .breaks = {0.5}, .regions = {"heavy", "light"}};
+  p.sections.common.density = 20;
+  p.sections.regions["heavy"] = {.thickness = Expression("0.1 + 0.05*y", {}),
+                                 .material = shell::Material::from_young_poisson(2e4, 0.2, 1),
+                                 .density = 70};
+  p.supports = {clamped("left")};
+  p.discretisation = {.cells = shape, .degree = 2, .tying = shape == fem::Shape::quadrilateral, .refinements = 1};
+  return p;
+}
+
+TEST(Weight, is_the_load_that_one_writes_by_hand) {
+  for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle})
+    for (const auto formulation : {element::Formulation::tangent, element::Formulation::penalised,
+                                   element::Formulation::mixed, element::Formulation::classical}) {
+      Problem p = saddle(shape), by_hand = p;
+      p.gravity = {0.5, 0, -9.81};
+      by_hand.area_loads = {{.force = {Expression("70 * 0.5 * (0.1 + 0.05*y)", {}), Expression(0.0),
+                                       Expression("-70 * 9.81 * (0.1 + 0.05*y)", {})},
+                             .regions = {"heavy"}},
+                            {.force = vector(20 * 0.5 * 0.1, 0, -20 * 9.81 * 0.1), .regions = {"light"}}};
+      p.discretisation.tangency.formulation = by_hand.discretisation.tangency.formulation = formulation;
+      const Result weighed = solve(p, MPI_COMM_WORLD), loaded = solve(by_hand, MPI_COMM_WORLD);
+      EXPECT_EQ(weighed.status, contact::Status::solved) << weighed.missed_limits;
+      EXPECT_GT(loaded.summary.energy.total(), 1e-3);
+      EXPECT_NEAR(weighed.summary.energy.total() / loaded.summary.energy.total(), 1, 1e-11);
+      EXPECT_LT((weighed.summary.loads.force - loaded.summary.loads.force).norm(),
+                1e-12 * loaded.summary.loads.force.norm());
+    }
+}
+
+TEST(Weight, of_a_flat_plate_is_its_mass_times_gravity) {
+  Problem p = cantilever_plate();
+  p.area_loads.clear();
+  p.sections.common.density = 30;
+  p.gravity = {1, 2, -3};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_LT((result.summary.loads.force - 30 * 0.1 * Vector3d(1, 2, -3)).norm(), 1e-12);
+}
+
+TEST(Weight, without_gravity_is_nothing) {
+  Problem p = saddle(fem::Shape::quadrilateral);
+  EXPECT_EQ(solve(p, MPI_COMM_WORLD).summary.loads.force, Vector3d(0, 0, 0));
+}
+
+TEST(Weight, presses_a_shell_onto_the_obstacle_that_alone_holds_it) {
+  Problem p = with_chart(free_plate(), {"x", "y", "0.06"});
+  p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
+  p.obstacle = Obstacle{};
+  p.sections.common.density = 1;
+  EXPECT_FALSE(has_errors(examination::examine(p)));
+  p.gravity = {0, 0, 1};
+  EXPECT_TRUE(has_errors(examination::examine(p))) << "it lifts the plate off";
+  p.gravity = {0, 0, -1};
+  EXPECT_FALSE(has_errors(examination::examine(p)));
+  EXPECT_NEAR(solve(p, MPI_COMM_WORLD).summary.reaction.force[2], 0.1, 1e-9);
+}
+
+}  // namespace
+}  // namespace plastron::computation
