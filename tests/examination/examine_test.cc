@@ -415,7 +415,7 @@ computation::Problem in_units(const computation::Problem& p, const std::string& 
                               const std::array<std::string, 3>& chart) {
   computation::Problem q = with_chart(p, {times(scale, chart[0]), times(scale, chart[1]), times(scale, chart[2])});
   const double s = std::stod(scale);
-  q.thickness = Expression(s * p.sections.common.thickness(0, 0));
+  q.sections.common.thickness = Expression(s * p.sections.common.thickness(0, 0));
   if (q.obstacle) q.obstacle->half_space.point *= s;
   return q;
 }

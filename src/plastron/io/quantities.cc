@@ -66,7 +66,7 @@ std::span<const Quantity<Result>> result_quantities() {
 std::span<const Quantity<certificate::PointReaction>> point_support_quantities() {
   using certificate::PointReaction;
   static const std::vector<Quantity<PointReaction>> all{
-      {"at", "-", "the point, parameters in the domain",
+      {"at", "the chart's", "parameters of the point in Omega",
        [](const PointReaction& r) {
          return Json::array({number(r.at[0]), number(r.at[1])});
        }},
