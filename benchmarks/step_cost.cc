@@ -42,7 +42,7 @@ void report(int degree, int refinements) {
                                          .material = problem.material,
                                          .supports = problem.supports,
                                          .area_loads = problem.area_loads,
-                                         .gap = computation::gap_function(problem)};
+                                         .obstacles = computation::rigid_obstacles(problem)};
   const auto discrete = assembly::discretise(meshes.space(), surface, shell);
   const algebra::Matrix A = assembly::stiffness_matrix(*discrete);
   const contact::BoxProblem box = assembly::box_problem(*discrete, A);

@@ -44,7 +44,7 @@ ExitCode run(const Options& options) {
   }
 
   if (!options.quiet) print("{}\n\n", c.title.empty() ? case_file : shortened_title(c.title));
-  Progress progress(c.problem.obstacle.has_value(), options.quiet);
+  Progress progress(!c.problem.obstacles.empty(), options.quiet);
   computation::Observer observer = progress.observer();
   observer.warning = [&](std::string_view text) {
     progress.finish();

@@ -38,9 +38,8 @@ void for_every_mesh(const std::function<void(const test::MeshedSurface&)>& check
 }
 
 std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const std::vector<Support>& supports) {
-  return discretise(
-      m.space, m.surface,
-      {.thickness = geometry::Expression(0.1), .material = test::steel_like(), .supports = supports, .gap = {}});
+  return discretise(m.space, m.surface,
+                    {.thickness = geometry::Expression(0.1), .material = test::steel_like(), .supports = supports});
 }
 
 Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {

@@ -35,9 +35,8 @@ Support held(const std::string& boundary, Direction direction, const geometry::E
 }
 
 std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const std::vector<Support>& supports) {
-  return discretise(
-      m.space, m.surface,
-      {.thickness = geometry::Expression(0.1), .material = test::steel_like(), .supports = supports, .gap = {}});
+  return discretise(m.space, m.surface,
+                    {.thickness = geometry::Expression(0.1), .material = test::steel_like(), .supports = supports});
 }
 
 struct Prescribed {

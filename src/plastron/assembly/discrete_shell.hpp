@@ -16,7 +16,7 @@ struct DiscreteShell {
   NodalCoordinates coordinates;
   algebra::Vector load;            ///< Cartesian nodal forces and couples (block 6)
   geometry::Expression thickness;  ///< e(x, y) [m]
-  GapFunction gap;                 ///< empty without obstacle
+  RigidObstacles obstacles;
   element::Tangency tangency;
 
   const fem::Space& space() const { return shell.space(); }
@@ -35,7 +35,7 @@ struct ShellDescription {
   std::vector<Support> supports{};
   std::vector<AreaLoad> area_loads{};
   std::vector<EdgeLoad> edge_loads{};
-  GapFunction gap{};  ///< empty without obstacle
+  RigidObstacles obstacles{};
 };
 
 /// (collective) Throws SupportError.

@@ -33,7 +33,8 @@ void raise(const ShellOperator& shell, std::size_t cell, CellGradient& g) {
 
 std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const algebra::Layout& layout) {
   std::vector<char> zeros(static_cast<std::size_t>(layout.owned));
-  for (std::size_t i = 0; i < zeros.size(); ++i) zeros[i] = coordinates.is_prescribed(i, 5);
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+    zeros[i] = coordinates.is_prescribed(i, NodalCoordinates::normal_rotation);
   return zeros;
 }
 

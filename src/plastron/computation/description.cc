@@ -12,7 +12,7 @@ assembly::ShellDescription shell_description(const Problem& problem) {
           .supports = problem.supports,
           .area_loads = problem.area_loads,
           .edge_loads = problem.edge_loads,
-          .gap = gap_function(problem)};
+          .obstacles = rigid_obstacles(problem)};
 }
 
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {

@@ -12,7 +12,6 @@
 #include <plastron/shell/material.hpp>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +23,6 @@ struct Discretisation {
   bool tying = true;  ///< (M22); triangles are never tied
   element::Tangency tangency{};
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
-};
-
-struct Obstacle {
-  obstacle::HalfSpace half_space;
-  obstacle::Face face = obstacle::Face::lower;
-  double raised = 0;  ///< its surface is moved towards the shell by so much: every gap is smaller by it [m]
-  double face_scale =
-      1;  ///< the touching face lies at this multiple of e/2; 1 but in studies that vary the stiffness alone
 };
 
 /// A point of Omega where the results are wanted.
@@ -48,10 +39,11 @@ struct Problem {
   std::vector<assembly::Support> supports{};
   std::vector<assembly::AreaLoad> area_loads{};
   std::vector<assembly::EdgeLoad> edge_loads{};
-  std::optional<Obstacle> obstacle{};
+  std::vector<obstacle::Obstacle> obstacles{};
   std::vector<Probe> probes{};
   Discretisation discretisation{};
   contact::Settings contact{};
+  double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 };
 
 }  // namespace plastron::computation

@@ -28,9 +28,9 @@ void check_nodes(Examined& examined) {
   try {
     check_symmetry(examined);
     const ExaminedNodes nodes(examined);
-    if (examined.problem.obstacle) {
-      check_gap(examined, nodes);
-      check_face(examined, nodes);
+    for (std::size_t k = 0; k < examined.problem.obstacles.size(); ++k) {
+      check_gap(examined, nodes, k);
+      check_face(examined, nodes, k);
     }
     check_formulation(examined, nodes);
     check_rigid_motions(examined, nodes);
@@ -73,8 +73,13 @@ std::string Examined::place(const Eigen::Vector2d& x) const {
 ExaminedNodes::ExaminedNodes(const Examined& examined)
     : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.thickness)),
       coordinates(assembly::nodal_coordinates(*examined.space, *examined.surface, points, examined.problem.supports,
-                                              computation::gap_function(examined.problem),
+                                              computation::rigid_obstacles(examined.problem),
                                               examined.problem.discretisation.tangency.formulation)) {}
+
+std::string obstacle_text(const computation::Problem& problem, std::size_t obstacle) {
+  return problem.obstacles.size() == 1 ? "the obstacle"
+                                       : fmt::format("the obstacle \"{}\"", problem.obstacles[obstacle].name);
+}
 
 std::string vector_text(Eigen::Vector3d v, double size) {
   const double negligible = 5e-4 * std::max(v.norm(), size);

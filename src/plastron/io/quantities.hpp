@@ -26,6 +26,8 @@ Json number(double value);
 std::span<const Quantity<computation::Result>> result_quantities();
 /// Null as a whole where there is no obstacle; paths inside "contact".
 std::span<const Quantity<computation::Result>> contact_quantities();
+/// Paths inside "obstacles[]".
+std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities();
 /// Paths inside "certificate".
 std::span<const Quantity<certificate::Certificate>> certificate_quantities();
 /// Paths inside "levels[]".

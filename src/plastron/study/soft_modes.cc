@@ -82,7 +82,7 @@ assembly::ShellDescription free_shell(const computation::Problem& problem, Formu
   shell.supports.clear();
   shell.area_loads.clear();
   shell.edge_loads.clear();
-  shell.gap = {};
+  shell.obstacles = {};
   return shell;
 }
 

@@ -19,7 +19,7 @@ assembly::ShellDescription without_loads(const computation::Problem& problem, bo
   assembly::ShellDescription shell = computation::shell_description(problem);
   shell.area_loads.clear();
   shell.edge_loads.clear();
-  if (!with_gap) shell.gap = {};
+  if (!with_gap) shell.obstacles = {};
   return shell;
 }
 
@@ -71,7 +71,7 @@ class Stability {
     measure_size(*discrete, sample);
     sample.alpha = spectra::softest_modes(*discrete, 1, length_).at(0).stiffness;
     sample.relative_alpha = sample.alpha / (problem_.material.young() * std::pow(sample.thickness, 3));
-    if (!problem_.obstacle) return sample;
+    if (problem_.obstacles.empty()) return sample;
     tell(level, fmt::format("inf-sup constant of c, thickness times {:g}", factor));
     const auto touching = assembly::discretise(space, surface_, without_loads(thin, true));
     if (const auto c = spectra::contact_inf_sup(*touching, length_)) sample.c_dual = c->dual, sample.c_l2 = c->l2;
