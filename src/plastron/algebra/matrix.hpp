@@ -10,14 +10,18 @@
 
 namespace plastron::algebra {
 
-/// The node lists of elements (local node indices), the same number of nodes in each, one after the other.
+/// The node lists of elements (local node indices), one after the other.
 struct Connectivity {
-  int nodes_per_element = 0;
+  int nodes_per_element = 0;  ///< unless `start` says otherwise
   std::vector<LocalIndex> nodes{};
+  std::vector<std::size_t>
+      start{};  ///< where each element begins, then the end; empty if all have the same number of nodes
   std::size_t elements() const {
+    if (!start.empty()) return start.size() - 1;
     return nodes_per_element ? nodes.size() / static_cast<std::size_t>(nodes_per_element) : 0;
   }
   std::span<const LocalIndex> element(std::size_t e) const {
+    if (!start.empty()) return {nodes.data() + start[e], start[e + 1] - start[e]};
     return {nodes.data() + e * static_cast<std::size_t>(nodes_per_element),
             static_cast<std::size_t>(nodes_per_element)};
   }

@@ -13,7 +13,7 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
   ShellOperator shell(std::move(space), std::move(surface), description.thickness, description.material,
                       description.tying, formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.thickness);
-  auto coordinates = nodal_coordinates(shell.space(), shell.surface(), points, description.supports,
+  auto coordinates = nodal_coordinates(shell.space_pointer(), shell.surface(), points, description.supports,
                                        description.obstacles, formulation);
   auto load = load_vector(shell, description.area_loads, description.edge_loads);
   return std::make_unique<DiscreteShell>(DiscreteShell{std::move(shell), std::move(points), std::move(coordinates),

@@ -1,6 +1,8 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/assembly/tied_supports.hpp>
+#include <plastron/fem/ties.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
@@ -41,6 +43,13 @@ double extent(const std::vector<NodalPoint>& points, MPI_Comm comm) {
   return largest;
 }
 
+/// No coordinates of its own: columns of zeros, held at zero.
+NodeCoordinates tied_node(std::size_t obstacles) {
+  NodeCoordinates node;
+  for (std::size_t k = 0; k < obstacles; ++k) node.rows.push_back({.obstacle = static_cast<int>(k), .bound_gap = NAN});
+  return node;
+}
+
 /// Throws on every rank what one of them found, the lowest one's; nothing where all are empty (collective).
 void throw_alike(std::string found, MPI_Comm comm) {
   int rank = 0, ranks = 1;
@@ -57,14 +66,17 @@ void throw_alike(std::string found, MPI_Comm comm) {
 
 }  // namespace
 
-NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
+NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_pointer, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
                                    const RigidObstacles& obstacles, element::Formulation formulation) {
+  const fem::Space& space = *space_pointer;
   const auto local = static_cast<std::size_t>(space.layout->local_size());
   const int width = element::is_relaxed(formulation) ? 6 : 5;
   NodalCoordinates coordinates{.width = width,
                                .basis = std::vector<NodeBasis>(local),
                                .supported = std::vector<char>(local),
+                               .tied = std::vector<char>(local),
+                               .space = std::move(space_pointer),
                                .lower = algebra::Vector(space.layout, width),
                                .upper = algebra::Vector(space.layout, width)};
   for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
@@ -73,7 +85,9 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
   }
 
   // Owners decide, the others take over: a basis must be the same on every rank to the last bit.
-  const auto node_support = node_supports(space, surface, points, supports);
+  for (const fem::Tie& tie : space.ties) coordinates.tied[static_cast<std::size_t>(tie.node)] = 1;
+  auto node_support = node_supports(space, surface, points, supports);
+  hand_to_masters(space, node_support);
   const double size = extent(points, space.layout->comm);
   algebra::Vector packed(space.layout, packed_size);
   std::vector<obstacle::Gap> gaps(obstacles.all.size());
@@ -82,7 +96,8 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
     for (std::size_t i = 0; i < node_support.size(); ++i) {
       const NodeSupport& s = node_support[i];
       for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] = coordinates.gaps[k][i];
-      const NodeCoordinates node = node_coordinates(points[i], s, gaps, size);
+      const NodeCoordinates node =
+          coordinates.tied[i] ? tied_node(gaps.size()) : node_coordinates(points[i], s, gaps, size);
       pack(node, !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
       for (ContactRow row : node.rows) {
         row.node = i;
@@ -115,6 +130,7 @@ void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y
   for (std::size_t i = 0; i < basis.size(); ++i)
     Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i).noalias() =
         basis[i].leftCols(width) * Map<const VectorXd>(z.local().data() + at(i, 0), width);
+  fem::spread(*space, y);
 }
 
 void NodalCoordinates::add_transposed(const algebra::Vector& f, algebra::Vector& z) const {
@@ -122,10 +138,47 @@ void NodalCoordinates::add_transposed(const algebra::Vector& f, algebra::Vector&
   PLASTRON_ASSERT(
       z.block() == width && f.block() == 6 && f.owned().size() == 6 * static_cast<std::size_t>(z.layout()->owned),
       z.block(), width, f.block(), f.owned().size(), z.layout()->owned);
+  algebra::Vector collected;
+  if (space->has_ties) {
+    collected = f;
+    fem::collect(*space, collected);
+  }
+  const double* forces = space->has_ties ? collected.local().data() : f.local().data();
   const auto owned = static_cast<std::size_t>(z.layout()->owned);
   for (std::size_t i = 0; i < owned; ++i)
     Map<VectorXd>(z.local().data() + at(i, 0), width).noalias() +=
-        basis[i].leftCols(width).transpose() * Map<const Eigen::Matrix<double, 6, 1>>(f.local().data() + 6 * i);
+        basis[i].leftCols(width).transpose() * Map<const Eigen::Matrix<double, 6, 1>>(forces + 6 * i);
+}
+
+namespace {
+
+template <int width>
+RowMatrix times_bases(const RowMatrix& cartesian, const NodalCoordinates& coordinates,
+                      std::span<const algebra::LocalIndex> nodes) {
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  RowMatrix result(cartesian.rows(), width * n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    result.middleCols<width>(width * i).noalias() =
+        cartesian.middleCols<6>(6 * i) *
+        coordinates.basis[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])].leftCols<width>();
+  return result;
+}
+
+}  // namespace
+
+InCoordinates in_coordinates(const NodalCoordinates& coordinates, std::size_t cell, const RowMatrix& cartesian) {
+  const auto times = [&](const RowMatrix& b, std::span<const algebra::LocalIndex> nodes) {
+    return coordinates.width == 5 ? times_bases<5>(b, coordinates, nodes) : times_bases<6>(b, coordinates, nodes);
+  };
+  const auto nodes = coordinates.space->nodes(cell);
+  const auto carriers = fem::carriers(*coordinates.space, cell);
+  if (!carriers) return {{nodes.begin(), nodes.end()}, times(cartesian, nodes)};
+  RowMatrix on_carriers = RowMatrix::Zero(cartesian.rows(), 6 * carriers->weights.cols());
+  for (Eigen::Index i = 0; i < carriers->weights.rows(); ++i)
+    for (Eigen::Index j = 0; j < carriers->weights.cols(); ++j)
+      if (carriers->weights(i, j) != 0)
+        on_carriers.middleCols<6>(6 * j) += carriers->weights(i, j) * cartesian.middleCols<6>(6 * i);
+  return {carriers->nodes, times(on_carriers, carriers->nodes)};
 }
 
 }  // namespace plastron::assembly

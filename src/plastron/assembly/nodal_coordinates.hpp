@@ -8,10 +8,13 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace plastron::assembly {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The obstacles as the shell meets them at one step.
 struct RigidObstacles {
@@ -27,9 +30,11 @@ struct RigidObstacles {
 };
 
 struct NodalCoordinates {
-  int width = 5;                                   ///< coordinates of a node: 6 where r . a_3 is one of them
-  std::vector<NodeBasis> basis;                    ///< T of every local node
-  std::vector<char> supported;                     ///< node has prescribed components (local)
+  int width = 5;                 ///< coordinates of a node: 6 where r . a_3 is one of them
+  std::vector<NodeBasis> basis;  ///< T of every local node
+  std::vector<char> supported;   ///< node has prescribed components (local)
+  std::vector<char> tied;  ///< its values follow from other nodes\' (local): T = 0, and its coordinates are held at 0
+  std::shared_ptr<const fem::Space> space{};
   algebra::Vector lower, upper;                    ///< bounds of z (block: width)
   std::vector<std::vector<obstacle::Gap>> gaps{};  ///< by obstacle and local node
   std::vector<ContactRow> rows{};                  ///< of owned nodes, node after node, one for each obstacle
@@ -47,9 +52,9 @@ struct NodalCoordinates {
     return node * static_cast<std::size_t>(width) + static_cast<std::size_t>(k);
   }
   bool is_prescribed(std::size_t node, int k) const { return lower.local()[at(node, k)] == upper.local()[at(node, k)]; }
-  /// y = T z on local nodes; needs z's ghosts. The result has valid ghosts.
+  /// y = H T z on local nodes, H the ties of fem/ties.hpp; needs z's ghosts. The result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
-  /// z += T' f on owned nodes.
+  /// z += T' H' f on owned nodes; f is complete on owned nodes (collective where there are ties).
   void add_transposed(const algebra::Vector& f, algebra::Vector& z) const;
 };
 
@@ -57,8 +62,17 @@ struct NodalCoordinates {
 std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
                                        const std::vector<NodalPoint>& points, const std::vector<Support>& supports);
 
+/// A matrix on the Cartesian values of a cell's nodes, six columns a node, seen in coordinates: of the nodes that the cell's values
+/// depend on, `width` columns each.
+struct InCoordinates {
+  std::vector<algebra::LocalIndex> nodes;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix;
+};
+InCoordinates in_coordinates(const NodalCoordinates& coordinates, std::size_t cell,
+                             const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& cartesian);
+
 /// (collective) Throws SupportError, ObstacleError.
-NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
+NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
                                    const RigidObstacles& obstacles, element::Formulation formulation);
 

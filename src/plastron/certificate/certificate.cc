@@ -2,6 +2,7 @@
 
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/certificate/gap_between.hpp>
+#include <plastron/fem/ties.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ Vector6 block6(const algebra::Vector& v, std::size_t node) {
   return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
 }
 
-/// A y + B' lambda - l per owned node, through strains.
+/// A y + B' lambda - l per owned node, through strains; tied nodes have handed theirs to their masters.
 algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   algebra::Vector r(discrete.space().layout, 6);
   discrete.apply(solution.y, r);
@@ -28,6 +29,7 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
     algebra::axpy(1, f, r);
   }
   for (std::size_t i = 0; i < r.owned().size(); ++i) r.owned()[i] -= discrete.load.owned()[i];
+  fem::collect(discrete.space(), r);
   return r;
 }
 
@@ -158,6 +160,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
   add(sums.loads, discrete.points[i], load, sums);
   sums.load_work += load.dot(y);
   note_size(discrete.points[i], y, sums);
+  if (coordinates.tied[i]) return;
   const Vector6 contact = add_contacts(discrete, solution, i, y, sums);
   const Vector6 rest = r - contact;
   for (int k = 0; k < coordinates.width; ++k) {
@@ -269,7 +272,10 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
                          .touching = algebra::Vector(layout, obstacles),
                          .lambda = box.equation_multiplier};
   coordinates.to_cartesian(box.z, solution.y);
-  if (solution.lambda.layout()) solution.lambda.update_ghosts();
+  if (solution.lambda.layout()) {
+    solution.lambda.update_ghosts();
+    fem::spread(discrete.space(), solution.lambda);
+  }
   const algebra::Vector r = residual(discrete, solution);
   for (const assembly::ContactRow& row : coordinates.rows) {
     if (!row.binds) continue;
@@ -280,8 +286,10 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
     solution.pressure.local()[at] = coordinates.basis[row.node].col(row.coordinate).dot(block6(r, row.node)) /
                                     (row.scale * discrete.points[row.node].weight);
   }
-  solution.touching.update_ghosts();
-  solution.pressure.update_ghosts();
+  for (algebra::Vector* field : {&solution.touching, &solution.pressure}) {
+    field->update_ghosts();
+    fem::spread(discrete.space(), *field);
+  }
   return solution;
 }
 

@@ -15,8 +15,17 @@ assembly::ShellDescription shell_description(const Problem& problem) {
           .obstacles = rigid_obstacles(problem)};
 }
 
+fem::MeshSequence::Finish joining(const Problem& problem) {
+  if (problem.joins.empty()) return {};
+  return [joins = problem.joins, charts = problem.charts](std::shared_ptr<const fem::Space> space) {
+    const fem::Surface surface(space->coarse, charts);
+    return fem::joined(std::move(space), surface, joins);
+  };
+}
+
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {
-  return {fem::coarse_mesh(problem.domain, problem.discretisation.cells), problem.discretisation.degree, comm};
+  fem::CoarseMesh coarse = fem::coarse_mesh(problem.domain, problem.discretisation.cells);
+  return {std::move(coarse), problem.discretisation.degree, comm, joining(problem)};
 }
 
 }  // namespace plastron::computation

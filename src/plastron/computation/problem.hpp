@@ -5,6 +5,7 @@
 #include <plastron/contact/settings.hpp>
 #include <plastron/element/formulation.hpp>
 #include <plastron/fem/domain.hpp>
+#include <plastron/fem/join.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/chart.hpp>
 #include <plastron/geometry/expression.hpp>
@@ -33,6 +34,7 @@ struct Probe {
 
 struct Problem {
   fem::Domain domain = fem::Rectangle{};
+  std::vector<fem::Join> joins{};                 ///< edges that are joined
   std::map<std::string, geometry::Chart> charts;  ///< by region; the unnamed region is ""
   geometry::Expression thickness{1.0};            ///< e(x, y) [m]
   shell::Material material{};
