@@ -2,6 +2,7 @@
 
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/ties.hpp>
 
 #include <algorithm>
 
@@ -40,6 +41,7 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
     }
   }
   lengths.accumulate_ghosts();
+  fem::collect(space, lengths);
   return lengths;
 }
 
@@ -56,7 +58,7 @@ EdgeContact edge_contact(const assembly::DiscreteShell& discrete, const NodalSol
   const MPI_Comm comm = discrete.space().layout->comm;
   const algebra::Vector lengths = edge_lengths(discrete);
   for (std::size_t i = 0; i < lengths.owned().size(); ++i) {
-    if (!touches(solution, i)) continue;
+    if (discrete.coordinates.tied[i] || !touches(solution, i)) continue;
     const double pressure = total_pressure(solution, i), weight = discrete.points[i].weight,
                  length = lengths.owned()[i];
     if (length > 0) {

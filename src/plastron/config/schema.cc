@@ -21,6 +21,7 @@ Section file_section() {
        {.name = "shell", .kind = Kind::table, .required = true, .meaning = "material and thickness"},
        {.name = "geometry", .kind = Kind::table, .required = true, .meaning = "the mid-surface"},
        {.name = "mesh", .kind = Kind::table, .fallback = "{}", .meaning = "the discretisation"},
+       {.name = "join", .kind = Kind::tables, .fallback = "[]", .meaning = "edges that are joined"},
        {.name = "support", .kind = Kind::tables, .fallback = "[]", .meaning = "prescribed displacements and rotations"},
        {.name = "load", .kind = Kind::tables, .fallback = "[]", .meaning = "dead loads"},
        {.name = "obstacle", .kind = Kind::tables, .fallback = "[]", .meaning = "rigid obstacles"},
@@ -103,6 +104,19 @@ Section mesh_section() {
             .fallback = "3",
             .range = between(0, 12),
             .meaning = "uniform refinements of the coarsest mesh; every level is solved"}}};
+}
+
+Section join_section() {
+  return {"join",
+          "[[join]]",
+          "Two edges that lie on each other in space and are joined there: a rectangle closes to a tube, or pieces of "
+          "a mesh file "
+          "make one shell. The shell must be smooth there, with a3 to the same side.",
+          {{.name = "boundaries",
+            .kind = Kind::names,
+            .required = true,
+            .meaning = "the two boundaries of the domain, divided into the same cells",
+            .example = "[\"left\", \"right\"]"}}};
 }
 
 Section support_section() {
@@ -237,7 +251,7 @@ std::vector<Section> all_sections() {
   std::vector<Section> all{file_section(), constants_section(), shell_section()};
   const auto append = [&](std::vector<Section> more) { all.insert(all.end(), more.begin(), more.end()); };
   append(geometry_sections());
-  append({mesh_section(), support_section(), load_section()});
+  append({mesh_section(), join_section(), support_section(), load_section()});
   append(obstacle_sections());
   append({probe_section(), solver_section()});
   return all;
