@@ -1,5 +1,6 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
 
 #include <fmt/format.h>
@@ -194,20 +195,6 @@ double extent(const std::vector<NodalPoint>& points, MPI_Comm comm) {
   return largest;
 }
 
-/// Throws on every rank what one of them found, the lowest one's; nothing where all are empty (collective).
-void throw_alike(std::string found, MPI_Comm comm) {
-  int rank = 0, ranks = 1;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &ranks);
-  const int first = static_cast<int>(algebra::min_over_ranks(found.empty() ? ranks : rank, comm));
-  if (first == ranks) return;
-  auto length = static_cast<int>(found.size());
-  MPI_Bcast(&length, 1, MPI_INT, first, comm);
-  found.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(found.data(), length, MPI_CHAR, first, comm);
-  throw SupportError(found);
-}
-
 }  // namespace
 
 NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& surface,
@@ -223,25 +210,20 @@ NodalCoordinates nodal_coordinates(const fem::Space& space, const fem::Surface& 
                                .lower = algebra::Vector(space.layout, width),
                                .upper = algebra::Vector(space.layout, width),
                                .gaps = {}};
-  if (gap)
-    for (const NodalPoint& p : points) coordinates.gaps.push_back(gap(p.phi, p.a3, p.thickness));
-
   // Owners decide, the others take over: a basis must be the same on every rank to the last bit.
   const auto node_support = node_supports(space, surface, points, supports);
   const double size = extent(points, space.layout->comm);
   algebra::Vector packed(space.layout, packed_size);
-  std::string contradiction;
-  try {
+  algebra::in_agreement<SupportError>(space.layout->comm, [&] {
+    if (gap)
+      for (const NodalPoint& p : points) coordinates.gaps.push_back(gap(p.phi, p.a3, p.thickness));
     for (std::size_t i = 0; i < node_support.size(); ++i) {
       const NodeSupport& s = node_support[i];
       // Vertices of triangles of degree 2 carry no weight in (M21), hence no bound.
       pack(node_columns(points[i], s, gap && points[i].weight > 0 ? &coordinates.gaps[i] : nullptr, size),
            !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
     }
-  } catch (const SupportError& error) {
-    contradiction = error.what();
-  }
-  throw_alike(std::move(contradiction), space.layout->comm);
+  });
   packed.update_ghosts();
 
   for (std::size_t i = 0; i < local; ++i) {

@@ -1,5 +1,6 @@
 #include <plastron/computation/description.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/computation/gap.hpp>
 
 namespace plastron::computation {
@@ -16,7 +17,10 @@ assembly::ShellDescription shell_description(const Problem& problem) {
 }
 
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {
-  return {fem::coarse_mesh(problem.domain, problem.discretisation.cells), problem.discretisation.degree, comm};
+  // Every rank reads the mesh file by itself, and may find another one or none.
+  auto coarse = algebra::in_agreement<fem::DomainError>(
+      comm, [&] { return fem::coarse_mesh(problem.domain, problem.discretisation.cells); });
+  return {std::move(coarse), problem.discretisation.degree, comm};
 }
 
 }  // namespace plastron::computation

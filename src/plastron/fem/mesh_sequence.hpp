@@ -13,7 +13,8 @@ namespace plastron::fem {
 
 class MeshSequence {
  public:
-  /// The coarsest level (collective). Throws DomainError for a degree that the shape does not have.
+  /// The coarsest level (collective). Throws DomainError for a degree that the shape does not have, and where ranks bring different
+  /// meshes.
   MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
   ~MeshSequence();
   MeshSequence(MeshSequence&&) noexcept;
