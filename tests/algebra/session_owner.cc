@@ -86,7 +86,7 @@ void end(const std::string& owned) {
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const std::string owned = argv[1], use = argv[2];
-  setenv("PETSC_OPTIONS", "-malloc_dump no", 1);
+  setenv("PETSC_OPTIONS", "-options_left 0", 1);
   start(owned, argc, argv);
   const Running before = what_runs();
   for (int round = 0; round < (owned == "nothing" ? 1 : 2); ++round) {  // MPI starts once in a process

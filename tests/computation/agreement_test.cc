@@ -22,10 +22,10 @@ bool is_last() {
 
 Problem plate() {
   Problem problem;
-  problem.charts.emplace("", geometry::Chart({"x", "y", "0"}));
+  problem.charts.emplace("", geometry::Chart({"x", "y", "0"}, {}));
   problem.thickness = geometry::Expression(0.1);
   problem.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  assembly::Support clamped{.boundary = "left"};
+  assembly::Support clamped{.boundary = "left", .components = {}};
   using assembly::Direction, assembly::Unknown;
   for (const auto unknown : {Unknown::displacement, Unknown::rotation})
     for (const auto direction : {Direction::x, Direction::y, Direction::z})
@@ -64,16 +64,17 @@ TEST(MeshFile, ThatIsAnotherOneOnOneRankIsAnErrorOfAll) {
 
 TEST(Load, ThatThrowsInOneCellIsAnErrorOfAllRanks) {
   Problem problem = plate();
-  problem.area_loads = {{.force_function = [](double x, double y) -> Eigen::Vector3d {
+  problem.area_loads.emplace_back().force_function = [](double x, double y) -> Eigen::Vector3d {
     if (x > 0.97 && y > 0.97) throw std::out_of_range("the table of winds ends here");
     return {0, 0, -1e-6};
-  }}};
+  };
   expect_error<std::out_of_range>(problem, "the table of winds ends here");
 }
 
 TEST(Load, ThatIsInfiniteInOneCellIsAnErrorOfAllRanksThatNamesThePlace) {
   Problem problem = plate();
-  problem.area_loads = {{.force = {{{}, {}, geometry::Expression("x > 0.97 ? (y > 0.97 ? 1e300^2 : 0) : 0")}}}};
+  problem.area_loads.emplace_back().force[2] =
+      geometry::Expression("x > 0.97 ? (y > 0.97 ? 1e300^2 : 0) : 0", geometry::Constants{});
   expect_error<assembly::LoadError>(problem, "near x = 0.9");
 }
 
