@@ -65,7 +65,7 @@ TEST(MeshFile, ThatIsAnotherOneOnOneRankIsAnErrorOfAll) {
 TEST(Load, ThatThrowsInOneCellIsAnErrorOfAllRanks) {
   Problem problem = plate();
   problem.area_loads.emplace_back().force_function = [](double x, double y) -> Eigen::Vector3d {
-    if (x > 0.97 && y > 0.97) throw std::out_of_range("the table of winds ends here");
+    if (x > 0.8 && y > 0.8) throw std::out_of_range("the table of winds ends here");
     return {0, 0, -1e-6};
   };
   expect_error<std::out_of_range>(problem, "the table of winds ends here");
@@ -74,8 +74,8 @@ TEST(Load, ThatThrowsInOneCellIsAnErrorOfAllRanks) {
 TEST(Load, ThatIsInfiniteInOneCellIsAnErrorOfAllRanksThatNamesThePlace) {
   Problem problem = plate();
   problem.area_loads.emplace_back().force[2] =
-      geometry::Expression("x > 0.97 ? (y > 0.97 ? 1e300^2 : 0) : 0", geometry::Constants{});
-  expect_error<assembly::LoadError>(problem, "near x = 0.9");
+      geometry::Expression("x > 0.8 ? (y > 0.8 ? 1e300^2 : 0) : 0", geometry::Constants{});
+  expect_error<assembly::LoadError>(problem, "near x = 0.8");
 }
 
 TEST(Support, ThatContradictsAnotherAtOneNodeIsAnErrorOfAllRanks) {
