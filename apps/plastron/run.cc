@@ -1,8 +1,8 @@
 #include "commands.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
+#include "reading.hpp"
 
-#include <plastron/config/case.hpp>
 #include <plastron/io/output.hpp>
 
 #include <mpi.h>
@@ -33,8 +33,8 @@ void report(const computation::Result& result, const config::Case& c, const Opti
 
 ExitCode run(const Options& options) {
   const std::string case_file = options.case_file.string();
-  const config::Case c = config::read_case(options.case_file);
-  const auto findings = examination::examine(c.problem);
+  const config::Case c = read_case(options.case_file);
+  const auto findings = examine_together([&] { return examination::examine(c.problem); });
   print_findings(findings, case_file, false);
   if (examination::has_errors(findings)) return bad_input;
   const OutputDirectory output(options.output);

@@ -43,7 +43,11 @@ class Matrix {
   /// Ends the adding: what was added to rows of other ranks goes there (collective). Adding may go on afterwards.
   void finish();
   void set_zero();  ///< keeps the pattern
-  /// A + factor B, for matrices of one layout, block and pattern.
+  /// What this rank alone has added, A_i, as a matrix on MPI_COMM_SELF whose nodes are all local nodes of layout() in their local order: A is
+  /// the sum over ranks of R_i' A_i R_i, with R_i from global to local values. Before finish(), which ships rows of ghosts
+  /// away: afterwards, until set_zero(), std::logic_error.
+  Matrix local_part() const;
+  /// A + factor B, for matrices of one layout, block and pattern (collective).
   Matrix plus_multiple(double factor, const Matrix& B) const;
 
   /// y = A x, owned values; the ghosts of x are not read, those of y end as zero (collective).

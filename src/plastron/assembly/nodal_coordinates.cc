@@ -1,5 +1,6 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/ties.hpp>
@@ -50,20 +51,6 @@ NodeCoordinates tied_node(std::size_t obstacles) {
   return node;
 }
 
-/// Throws on every rank what one of them found, the lowest one's; nothing where all are empty (collective).
-void throw_alike(std::string found, MPI_Comm comm) {
-  int rank = 0, ranks = 1;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &ranks);
-  const int first = static_cast<int>(algebra::min_over_ranks(found.empty() ? ranks : rank, comm));
-  if (first == ranks) return;
-  auto length = static_cast<int>(found.size());
-  MPI_Bcast(&length, 1, MPI_INT, first, comm);
-  found.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(found.data(), length, MPI_CHAR, first, comm);
-  throw SupportError(found);
-}
-
 }  // namespace
 
 NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_pointer, const fem::Surface& surface,
@@ -79,11 +66,6 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
                                .space = std::move(space_pointer),
                                .lower = algebra::Vector(space.layout, width),
                                .upper = algebra::Vector(space.layout, width)};
-  for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
-    auto& gaps = coordinates.gaps.emplace_back();
-    for (const NodalPoint& p : points) gaps.push_back(obstacles.gap(k, p.phi, p.a3, p.thickness));
-  }
-
   // Owners decide, the others take over: a basis must be the same on every rank to the last bit.
   for (const fem::Tie& tie : space.ties) coordinates.tied[static_cast<std::size_t>(tie.node)] = 1;
   auto node_support = node_supports(space, surface, points, supports);
@@ -91,8 +73,11 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   const double size = extent(points, space.layout->comm);
   algebra::Vector packed(space.layout, packed_size);
   std::vector<obstacle::Gap> gaps(obstacles.all.size());
-  std::string contradiction;
-  try {
+  algebra::in_agreement<SupportError>(space.layout->comm, [&] {
+    for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
+      auto& of_obstacle = coordinates.gaps.emplace_back();
+      for (const NodalPoint& p : points) of_obstacle.push_back(obstacles.gap(k, p.phi, p.a3, p.thickness));
+    }
     for (std::size_t i = 0; i < node_support.size(); ++i) {
       const NodeSupport& s = node_support[i];
       for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] = coordinates.gaps[k][i];
@@ -104,10 +89,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
         coordinates.rows.push_back(row);
       }
     }
-  } catch (const SupportError& error) {
-    contradiction = error.what();
-  }
-  throw_alike(std::move(contradiction), space.layout->comm);
+  });
   packed.update_ghosts();
 
   for (std::size_t i = 0; i < local; ++i) {

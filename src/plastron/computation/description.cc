@@ -1,5 +1,6 @@
 #include <plastron/computation/description.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/computation/gap.hpp>
 
 namespace plastron::computation {
@@ -24,7 +25,9 @@ fem::MeshSequence::Finish joining(const Problem& problem) {
 }
 
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {
-  fem::CoarseMesh coarse = fem::coarse_mesh(problem.domain, problem.discretisation.cells);
+  // Every rank reads the mesh file by itself, and may find another one or none.
+  auto coarse = algebra::in_agreement<fem::DomainError>(
+      comm, [&] { return fem::coarse_mesh(problem.domain, problem.discretisation.cells); });
   return {std::move(coarse), problem.discretisation.degree, comm, joining(problem)};
 }
 

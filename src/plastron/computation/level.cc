@@ -1,5 +1,6 @@
 #include <plastron/computation/level.hpp>
 
+#include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/computation/stopwatch.hpp>

@@ -1,9 +1,13 @@
 #include <plastron/fem/mesh_sequence.hpp>
 
+#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/vector.hpp>
 #include <plastron/fem/quadrilateral_sequence.hpp>
 #include <plastron/fem/triangle_sequence.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <variant>
 
 namespace plastron::fem {
@@ -29,9 +33,55 @@ algebra::Vector on_layout(const std::shared_ptr<const algebra::Layout>& layout, 
   return other;
 }
 
+/// A number that tells coarse meshes apart but for their coordinates: what is where, in which order, under which name.
+class Fingerprint {
+ public:
+  explicit Fingerprint(const CoarseMesh& mesh) {
+    add(mesh.shape == Shape::triangle);
+    for (const CoarseCell& cell : mesh.cells) {
+      for (const int v : cell.vertices) add(static_cast<std::uint64_t>(v));
+      add(static_cast<std::uint64_t>(cell.region));
+    }
+    for (const BoundaryEdge& edge : mesh.edges)
+      for (const int v : {edge.vertices[0], edge.vertices[1], edge.boundary}) add(static_cast<std::uint64_t>(v));
+    for (const auto* names : {&mesh.regions, &mesh.boundaries})
+      for (const std::string& name : *names)
+        for (const char c : name) add(static_cast<std::uint64_t>(c));
+  }
+  /// Exact as a double.
+  double value() const { return static_cast<double>(value_ >> 12); }
+
+ private:
+  void add(std::uint64_t item) { value_ = algebra::hash(value_ ^ item); }
+  std::uint64_t value_ = 0;
+};
+
+/// Weighs coordinates by their place. Machines of one job may round sines and cosines otherwise: not part of the fingerprint.
+double weighed_coordinates(const CoarseMesh& mesh) {
+  double sum = 0, place = 0;
+  for (const Vector2d& v : mesh.vertices)
+    for (const double x : v) sum += std::abs(x) * ++place;
+  return sum;
+}
+
+// Every rank makes or reads the mesh by itself. Ranks with different ones would wait for each other for ever, or compute nonsense.
+void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
+  constexpr double rounding = 1e-10;
+  const auto spread = [&](double mine) {
+    const double low = algebra::min_over_ranks(mine, comm), high = algebra::max_over_ranks(mine, comm);
+    return high > low ? (high - low) / std::max(std::abs(low), std::abs(high)) : 0.0;
+  };
+  const bool differ_in_shape = spread(Fingerprint(mesh).value()) > 0;
+  const bool differ_in_place = spread(weighed_coordinates(mesh)) > rounding;
+  if (differ_in_shape || differ_in_place)
+    throw DomainError(
+        "the processes of this job have different meshes; each reads the mesh file by itself: give all the same file");
+}
+
 }  // namespace
 
 MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish) {
+  check_that_all_have_one_mesh(coarse, comm);
   if (coarse.shape == Shape::triangle)
     storage_ = std::make_unique<Storage>(Storage{TriangleSequence(std::move(coarse), degree, comm), std::move(finish)});
   else

@@ -17,7 +17,8 @@ class MeshSequence {
   /// What is made of the space of each level before anybody sees it: ties, and the ghosts that they need (collective).
   using Finish = std::function<std::shared_ptr<const Space>(std::shared_ptr<const Space>)>;
 
-  /// The coarsest level (collective). Throws DomainError for a degree that the shape does not have, and what `finish` throws.
+  /// The coarsest level (collective). Throws DomainError for a degree that the shape does not have, where ranks
+  /// bring different meshes, and what `finish` throws.
   MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish = {});
   ~MeshSequence();
   MeshSequence(MeshSequence&&) noexcept;

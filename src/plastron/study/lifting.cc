@@ -1,5 +1,6 @@
 #include <plastron/study/lifting.hpp>
 
+#include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 
 #include <algorithm>
