@@ -25,7 +25,7 @@ inline computation::Problem pressed(double load) {
   assembly::AreaLoad weight;
   weight.force[2] = geometry::Expression(-load);
   problem.area_loads = {weight};
-  problem.obstacle = computation::Obstacle{};
+  problem.obstacles = {obstacle::Obstacle{}};
   return problem;
 }
 

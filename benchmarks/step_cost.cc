@@ -1,6 +1,6 @@
 // What a conjugate-gradient step with a kept factor costs beside a factorisation, by size: step_cost [DEGREE REFINEMENTS].
-// Times are those of the calling thread, so that other work on the machine disturbs little. The two constants in
-// contact/kept_factor.hpp come from here.
+// Times are those of the calling thread, so that other work on the machine disturbs little. The constants in
+// price_of (algebra/factorisation.cc) and in contact/kept_factor.hpp come from here.
 #include "cap.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
@@ -41,7 +41,7 @@ void report(int degree, int refinements) {
   const assembly::ShellDescription shell{.sections = problem.sections,
                                          .supports = problem.supports,
                                          .area_loads = problem.area_loads,
-                                         .gap = computation::gap_function(problem)};
+                                         .obstacles = computation::rigid_obstacles(problem)};
   const auto discrete = assembly::discretise(meshes.space(), surface, shell);
   const algebra::Matrix A = assembly::stiffness_matrix(*discrete);
   const contact::BoxProblem box = assembly::box_problem(*discrete, A);
@@ -56,7 +56,7 @@ void report(int degree, int refinements) {
   const double step = solve + 2 * product, n = static_cast<double>(held.size());
   fmt::print("{:>6} {:>9.0f} {:>10.3g} {:>10.3g} {:>8.3f} {:>8.4f} {:>8.4f} {:>8.1f} {:>8.2f} {:>8.2f} {:>10d}\n",
              degree, n, F.cost().entries, F.cost().operations, factorisation, solve, product, factorisation / step,
-             1e9 * solve / F.cost().entries, 1e9 * product / n, contact::affordable_steps(F.cost(), n));
+             1e9 * solve / F.cost().entries, 1e9 * product / n, contact::affordable_steps(F.price(), n));
   std::fflush(stdout);
 }
 

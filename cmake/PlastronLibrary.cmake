@@ -1,8 +1,10 @@
-# plastron_library(NAME folder DEPENDS other folders EXTERNAL third-party targets PRIVATE_EXTERNAL ... PRECOMPILED headers)
+# plastron_library(NAME folder DEPENDS other folders EXTERNAL third-party targets PRIVATE_EXTERNAL ... PRECOMPILED headers
+#                  OWN_HEADERS headers that are not installed)
 #
 # One target per folder of src/plastron. A target sees its own headers and those of the folders it
 # DEPENDS on, and no others: its include root is a directory in the build tree that holds one link,
-# plastron/<folder>. A forbidden include therefore does not compile.
+# plastron/<folder>. A forbidden include therefore does not compile. Other programs see the target as Plastron::<folder>, with all
+# headers in one root; our warnings and precompiled headers stay here.
 add_library(plastron_warnings INTERFACE)
 target_compile_options(plastron_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
@@ -10,7 +12,7 @@ target_compile_options(plastron_warnings INTERFACE
   "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
 
 function(plastron_library name)
-  cmake_parse_arguments(ARG "" "PRECOMPILED" "DEPENDS;EXTERNAL;PRIVATE_EXTERNAL" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "DEPENDS;EXTERNAL;PRIVATE_EXTERNAL;OWN_HEADERS" ${ARGN})
   set(root ${PROJECT_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${root}/plastron)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/${name} ${root}/plastron/${name} SYMBOLIC)
@@ -18,7 +20,7 @@ function(plastron_library name)
   if(sources)
     add_library(plastron_${name} STATIC ${sources})
     set(scope PUBLIC)
-    target_link_libraries(plastron_${name} PRIVATE plastron_warnings ${ARG_PRIVATE_EXTERNAL})
+    target_link_libraries(plastron_${name} PRIVATE $<BUILD_INTERFACE:plastron_warnings> ${ARG_PRIVATE_EXTERNAL})
     if(ARG_PRECOMPILED)
       plastron_use_precompiled(plastron_${name} plastron_precompiled_${ARG_PRECOMPILED})
     endif()
@@ -26,9 +28,15 @@ function(plastron_library name)
     add_library(plastron_${name} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_include_directories(plastron_${name} ${scope} ${root})
+  target_include_directories(plastron_${name} ${scope} $<BUILD_INTERFACE:${root}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(plastron_${name} ${scope} cxx_std_20)
   foreach(dependency IN LISTS ARG_DEPENDS)
     target_link_libraries(plastron_${name} ${scope} plastron_${dependency})
   endforeach()
   target_link_libraries(plastron_${name} ${scope} ${ARG_EXTERNAL})
+  set_target_properties(plastron_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS plastron_${name} EXPORT PlastronTargets)
+  set(own_headers ${ARG_OWN_HEADERS})
+  list(TRANSFORM own_headers REPLACE "(.+)" "PATTERN;\\1;EXCLUDE")
+  install(DIRECTORY ${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plastron FILES_MATCHING PATTERN "*.hpp" ${own_headers})
 endfunction()

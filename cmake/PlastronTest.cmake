@@ -11,6 +11,27 @@ plastron_precompiled(plastron_precompiled_tests OPTIONS ${test_options} EXTERNAL
 # All programs that quick tests run.
 add_custom_target(quick_tests)
 
+# Sets `environment` and `session` of the test program `name`.
+macro(plastron_mpi_environment name)
+  set(environment OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
+      OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
+  # Open MPI removes its session directory when it ends, even while another process is just making its own in it.
+  set(session ${PROJECT_BINARY_DIR}/mpi/${name})
+  file(MAKE_DIRECTORY ${session})
+  list(APPEND environment OMPI_MCA_orte_tmpdir_base=${session})
+endmacro()
+
+# plastron_run_test(NAME program ranks arguments...): a quick test that is a run of a program which is no GoogleTest's, judged by its exit
+# code. Anything on standard output or standard error is a failure: the library prints nothing.
+function(plastron_run_test test program ranks)
+  string(REPLACE ";" "." test "${test}")
+  plastron_mpi_environment(${program})
+  add_test(NAME ${test}.ranks=${ranks}
+           COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}> ${ARGN})
+  set_tests_properties(${test}.ranks=${ranks} PROPERTIES LABELS quick TIMEOUT 60 PROCESSORS ${ranks} ENVIRONMENT "${environment}"
+                       RESOURCE_LOCK ${session} FAIL_REGULAR_EXPRESSION ".")
+endfunction()
+
 function(plastron_test name)
   cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS;EXTERNAL;RANKS" ${ARGN})
   if(NOT ARG_LABEL)
@@ -31,12 +52,7 @@ function(plastron_test name)
   if(ARG_LABEL STREQUAL quick)
     add_dependencies(quick_tests ${name})
   endif()
-  set(environment OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
-      OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
-  # Open MPI removes its session directory when it ends, even while another process is just making its own in it.
-  set(session ${PROJECT_BINARY_DIR}/mpi/${name})
-  file(MAKE_DIRECTORY ${session})
-  list(APPEND environment OMPI_MCA_orte_tmpdir_base=${session})
+  plastron_mpi_environment(${name})
   if(NOT ARG_RANKS)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")

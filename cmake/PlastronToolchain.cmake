@@ -11,3 +11,7 @@ if(PLASTRON_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()
+
+# Position-independent everywhere, so that shared libraries of others may take ours in. An option and not CMake's property: programs would get
+# -fPIE from that, and precompiled headers serve one of the two only.
+add_compile_options(-fPIC)

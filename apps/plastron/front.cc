@@ -33,12 +33,19 @@ bool has_address_space() {
   return false;
 }
 
-/// The solver lies beside this program. Does not return but with an error.
+/// Beside this program, or where packages put programs that no person starts.
+std::filesystem::path find_solver() {
+  std::error_code error;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const auto in_libexec = folder.parent_path() / "libexec" / "plastron" / solver_name;
+  const auto beside = folder / solver_name;
+  return !std::filesystem::exists(beside, error) && std::filesystem::exists(in_libexec, error) ? in_libexec : beside;
+}
+
+/// Does not return but with an error.
 ExitCode hand_over(char** argv) {
   if (!has_address_space()) return internal_error;
-  std::error_code error;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto solver = self.parent_path() / solver_name;
+  const auto solver = find_solver();
   execv(solver.c_str(), argv);
   print_error("error: {} cannot be started: {}\n", solver.string(), std::strerror(errno));
   return internal_error;

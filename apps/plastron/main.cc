@@ -1,6 +1,7 @@
 // plastron-solver: what plastron becomes when there is something to compute, with the same arguments.
 #include "commands.hpp"
 #include "interruption.hpp"
+#include "reading.hpp"
 #include "terminal.hpp"
 
 #include <plastron/algebra/session.hpp>
@@ -26,8 +27,8 @@ namespace {
 ExitCode guarded(const std::function<ExitCode()>& command) {
   try {
     return command();
-  } catch (const config::CaseErrors& errors) {
-    if (is_first_rank()) print_text(stderr, errors.format());
+  } catch (const RefusedCase& refused) {
+    if (is_first_rank()) print_text(stderr, refused.what());
     return bad_input;
   } catch (const fem::DomainError& error) {
     print_error("error: {}\n", error.what());

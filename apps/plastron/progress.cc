@@ -109,7 +109,8 @@ void print_summary(const computation::Result& result) {
   for (const auto& p : s.point_reactions)
     print("  at {:<13}{} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
   if (result.has_obstacle) {
-    print("obstacle          {} N\n", vector_text(s.reaction.force));
+    for (const auto& o : s.obstacles)
+      print("{:<17} {} N\n", s.obstacles.size() == 1 ? "obstacle" : o.name, vector_text(o.reaction.force));
     print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area,
           s.edge.is_line() ? s.edge.pressure_inside : s.max_pressure);
     if (s.edge.is_line())

@@ -1,8 +1,8 @@
 #include "commands.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
+#include "reading.hpp"
 
-#include <plastron/config/case.hpp>
 #include <plastron/io/output.hpp>
 
 #include <mpi.h>
@@ -33,8 +33,8 @@ void report(const computation::Result& result, const config::Case& c, const Opti
 
 ExitCode run(const Options& options) {
   const std::string case_file = options.case_file.string();
-  const config::Case c = config::read_case(options.case_file);
-  const auto findings = examination::examine(c.problem);
+  const config::Case c = read_case(options.case_file);
+  const auto findings = examine_together([&] { return examination::examine(c.problem); });
   print_findings(findings, case_file, false);
   if (examination::has_errors(findings)) return bad_input;
   const OutputDirectory output(options.output);
@@ -44,7 +44,7 @@ ExitCode run(const Options& options) {
   }
 
   if (!options.quiet) print("{}\n\n", c.title.empty() ? case_file : shortened_title(c.title));
-  Progress progress(c.problem.obstacle.has_value(), options.quiet);
+  Progress progress(!c.problem.obstacles.empty(), options.quiet);
   computation::Observer observer = progress.observer();
   observer.warning = [&](std::string_view text) {
     progress.finish();

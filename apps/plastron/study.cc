@@ -1,8 +1,8 @@
 #include "commands.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
+#include "reading.hpp"
 
-#include <plastron/config/case.hpp>
 #include <plastron/io/study_report.hpp>
 
 #include <mpi.h>
@@ -10,10 +10,10 @@
 namespace plastron::app {
 
 ExitCode study_case(const StudyCommand& command) {
-  const config::Case c = config::read_case(command.case_file);
+  const config::Case c = read_case(command.case_file);
   const study::Kind* study_kind = study::find_kind(command.kind);
   const study::Kind& kind = study_kind ? *study_kind : study::comparison();
-  const auto findings = study::examine(kind, c.problem, command.options);
+  const auto findings = examine_together([&] { return study::examine(kind, c.problem, command.options); });
   print_findings(findings, command.case_file.string(), false);
   if (examination::has_errors(findings)) return bad_input;
   const OutputDirectory output(command.output);

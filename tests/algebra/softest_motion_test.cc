@@ -1,3 +1,4 @@
+#include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 
 #include <gtest/gtest.h>

@@ -38,8 +38,7 @@ void for_every_mesh(const std::function<void(const test::MeshedSurface&)>& check
 }
 
 std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const std::vector<Support>& supports) {
-  return discretise(m.space, m.surface,
-                    {.sections = test::steel_of(geometry::Expression(0.1)), .supports = supports, .gap = {}});
+  return discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1)), .supports = supports});
 }
 
 Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {

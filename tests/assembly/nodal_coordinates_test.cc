@@ -11,11 +11,9 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-GapFunction table() {
-  return [](const Vector3d& phi, const Vector3d& a3, double e) {
-    return obstacle::gap_at(obstacle::HalfSpace{.point = {0, 0, -0.2}, .normal = Vector3d(0.2, -0.1, 1).normalized()},
-                            obstacle::Face::lower, phi, a3, e);
-  };
+RigidObstacles table() {
+  return {
+      .all = {{.shape = obstacle::HalfSpace{.point = {0, 0, -0.2}, .normal = Vector3d(0.2, -0.1, 1).normalized()}}}};
 }
 
 struct Sample {
@@ -23,11 +21,12 @@ struct Sample {
   std::unique_ptr<DiscreteShell> discrete;
 };
 
-Sample sample(const std::vector<Support>& supports, const GapFunction& gap) {
+Sample sample(const std::vector<Support>& supports, const RigidObstacles& obstacles) {
   auto m = test::meshed(test::skew(), test::saddle, 3, 1);
-  auto discrete = discretise(
-      m.space, m.surface,
-      {.sections = test::steel_of(geometry::Expression("0.1 + 0.02*x", {})), .supports = supports, .gap = gap});
+  auto discrete = discretise(m.space, m.surface,
+                             {.sections = test::steel_of(geometry::Expression("0.1 + 0.02*x", {})),
+                              .supports = supports,
+                              .obstacles = obstacles});
   return {std::move(m), std::move(discrete)};
 }
 
@@ -49,8 +48,8 @@ std::vector<Support> assorted_supports() {
 // (M12): five unknowns a node, r tangent.
 TEST(NodalCoordinates, EveryBasisSpansTheTangentFormulation) {
   for (const auto& supports : {std::vector<Support>{}, assorted_supports()})
-    for (const auto& gap : {GapFunction{}, table()}) {
-      const Sample s = sample(supports, gap);
+    for (const auto& obstacles : {RigidObstacles{}, table()}) {
+      const Sample s = sample(supports, obstacles);
       for (std::size_t i = 0; i < s.discrete->points.size(); ++i) {
         const NodeBasis& T = s.discrete->coordinates.basis[i];
         EXPECT_EQ(T.fullPivLu().rank(), 6);
@@ -65,12 +64,12 @@ TEST(NodalCoordinates, TheFirstCoordinateIsTheChangeOfTheGapAndNoOtherFreeOneCha
     const auto& c = s.discrete->coordinates;
     int touchable = 0;
     for (std::size_t i = 0; i < s.discrete->points.size(); ++i) {
-      if (!c.touchable[i]) continue;
+      if (!c.is_touchable(i)) continue;
       ++touchable;
       Vector6 row;
-      row << c.gaps[i].normal, c.gaps[i].z * c.gaps[i].normal;
+      row << c.gaps[0][i].normal, c.gaps[0][i].z * c.gaps[0][i].normal;
       EXPECT_NEAR(row.dot(c.basis[i].col(0)), 1, 1e-12);
-      EXPECT_EQ(c.lower.local()[5 * i], -c.bound_gap[i]);
+      EXPECT_EQ(c.lower.local()[5 * i], -c.rows[i].bound_gap);
       for (std::size_t k = 1; k < 5; ++k)
         if (c.lower.local()[5 * i + k] != c.upper.local()[5 * i + k]) {
           EXPECT_NEAR(row.dot(c.basis[i].col(static_cast<Eigen::Index>(k))), 0, 1e-12);
@@ -89,7 +88,7 @@ TEST(NodalCoordinates, RelaxedFormulationsAddTheNormalRotation) {
                                      {.sections = test::steel_of(geometry::Expression(0.1)),
                                       .tangency = {.formulation = formulation},
                                       .supports = assorted_supports(),
-                                      .gap = table()});
+                                      .obstacles = table()});
     const auto& c = discrete->coordinates;
     EXPECT_EQ(c.width, 6);
     const auto rows = node_supports(*m.space, *m.surface, discrete->points, assorted_supports());
@@ -106,12 +105,12 @@ TEST(NodalCoordinates, AtTheBoundTheGapIsZero) {
   const Sample s = sample(assorted_supports(), table());
   const auto& c = s.discrete->coordinates;
   for (std::size_t i = 0; i < s.discrete->points.size(); ++i) {
-    if (!c.touchable[i]) continue;
+    if (!c.is_touchable(i)) continue;
     Eigen::Matrix<double, 5, 1> z;
     for (std::size_t k = 0; k < 5; ++k)
       z[static_cast<Eigen::Index>(k)] = std::isfinite(c.lower.local()[5 * i + k]) ? c.lower.local()[5 * i + k] : 0.3;
     const Vector6 y = c.basis[i].leftCols<5>() * z;
-    EXPECT_NEAR(c.gaps[i](y.head<3>(), y.tail<3>()), 0, 1e-13);
+    EXPECT_NEAR(c.gaps[0][i](y.head<3>(), y.tail<3>()), 0, 1e-13);
   }
 }
 
@@ -123,7 +122,7 @@ TEST(NodalCoordinates, PrescribedComponentsHaveTheirValues) {
     Eigen::Matrix<double, 5, 1> z;
     for (std::size_t k = 0; k < 5; ++k)
       z[static_cast<Eigen::Index>(k)] = std::isfinite(c.lower.local()[5 * i + k]) ? c.lower.local()[5 * i + k] : 0.7;
-    if (c.touchable[i]) z[0] = 0.4;
+    if (c.is_touchable(i)) z[0] = 0.4;
     const Vector6 y = c.basis[i].leftCols<5>() * z;
     for (const auto& [d, value] : rows[i].displacement) EXPECT_NEAR(d.dot(y.head<3>()), value, 1e-12);
     for (const auto& [d, value] : rows[i].rotation) EXPECT_NEAR(d.dot(y.tail<3>()), value, 1e-12);

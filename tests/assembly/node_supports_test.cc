@@ -35,8 +35,7 @@ Support held(const std::string& boundary, Direction direction, const geometry::E
 }
 
 std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const std::vector<Support>& supports) {
-  return discretise(m.space, m.surface,
-                    {.sections = test::steel_of(geometry::Expression(0.1)), .supports = supports, .gap = {}});
+  return discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1)), .supports = supports});
 }
 
 struct Prescribed {

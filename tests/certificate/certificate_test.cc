@@ -94,9 +94,7 @@ Solved solve(const Sample& sample) {
                                      .tangency = {.formulation = sample.formulation},
                                      .supports = {test::clamp(sample.clamped)},
                                      .area_loads = {load},
-                                     .gap = [table](const Vector3d& phi, const Vector3d& a3, double e) {
-                                       return obstacle::gap_at(table, obstacle::Face::lower, phi, a3, e);
-                                     }});
+                                     .obstacles = {.all = {{.shape = table}}}});
   const algebra::Matrix A = assembly::stiffness_matrix(*s.discrete);
   algebra::Factorisation F(A);
   const contact::BoxProblem box = assembly::box_problem(*s.discrete, A);

@@ -14,11 +14,7 @@ constexpr double thickness = 0.2;
 constexpr double flat_gap = 0.2;  // test::flat lies at 0.3, its lower face half a thickness below
 
 /// The table z = 0 or another half-space, touched by the lower face.
-assembly::GapFunction over(const obstacle::HalfSpace& table) {
-  return [table](const Vector3d& phi, const Vector3d& a3, double e) {
-    return obstacle::gap_at(table, obstacle::Face::lower, phi, a3, e);
-  };
-}
+assembly::RigidObstacles over(const obstacle::HalfSpace& table) { return {.all = {{.shape = table}}}; }
 
 struct Shell {
   test::MeshedSurface mesh;
@@ -31,7 +27,7 @@ Shell shell_over(const obstacle::HalfSpace& table, const fem::Domain& domain, co
   s.discrete = assembly::discretise(s.mesh.space, s.mesh.surface,
                                     {.sections = test::steel_of(geometry::Expression(thickness)),
                                      .tangency = {.formulation = formulation},
-                                     .gap = over(table)});
+                                     .obstacles = over(table)});
   return s;
 }
 
@@ -141,7 +137,7 @@ TEST(GapBetween, IsInfiniteWithoutAnObstacleAndWhereNoCellIsNearIt) {
   EXPECT_EQ(min_gap_between_nodes(*s.discrete, at_rest(s)), infinity);
   s = shell_over({}, test::skew(), test::flat, test::quadrilateral, 2);
   EXPECT_NEAR(min_gap_between_nodes(*s.discrete, at_rest(s)), flat_gap, 1e-14);
-  s.discrete->gap = {};
+  s.discrete->obstacles = {};
   EXPECT_EQ(min_gap_between_nodes(*s.discrete, at_rest(s)), infinity);
 }
 

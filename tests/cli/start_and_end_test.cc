@@ -102,6 +102,20 @@ TEST(Start, of_several_processes_answers_once) {
   EXPECT_EQ(shell(job + "--version", scratch.path).output, PLASTRON_BUILD_VERSION "\n");
 }
 
+// The processes of one job get different files here, as if one machine of several did not see the file.
+TEST(Job, whose_processes_cannot_all_read_the_case_ends_with_one_error) {
+  const Scratch scratch;
+  scratch.write("case.toml", strip(0));
+  const std::string job =
+      MPIEXEC " --oversubscribe -n 2 $PLASTRON-solver run case.toml -o A -q : -n 1 $PLASTRON-solver run ";
+  const Outcome outcome = shell(job + "no-such.toml -o A -q", scratch.path);
+  EXPECT_FALSE(outcome.timed_out);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  const auto first = outcome.output.find("no-such.toml");
+  ASSERT_NE(first, std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.output.find("no-such.toml: error", first + 1), std::string::npos) << outcome.output;
+}
+
 TEST(Output, may_be_called_out_and_threads_may_be_given) {
   const Scratch scratch;
   scratch.write("case.toml", strip(0));

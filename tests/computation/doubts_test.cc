@@ -30,7 +30,7 @@ Problem bumpy_plate(int cells, double depth) {
   p.domain = fem::Rectangle{.cells = {cells, cells}};
   for (const char* side : {"left", "right", "bottom", "top"}) p.supports.push_back(clamped(side));
   p.area_loads = {force(0, 0, -1e-6)};
-  p.obstacle = Obstacle{};
+  p.obstacles = {obstacle::Obstacle{}};
   p.discretisation = {.degree = 1, .refinements = 0};
   return p;
 }
@@ -87,7 +87,7 @@ Problem standing_dome(int refinements) {
   p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.supports = {held("rim", {Direction::tangent})};
   p.area_loads = {force(0, 0, -1e-4)};
-  p.obstacle = Obstacle{};
+  p.obstacles = {obstacle::Obstacle{}};
   p.discretisation = {.degree = 2, .refinements = refinements};
   return p;
 }

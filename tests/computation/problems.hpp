@@ -11,7 +11,6 @@ using assembly::Direction;
 using assembly::PrescribedComponent;
 using assembly::Support;
 using assembly::Unknown;
-using computation::Obstacle;
 using computation::Problem;
 using geometry::Chart;
 using geometry::Constants;
@@ -92,7 +91,7 @@ inline Problem pressed_strip() {
   p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
   p.area_loads = {force(0, 0, -4e-3)};
-  p.obstacle = Obstacle{};
+  p.obstacles = {obstacle::Obstacle{}};
   return p;
 }
 
@@ -105,7 +104,7 @@ inline Problem pressed_bowl() {
   p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.supports = {clamped("rim")};
   p.area_loads = {force(0, 0, -2e-3)};
-  p.obstacle = Obstacle{};
+  p.obstacles = {obstacle::Obstacle{}};
   return p;
 }
 

@@ -145,7 +145,7 @@ TEST(NodalThickness, is_the_largest_where_regions_meet) {
 
 TEST(Contact, of_regions_of_different_thickness_begins_at_the_thicker_one) {
   Problem p = with_chart(two_spans(), {"x", "y", "0.07"});  // the faces lie 0.01 and 0.02 above the table
-  p.obstacle = Obstacle{};
+  p.obstacles = {obstacle::Obstacle{}};
   p.area_loads = {force(0, 0, -1e-3)};
   const Result free = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(free.summary.touching_nodes, 0);

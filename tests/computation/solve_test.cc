@@ -115,7 +115,7 @@ TEST(Solution, satisfies_the_energy_identity) {
     EXPECT_LT(r.certificate.energy_identity, 1e-8);
     EXPECT_LT(r.certificate.stationarity, 1e-8);
     EXPECT_GT(r.summary.energy.total(), 0);
-    if (p.obstacle) continue;
+    if (!p.obstacles.empty()) continue;
     EXPECT_NEAR(2 * r.summary.energy.total(), r.summary.load_work, 1e-8 * r.summary.load_work);
   }
 }
@@ -139,7 +139,8 @@ TEST(Contact, obeys_its_conditions_at_every_node) {  // g >= 0, eta >= 0, g eta 
     double weighed = 0;
     for (std::size_t i = 0; i < discrete->points.size(); ++i) {
       const double* y = nodal.y.local().data() + 6 * i;
-      const double g = discrete->coordinates.gaps[i](Eigen::Map<const Vector3d>(y), Eigen::Map<const Vector3d>(y + 3));
+      const double g =
+          discrete->coordinates.gaps[0][i](Eigen::Map<const Vector3d>(y), Eigen::Map<const Vector3d>(y + 3));
       EXPECT_GT(g, -1e-12);
       EXPECT_GE(nodal.pressure.local()[i], -1e-9 * r.summary.max_pressure);
       EXPECT_LT(std::abs(g * nodal.pressure.local()[i]), 1e-11 * r.summary.max_pressure);
@@ -155,7 +156,7 @@ TEST(Contact, does_not_occur_under_a_load_that_lifts) {
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::solved);
   EXPECT_EQ(r.summary.touching_nodes, 0);
-  p.obstacle.reset();
+  p.obstacles.clear();
   EXPECT_NEAR(solve(p, MPI_COMM_SELF).summary.energy.total(), r.summary.energy.total(),
               1e-12 * r.summary.energy.total());
 }
@@ -163,7 +164,8 @@ TEST(Contact, does_not_occur_under_a_load_that_lifts) {
 TEST(Contact, on_the_upper_face_under_a_ceiling_mirrors_that_on_the_lower_face_over_a_table) {
   Problem below = pressed_strip(), above = with_chart(pressed_strip(), {"x", "y", "-0.01 - e/2"}, {{"e", 0.05}});
   above.area_loads = {force(0, 0, 4e-3)};
-  above.obstacle = Obstacle{.half_space = {.point = {0, 0, 0}, .normal = {0, 0, -1}}, .face = obstacle::Face::upper};
+  above.obstacles = {obstacle::Obstacle{.shape = obstacle::HalfSpace{.point = {0, 0, 0}, .normal = {0, 0, -1}},
+                                        .face = obstacle::Face::upper}};
   const Result a = solve(below, MPI_COMM_SELF), b = solve(above, MPI_COMM_SELF);
   EXPECT_EQ(a.summary.touching_nodes, b.summary.touching_nodes);
   EXPECT_NEAR(a.summary.energy.total(), b.summary.energy.total(), 1e-9 * a.summary.energy.total());
@@ -192,7 +194,7 @@ TEST(Outcome, of_a_plate_that_only_the_obstacle_holds_is_a_solution) {
 
 TEST(Outcome, of_an_edge_held_inside_of_the_obstacle_is_infeasible) {
   Problem p = pressed_strip();
-  p.obstacle->half_space.point[2] = 0.02;
+  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point[2] = 0.02;
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_EQ(r.levels.size(), 1u);

@@ -22,7 +22,7 @@ inline Problem panel(const Units& units) {
   p.supports = {clamped("left"), held("right", {Direction::x, Direction::y, Direction::z})};
   p.area_loads = {force(0, 0, -60 * pressure)};
   p.edge_loads = {{.boundary = "top", .force = vector(0, 0, -3 * F / L), .couple = vector(0.1 * F, 0, 0)}};
-  p.obstacle = Obstacle{};
+  p.obstacles = {obstacle::Obstacle{}};
   p.probes = {{.name = "middle", .at = {0.5 * L, 0.4 * L}}};
   p.discretisation = {.degree = 2, .refinements = 1};
   return p;

@@ -63,7 +63,7 @@ TEST(Weight, without_gravity_is_nothing) {
 TEST(Weight, presses_a_shell_onto_the_obstacle_that_alone_holds_it) {
   Problem p = with_chart(free_plate(), {"x", "y", "0.06"});
   p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
-  p.obstacle = Obstacle{};
+  p.obstacles = {obstacle::Obstacle{}};
   p.sections.common.density = 1;
   EXPECT_FALSE(has_errors(examination::examine(p)));
   p.gravity = {0, 0, 1};

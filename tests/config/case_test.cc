@@ -123,11 +123,13 @@ TEST(Regions, HaveOfTheShellWhatTheyDoNotGive) {
 TEST(Obstacle, HasAUnitNormal) {
   const auto problem =
       parsed("[[obstacle]]\nhalf_space = { point = [0, 0, 1], normal = [0, 3, -4] }\nface = \"upper\"\n").problem;
-  ASSERT_TRUE(problem.obstacle);
-  EXPECT_EQ(problem.obstacle->face, obstacle::Face::upper);
-  EXPECT_EQ(problem.obstacle->half_space.point, Eigen::Vector3d(0, 0, 1));
-  EXPECT_NEAR((problem.obstacle->half_space.normal - Eigen::Vector3d(0, 0.6, -0.8)).norm(), 0, 1e-15);
-  EXPECT_FALSE(parsed().problem.obstacle);
+  ASSERT_EQ(problem.obstacles.size(), 1U);
+  EXPECT_EQ(problem.obstacles.at(0).face, obstacle::Face::upper);
+  EXPECT_EQ(std::get<obstacle::HalfSpace>(problem.obstacles.at(0).shape).point, Eigen::Vector3d(0, 0, 1));
+  EXPECT_NEAR(
+      (std::get<obstacle::HalfSpace>(problem.obstacles.at(0).shape).normal - Eigen::Vector3d(0, 0.6, -0.8)).norm(), 0,
+      1e-15);
+  EXPECT_TRUE(parsed().problem.obstacles.empty());
 }
 
 TEST(MeshAndSolver, TakeWhatTheyAreGiven) {

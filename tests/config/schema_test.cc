@@ -53,9 +53,9 @@ TEST(Defaults, OfTheFileAreThoseOfTheProgram) {
   EXPECT_EQ(c.problem.contact.multiplier_tolerance, fresh.contact.multiplier_tolerance);
   EXPECT_EQ(c.problem.contact.linear_tolerance, fresh.contact.linear_tolerance);
   EXPECT_EQ(c.problem.sections.common.material.shear_correction, fresh.sections.common.material.shear_correction);
-  EXPECT_EQ(c.problem.obstacle->face, computation::Obstacle{}.face);
-  EXPECT_EQ(c.problem.obstacle->half_space.point, obstacle::HalfSpace{}.point);
-  EXPECT_EQ(c.problem.obstacle->half_space.normal, obstacle::HalfSpace{}.normal);
+  EXPECT_EQ(c.problem.obstacles.at(0).face, obstacle::Obstacle{}.face);
+  EXPECT_EQ(std::get<obstacle::HalfSpace>(c.problem.obstacles.at(0).shape).point, obstacle::HalfSpace{}.point);
+  EXPECT_EQ(std::get<obstacle::HalfSpace>(c.problem.obstacles.at(0).shape).normal, obstacle::HalfSpace{}.normal);
 }
 
 TEST(Manual, IsWhatTheDeclarationsSay) {

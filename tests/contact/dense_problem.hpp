@@ -1,6 +1,7 @@
 // Small box-constrained problems with dense matrices, known whole on every rank and solved distributed; and the exact
 // solution by trying every active set.
 #pragma once
+#include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 #include <plastron/contact/projected_search.hpp>
 

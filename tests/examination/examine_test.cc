@@ -164,7 +164,7 @@ TEST(Examination, finds_a_mesh_file_that_is_not_there) {
 
 TEST(Examination, finds_a_clamped_edge_inside_of_the_obstacle) {
   computation::Problem p = pressed_strip();
-  p.obstacle->half_space.point[2] = 0.02;
+  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point[2] = 0.02;
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the boundary \"left\""),
                                            HasSubstr("inside of the obstacle at x = 0"), HasSubstr("0.01 m deep"))));
 }
@@ -227,7 +227,7 @@ TEST(FreeRigidMotions, of_a_quarter_with_two_symmetries_is_the_translation_along
 
 TEST(FreeRigidMotions, of_a_bowl_whose_rim_may_turn_is_the_rotation_about_its_axis) {
   computation::Problem p = pressed_bowl();
-  p.obstacle.reset();
+  p.obstacles.clear();
   p.supports = {held("rim", {Direction::z, Direction::conormal})};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (0, 0, 1)")));
 }
@@ -294,7 +294,7 @@ TEST(LooseShell, is_judged_up_to_the_load_that_just_tips_it) {
   computation::Problem flat = with_chart(free_plate(), {"x", "y", "0.1"});
   flat.domain = fem::Rectangle{.from = {-1, -1}, .to = {1, 1}, .cells = {2, 2}};
   flat.supports = {held("left", {Direction::x, Direction::y})};
-  flat.obstacle = computation::Obstacle{};
+  flat.obstacles = {obstacle::Obstacle{}};
   flat.area_loads = {force(0, 0, 0)};
   const auto with_load = [&](const std::string& load) {
     flat.area_loads[0].force[2] = Expression(load, {});
@@ -350,11 +350,11 @@ TEST(Face, that_is_the_far_one_is_an_error_that_says_where_a3_points) {
     EXPECT_THAT(errors(p), testing::Contains(AllOf(HasSubstr("the lower face is to touch"), HasSubstr("the far one"),
                                                    HasSubstr("a_3 = (0, 0, -1)"), HasSubstr("face = \"upper\""))));
     computation::Problem mended = p;
-    mended.obstacle->face = obstacle::Face::upper;
+    mended.obstacles.at(0).face = obstacle::Face::upper;
     EXPECT_THAT(errors(mended), IsEmpty());
   }
   computation::Problem wrong = pressed_bowl();
-  wrong.obstacle->face = obstacle::Face::upper;
+  wrong.obstacles.at(0).face = obstacle::Face::upper;
   EXPECT_THAT(errors(wrong), ElementsAre(AllOf(HasSubstr("face = \"lower\""), HasSubstr("away from"))));
 }
 
@@ -367,9 +367,9 @@ TEST(Face, is_judged_only_where_the_obstacle_is_near) {  // the upper half of a 
   computation::Problem tube = with_chart(free_plate(), {"sin(x)", "-y", "1.1 - cos(x)"});
   tube.domain = fem::Rectangle{.from = {-3, 0}, .to = {3, 1}, .cells = {12, 2}};
   tube.supports = {clamped("left"), clamped("right")};
-  tube.obstacle = computation::Obstacle{.half_space = {}, .face = obstacle::Face::upper};
+  tube.obstacles = {obstacle::Obstacle{.face = obstacle::Face::upper}};
   EXPECT_THAT(errors(tube), IsEmpty());
-  tube.obstacle->face = obstacle::Face::lower;
+  tube.obstacles.at(0).face = obstacle::Face::lower;
   EXPECT_THAT(errors(tube), ElementsAre(HasSubstr("face = \"upper\"")));
 }
 
@@ -377,7 +377,7 @@ TEST(Face, of_an_upright_shell_may_be_either) {
   computation::Problem wall = with_chart(free_plate(), {"x", "0", "y + 0.01"});
   wall.supports = {clamped("top")};
   for (const auto face : {obstacle::Face::lower, obstacle::Face::upper}) {
-    wall.obstacle = computation::Obstacle{.half_space = {}, .face = face};
+    wall.obstacles = {obstacle::Obstacle{.face = face}};
     EXPECT_THAT(errors(wall), IsEmpty());
     EXPECT_THAT(texts(wall, Severity::note), testing::Contains(HasSubstr("about equally near")));
   }
@@ -387,18 +387,18 @@ TEST(Face, of_an_inclined_strip_is_the_lower_one) {
   for (const double slope : {0.3, 1.0, 1.4}) {
     computation::Problem strip = with_chart(pressed_strip(), {"x*cos(s)", "y", "0.05 + x*sin(s)"}, {{"s", slope}});
     EXPECT_THAT(errors(strip), IsEmpty()) << slope;
-    strip.obstacle->face = obstacle::Face::upper;
+    strip.obstacles.at(0).face = obstacle::Face::upper;
     EXPECT_THAT(errors(strip), SizeIs(1)) << slope;
   }
 }
 
 TEST(InitialGap, that_is_negative_everywhere_asks_for_a_reversed_normal) {
   computation::Problem p = pressed_strip();
-  p.obstacle->half_space.normal = {0, 0, -1};
-  p.obstacle->face = obstacle::Face::upper;
+  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).normal = {0, 0, -1};
+  p.obstacles.at(0).face = obstacle::Face::upper;
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("inside of the obstacle"), HasSubstr("is a normal reversed"))));
   computation::Problem lifted = pressed_strip();  // by its supports, out of the obstacle
-  lifted.obstacle->half_space.point[2] = 0.02;
+  std::get<obstacle::HalfSpace>(lifted.obstacles.at(0).shape).point[2] = 0.02;
   for (Support& s : lifted.supports)
     for (auto& c : s.components)
       if (c.unknown == Unknown::displacement && c.direction == Direction::z) c.value = Expression(0.03);
@@ -416,7 +416,7 @@ computation::Problem in_units(const computation::Problem& p, const std::string& 
   computation::Problem q = with_chart(p, {times(scale, chart[0]), times(scale, chart[1]), times(scale, chart[2])});
   const double s = std::stod(scale);
   q.sections.common.thickness = Expression(s * p.sections.common.thickness(0, 0));
-  if (q.obstacle) q.obstacle->half_space.point *= s;
+  if (!q.obstacles.empty()) std::get<obstacle::HalfSpace>(q.obstacles.at(0).shape).point *= s;
   return q;
 }
 

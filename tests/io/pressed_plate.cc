@@ -20,7 +20,7 @@ computation::Problem pressed_plate(const PressedPlate& options) {
   assembly::AreaLoad load;
   load.force[2] = geometry::Expression(-6e3);
   problem.area_loads.push_back(load);
-  if (options.obstacle) problem.obstacle = computation::Obstacle{};
+  if (options.obstacle) problem.obstacles = {obstacle::Obstacle{}};
   problem.probes.push_back({.name = "centre", .at = {0.5, 0.5}});
   problem.discretisation = {.cells = options.shape, .degree = options.degree, .refinements = options.refinements};
   return problem;

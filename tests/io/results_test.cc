@@ -31,6 +31,7 @@ computation::Result some_result(bool has_obstacle) {
   computation::Result result{.has_obstacle = has_obstacle, .ranks = 2, .warnings = {"doubtful"}, .peak_memory = 1024};
   result.summary.energy = {.membrane = 1.0 / 3, .bending = 2e-17, .shear = 1e300};
   result.summary.reaction.force = {0, 0, 5};
+  result.summary.obstacles = {{.name = "table", .reaction = result.summary.reaction, .area = 2, .nodes = 7}};
   result.certificate.min_gap_between = -1e-5;
   result.summary.point_reactions = {{.at = {0.25, 1}, .force = {1e-9, 0, -2}}};
   result.probes = {{"a point", some_point()}};
@@ -46,13 +47,10 @@ Json some_json(bool has_obstacle = true) {
 
 TEST(Results, have_every_key_that_the_documentation_promises) {
   const Json json = some_json();
-  for (const char* key : {"title",   "status",       "status_text",
-                          "energy",  "energy_parts", "load_work",
-                          "loads",   "reaction",     "support_reaction",
-                          "contact", "probes",       "certificate",
-                          "levels",  "memory",       "point_supports",
-                          "ranks",   "settings",     "versions",
-                          "files",   "fields",       "units"})
+  for (const char* key : {"title",    "status",   "status_text",      "energy",         "energy_parts", "load_work",
+                          "loads",    "reaction", "support_reaction", "contact",        "probes",       "certificate",
+                          "levels",   "memory",   "obstacles",        "point_supports", "ranks",        "settings",
+                          "versions", "files",    "fields",           "units"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["point_supports"], Json::parse(R"([{"at": [0.25, 1.0], "force": [1e-9, 0.0, -2.0]}])"));
   for (const char* key : {"area", "nodes", "min_gap", "max_penetration_between_nodes", "max_pressure"})

@@ -29,28 +29,56 @@ void at_all_points(const Check& check) {
 
 TEST(HalfSpace, distance_is_signed_and_grows_along_its_gradient) {
   const HalfSpace h = slope();
-  EXPECT_NEAR(h.distance(h.point), 0, 1e-16);
-  EXPECT_NEAR(h.distance(h.point + 2 * h.normal), 2, 1e-15);
-  EXPECT_NEAR(h.distance(h.point - 2 * h.normal), -2, 1e-15);
-  EXPECT_NEAR(h.gradient(h.point).norm(), 1, 1e-15);
+  EXPECT_NEAR(h.nearest(h.point).distance, 0, 1e-16);
+  EXPECT_NEAR(h.nearest(h.point + 2 * h.normal).distance, 2, 1e-15);
+  EXPECT_NEAR(h.nearest(h.point - 2 * h.normal).distance, -2, 1e-15);
+  EXPECT_NEAR(h.nearest(h.point).normal.norm(), 1, 1e-15);
+}
+
+TEST(Obstacle, answers_with_the_derivatives_of_its_distance) {
+  const Vector3d X(0.7, -0.4, 1.1);
+  for (const Shape& shape : {Shape(slope()), Shape(Ball{.centre = {0.1, 0.2, -0.3}, .radius = 0.5}),
+                             Shape(Ball{.centre = {0.1, 0.2, -0.3}, .radius = 4, .inside = true})}) {
+    const Obstacle body{.shape = shape, .translation = {0.2, 0.1, -0.3}};
+    const Nearest at = body.nearest(X, 0.5);
+    EXPECT_GT(at.distance, 0);
+    EXPECT_NEAR(at.normal.norm(), 1, 1e-15);
+    constexpr double h = 1e-5;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d step = h * Vector3d::Unit(k);
+      const Nearest ahead = body.nearest(X + step, 0.5), behind = body.nearest(X - step, 0.5);
+      EXPECT_NEAR((ahead.distance - behind.distance) / (2 * h), at.normal[k], 1e-9);
+      EXPECT_LT(((ahead.normal - behind.normal) / (2 * h) - at.curvature.col(k)).norm(), 1e-8);
+    }
+  }
+}
+
+TEST(Obstacle, goes_its_way_in_proportion_to_time) {
+  const Obstacle body{.shape = slope(), .translation = {0.2, 0.1, -0.3}};
+  const Vector3d X(0.7, -0.4, 1.1);
+  for (const double time : {0.0, 0.25, 1.0})
+    EXPECT_NEAR(body.nearest(X + time * body.translation, time).distance, slope().nearest(X).distance, 1e-15);
+  EXPECT_GT(std::abs(body.nearest(X, 1).distance - body.nearest(X, 0).distance), 0.1);
 }
 
 TEST(Gap, of_a_plate_over_a_table_is_the_height_of_its_face) {
   const HalfSpace table{};
   const Vector3d phi(3, 4, 1), up = Vector3d::UnitZ();
-  EXPECT_DOUBLE_EQ(gap_at(table, Face::lower, phi, up, thickness).initial, 1 - thickness / 2);
-  EXPECT_DOUBLE_EQ(gap_at(table, Face::upper, phi, up, thickness).initial, 1 + thickness / 2);
-  EXPECT_DOUBLE_EQ(gap_at(table, Face::upper, phi, -up, thickness).initial,
+  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::lower}, phi, up, thickness).initial,
+                   1 - thickness / 2);
+  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::upper}, phi, up, thickness).initial,
+                   1 + thickness / 2);
+  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::upper}, phi, -up, thickness).initial,
                    1 - thickness / 2);  // faces are seen along a_3
 }
 
 TEST(Gap, is_that_of_the_touching_face) {
   at_all_points([](const Vector3d& phi, const Vector3d& a3) {
     for (const Face face : {Face::lower, Face::upper}) {
-      const Gap g = gap_at(slope(), face, phi, a3, thickness);
+      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, phi, a3, thickness);
       const Vector3d point = phi + (face == Face::lower ? -1 : 1) * thickness / 2 * a3;
       EXPECT_LT((g.contact_point - point).norm(), 1e-15);
-      EXPECT_NEAR(g.initial, slope().distance(point), 1e-15);
+      EXPECT_NEAR(g.initial, slope().nearest(point).distance, 1e-15);
       EXPECT_EQ(g(Vector3d::Zero(), Vector3d::Zero()), g.initial);
     }
   });
@@ -60,9 +88,9 @@ TEST(Gap, changes_under_a_motion_as_the_distance_of_the_moved_face) {  // exact 
   Random random;
   at_all_points([&](const Vector3d& phi, const Vector3d& a3) {
     for (const Face face : {Face::lower, Face::upper}) {
-      const Gap g = gap_at(slope(), face, phi, a3, thickness);
+      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, phi, a3, thickness);
       const Vector3d u = random.vector(), r = random.vector();
-      EXPECT_NEAR(g(u, r), slope().distance(phi + u + g.z * (a3 + r)), 1e-14);
+      EXPECT_NEAR(g(u, r), slope().nearest(phi + u + g.z * (a3 + r)).distance, 1e-14);
     }
   });
 }
@@ -71,9 +99,9 @@ TEST(Gap, under_a_rigid_motion_is_the_distance_of_the_rigidly_moved_point) {
   Random random;
   at_all_points([&](const Vector3d& phi, const Vector3d& a3) {
     for (const Face face : {Face::lower, Face::upper}) {
-      const Gap g = gap_at(slope(), face, phi, a3, thickness);
+      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, phi, a3, thickness);
       const Vector3d c = random.vector(), w = random.vector();
-      const double moved = slope().distance(g.contact_point + c + w.cross(g.contact_point));
+      const double moved = slope().nearest(g.contact_point + c + w.cross(g.contact_point)).distance;
       EXPECT_NEAR(g(c + w.cross(phi), w.cross(a3)), moved, 1e-14);
     }
   });

@@ -43,9 +43,8 @@ double smallest_root(const MatrixXd& G, const MatrixXd& N) {
   return std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(G, N).eigenvalues()[0]);
 }
 
-obstacle::Gap gap_to_table(const Vector3d& phi, const Vector3d& a3, double thickness) {
-  return obstacle::gap_at(obstacle::HalfSpace{{0, 0, -1}, Vector3d(0.2, 0.1, 1).normalized()}, obstacle::Face::lower,
-                          phi, a3, thickness);
+assembly::RigidObstacles table() {
+  return {.all = {{.shape = obstacle::HalfSpace{{0, 0, -1}, Vector3d(0.2, 0.1, 1).normalized()}}}};
 }
 
 std::unique_ptr<assembly::DiscreteShell> clamped_shell(const std::array<std::string, 3>& chart,
@@ -55,7 +54,7 @@ std::unique_ptr<assembly::DiscreteShell> clamped_shell(const std::array<std::str
                               {.sections = test::steel_of(geometry::Expression(0.1)),
                                .tangency = {.formulation = formulation},
                                .supports = {test::clamp("edge1"), test::clamp("edge2")},
-                               .gap = with_gap ? assembly::GapFunction(gap_to_table) : assembly::GapFunction{}});
+                               .obstacles = with_gap ? table() : assembly::RigidObstacles{}});
 }
 
 constexpr double length = 0.7;  // L of the norms
@@ -118,7 +117,7 @@ TEST(InfSup, OfCIsThatOfDenseMatrices) {
     MatrixXd Ct = MatrixXd::Zero(width * nodes, nodes);  // column i: weight_i n_i . (v + z s), r . a_3 left out
     for (Index i = 0; i < nodes; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      const obstacle::Gap& gap = discrete->coordinates.gaps[k];
+      const obstacle::Gap& gap = discrete->coordinates.gaps[0][k];
       const Vector3d& a3 = discrete->points[k].a3;
       Eigen::Matrix<double, 6, 1> row;
       row << gap.normal, gap.z * (gap.normal - gap.normal.dot(a3) * a3);

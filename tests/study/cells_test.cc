@@ -27,7 +27,7 @@ Problem small_panel(const Element& element) {
   Problem p = with_chart(free_plate(), {"x", "y", "0.06 + 0.2*x^2"});
   p.supports = {clamped("left"), clamped("right")};
   p.area_loads = {force(0, 0, -100)};
-  p.obstacle = Obstacle{};
+  p.obstacles = {obstacle::Obstacle{}};
   p.domain = fem::Rectangle{.cells = {2, 2}};
   p.discretisation = {.cells = element.cells, .degree = element.degree, .tying = true, .refinements = 1};
   return p;

@@ -38,7 +38,7 @@ computation::Problem unloaded() {
 /// A strip so far above the table that it never gets there.
 computation::Problem strip_in_the_air() {
   computation::Problem p = pressed_strip();
-  p.obstacle->half_space.point = {0, 0, -1};
+  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point = {0, 0, -1};
   p.discretisation.refinements = 1;
   return p;
 }

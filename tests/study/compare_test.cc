@@ -72,20 +72,51 @@ TEST(Compare, OfATangentNormalAloneHoldsTheRelaxedFormulations) {
     EXPECT_NEAR(number(report.table, row, "energy") / number(report.table, row % 2, "energy"), 1, 1e-8);
 }
 
-TEST(Penalty, FollowsPUntilRoundingDecides) {
+TEST(Penalty, FollowsPUntilTheMeshLocks) {
   computation::Problem p = pressed_bowl();
   p.discretisation.degree = 4;
   p.discretisation.refinements = 1;
-  const Report report = penalty(p, {}, MPI_COMM_WORLD, {});
-  EXPECT_EQ(report.status, contact::Status::solved);
-  ASSERT_GT(report.table.rows.size(), 4U);
-  ASSERT_EQ(report.table.claims.size(), 2U);
-  EXPECT_EQ(report.table.claims[0].verdict, Verdict::holds) << report.table.claims[0].measured;
-  // On a mesh this coarse locking still moves U_p when p is small; the claim on that is judged, and need not hold.
-  EXPECT_NE(report.table.claims[1].verdict, Verdict::cannot_be_judged) << report.table.claims[1].reason;
-  EXPECT_GT(report.table.fits.front().exponent, 0.6);
-  EXPECT_NEAR(number(report.table, 1, "penalty"), 0.1, 1e-15);
-  EXPECT_NEAR(number(report.table, 1, "normal_rotation") / number(report.table, 0, "normal_rotation"), 0.1, 0.03);
+  const Table table = penalty(p, {}, MPI_COMM_WORLD, {}).table;
+  ASSERT_GT(table.rows.size(), 4U);
+  ASSERT_EQ(table.claims.size(), 2U);
+  EXPECT_EQ(table.claims[0].verdict, Verdict::holds) << table.claims[0].measured;
+  EXPECT_GT(table.fits.front().exponent, 0.6);
+  EXPECT_NEAR(number(table, 1, "penalty"), 0.1, 1e-15);
+  EXPECT_NEAR(number(table, 1, "normal_rotation") / number(table, 0, "normal_rotation"), 0.1, 0.03);
+  // Locking: from p = 1 on the smaller p the farther from the tangent solution, and much farther on the mesh before.
+  EXPECT_EQ(table.claims[1].verdict, Verdict::cannot_be_judged) << table.claims[1].measured;
+  EXPECT_NE(table.claims[1].reason.find("the elements lock"), std::string::npos) << table.claims[1].reason;
+  for (const std::size_t row : {1U, 2U, 3U}) {
+    EXPECT_GT(number(table, row, "to tangent"), number(table, row - 1, "to tangent"));
+    EXPECT_GT(number(table, row, "mesh before"), 2 * number(table, row, "to tangent"));
+  }
+}
+
+/// Clamped all around, with a chart that is a polynomial: the discrete space has fields with r . a_3 = 0 everywhere.
+computation::Problem curved_plate() {
+  computation::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
+  p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  p.sections.common.thickness = Expression(0.2);
+  p.discretisation.degree = 6;
+  return p;
+}
+
+TEST(Penalty, ApproachesTheTangentSolutionWhereTheMeshAllows) {
+  const Table table = penalty(curved_plate(), {}, MPI_COMM_WORLD, {}).table;
+  expect_all_hold(table);
+  EXPECT_LT(number(table, 1, "to tangent"), 0.2 * number(table, 0, "to tangent"));
+  // Here U_p settles on the mesh: each p changes it by a tenth of what the one before did.
+  ASSERT_GT(table.rows.size(), 8U);
+  for (std::size_t row = 5; row < 8; ++row)
+    EXPECT_NEAR(number(table, row, "change") / number(table, row - 1, "change"), 0.1, 0.01);
+}
+
+TEST(Penalty, OnOneMeshDoesNotTakeLockingForAFailure) {
+  computation::Problem p = curved_plate();
+  p.discretisation.refinements = 0;
+  const Claim claim = penalty(p, {}, MPI_COMM_WORLD, {}).table.claims.at(1);
+  EXPECT_EQ(claim.verdict, Verdict::cannot_be_judged) << claim.measured;
+  EXPECT_NE(claim.reason.find("one mesh"), std::string::npos) << claim.reason;
 }
 
 TEST(Penalty, DoesNothingOnAFlatShell) {

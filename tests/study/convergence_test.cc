@@ -26,7 +26,7 @@ computation::Problem clamped_plate(int degree) {
 /// A plate strip clamped at its ends whose solution varies along it alone and is smooth.
 computation::Problem smooth_strip(int degree) {
   computation::Problem p = pressed_strip();
-  p.obstacle.reset();
+  p.obstacles.clear();
   p.area_loads.front() = {.force = {Expression(), Expression(), Expression("-1e-3 * sin(5*x)", {})}};
   p.discretisation = {.degree = degree, .refinements = 2};
   return p;

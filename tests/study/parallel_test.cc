@@ -102,7 +102,7 @@ TEST(Ranks, all_say_that_a_problem_has_no_solution) {
   p.area_loads = {force(0, 0, -1)};
   EXPECT_EQ(solve(p, MPI_COMM_WORLD).status, contact::Status::singular);
   p = pressed_strip();
-  p.obstacle->half_space.point[2] = 0.02;
+  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point[2] = 0.02;
   EXPECT_EQ(solve(p, MPI_COMM_WORLD).status, contact::Status::infeasible);
 }
 

@@ -41,7 +41,7 @@ TEST(Thickness, of_a_cylinder_held_along_a_generator_is_bending_dominated) {
 
 TEST(Thickness, of_a_clamped_dome_is_membrane_dominated) {
   computation::Problem p = pressed_bowl();
-  p.obstacle.reset();
+  p.obstacles.clear();
   p.discretisation = {.degree = 4, .refinements = 2};
   const Report report = thickness(p, halvings(3), MPI_COMM_SELF, {});
   ASSERT_EQ(report.status, contact::Status::solved);

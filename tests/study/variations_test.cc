@@ -51,14 +51,14 @@ TEST(Variation, that_is_linear_and_homogeneous_keeps_what_is_held) {
   EXPECT_TRUE(has_prescribed_motion(p));
   const computation::Problem linear = linear_and_homogeneous(p);
   EXPECT_FALSE(has_prescribed_motion(linear));
-  EXPECT_FALSE(linear.obstacle);
+  EXPECT_TRUE(linear.obstacles.empty());
   EXPECT_EQ(linear.supports.size(), p.supports.size());
 }
 
 TEST(Obstacle, that_is_raised_is_an_obstacle_moved_along_its_normal) {
   computation::Problem raised = pressed_strip(), moved = pressed_strip();
-  raised.obstacle->raised = 0.003;
-  moved.obstacle->half_space.point = {0, 0, 0.003};
+  raise(raised.obstacles, 0.003);
+  std::get<obstacle::HalfSpace>(moved.obstacles.at(0).shape).point = {0, 0, 0.003};
   const auto a = computation::solve(raised, MPI_COMM_SELF), b = computation::solve(moved, MPI_COMM_SELF);
   EXPECT_NEAR(a.summary.energy.total(), b.summary.energy.total(), 1e-12 * b.summary.energy.total());
   EXPECT_EQ(a.summary.touching_nodes, b.summary.touching_nodes);
@@ -68,7 +68,7 @@ TEST(Obstacle, that_is_raised_is_an_obstacle_moved_along_its_normal) {
 TEST(Face, keeps_its_place_when_its_scale_undoes_that_of_the_thickness) {
   computation::Problem p = with_thickness_scaled(pressed_strip(), 0.5);
   p.area_loads = {force(0, 0, -1e-12)};
-  p.obstacle->face_scale = 2;
+  p.face_scale = 2;
   EXPECT_NEAR(computation::solve(p, MPI_COMM_SELF).certificate.min_gap_nodes, 0.01, 1e-8);
 }
 

@@ -231,7 +231,7 @@ TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidua
   }
   for (Eigen::Index j = 0; j < t; ++j) {
     const std::size_t node = touching[static_cast<std::size_t>(j)];
-    right[f + m + j] = discrete.points[node].weight * c.bound_gap[node];
+    right[f + m + j] = discrete.points[node].weight * c.rows[node].bound_gap;
   }
   const Eigen::VectorXd solution = saddle.fullPivLu().solve(right);
 
@@ -267,9 +267,9 @@ TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) 
     auto& discrete = *start.solution->discrete;
     if (whole)
       for (std::size_t i = 0; i < discrete.points.size(); ++i)
-        if (discrete.coordinates.touchable[i]) {
+        if (discrete.coordinates.is_touchable(i)) {
           auto& basis = discrete.coordinates.basis[i];
-          const auto& gap = discrete.coordinates.gaps[i];
+          const auto& gap = discrete.coordinates.gaps[0][i];
           basis.col(5).head<3>() = -gap.z * gap.normal.dot(discrete.points[i].a3) * basis.col(0).head<3>();
         }
     const algebra::Matrix matrix = assembly::stiffness_matrix(discrete);
@@ -286,7 +286,7 @@ TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) 
       const Eigen::Vector3d& a3 = discrete.points[i].a3;
       outcome.normal_rotation = test::larger(outcome.normal_rotation, std::abs(r.dot(a3)));
       outcome.penetration =
-          test::larger(outcome.penetration, -discrete.coordinates.gaps[i](u, geometry::tangential(r, a3)));
+          test::larger(outcome.penetration, -discrete.coordinates.gaps[0][i](u, geometry::tangential(r, a3)));
     }
     return outcome;
   };

@@ -89,7 +89,7 @@ computation::Problem pressed_shell(const ordered_json& params) {
   problem.sections.common.thickness = Expression(params["e"].get<double>());
   problem.sections.common.material = shell::Material::from_young_poisson(params["E"], params["nu"], params["ks"]);
   problem.area_loads = {downward(params["p"])};
-  problem.obstacle = computation::Obstacle{};
+  problem.obstacles = {obstacle::Obstacle{}};
   return problem;
 }
 
@@ -206,7 +206,7 @@ computation::Problem manufactured_problem(const Manufactured& exact, int degree,
   load.force_function = [exact](double x, double y) { return exact.force(x, y); };
   load.couple_function = [exact](double x, double y) { return exact.couple(x, y); };
   problem.area_loads = {load};
-  if (exact.solution() == ManufacturedSolution::contact) problem.obstacle = computation::Obstacle{};
+  if (exact.solution() == ManufacturedSolution::contact) problem.obstacles = {obstacle::Obstacle{}};
   problem.discretisation = {.degree = degree, .refinements = refinements};
   return problem;
 }

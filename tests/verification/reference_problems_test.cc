@@ -12,7 +12,7 @@ namespace {
 
 obstacle::Gap gap_of(const computation::Problem& problem, double x, double y) {
   const geometry::SurfaceJet phi = problem.charts.at("")(x, y);
-  return obstacle::gap_at(problem.obstacle->half_space, problem.obstacle->face, phi.value, geometry::unit_normal(phi),
+  return obstacle::gap_at(problem.obstacles.at(0), phi.value, geometry::unit_normal(phi),
                           problem.sections.common.thickness(x, y));
 }
 
@@ -74,7 +74,7 @@ TEST(ReferenceProblems, ManufacturedProblemsHaveTheirExactGapsAndLoads) {
   EXPECT_NEAR(gap_of(problem, x, y)(exact.u(x, y).value, exact.r(x, y).value), exact.gap(x, y), 1e-15);
   EXPECT_EQ(problem.area_loads.at(0).force_function(x, y), exact.force(x, y));
   EXPECT_EQ(problem.area_loads.at(0).couple_function(x, y), exact.couple(x, y));
-  EXPECT_FALSE(manufactured_problem({ManufacturedSolution::clamped, {}}, 2, 3).obstacle.has_value());
+  EXPECT_TRUE(manufactured_problem({ManufacturedSolution::clamped, {}}, 2, 3).obstacles.empty());
 }
 
 TEST(ReferenceProblems, RefuseAThicknessWithoutReference) {

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "petsc_check.hpp"
+#include "petsc_use.hpp"
 
 namespace plastron::algebra {
 namespace {
@@ -218,6 +219,7 @@ void find_multiples(const SelfAdjointOperator& T, End end, const EigenSettings& 
 }  // namespace
 
 Eigenpairs eigenpairs(const SelfAdjointOperator& T, End end, const EigenSettings& settings) {
+  const PetscUse petsc;
   Solver solver(T, end);
   const int count = static_cast<int>(std::min<std::int64_t>(settings.count, solver.size()));
   if (count == 0) return {.converged = true};

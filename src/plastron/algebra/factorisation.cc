@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "petsc_check.hpp"
+#include "petsc_use.hpp"
 #include "pinned_matrix.hpp"
 
 namespace plastron::algebra {
@@ -161,6 +162,7 @@ struct Factorisation::Storage {
 
 Factorisation::Factorisation(const Matrix& A) {
   const double start = MPI_Wtime();
+  const PetscUse petsc;
   storage_ = std::make_unique<Storage>(A.storage());
   storage_->seconds_symbolic = MPI_Wtime() - start;  // with the pattern of the working copy
 }
@@ -172,6 +174,7 @@ Factorisation::~Factorisation() = default;
 bool Factorisation::factorise(std::span<const char> pinned) {
   Storage& s = *storage_;
   const double start = MPI_Wtime();
+  const PetscUse petsc;
   s.copy.fill(s.A, pinned);
   const BlasThreads threads(threads_for(s.cost.operations));
   s.ready = s.ranks == 1 ? s.factorise_with_cholmod() : s.factorise_with_mumps();
@@ -186,9 +189,26 @@ void Factorisation::solve(const Vector& b, Vector& x) const {
   PLASTRON_ASSERT(&b != &x, &b, &x);
   PLASTRON_ASSERT(b.owned().size() == s.A.owned_unknowns() && x.owned().size() == s.A.owned_unknowns(),
                   b.owned().size(), x.owned().size(), s.A.owned_unknowns());
+  const PetscUse petsc;
   const BorrowedVec rhs(*s.A.layout, s.A.block, b.owned().data());
   const BorrowedVec solution(*s.A.layout, s.A.block, x.owned().data());
   petsc_check(MatSolve(s.factor, rhs.vec(), solution.vec()), "solving with a factorised matrix");
+}
+
+// A solve waits for memory, hence the weight of an entry: operations of a factorisation by one thread that take as long as one entry of the
+// factor in a solve (benchmarks/step_cost; docs/performance.md).
+Price price_of(const FactorisationCost& cost) {
+  constexpr double per_entry = 65;
+  return {.pin = cost.operations / threads_for(cost.operations), .apply = per_entry * cost.entries};
+}
+
+Pinning Factorisation::pin(std::span<const char> pinned) {
+  return factorise(pinned) ? Pinning::done : Pinning::not_positive_definite;
+}
+
+SoftestMotion Factorisation::softest_motion(const Operator& operate, std::span<const char> pinned,
+                                            const Vector& diagonal) const {
+  return algebra::softest_motion(operate, *this, pinned, diagonal);
 }
 
 FactorisationCost Factorisation::cost() const { return storage_->cost; }

@@ -2,6 +2,7 @@
 // The symbolic analysis is done once and serves every set of pinned unknowns, since the pattern stays.
 #pragma once
 #include <plastron/algebra/matrix.hpp>
+#include <plastron/algebra/preconditioner.hpp>
 
 #include <memory>
 #include <span>
@@ -14,13 +15,16 @@ struct FactorisationCost {
   double entries = 0;     ///< of the factor: a solve reads each of them twice
 };
 
-class Factorisation {
+/// What that amounts to beside other preconditioners.
+Price price_of(const FactorisationCost& cost);
+
+class Factorisation : public Preconditioner {
  public:
   /// Symbolic analysis of the pattern of A (collective). A must outlive this object.
   explicit Factorisation(const Matrix& A);
   Factorisation(Factorisation&&) noexcept;
   Factorisation& operator=(Factorisation&&) noexcept;
-  ~Factorisation();
+  ~Factorisation() override;
 
   /// Factorises A with the rows and columns of the pinned unknowns replaced by those of a diagonal matrix.
   /// pinned[i] != 0 for the owned scalar unknown i. The diagonal keeps A's entry where that is positive, and takes A's
@@ -29,6 +33,14 @@ class Factorisation {
   bool factorise(std::span<const char> pinned);
   /// x = F^{-1} b for the factorised F; on pinned unknowns x = b / (their diagonal). Owned values. (collective)
   void solve(const Vector& b, Vector& x) const;
+
+  // As a preconditioner: factorise() and solve() by their general names.
+  Pinning pin(std::span<const char> pinned) override;
+  void apply(const Vector& r, Vector& z) const override { solve(r, z); }
+  bool is_exact() const override { return true; }
+  SoftestMotion softest_motion(const Operator& operate, std::span<const char> pinned,
+                               const Vector& diagonal) const override;
+  Price price() const override { return price_of(cost()); }
 
   FactorisationCost cost() const;
   int factorisations() const;  ///< numeric factorisations so far

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/matrix.hpp>
 
@@ -120,6 +121,7 @@ void Matrix::add(std::span<const LocalIndex> nodes, std::span<const double> valu
 
 void Matrix::finish() {
   Storage& A = *storage_;
+  A.has_finished = true;
   int ranks = 1;
   MPI_Comm_size(A.layout->comm, &ranks);
   if (ranks == 1) return;
@@ -133,12 +135,17 @@ void Matrix::finish() {
   std::fill(A.block_at(A.row_begin(A.wide->owned)), A.values.data() + A.values.size(), 0.0);
 }
 
-void Matrix::set_zero() { std::ranges::fill(storage_->values, 0.0); }
+void Matrix::set_zero() {
+  std::ranges::fill(storage_->values, 0.0);
+  storage_->has_finished = false;
+}
 
 Matrix Matrix::plus_multiple(double factor, const Matrix& B) const {
   const Storage &A = *storage_, &other = *B.storage_;
-  if (A.column != other.column || A.row_start != other.row_start || A.block != other.block)
-    throw std::invalid_argument("matrices of different patterns cannot be added");
+  in_agreement(A.layout->comm, [&] {
+    if (A.column != other.column || A.row_start != other.row_start || A.block != other.block)
+      throw std::invalid_argument("matrices of different patterns cannot be added");
+  });
   auto sum = std::make_unique<Storage>(A);
   for (std::size_t k = 0; k < sum->values.size(); ++k) sum->values[k] += factor * other.values[k];
   return Matrix(std::move(sum));

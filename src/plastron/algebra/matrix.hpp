@@ -10,14 +10,18 @@
 
 namespace plastron::algebra {
 
-/// The node lists of elements (local node indices), the same number of nodes in each, one after the other.
+/// The node lists of elements (local node indices), one after the other.
 struct Connectivity {
-  int nodes_per_element = 0;
+  int nodes_per_element = 0;  ///< unless `start` says otherwise
   std::vector<LocalIndex> nodes{};
+  std::vector<std::size_t>
+      start{};  ///< where each element begins, then the end; empty if all have the same number of nodes
   std::size_t elements() const {
+    if (!start.empty()) return start.size() - 1;
     return nodes_per_element ? nodes.size() / static_cast<std::size_t>(nodes_per_element) : 0;
   }
   std::span<const LocalIndex> element(std::size_t e) const {
+    if (!start.empty()) return {nodes.data() + start[e], start[e + 1] - start[e]};
     return {nodes.data() + e * static_cast<std::size_t>(nodes_per_element),
             static_cast<std::size_t>(nodes_per_element)};
   }
@@ -39,7 +43,11 @@ class Matrix {
   /// Ends the adding: what was added to rows of other ranks goes there (collective). Adding may go on afterwards.
   void finish();
   void set_zero();  ///< keeps the pattern
-  /// A + factor B, for matrices of one layout, block and pattern.
+  /// What this rank alone has added, A_i, as a matrix on MPI_COMM_SELF whose nodes are all local nodes of layout() in their local order: A is
+  /// the sum over ranks of R_i' A_i R_i, with R_i from global to local values. Before finish(), which ships rows of ghosts
+  /// away: afterwards, until set_zero(), std::logic_error.
+  Matrix local_part() const;
+  /// A + factor B, for matrices of one layout, block and pattern (collective).
   Matrix plus_multiple(double factor, const Matrix& B) const;
 
   /// y = A x, owned values; the ghosts of x are not read, those of y end as zero (collective).

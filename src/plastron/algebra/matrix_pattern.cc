@@ -1,5 +1,6 @@
 // The pattern of a Matrix: which blocks elements couple, here and on other ranks.
 #include <fmt/core.h>
+#include <plastron/algebra/agreement.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -116,7 +117,7 @@ void fill_rows(Matrix::Storage& A, const Connectivity& elements, const std::vect
 }  // namespace
 
 void build_pattern(Matrix::Storage& A, const Connectivity& elements) {
-  check_nodes(elements, A.layout->local_size());
+  in_agreement(A.layout->comm, [&] { check_nodes(elements, A.layout->local_size()); });
   int ranks = 1;
   MPI_Comm_size(A.layout->comm, &ranks);
   const auto received = ranks == 1 ? std::vector<Coupling>{} : couplings_from_others(*A.layout, elements);

@@ -21,6 +21,7 @@ struct Matrix::Storage {
   std::vector<LocalIndex> column{};            ///< node of `wide`, for each block
   std::vector<double> values{};                ///< block after block, row-major inside
   std::shared_ptr<const Exchange> exchange{};  ///< for `wide`
+  bool has_finished = false;  ///< rows of ghosts have been shipped: no rank knows its own part any more
 
   std::size_t block_area() const { return static_cast<std::size_t>(block) * static_cast<std::size_t>(block); }
   std::size_t owned_unknowns() const {

@@ -1,5 +1,7 @@
 #include "pinned_matrix.hpp"
 
+#include <plastron/algebra/agreement.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -72,7 +74,9 @@ void PinnedMatrix::create_on_several_ranks(const Matrix::Storage& A) {
 void PinnedMatrix::mark_pinned(const Matrix::Storage& A, std::span<const char> pinned) {
   const auto m = static_cast<std::size_t>(A.block);
   const auto owned = static_cast<std::size_t>(A.layout->owned) * m;
-  if (pinned.size() != owned) throw std::invalid_argument("one mark per owned unknown tells which are pinned");
+  in_agreement(A.layout->comm, [&] {
+    if (pinned.size() != owned) throw std::invalid_argument("one mark per owned unknown tells which are pinned");
+  });
   const auto diagonal_of = [&](std::size_t i) {
     return A.block_at(A.row_begin(static_cast<LocalIndex>(i / m)))[(i % m) * (m + 1)];
   };

@@ -3,36 +3,22 @@
 
 #include <slepcsys.h>
 
-#include <array>
-#include <cstdlib>
-
-#include "petsc_check.hpp"
+#include "petsc_use.hpp"
 
 namespace plastron::algebra {
 namespace {
 
-bool we_started_mpi = false;
-
-void start_mpi(int& argc, char**& argv) {
-  int started = 0;
-  MPI_Initialized(&started);
-  we_started_mpi = !started;
-  if (we_started_mpi) MPI_Init(&argc, &argv);
+bool start_mpi(int& argc, char**& argv) {
+  int runs = 0;
+  MPI_Initialized(&runs);
+  if (!runs) MPI_Init(&argc, &argv);
+  return !runs;
 }
 
-// The words PETSc sees in place of our command line: no file, no signal handler that prints, no report at the end. SLEPc
-// starts and ends PETSc.
-void start_petsc_and_slepc() {
-  unsetenv("PETSC_OPTIONS");
-  std::array words{const_cast<char*>("plastron"), const_cast<char*>("-skip_petscrc"),
-                   const_cast<char*>("1"),        const_cast<char*>("-no_signal_handler"),
-                   const_cast<char*>("1"),        const_cast<char*>("-options_left"),
-                   const_cast<char*>("0"),        static_cast<char*>(nullptr)};
-  int count = static_cast<int>(words.size()) - 1;
-  char** arguments = words.data();
-  petsc_check(SlepcInitialize(&count, &arguments, nullptr, nullptr), "starting");
-  petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "silencing its error handler");
-  PetscErrorPrintf = PetscErrorPrintfNone;  // CHOLMOD's handler prints by itself
+bool mpi_has_ended() {
+  int ended = 0;
+  MPI_Finalized(&ended);
+  return ended != 0;
 }
 
 int number_of_ranks() {
@@ -43,16 +29,15 @@ int number_of_ranks() {
 
 }  // namespace
 
-Session::Session(int& argc, char**& argv, int threads) {
-  start_mpi(argc, argv);
+Session::Session(int& argc, char**& argv, int threads) : owns_mpi_(start_mpi(argc, argv)), owns_slepc_(false) {
   restrict_threads(threads, number_of_ranks());
-  start_petsc_and_slepc();
+  owns_slepc_ = start_slepc(MPI_COMM_WORLD);
 }
 
 Session::~Session() {
-  PetscPopErrorHandler();
-  SlepcFinalize();
-  if (we_started_mpi) MPI_Finalize();
+  if (mpi_has_ended()) return;
+  if (owns_slepc_) SlepcFinalize();
+  if (owns_mpi_) MPI_Finalize();
 }
 
 }  // namespace plastron::algebra

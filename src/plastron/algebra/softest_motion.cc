@@ -1,4 +1,5 @@
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/algebra/preconditioner.hpp>
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 
@@ -24,8 +25,9 @@ bool SoftestMotion::is_free() const {
   return !(stiffness > nothing_but_rounding) || !(stiffness > unlike_its_factor * factor_stiffness);
 }
 
-SoftestMotion softest_motion(const Operator& apply, const Factorisation& factor, std::span<const char> fixed,
+SoftestMotion softest_motion(const Operator& apply, const Preconditioner& factor, std::span<const char> fixed,
                              const Vector& diagonal) {
+  PLASTRON_ASSERT(factor.is_exact(), "inverse iteration needs the inverse");
   PLASTRON_ASSERT(fixed.empty() || fixed.size() == diagonal.owned().size(), fixed.size(), diagonal.owned().size());
   SoftestMotion softest{Vector(diagonal.layout(), diagonal.block())};
   Vector& v = softest.motion;
@@ -34,7 +36,7 @@ SoftestMotion softest_motion(const Operator& apply, const Factorisation& factor,
   fill_with_pseudo_random_values(v);
   for (int step = 0; step < 2; ++step) {
     weigh(diagonal, v, fixed, force);
-    factor.solve(force, v);
+    factor.apply(force, v);
     weigh(diagonal, v, fixed, weighted);
     const double size = std::sqrt(dot(v, weighted));
     if (size == 0) return softest;

@@ -1,12 +1,13 @@
 // The motion that costs least energy. It tells a structure that can move freely from one that is merely thin: both
 // factorisations may go through, but a free motion has no stiffness at all.
 #pragma once
-#include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/krylov.hpp>
 
 #include <span>
 
 namespace plastron::algebra {
+
+class Preconditioner;
 
 struct SoftestMotion {
   Vector motion;                ///< v, scaled to v' D v = 1 with D the diagonal of A; zero if every unknown is fixed
@@ -19,9 +20,9 @@ struct SoftestMotion {
   bool is_free() const;
 };
 
-/// Two steps of inverse iteration from arbitrary values; costs two solves. `fixed` as given to factorise().
-/// (collective)
-SoftestMotion softest_motion(const Operator& apply, const Factorisation& factor, std::span<const char> fixed,
+/// Two steps of inverse iteration from arbitrary values; costs two applications of an exact preconditioner, which `fixed` was
+/// pinned in. (collective)
+SoftestMotion softest_motion(const Operator& apply, const Preconditioner& factor, std::span<const char> fixed,
                              const Vector& diagonal);
 
 }  // namespace plastron::algebra

@@ -26,11 +26,11 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
   ShellOperator shell(std::move(space), std::move(surface), description.sections, description.tying,
                       formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
-  auto coordinates =
-      nodal_coordinates(shell.space(), shell.surface(), points, description.supports, description.gap, formulation);
+  auto coordinates = nodal_coordinates(shell.space_pointer(), shell.surface(), points, description.supports,
+                                       description.obstacles, formulation);
   auto load = load_vector(shell, description.area_loads, description.edge_loads, description.gravity);
   return std::make_unique<DiscreteShell>(DiscreteShell{std::move(shell), std::move(points), std::move(coordinates),
-                                                       std::move(load), description.gap, description.tangency,
+                                                       std::move(load), description.obstacles, description.tangency,
                                                        support_points(description.supports)});
 }
 

@@ -15,7 +15,7 @@ struct DiscreteShell {
   std::vector<NodalPoint> points;
   NodalCoordinates coordinates;
   algebra::Vector load;  ///< Cartesian nodal forces and couples (block 6)
-  GapFunction gap;       ///< empty without obstacle
+  RigidObstacles obstacles;
   element::Tangency tangency;
   std::vector<Eigen::Vector2d> support_points{};  ///< where supports hold points of Omega, each once
 
@@ -35,7 +35,7 @@ struct ShellDescription {
   std::vector<AreaLoad> area_loads{};
   std::vector<EdgeLoad> edge_loads{};
   Vector3d gravity = Vector3d::Zero();  ///< g [m/s^2]
-  GapFunction gap{};                    ///< empty without obstacle
+  RigidObstacles obstacles{};
 };
 
 /// (collective) Throws SupportError.

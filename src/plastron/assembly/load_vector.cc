@@ -1,5 +1,6 @@
 #include <plastron/assembly/load_vector.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/element/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
 #include <plastron/geometry/piecewise.hpp>
@@ -8,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace plastron::assembly {
@@ -93,19 +93,11 @@ class LoadSum {
     }
   }
 
-  /// (collective)
   void throw_if_not_finite() const {
-    const MPI_Comm comm = space_.layout->comm;
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    int first = not_finite_ ? rank : std::numeric_limits<int>::max();
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
-    if (first == std::numeric_limits<int>::max()) return;
-    Vector2d x = not_finite_.value_or(Vector2d::Zero());
-    MPI_Bcast(x.data(), 2, MPI_DOUBLE, first, comm);
-    throw LoadError(fmt::format(
-        "a load is infinite or not a number near x = {:.6g}, y = {:.6g}; loads must be finite in all of the domain",
-        x[0], x[1]));
+    if (not_finite_)
+      throw LoadError(fmt::format(
+          "a load is infinite or not a number near x = {:.6g}, y = {:.6g}; loads must be finite in all of the domain",
+          (*not_finite_)[0], (*not_finite_)[1]));
   }
 
  private:
@@ -212,10 +204,13 @@ class LoadSum {
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
                             const std::vector<EdgeLoad>& edge_loads, const Vector3d& gravity) {
   algebra::Vector f(shell.space().layout, 6);
-  LoadSum sum(shell, f);
-  sum.add_area_loads(area_loads, gravity);
-  for (const EdgeLoad& load : edge_loads) sum.add_edge_load(load);
-  sum.throw_if_not_finite();
+  // Loads may be functions of the caller, and a place where one is not finite is seen by one rank alone.
+  algebra::in_agreement<LoadError>(shell.space().layout->comm, [&] {
+    LoadSum sum(shell, f);
+    sum.add_area_loads(area_loads, gravity);
+    for (const EdgeLoad& load : edge_loads) sum.add_edge_load(load);
+    sum.throw_if_not_finite();
+  });
   f.accumulate_ghosts();
   return f;
 }

@@ -1,5 +1,7 @@
 #include <plastron/assembly/multiplier.hpp>
 
+#include <plastron/fem/ties.hpp>
+
 #include <cmath>
 
 namespace plastron::assembly {
@@ -33,7 +35,8 @@ void raise(const ShellOperator& shell, std::size_t cell, CellGradient& g) {
 
 std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const algebra::Layout& layout) {
   std::vector<char> zeros(static_cast<std::size_t>(layout.owned));
-  for (std::size_t i = 0; i < zeros.size(); ++i) zeros[i] = coordinates.is_prescribed(i, 5);
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+    zeros[i] = coordinates.is_prescribed(i, NodalCoordinates::normal_rotation);
   return zeros;
 }
 
@@ -49,9 +52,12 @@ void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebr
       q.local()[static_cast<std::size_t>(nodes[i])] += values[static_cast<Eigen::Index>(i)];
   }
   q.accumulate_ghosts();
+  fem::collect(shell.space(), q);
 }
 
-void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector& lambda, algebra::Vector& f) {
+void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector& multiplier, algebra::Vector& f) {
+  algebra::Vector lambda = multiplier;
+  fem::spread(shell.space(), lambda);
   f.fill(0);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     CellGradient g = gradients(shell.tables().quadrature, gather_scalar(shell.space().nodes(c), lambda));
@@ -66,7 +72,7 @@ void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector
 algebra::Matrix gradient_matrix(const ShellOperator& shell) {
   const fem::Space& space = shell.space();
   const element::BasisAt& basis = shell.tables().quadrature;
-  algebra::Matrix matrix(space.layout, 1, space.connectivity);
+  algebra::Matrix matrix(space.layout, 1, fem::coupled_nodes(space));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     RowMatrix k = RowMatrix::Zero(basis.value.cols(), basis.value.cols());
     for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
@@ -75,7 +81,12 @@ algebra::Matrix gradient_matrix(const ShellOperator& shell) {
       g << basis.d1.row(q), basis.d2.row(q);
       k += p.area * g.transpose() * p.frame.metric_con * g;
     }
-    matrix.add(space.nodes(c), {k.data(), static_cast<std::size_t>(k.size())});
+    if (const auto carriers = fem::carriers(space, c)) {
+      k = (carriers->weights.transpose() * k * carriers->weights).eval();
+      matrix.add(carriers->nodes, {k.data(), static_cast<std::size_t>(k.size())});
+    } else {
+      matrix.add(space.nodes(c), {k.data(), static_cast<std::size_t>(k.size())});
+    }
   }
   matrix.finish();
   return matrix;

@@ -1,5 +1,7 @@
 #include <plastron/assembly/nodal_geometry.hpp>
 
+#include <plastron/algebra/assertion.hpp>
+#include <plastron/fem/ties.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
@@ -63,12 +65,15 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   add_sections(space, surface, tables, sections, data);
   data.update_ghosts();
   weights.accumulate_ghosts();
+  fem::collect(space, weights);  // a tied node is never in contact; others answer for its share
   weights.update_ghosts();
 
   std::vector<NodalPoint> points(done.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double* d = data.local().data() + i * block;
     points[i] = {{d[0], d[1]}, {d[2], d[3], d[4]}, {d[5], d[6], d[7]}, d[8], d[9], weights.local()[i]};
+    // The share that one hanging node hands to a master may be negative, the sum must not be.
+    PLASTRON_ASSERT(points[i].weight >= 0, i, points[i].weight);
   }
   return points;
 }

@@ -44,6 +44,7 @@ class ShellOperator {
                 CrossSections sections, bool tying, bool is_covariant);
 
   const fem::Space& space() const { return *space_; }
+  const std::shared_ptr<const fem::Space>& space_pointer() const { return space_; }
   const fem::Surface& surface() const { return *surface_; }
   const element::ElementTables& tables() const { return tables_; }
   const CrossSections& sections() const { return sections_; }

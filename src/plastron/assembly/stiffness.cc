@@ -1,6 +1,7 @@
 #include <plastron/assembly/stiffness.hpp>
 
 #include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/fem/ties.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -37,37 +38,16 @@ RowMatrix element_stiffness(const ShellOperator& shell, std::size_t cell) {
   return gram(b);
 }
 
-namespace {
-
-/// The columns of a matrix on Cartesian nodal values, seen in nodal coordinates.
-template <int width>
-RowMatrix in_coordinates(const RowMatrix& b, const NodalCoordinates& coordinates,
-                         std::span<const algebra::LocalIndex> nodes) {
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  RowMatrix result(b.rows(), width * n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    result.middleCols<width>(width * i).noalias() =
-        b.middleCols<6>(6 * i) *
-        coordinates.basis[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])].leftCols<width>();
-  return result;
-}
-
-}  // namespace
-
 algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates,
                                  double tangency_factor) {
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, space.connectivity);
+  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_nodes(space));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const auto nodes = space.nodes(c);
-    const auto to_coordinates = [&](const RowMatrix& b) {
-      return coordinates.width == 5 ? in_coordinates<5>(b, coordinates, nodes)
-                                    : in_coordinates<6>(b, coordinates, nodes);
-    };
-    RowMatrix b = to_coordinates(shell.strain_matrix(c));
+    auto [nodes, b] = in_coordinates(coordinates, c, shell.strain_matrix(c));
     scale_by_stiffness(shell, c, b);
     RowMatrix k = gram(b);
-    if (tangency_factor > 0) k += gram(to_coordinates(scaled_normal_rotation_matrix(shell, c, tangency_factor)));
+    if (tangency_factor > 0)
+      k += gram(in_coordinates(coordinates, c, scaled_normal_rotation_matrix(shell, c, tangency_factor)).matrix);
     matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
   }
   matrix.finish();

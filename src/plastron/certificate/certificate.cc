@@ -2,11 +2,13 @@
 
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/certificate/gap_between.hpp>
+#include <plastron/fem/ties.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace plastron::certificate {
 
@@ -18,7 +20,7 @@ Vector6 block6(const algebra::Vector& v, std::size_t node) {
   return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
 }
 
-/// A y + B' lambda - l per owned node, through strains.
+/// A y + B' lambda - l per owned node, through strains; tied nodes have handed theirs to their masters.
 algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   algebra::Vector r(discrete.space().layout, 6);
   discrete.apply(solution.y, r);
@@ -28,6 +30,7 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
     algebra::axpy(1, f, r);
   }
   for (std::size_t i = 0; i < r.owned().size(); ++i) r.owned()[i] -= discrete.load.owned()[i];
+  fem::collect(discrete.space(), r);
   return r;
 }
 
@@ -74,7 +77,8 @@ double size_of(const assembly::DiscreteShell& discrete) {
 
 /// Sums over the owned nodes of one rank.
 struct Sums {
-  Wrench loads, obstacle, supports;
+  Wrench loads, supports;
+  std::vector<ObstacleContact> obstacles{};
   double force_scale = 0, moment_scale = 0;  // sums of the norms of all nodal contributions
   double load_work = 0, contact_work = 0, support_work = 0;
   double free_residual = 0, all_forces = 0;
@@ -115,23 +119,39 @@ void note_size(const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
   sums.thickness = std::min(sums.thickness, p.thickness);
 }
 
-/// Contact at one node; returns its generalised force.
-Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i,
-                    const Vector6& y, Sums& sums) {
-  const obstacle::Gap& gap = discrete.coordinates.gaps[i];
-  const Vector3d& a3 = discrete.points[i].a3;
-  const double g = gap(y.head<3>(), geometry::tangential(y.tail<3>(), a3));
-  if (discrete.coordinates.touchable[i]) sums.min_gap = std::min(sums.min_gap, g);
-  if (solution.touching.local()[i] == 0) return Vector6::Zero();
-  const double pressure = solution.pressure.local()[i], weight = discrete.points[i].weight;
-  sums.touching += 1;
-  sums.area += weight;
+/// One obstacle at one node; returns its generalised force.
+Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                    const assembly::ContactRow& row, const Vector6& y, Sums& sums) {
+  const auto k = static_cast<std::size_t>(row.obstacle);
+  const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
+  const assembly::NodalPoint& point = discrete.points[row.node];
+  const double g = gap(y.head<3>(), geometry::tangential(y.tail<3>(), point.a3));
+  if (row.is_touchable()) sums.min_gap = std::min(sums.min_gap, g);
+  const std::size_t at = row.node * discrete.coordinates.gaps.size() + k;
+  if (solution.touching.local()[at] == 0) return Vector6::Zero();
+  const double pressure = solution.pressure.local()[at];
+  ObstacleContact& contact = sums.obstacles[k];
+  contact.nodes += 1;
+  contact.area += point.weight;
   sums.max_pressure = std::max(sums.max_pressure, pressure);
   sums.min_pressure = std::min(sums.min_pressure, pressure);
   sums.complementarity = std::max(sums.complementarity, std::abs(pressure * g));
-  Vector6 force = pressure * weight * gap_row(gap, a3);
+  const Vector6 force = pressure * point.weight * gap_row(gap, point.a3);
   sums.contact_work += force.dot(y);
-  add(sums.obstacle, discrete.points[i], force, sums);
+  add(contact.reaction, point, force, sums);
+  return force;
+}
+
+/// All obstacles at one node; returns their generalised force.
+Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i,
+                     const Vector6& y, Sums& sums) {
+  Vector6 force = Vector6::Zero();
+  for (const assembly::ContactRow& row : discrete.coordinates.rows_of(i))
+    force += add_contact(discrete, solution, row, y, sums);
+  if (touches(solution, i)) {
+    sums.touching += 1;
+    sums.area += discrete.points[i].weight;
+  }
   return force;
 }
 
@@ -142,8 +162,8 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
   add(sums.loads, discrete.points[i], load, sums);
   sums.load_work += load.dot(y);
   note_size(discrete.points[i], y, sums);
-  Vector6 contact = Vector6::Zero();
-  if (!coordinates.gaps.empty()) contact = add_contact(discrete, solution, i, y, sums);
+  if (coordinates.tied[i]) return;
+  const Vector6 contact = add_contacts(discrete, solution, i, y, sums);
   const Vector6 rest = r - contact;
   for (int k = 0; k < coordinates.width; ++k) {
     const Vector6 direction = coordinates.basis[i].col(k);
@@ -188,7 +208,12 @@ Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution&
   s.energy = discrete.shell.energies(solution.y);
   s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
   s.loads = over_ranks(sums.loads, comm);
-  s.reaction = over_ranks(sums.obstacle, comm);
+  for (const ObstacleContact& contact : sums.obstacles) {
+    s.obstacles.push_back({contact.name, over_ranks(contact.reaction, comm),
+                           algebra::sum_over_ranks(contact.area, comm), algebra::sum_over_ranks(contact.nodes, comm)});
+    s.reaction.force += s.obstacles.back().reaction.force;
+    s.reaction.moment += s.obstacles.back().reaction.moment;
+  }
   s.support_reaction = over_ranks(sums.supports, comm);
   s.contact_area = algebra::sum_over_ranks(sums.area, comm);
   s.touching_nodes = algebra::sum_over_ranks(sums.touching, comm);
@@ -231,24 +256,44 @@ Certificate certificate_of(const assembly::DiscreteShell& discrete, const NodalS
 
 }  // namespace
 
+double total_pressure(const NodalSolution& solution, std::size_t node) {
+  const auto block = static_cast<std::size_t>(solution.pressure.block());
+  const auto all = solution.pressure.local().subspan(node * block, block);
+  return std::accumulate(all.begin() + 1, all.end(), all[0]);
+}
+
+bool touches(const NodalSolution& solution, std::size_t node) {
+  const auto block = static_cast<std::size_t>(solution.touching.block());
+  return std::ranges::any_of(solution.touching.local().subspan(node * block, block), [](double t) { return t != 0; });
+}
+
 NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& box) {
   const auto& layout = discrete.space().layout;
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  const int obstacles = std::max(1, static_cast<int>(coordinates.gaps.size()));
   NodalSolution solution{.y = algebra::Vector(layout, 6),
-                         .pressure = algebra::Vector(layout, 1),
-                         .touching = algebra::Vector(layout, 1),
+                         .pressure = algebra::Vector(layout, obstacles),
+                         .touching = algebra::Vector(layout, obstacles),
                          .lambda = box.equation_multiplier};
-  discrete.coordinates.to_cartesian(box.z, solution.y);
-  if (solution.lambda.layout()) solution.lambda.update_ghosts();
-  const algebra::Vector r = residual(discrete, solution);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(layout->owned); ++i) {
-    if (!discrete.coordinates.touchable[i] ||
-        box.activity[discrete.coordinates.at(i, 0)] != contact::Activity::at_lower)
-      continue;
-    solution.touching.local()[i] = 1;
-    solution.pressure.local()[i] = discrete.coordinates.basis[i].col(0).dot(block6(r, i)) / discrete.points[i].weight;
+  coordinates.to_cartesian(box.z, solution.y);
+  if (solution.lambda.layout()) {
+    solution.lambda.update_ghosts();
+    fem::spread(discrete.space(), solution.lambda);
   }
-  solution.touching.update_ghosts();
-  solution.pressure.update_ghosts();
+  const algebra::Vector r = residual(discrete, solution);
+  for (const assembly::ContactRow& row : coordinates.rows) {
+    if (!row.binds) continue;
+    const auto bound = row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
+    if (box.activity[coordinates.at(row.node, row.coordinate)] != bound) continue;
+    const std::size_t at = row.node * static_cast<std::size_t>(obstacles) + static_cast<std::size_t>(row.obstacle);
+    solution.touching.local()[at] = 1;
+    solution.pressure.local()[at] = coordinates.basis[row.node].col(row.coordinate).dot(block6(r, row.node)) /
+                                    (row.scale * discrete.points[row.node].weight);
+  }
+  for (algebra::Vector* field : {&solution.touching, &solution.pressure}) {
+    field->update_ghosts();
+    fem::spread(discrete.space(), *field);
+  }
   return solution;
 }
 
@@ -258,6 +303,7 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   const double size = size_of(discrete);
   Sums sums;
   for (const auto& [support, node] : point_nodes(discrete)) sums.at_points.emplace(node, Vector3d::Zero());
+  for (const obstacle::Obstacle& o : discrete.obstacles.all) sums.obstacles.emplace_back().name = o.name;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     add_node(discrete, solution, i, block6(r, i), sums);
     sums.strain_scale.add(discrete.points[i], block6(solution.y, i), size);

@@ -3,6 +3,7 @@
 #include <plastron/certificate/edge_contact.hpp>
 #include <plastron/certificate/point_reactions.hpp>
 
+#include <string>
 #include <vector>
 
 namespace plastron::certificate {
@@ -11,6 +12,14 @@ namespace plastron::certificate {
 struct Wrench {
   Vector3d force = Vector3d::Zero();
   Vector3d moment = Vector3d::Zero();
+};
+
+/// What one obstacle does to the shell.
+struct ObstacleContact {
+  std::string name{};
+  Wrench reaction;
+  double area = 0;         ///< nodal weight of the nodes that touch it [m^2]
+  std::int64_t nodes = 0;  ///< that touch it
 };
 
 struct Certificate {
@@ -46,16 +55,21 @@ struct Summary {
   double load_norms = 0;                         ///< sum of |nodal load|, couples over the shell's size [N]
   bool is_unstrained = false;                    ///< displacements strain the shell no more than rounding does
   std::vector<PointReaction> point_reactions{};  ///< of the points that supports hold
+  std::vector<ObstacleContact> obstacles{};      ///< one by one, in the problem's order
   EdgeContact edge;                              ///< what of the contact lies on edges of the shell
 };
 
 /// Nodal results of a solution, per local node with valid ghosts.
 struct NodalSolution {
   algebra::Vector y;         ///< (u, r), block 6
-  algebra::Vector pressure;  ///< eta_i [Pa], block 1
-  algebra::Vector touching;  ///< 1 where the node is in contact, else 0
+  algebra::Vector pressure;  ///< eta_i of each obstacle [Pa]; block: obstacles, 1 without
+  algebra::Vector touching;  ///< 1 where the node touches that obstacle, else 0; block likewise
   algebra::Vector lambda{};  ///< multiplier of (M14) [N m], block 1; without layout in the other formulations
 };
+
+/// The sum over all obstacles at a node; 1 where any is touched.
+double total_pressure(const NodalSolution& solution, std::size_t node);
+bool touches(const NodalSolution& solution, std::size_t node);
 
 /// eta_i from the residual at the nodes that the solution's activity puts at their bound (collective).
 NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& solution);

@@ -2,6 +2,7 @@
 
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/ties.hpp>
 
 #include <algorithm>
 
@@ -40,6 +41,7 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
     }
   }
   lengths.accumulate_ghosts();
+  fem::collect(space, lengths);
   return lengths;
 }
 
@@ -52,12 +54,12 @@ bool EdgeContact::is_line() const {
 
 EdgeContact edge_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   EdgeContact edge;
-  if (!discrete.gap) return edge;
+  if (discrete.obstacles.empty()) return edge;
   const MPI_Comm comm = discrete.space().layout->comm;
   const algebra::Vector lengths = edge_lengths(discrete);
   for (std::size_t i = 0; i < lengths.owned().size(); ++i) {
-    if (solution.touching.owned()[i] == 0) continue;
-    const double pressure = solution.pressure.owned()[i], weight = discrete.points[i].weight,
+    if (discrete.coordinates.tied[i] || !touches(solution, i)) continue;
+    const double pressure = total_pressure(solution, i), weight = discrete.points[i].weight,
                  length = lengths.owned()[i];
     if (length > 0) {
       edge.nodes += 1;

@@ -11,15 +11,15 @@ namespace {
 
 /// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range, and the
 /// undeformed surface, which no polynomial bounds, by less than the cell's diameter.
-bool is_near_obstacle(const assembly::DiscreteShell& discrete, const element::CellField& field,
-                      std::span<const algebra::LocalIndex> nodes) {
+bool is_near_obstacle(const assembly::DiscreteShell& discrete, const std::vector<obstacle::Gap>& gaps,
+                      const element::CellField& field, std::span<const algebra::LocalIndex> nodes) {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, radius = 0;
   const Vector3d& first = discrete.points[static_cast<std::size_t>(nodes[0])].phi;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto row = field.row(static_cast<Eigen::Index>(i));
     const auto node = static_cast<std::size_t>(nodes[i]);
     const assembly::NodalPoint& point = discrete.points[node];
-    const double g = discrete.coordinates.gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), point.a3));
+    const double g = gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), point.a3));
     lowest = std::min(lowest, g);
     highest = std::max(highest, g);
     radius = std::max(radius, (point.phi - first).norm());
@@ -35,14 +35,17 @@ int intervals_of(int degree) { return std::max(4, 2 * degree); }
 double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   const fem::Space& space = discrete.space();
   double smallest = std::numeric_limits<double>::infinity();
-  if (discrete.gap) {
+  if (!discrete.obstacles.empty()) {
     const element::BasisAt basis =
         element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals_of(space.degree)));
     std::vector<geometry::SurfaceJet> jets(basis.xi.size());
     std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
     for (std::size_t c = 0; c < space.owned_cells; ++c) {
       const element::CellField field = discrete.shell.gather(c, y);
-      if (!is_near_obstacle(discrete, field, space.nodes(c))) continue;
+      std::vector<std::size_t> near;
+      for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k)
+        if (is_near_obstacle(discrete, discrete.coordinates.gaps[k], field, space.nodes(c))) near.push_back(k);
+      if (near.empty()) continue;
       discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
       discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
       discrete.shell.section(c).thickness.evaluate(px, py, e);
@@ -50,8 +53,10 @@ double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const alge
       for (std::size_t p = 0; p < jets.size(); ++p) {
         const auto row = values.row(static_cast<Eigen::Index>(p));
         const Vector3d a3 = geometry::unit_normal(jets[p]);
-        const obstacle::Gap gap = discrete.gap(jets[p].value, a3, e[p]);
-        smallest = std::min(smallest, gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3)));
+        for (const std::size_t k : near) {
+          const obstacle::Gap gap = discrete.obstacles.gap(k, jets[p].value, a3, e[p]);
+          smallest = std::min(smallest, gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3)));
+        }
       }
     }
   }

@@ -23,6 +23,19 @@ Vector3d physical(const Vector3d& tensor, const Eigen::Matrix2d& to_axes) {
   return {p(0, 0), p(1, 1), p(0, 1)};
 }
 
+struct FacePoint {
+  Vector3d phi, a3;
+  double thickness;
+};
+
+double smallest_gap(const assembly::RigidObstacles& obstacles, const FacePoint& at, const Vector3d& u,
+                    const Vector3d& r) {
+  double smallest = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < obstacles.all.size(); ++k)
+    smallest = std::fmin(smallest, obstacles.gap(k, at.phi, at.a3, at.thickness)(u, geometry::tangential(r, at.a3)));
+  return smallest;
+}
+
 }  // namespace
 
 Recovery::Recovery(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
@@ -85,7 +98,7 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
   Eigen::VectorXd lambda(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto node = static_cast<std::size_t>(nodes[i]);
-    contact.row(static_cast<Eigen::Index>(i)) << solution_.pressure.local()[node], solution_.touching.local()[node];
+    contact.row(static_cast<Eigen::Index>(i)) << total_pressure(solution_, node), touches(solution_, node) ? 1 : 0;
     lambda[static_cast<Eigen::Index>(i)] = solution_.lambda.layout() ? solution_.lambda.local()[node] : 0;
   }
   const element::CellField values = shell.interpolation().values(cell, at_points_, field);
@@ -106,8 +119,7 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
                  .thickness = e[p],
                  .u = u,
                  .r = r,
-                 .gap = discrete_.gap ? discrete_.gap(jets[p].value, axes.a3, e[p])(u, geometry::tangential(r, axes.a3))
-                                      : std::numeric_limits<double>::quiet_NaN(),
+                 .gap = smallest_gap(discrete_.obstacles, {jets[p].value, axes.a3, e[p]}, u, r),
                  .pressure = contact_values(row, 0),
                  .lambda = lambda_values[row],
                  .touching = contact_values(row, 1),

@@ -1,5 +1,6 @@
 #include <plastron/computation/description.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/computation/gap.hpp>
 
 namespace plastron::computation {
@@ -12,11 +13,22 @@ assembly::ShellDescription shell_description(const Problem& problem) {
           .area_loads = problem.area_loads,
           .edge_loads = problem.edge_loads,
           .gravity = problem.gravity,
-          .gap = gap_function(problem)};
+          .obstacles = rigid_obstacles(problem)};
+}
+
+fem::MeshSequence::Finish joining(const Problem& problem) {
+  if (problem.joins.empty()) return {};
+  return [joins = problem.joins, charts = problem.charts](std::shared_ptr<const fem::Space> space) {
+    const fem::Surface surface(space->coarse, charts);
+    return fem::joined(std::move(space), surface, joins);
+  };
 }
 
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {
-  return {fem::coarse_mesh(problem.domain, problem.discretisation.cells), problem.discretisation.degree, comm};
+  // Every rank reads the mesh file by itself, and may find another one or none.
+  auto coarse = algebra::in_agreement<fem::DomainError>(
+      comm, [&] { return fem::coarse_mesh(problem.domain, problem.discretisation.cells); });
+  return {std::move(coarse), problem.discretisation.degree, comm, joining(problem)};
 }
 
 }  // namespace plastron::computation

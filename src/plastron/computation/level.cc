@@ -1,5 +1,6 @@
 #include <plastron/computation/level.hpp>
 
+#include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/computation/stopwatch.hpp>
@@ -13,18 +14,20 @@ namespace {
 std::vector<contact::Activity> first_guess(const assembly::DiscreteShell& discrete, const algebra::Vector& touched) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   std::vector<contact::Activity> activity(coordinates.lower.owned().size(), contact::Activity::free);
-  for (std::size_t i = 0; i < touched.owned().size(); ++i)
-    if (coordinates.touchable[i] && touched.owned()[i] > 0.5)
-      activity[coordinates.at(i, 0)] = contact::Activity::at_lower;
+  const auto block = static_cast<std::size_t>(touched.block());
+  for (const assembly::ContactRow& row : coordinates.rows)
+    if (row.binds && touched.owned()[row.node * block + static_cast<std::size_t>(row.obstacle)] > 0.5)
+      activity[coordinates.at(row.node, row.coordinate)] =
+          row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
   return activity;
 }
 
-/// A support holds the touching face inside of the obstacle: K is empty. No bound says so, for nothing can move there.
+/// A support holds the touching face inside of an obstacle: K is empty. No bound says so, for nothing can move there.
 bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   std::int64_t held = 0;
-  for (std::size_t i = 0; i < coordinates.gaps.size(); ++i)
-    if (is_held_inside(coordinates, discrete.points[i], i)) ++held;
+  for (const assembly::ContactRow& row : coordinates.rows)
+    if (is_held_inside(coordinates, discrete.points[row.node], row)) ++held;
   return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
 }
 

@@ -1,5 +1,7 @@
 #include <plastron/computation/probes.hpp>
 
+#include <plastron/algebra/agreement.hpp>
+
 #include <fmt/format.h>
 
 #include <limits>
@@ -30,7 +32,7 @@ std::vector<ProbeValue> probe(const Solution& solution, const std::vector<Probe>
     if (!location)
       throw fem::DomainError(
           fmt::format("the probe \"{}\" at ({:g}, {:g}) lies outside of the domain", p.name, p.at[0], p.at[1]));
-    auto found = local_values(solution, *location);
+    auto found = algebra::in_agreement(comm, [&] { return local_values(solution, *location); });
     // The lowest rank that holds the point tells the others. PointValues is all doubles.
     int owner = found ? rank : std::numeric_limits<int>::max();
     MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MIN, comm);

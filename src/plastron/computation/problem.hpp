@@ -6,12 +6,12 @@
 #include <plastron/contact/settings.hpp>
 #include <plastron/element/formulation.hpp>
 #include <plastron/fem/domain.hpp>
+#include <plastron/fem/join.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/chart.hpp>
 #include <plastron/obstacle/gap.hpp>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,14 +25,6 @@ struct Discretisation {
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
 };
 
-struct Obstacle {
-  obstacle::HalfSpace half_space;
-  obstacle::Face face = obstacle::Face::lower;
-  double raised = 0;  ///< its surface is moved towards the shell by so much: every gap is smaller by it [m]
-  double face_scale =
-      1;  ///< the touching face lies at this multiple of e/2; 1 but in studies that vary the stiffness alone
-};
-
 /// A point of Omega where the results are wanted.
 struct Probe {
   std::string name;
@@ -41,16 +33,18 @@ struct Probe {
 
 struct Problem {
   fem::Domain domain = fem::Rectangle{};
+  std::vector<fem::Join> joins{};                 ///< edges that are joined
   std::map<std::string, geometry::Chart> charts;  ///< by region; the unnamed region is ""
   assembly::CrossSections sections{};             ///< thickness, material and density, by region
   std::vector<assembly::Support> supports{};
   std::vector<assembly::AreaLoad> area_loads{};
   std::vector<assembly::EdgeLoad> edge_loads{};
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g that makes the weight of the density [m/s^2]
-  std::optional<Obstacle> obstacle{};
+  std::vector<obstacle::Obstacle> obstacles{};
   std::vector<Probe> probes{};
   Discretisation discretisation{};
   contact::Settings contact{};
+  double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 };
 
 }  // namespace plastron::computation

@@ -41,7 +41,7 @@ void warn(std::vector<std::string> warnings, const Observer& observer, Result& r
 
 Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
   const assembly::ShellDescription shell = shell_description(problem);
-  Result result{.has_obstacle = problem.obstacle.has_value(),
+  Result result{.has_obstacle = !problem.obstacles.empty(),
                 .formulation = problem.discretisation.tangency.formulation,
                 .warnings = locking_warnings(problem)};
   MPI_Comm_size(comm, &result.ranks);

@@ -63,6 +63,7 @@ Case parse_case(std::string text, std::string file_name) {
   const auto domain = read_geometry(root, result.problem);
   read_regions(root, domain, result.problem);
   read_mesh(root, result.problem);
+  read_joins(root, domain, result.problem);
   read_supports(root, domain, result.problem);
   read_loads(root, domain, result.problem);
   read_gravity(root, result.problem);

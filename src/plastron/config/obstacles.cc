@@ -16,20 +16,29 @@ std::optional<obstacle::HalfSpace> read_half_space(Table& table) {
   return {};
 }
 
+/// "obstacle-1", "obstacle-2", ... where the case gives none.
+std::string read_obstacle_name(Table& table, const computation::Problem& problem) {
+  std::string name = fmt::format("obstacle-{}", problem.obstacles.size() + 1);
+  if (table.has("name")) name = table.text("name").value_or(name);
+  table.effective["name"] = name;
+  if (name.empty()) table.report("name", "an obstacle's name is empty", "", "leave the key out or give a name");
+  if (std::ranges::count(problem.obstacles, name, &obstacle::Obstacle::name) > 0)
+    table.report("name", fmt::format("two obstacles are named \"{}\"", name), "", "choose another name");
+  return name;
+}
+
 }  // namespace
 
 void read_obstacles(Table& root, computation::Problem& problem) {
   auto& effective = root.effective["obstacle"] = nlohmann::json::array();
   for (Table& table : root.tables("obstacle")) {
-    if (problem.obstacle)
-      root.reading().report(table.place(), "a second obstacle: this version takes one", "at most one [[obstacle]]");
-    computation::Obstacle result;
+    obstacle::Obstacle result{.name = read_obstacle_name(table, problem)};
     if (auto half_space = table.table("half_space")) {
-      result.half_space = read_half_space(*half_space).value_or(obstacle::HalfSpace{});
+      result.shape = read_half_space(*half_space).value_or(obstacle::HalfSpace{});
       table.effective["half_space"] = half_space->effective;
     }
     if (table.text("face") == "upper") result.face = obstacle::Face::upper;
-    problem.obstacle = result;
+    problem.obstacles.push_back(std::move(result));
     effective.push_back(table.effective);
   }
 }

@@ -26,13 +26,11 @@ Section file_section() {
         .fallback = "[]",
         .meaning = "thickness, material, density of a region"},
        {.name = "mesh", .kind = Kind::table, .fallback = "{}", .meaning = "the discretisation"},
+       {.name = "join", .kind = Kind::tables, .fallback = "[]", .meaning = "edges that are joined"},
        {.name = "support", .kind = Kind::tables, .fallback = "[]", .meaning = "prescribed displacements and rotations"},
        {.name = "load", .kind = Kind::tables, .fallback = "[]", .meaning = "dead loads"},
        {.name = "gravity", .kind = Kind::table, .fallback = "{}", .meaning = "what makes the weight of the shell"},
-       {.name = "obstacle",
-        .kind = Kind::tables,
-        .fallback = "[]",
-        .meaning = "the rigid obstacle; at most one in this version"},
+       {.name = "obstacle", .kind = Kind::tables, .fallback = "[]", .meaning = "rigid obstacles"},
        {.name = "probe", .kind = Kind::tables, .fallback = "[]", .meaning = "points where results are wanted"},
        {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"}}};
 }
@@ -70,6 +68,19 @@ Section mesh_section() {
             .fallback = "3",
             .range = between(0, 12),
             .meaning = "uniform refinements of the coarsest mesh; every level is solved"}}};
+}
+
+Section join_section() {
+  return {"join",
+          "[[join]]",
+          "Two edges that lie on each other in space and are joined there: a rectangle closes to a tube, or pieces of "
+          "a mesh file "
+          "make one shell. The shell must be smooth there, with a3 to the same side.",
+          {{.name = "boundaries",
+            .kind = Kind::names,
+            .required = true,
+            .meaning = "the two boundaries of the domain, divided into the same cells",
+            .example = "[\"left\", \"right\"]"}}};
 }
 
 Section support_section() {
@@ -144,31 +155,35 @@ Section load_section() {
 }
 
 std::vector<Section> obstacle_sections() {
-  return {{"obstacle",
-           "[[obstacle]]",
-           "A rigid body the shell cannot enter.",
-           {{.name = "half_space",
-             .kind = Kind::table,
-             .required = true,
-             .meaning = "the body",
-             .example = "{ point = [0, 0, 0], normal = [0, 0, 1] }"},
-            {.name = "face",
-             .kind = Kind::word,
-             .fallback = "\"lower\"",
-             .words = {{"lower"}, {"upper"}, {"both", false}},
-             .meaning = "the face of the shell that may touch: lower at -e/2, upper at +e/2 along a3"}}},
-          {"obstacle.half_space",
-           "half_space",
-           "The points X with (X - point) . normal <= 0.",
-           {{.name = "point",
-             .kind = Kind::vector,
-             .unit = "m",
-             .fallback = "[0, 0, 0]",
-             .meaning = "a point of the plane"},
-            {.name = "normal",
-             .kind = Kind::vector,
-             .fallback = "[0, 0, 1]",
-             .meaning = "towards the free side; of any length but 0"}}}};
+  return {
+      {"obstacle",
+       "[[obstacle]]",
+       "A rigid body the shell cannot enter. There may be several: floor and wall, floor and ceiling.",
+       {{.name = "name",
+         .kind = Kind::name,
+         .meaning = "a name no other obstacle has, for results and messages; obstacle-1, obstacle-2, ... if not given"},
+        {.name = "half_space",
+         .kind = Kind::table,
+         .required = true,
+         .meaning = "the body",
+         .example = "{ point = [0, 0, 0], normal = [0, 0, 1] }"},
+        {.name = "face",
+         .kind = Kind::word,
+         .fallback = "\"lower\"",
+         .words = {{"lower"}, {"upper"}, {"both", false}},
+         .meaning = "the face of the shell that may touch: lower at -e/2, upper at +e/2 along a3"}}},
+      {"obstacle.half_space",
+       "half_space",
+       "The points X with (X - point) . normal <= 0.",
+       {{.name = "point",
+         .kind = Kind::vector,
+         .unit = "m",
+         .fallback = "[0, 0, 0]",
+         .meaning = "a point of the plane"},
+        {.name = "normal",
+         .kind = Kind::vector,
+         .fallback = "[0, 0, 1]",
+         .meaning = "towards the free side; of any length but 0"}}}};
 }
 
 Section probe_section() {
@@ -212,7 +227,7 @@ std::vector<Section> all_sections() {
   const auto append = [&](std::vector<Section> more) { all.insert(all.end(), more.begin(), more.end()); };
   append(shell_sections());
   append(geometry_sections());
-  append({mesh_section(), support_section(), load_section()});
+  append({mesh_section(), join_section(), support_section(), load_section()});
   append(obstacle_sections());
   append({probe_section(), solver_section()});
   return all;

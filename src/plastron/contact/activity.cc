@@ -1,3 +1,4 @@
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/hash.hpp>
 #include <plastron/contact/activity.hpp>
@@ -43,8 +44,10 @@ bool bounds_are_consistent(const BoxProblem& problem) {
 ActiveSet starting_set(const BoxProblem& problem, std::span<const Activity> initial) {
   const auto lower = problem.lower.owned();
   const auto upper = problem.upper.owned();
-  if (!initial.empty() && initial.size() != lower.size())
-    throw std::invalid_argument("an initial active set has one entry per owned unknown, or none at all");
+  algebra::in_agreement(comm_of(problem), [&] {
+    if (!initial.empty() && initial.size() != lower.size())
+      throw std::invalid_argument("an initial active set has one entry per owned unknown, or none at all");
+  });
   ActiveSet set(lower.size(), Activity::free);
   for (std::size_t i = 0; i < set.size(); ++i) {
     if (lower[i] == upper[i]) set[i] = Activity::prescribed;

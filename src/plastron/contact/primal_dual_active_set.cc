@@ -49,11 +49,11 @@ void record(const BoxProblem& problem, SubproblemPoint point, const ActiveSet& s
 }  // namespace
 
 BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<const Activity> initial,
-                                         algebra::Factorisation& factorisation, const Settings& settings,
+                                         algebra::Preconditioner& preconditioner, const Settings& settings,
                                          const Observer& observer) {
   BoxSolution solution = unsolved(problem, Status::iteration_limit);
   if (!bounds_are_consistent(problem)) return unsolved(problem, Status::infeasible);
-  SubproblemSolver subproblems(problem, factorisation, settings);
+  SubproblemSolver subproblems(problem, preconditioner, settings);
   Progress progress;
   ActiveSet set = starting_set(problem, initial);
   auto point = subproblems.solve(set);

@@ -9,7 +9,7 @@
 // Every set seen is remembered by its fingerprint. When one comes back, or when the number of changes has not fallen
 // for long, the projected search (projected_search.hpp) takes over, which cannot cycle.
 #pragma once
-#include <plastron/algebra/factorisation.hpp>
+#include <plastron/algebra/preconditioner.hpp>
 #include <plastron/contact/problem.hpp>
 #include <plastron/contact/settings.hpp>
 
@@ -18,9 +18,9 @@
 namespace plastron::contact {
 
 /// `initial` is the active set to start from (owned unknowns; empty: nothing active). If a motion is free on it, all
-/// bounds are made active instead. `factorisation` must be one of problem.matrix. (collective)
+/// bounds are made active instead. `preconditioner` must belong to problem.matrix. (collective)
 BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<const Activity> initial,
-                                         algebra::Factorisation& factorisation, const Settings& settings = {},
+                                         algebra::Preconditioner& preconditioner, const Settings& settings = {},
                                          const Observer& observer = {});
 
 }  // namespace plastron::contact

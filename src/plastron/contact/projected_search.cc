@@ -198,11 +198,11 @@ void continue_projected_search(const BoxProblem& problem, SubproblemSolver& subp
 }
 
 BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Activity> initial,
-                                   algebra::Factorisation& factorisation, const Settings& settings,
+                                   algebra::Preconditioner& preconditioner, const Settings& settings,
                                    const Observer& observer) {
   BoxSolution solution = unsolved(problem, Status::infeasible);
   if (!bounds_are_consistent(problem)) return solution;
-  SubproblemSolver subproblems(problem, factorisation, settings);
+  SubproblemSolver subproblems(problem, preconditioner, settings);
   auto point = subproblems.solve(starting_set(problem, initial));
   if (!point) point = subproblems.solve(everything_active(problem));
   solution.status = subproblems.failure();

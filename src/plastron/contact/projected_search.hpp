@@ -14,7 +14,7 @@
 // projected step and its descent; More and Toraldo, On the solution of large quadratic programming problems with bound
 // constraints (1991): finishing a subproblem before leaving it.
 #pragma once
-#include <plastron/algebra/factorisation.hpp>
+#include <plastron/algebra/preconditioner.hpp>
 #include <plastron/contact/problem.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/contact/subproblem.hpp>
@@ -26,7 +26,7 @@ namespace plastron::contact {
 /// Starts from the minimiser on the subproblem of `initial`, projected onto the box; if a motion is free there, from the
 /// minimiser with all bounds active. (collective)
 BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Activity> initial,
-                                   algebra::Factorisation& factorisation, const Settings& settings = {},
+                                   algebra::Preconditioner& preconditioner, const Settings& settings = {},
                                    const Observer& observer = {});
 
 /// Goes on from `so_far.z`, projected onto the box; its iterations are kept and count towards the limit.

@@ -16,7 +16,8 @@ struct Settings {
   /// known to hold the structure.
   bool detect_free_motions = true;
   KeptFactor kept_factor = KeptFactor::where_cheaper;
-  int max_refinement_steps = 30;  ///< conjugate-gradient steps of one linear solve
+  int max_refinement_steps = 30;   ///< conjugate-gradient steps of one linear solve with an exact preconditioner
+  int max_iterative_steps = 2000;  ///< the same with one that is not exact
 };
 
 }  // namespace plastron::contact

@@ -1,5 +1,4 @@
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/algebra/softest_motion.hpp>
 #include <plastron/contact/kept_factor.hpp>
 #include <plastron/contact/subproblem.hpp>
 
@@ -21,51 +20,68 @@ std::vector<char> held(const ActiveSet& set) {
   return marks;
 }
 
-algebra::CgSettings refinement_settings(const Settings& settings) {
-  return {.tolerance = settings.linear_tolerance, .max_steps = settings.max_refinement_steps};
+/// An exact preconditioner leaves rounding to be refined. Any other makes residuals fall by fits and starts, slowly.
+algebra::CgSettings linear_settings(const Settings& settings, const algebra::Preconditioner& preconditioner) {
+  constexpr int patience = 200;
+  if (preconditioner.is_exact())
+    return {.tolerance = settings.linear_tolerance, .max_steps = settings.max_refinement_steps};
+  return {.tolerance = settings.linear_tolerance, .max_steps = settings.max_iterative_steps, .patience = patience};
+}
+
+/// What it means for a subproblem that the preconditioner could not be pinned.
+Status failure_of(algebra::Pinning pinning) {
+  switch (pinning) {
+    case algebra::Pinning::not_finite:
+      return Status::not_finite;
+    case algebra::Pinning::not_converged:
+      return Status::linear_solver_stalled;
+    default:
+      return Status::singular;
+  }
 }
 
 }  // namespace
 
-SubproblemSolver::SubproblemSolver(const BoxProblem& problem, algebra::Factorisation& factorisation,
+SubproblemSolver::SubproblemSolver(const BoxProblem& problem, algebra::Preconditioner& preconditioner,
                                    const Settings& settings)
-    : problem_(problem), factorisation_(factorisation), settings_(settings), diagonal_(problem.matrix.diagonal()) {
+    : problem_(problem), preconditioner_(preconditioner), settings_(settings), diagonal_(problem.matrix.diagonal()) {
   if (problem_.equations) q_ = problem_.equations->multipliers;
 }
 
 std::optional<SubproblemPoint> SubproblemSolver::solve(const ActiveSet& set) {
   PLASTRON_ASSERT(set.size() == problem_.load.owned().size(), set.size(), problem_.load.owned().size());
-  if (auto point = solve_with_old_factor(set)) return point;
-  failure_ = Status::singular;
-  if (!factorise(set)) return {};
+  if (auto point = solve_with_kept_factor(set)) return point;
+  if (!pin(set)) return {};
   algebra::Vector z(problem_.load.layout(), problem_.load.block());
-  const auto linear = problem_.equations ? solve_with_equations(set, z)
-                                         : solve_linear(set, problem_.load, refinement_settings(settings_), z);
+  const auto linear = problem_.equations
+                          ? solve_with_equations(set, z)
+                          : solve_linear(set, problem_.load, linear_settings(settings_, preconditioner_), z);
   failure_ = std::isfinite(linear.relative_residual) ? Status::linear_solver_stalled : Status::not_finite;
   if (!linear.converged && !(linear.relative_residual <= usable_residual)) return {};
   return complete(std::move(z), linear, set);
 }
 
-bool SubproblemSolver::factorise(const ActiveSet& set) {
+bool SubproblemSolver::pin(const ActiveSet& set) {
   const auto fixed = held(set);
-  factorised_.reset();
-  if (!factorisation_.factorise(fixed)) return false;
-  if (settings_.detect_free_motions &&
-      algebra::softest_motion(problem_.apply, factorisation_, fixed, diagonal_).is_free())
+  pinned_.reset();
+  const algebra::Pinning pinning = preconditioner_.pin(fixed);
+  failure_ = failure_of(pinning);
+  if (pinning != algebra::Pinning::done) return false;
+  if (settings_.detect_free_motions && preconditioner_.softest_motion(problem_.apply, fixed, diagonal_).is_free())
     return false;
-  factorised_ = set;
+  pinned_ = set;
   return true;
 }
 
-/// A subproblem that differs from the factorised one in a few unknowns: the factor is a preconditioner that is exact up to
-/// that rank. Its norm weighs the unknowns that changed wrongly, hence the sharper tolerance. Nothing where a new factor is
-/// cheaper, or if that does not converge soon.
-std::optional<SubproblemPoint> SubproblemSolver::solve_with_old_factor(const ActiveSet& set) {
+/// A subproblem that differs from the pinned one in a few unknowns: a preconditioner that was exact there is exact here up to that
+/// rank. Its norm weighs the unknowns that changed wrongly, hence the sharper tolerance. Nothing where pinning anew is cheaper, or if
+/// that does not converge soon.
+std::optional<SubproblemPoint> SubproblemSolver::solve_with_kept_factor(const ActiveSet& set) {
   constexpr double sharper = 1e-2;
-  if (settings_.detect_free_motions || problem_.equations || !factorised_) return {};
+  if (settings_.detect_free_motions || problem_.equations || !pinned_ || !preconditioner_.is_exact()) return {};
   const auto unknowns = static_cast<double>(nearby_.layout()->global_size) * nearby_.block();
   const int steps =
-      steps_to_try(settings_.kept_factor, factorisation_.cost(), unknowns, count_changes(problem_, *factorised_, set));
+      steps_to_try(settings_.kept_factor, preconditioner_.price(), unknowns, count_changes(problem_, *pinned_, set));
   if (steps == 0) return {};
   algebra::Vector z = nearby_;
   const auto linear =
@@ -79,12 +95,12 @@ algebra::CgResult SubproblemSolver::solve_linear(const ActiveSet& set, const alg
                                                  const algebra::CgSettings& settings, algebra::Vector& z) const {
   for (std::size_t i = 0; i < set.size(); ++i)
     if (set[i] != Activity::free) z.owned()[i] = held_at(problem_, i, set[i]);
-  const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { factorisation_.solve(r, x); };
+  const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { preconditioner_.apply(r, x); };
   return algebra::conjugate_gradients(problem_.apply, precondition, load, held(set), diagonal_, z, settings);
 }
 
 /// The saddle point  A z + B' q = b,  B z = 0  on a subproblem. For given q, z is a linear solve; then q is corrected by the Schur
-/// complement with the factor in place of A (defect correction), which leaves an error of the factor's relative error.
+/// complement with the preconditioner in place of A (defect correction), which leaves an error of that one's relative error.
 /// Ends when the correction has no more energy than rounding has.
 algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, algebra::Vector& z) {
   constexpr int most_corrections = 30;
@@ -99,7 +115,7 @@ algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, a
     equations.apply_transposed(q_, force);
     algebra::Vector load = problem_.load;
     algebra::axpy(-1, force, load);
-    auto linear = solve_linear(set, load, refinement_settings(settings_), z);
+    auto linear = solve_linear(set, load, linear_settings(settings_, preconditioner_), z);
     steps += linear.steps;
     equations.apply(z, violation);
     algebra::Vector step = equations.multipliers;
@@ -120,7 +136,19 @@ algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, a
   }
 }
 
-/// Roughly (B A^{-1} B')^{-1} times a violation of the equations, by conjugate gradients with the factor for A. False if the
+/// z = A^{-1} force where nothing is fixed, exact but for rounding only if the preconditioner is. `force` is zero where fixed.
+void SubproblemSolver::solve_roughly(std::span<const char> fixed, const algebra::Vector& force,
+                                     algebra::Vector& z) const {
+  constexpr double tolerance = 1e-8;
+  if (preconditioner_.is_exact()) return preconditioner_.apply(force, z);
+  z.fill(0);
+  const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { preconditioner_.apply(r, x); };
+  auto settings = linear_settings(settings_, preconditioner_);
+  settings.tolerance = tolerance;
+  algebra::conjugate_gradients(problem_.apply, precondition, force, fixed, diagonal_, z, settings);
+}
+
+/// Roughly (B A^{-1} B')^{-1} times a violation of the equations, by conjugate gradients with the preconditioner for A. False if the
 /// equations cannot hold on this subproblem.
 bool SubproblemSolver::multiplier_step(const ActiveSet& set, const algebra::Vector& violation,
                                        algebra::Vector& step) const {
@@ -132,7 +160,7 @@ bool SubproblemSolver::multiplier_step(const ActiveSet& set, const algebra::Vect
     equations.apply_transposed(q, force);
     for (std::size_t i = 0; i < fixed.size(); ++i)
       if (fixed[i]) force.owned()[i] = 0;
-    factorisation_.solve(force, z);
+    solve_roughly(fixed, force, z);
     z.update_ghosts();
     equations.apply(z, result);
   };

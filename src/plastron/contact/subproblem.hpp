@@ -1,8 +1,8 @@
 // The equality-constrained subproblem: active and prescribed unknowns are held at their bounds (a face of the box), all others
 // are free. Every contact solver is a way of choosing the next one.
 #pragma once
-#include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/krylov.hpp>
+#include <plastron/algebra/preconditioner.hpp>
 #include <plastron/contact/activity.hpp>
 #include <plastron/contact/problem.hpp>
 #include <plastron/contact/settings.hpp>
@@ -26,7 +26,7 @@ struct SubproblemPoint {
 
 class SubproblemSolver {
  public:
-  SubproblemSolver(const BoxProblem& problem, algebra::Factorisation& factorisation, const Settings& settings);
+  SubproblemSolver(const BoxProblem& problem, algebra::Preconditioner& preconditioner, const Settings& settings);
 
   /// Nothing if the subproblem has no unique minimiser or it cannot be computed; failure() then tells which. (collective)
   std::optional<SubproblemPoint> solve(const ActiveSet& set);
@@ -35,11 +35,12 @@ class SubproblemSolver {
   const algebra::Vector& diagonal() const { return diagonal_; }
 
  private:
-  bool factorise(const ActiveSet& set);
-  std::optional<SubproblemPoint> solve_with_old_factor(const ActiveSet& set);
+  bool pin(const ActiveSet& set);
+  std::optional<SubproblemPoint> solve_with_kept_factor(const ActiveSet& set);
   algebra::CgResult solve_linear(const ActiveSet& set, const algebra::Vector& load, const algebra::CgSettings& settings,
                                  algebra::Vector& z) const;
   algebra::CgResult solve_with_equations(const ActiveSet& set, algebra::Vector& z);
+  void solve_roughly(std::span<const char> fixed, const algebra::Vector& force, algebra::Vector& z) const;
   bool multiplier_step(const ActiveSet& set, const algebra::Vector& violation, algebra::Vector& step) const;
   SubproblemPoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set);
   bool is_bounded(std::size_t i) const;
@@ -47,12 +48,12 @@ class SubproblemSolver {
   void measure_multiplier_noise(SubproblemPoint& point, const ActiveSet& set) const;
 
   const BoxProblem& problem_;
-  algebra::Factorisation& factorisation_;
+  algebra::Preconditioner& preconditioner_;
   const Settings& settings_;
   algebra::Vector diagonal_;
-  std::optional<ActiveSet> factorised_{};  ///< the subproblem of the factor at hand
-  algebra::Vector q_{};                    ///< multipliers of the equations, carried from subproblem to subproblem
-  algebra::Vector nearby_{};               ///< minimiser of the subproblem before
+  std::optional<ActiveSet> pinned_{};  ///< the subproblem that the preconditioner is ready for
+  algebra::Vector q_{};                ///< multipliers of the equations, carried from subproblem to subproblem
+  algebra::Vector nearby_{};           ///< minimiser of the subproblem before
   Status failure_ = Status::singular;
 };
 

@@ -12,9 +12,9 @@ namespace {
 using obstacle::Face;
 
 /// Cosine of the angle between a_3 and the obstacle's normal, positive where the named face is the nearer one.
-double facing(const Examined& examined, const ExaminedNodes& nodes, std::size_t i) {
-  const double cosine = nodes.coordinates.gaps[i].normal.dot(nodes.points[i].a3);
-  return examined.problem.obstacle->face == Face::lower ? cosine : -cosine;
+double facing(const obstacle::Gap& gap, const assembly::NodalPoint& point, Face face) {
+  const double cosine = gap.normal.dot(point.a3);
+  return face == Face::lower ? cosine : -cosine;
 }
 
 /// What matters of the two faces: the node where either is nearest, and how they lie around it.
@@ -23,13 +23,13 @@ struct Nearest {
   double facing = 0;  ///< mean over the places no farther than a thickness from the nearest
 };
 
-Nearest nearest(const Examined& examined, const ExaminedNodes& nodes) {
+Nearest nearest(const ExaminedNodes& nodes, std::size_t obstacle, Face face) {
   const std::size_t count = nodes.points.size();
   std::vector<double> cosines(count), gaps(count);
   for (std::size_t i = 0; i < count; ++i) {
-    cosines[i] = facing(examined, nodes, i);
+    const obstacle::Gap& gap = nodes.coordinates.gaps[obstacle][i];
+    cosines[i] = facing(gap, nodes.points[i], face);
     // The other face is nearer by 2 |z| |cosine| where the cosine is negative.
-    const auto& gap = nodes.coordinates.gaps[i];
     gaps[i] = gap.initial + std::min(0.0, 2 * std::abs(gap.z) * cosines[i]);
   }
   const auto least = static_cast<std::size_t>(std::ranges::min_element(gaps) - gaps.begin());
@@ -44,21 +44,23 @@ Nearest nearest(const Examined& examined, const ExaminedNodes& nodes) {
 
 }  // namespace
 
-void check_face(Examined& examined, const ExaminedNodes& nodes) {
+void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
   constexpr double alike = 0.1;  // within 6 degrees of upright, the faces are equally near but for a tenth of e
-  const Nearest near = nearest(examined, nodes);
+  const Face face = examined.problem.obstacles[obstacle].face;
+  const Nearest near = nearest(nodes, obstacle, face);
   const auto& point = nodes.points[near.node];
-  const bool is_lower = examined.problem.obstacle->face == Face::lower;
+  const bool is_lower = face == Face::lower;
   const char *named = is_lower ? "lower" : "upper", *other = is_lower ? "upper" : "lower";
-  const double nearer = point.thickness * std::abs(facing(examined, nodes, near.node));
+  const double nearer = point.thickness * std::abs(facing(nodes.coordinates.gaps[obstacle][near.node], point, face));
   const std::string a3 = vector_text(point.a3);
   if (near.facing < -alike)
     return examined.add(
         Severity::error,
-        "the {0} face is to touch the obstacle, but it is the far one: where the shell is nearest, at {1}, a_3 = {2} "
-        "points {3} the obstacle and the {4} face is {5:.4g} m nearer; write face = \"{4}\", or turn a_3 round by "
+        "the {0} face is to touch {6}, but it is the far one: where the shell is nearest, at {1}, a_3 = {2} "
+        "points {3} it and the {4} face is {5:.4g} m nearer; write face = \"{4}\", or turn a_3 round by "
         "exchanging x and y in the chart",
-        named, examined.place(point.x), a3, is_lower ? "to" : "away from", other, nearer);
+        named, examined.place(point.x), a3, is_lower ? "to" : "away from", other, nearer,
+        obstacle_text(examined.problem, obstacle));
   if (near.facing < alike)
     return examined.add(Severity::note, "face: a_3 = {} at the nearest point, both faces are about equally near", a3);
   examined.add(Severity::note,

@@ -28,26 +28,30 @@ std::string supports_of(std::size_t node, const Examined& examined, const Examin
 
 }  // namespace
 
-void check_gap(Examined& examined, const ExaminedNodes& nodes) {
+void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
   const auto& [points, coordinates] = nodes;
+  const auto& gaps = coordinates.gaps[obstacle];
+  const std::string which = obstacle_text(examined.problem, obstacle);
   const auto initial = [](const obstacle::Gap& gap) { return gap.initial; };
-  const auto [least, most] = std::ranges::minmax_element(coordinates.gaps, {}, initial);
+  const auto [least, most] = std::ranges::minmax_element(gaps, {}, initial);
   const double rounding = 1e-12 * (examined.size + std::abs(least->initial));
   const char* question =
       most->initial < -rounding
           ? "; the whole shell lies inside of it: is a normal reversed, the obstacle's or the chart's?"
           : "";
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (computation::is_held_inside(coordinates, points[i], i))
+    if (const assembly::ContactRow& row = coordinates.rows_of(i)[obstacle];
+        computation::is_held_inside(coordinates, points[i], row))
       return examined.add(Severity::error,
-                          "the support of {} holds the shell inside of the obstacle at {}: its face "
+                          "the support of {} holds the shell inside of {} at {}: its face "
                           "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",
-                          supports_of(i, examined, nodes), examined.place(points[i].x), -coordinates.bound_gap[i],
+                          supports_of(i, examined, nodes), which, examined.place(points[i].x), -row.bound_gap,
                           question);
-  const auto& at = points[static_cast<std::size_t>(least - coordinates.gaps.begin())].x;
+  const auto& at = points[static_cast<std::size_t>(least - gaps.begin())].x;
   const bool reaches_in = least->initial < -rounding;
-  examined.add(reaches_in ? Severity::warning : Severity::note, "initial gap: {:.4g} m (at {}) to {:.4g} m{}{}",
-               least->initial, examined.place(at), most->initial,
+  examined.add(reaches_in ? Severity::warning : Severity::note, "initial gap{}: {:.4g} m (at {}) to {:.4g} m{}{}",
+               examined.problem.obstacles.size() == 1 ? "" : " to " + which, least->initial, examined.place(at),
+               most->initial,
                reaches_in ? "; the undeformed shell reaches into the obstacle and will be pushed out" : "", question);
 }
 

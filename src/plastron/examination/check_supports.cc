@@ -35,7 +35,7 @@ void check_formulation(Examined& examined, const ExaminedNodes& nodes) {
                  fmt::join(examined.space->coarse->regions, ", "));
   if (!element::is_relaxed(kind)) return;
   for (std::size_t i = 0; i < nodes.points.size(); ++i)
-    if (nodes.coordinates.is_prescribed(i, 5)) return;
+    if (nodes.coordinates.is_prescribed(i, assembly::NodalCoordinates::normal_rotation)) return;
   examined.add(
       Severity::error,
       "the {} formulation sees only the gradient of r . a3, and no support fixes a component of r: a constant r . a3 "

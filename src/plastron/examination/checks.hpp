@@ -45,6 +45,9 @@ struct ExaminedNodes {
   assembly::NodalCoordinates coordinates;
 };
 
+/// "the obstacle", or which of several.
+std::string obstacle_text(const computation::Problem& problem, std::size_t obstacle);
+
 /// (x, y, z) for the user, without what is negligible beside `size` or the vector itself.
 std::string vector_text(Eigen::Vector3d v, double size = 0);
 
@@ -72,10 +75,10 @@ void check_probes(Examined& examined);
 void check_symmetry(Examined& examined);
 /// The formulation has what it asks of chart and supports.
 void check_formulation(Examined& examined, const ExaminedNodes& nodes);
-/// The initial gap, and no support that holds the shell inside of the obstacle.
-void check_gap(Examined& examined, const ExaminedNodes& nodes);
-/// The face that is to touch is the near one.
-void check_face(Examined& examined, const ExaminedNodes& nodes);
+/// The initial gap against one obstacle, and no support that holds the shell inside of it.
+void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
+/// The face that is to touch an obstacle is the near one.
+void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
 /// No rigid motion is left free but those that the loads press on the obstacle.
 void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes);
 

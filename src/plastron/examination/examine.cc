@@ -2,6 +2,7 @@
 #include <plastron/examination/examine.hpp>
 
 #include <plastron/assembly/load_vector.hpp>
+#include <plastron/computation/description.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
@@ -18,7 +19,8 @@ std::shared_ptr<const fem::Space> sample_mesh(const computation::Problem& proble
   constexpr int enough_cells = 256;
   const computation::Discretisation& d = problem.discretisation;
   const int degree = d.cells == fem::Shape::triangle ? d.degree : std::clamp(d.degree, 2, 4);
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, d.cells), degree, MPI_COMM_SELF);
+  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, d.cells), degree, MPI_COMM_SELF,
+                           computation::joining(problem));
   while (meshes.space()->global_cells < enough_cells) meshes.refine({});
   return meshes.space();
 }
@@ -28,9 +30,9 @@ void check_nodes(Examined& examined) {
   try {
     check_symmetry(examined);
     const ExaminedNodes nodes(examined);
-    if (examined.problem.obstacle) {
-      check_gap(examined, nodes);
-      check_face(examined, nodes);
+    for (std::size_t k = 0; k < examined.problem.obstacles.size(); ++k) {
+      check_gap(examined, nodes, k);
+      check_face(examined, nodes, k);
     }
     check_formulation(examined, nodes);
     check_rigid_motions(examined, nodes);
@@ -72,9 +74,14 @@ std::string Examined::place(const Eigen::Vector2d& x) const {
 
 ExaminedNodes::ExaminedNodes(const Examined& examined)
     : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.sections)),
-      coordinates(assembly::nodal_coordinates(*examined.space, *examined.surface, points, examined.problem.supports,
-                                              computation::gap_function(examined.problem),
+      coordinates(assembly::nodal_coordinates(examined.space, *examined.surface, points, examined.problem.supports,
+                                              computation::rigid_obstacles(examined.problem),
                                               examined.problem.discretisation.tangency.formulation)) {}
+
+std::string obstacle_text(const computation::Problem& problem, std::size_t obstacle) {
+  return problem.obstacles.size() == 1 ? "the obstacle"
+                                       : fmt::format("the obstacle \"{}\"", problem.obstacles[obstacle].name);
+}
 
 std::string vector_text(Eigen::Vector3d v, double size) {
   const double negligible = 5e-4 * std::max(v.norm(), size);

@@ -2,7 +2,9 @@
 
 #include <plastron/examination/nonnegative_least_squares.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace plastron::examination {
 
@@ -10,16 +12,17 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// G': a column per node that may touch.
+/// G': a column per contact row.
 MatrixXd gap_changes(const RigidMotions& motions, const MatrixXd& held, const std::vector<assembly::NodalPoint>& points,
                      const assembly::NodalCoordinates& coordinates) {
-  std::vector<std::size_t> touchable;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (coordinates.touchable[i]) touchable.push_back(i);
+  std::vector<assembly::ContactRow> touchable;
+  std::ranges::copy_if(coordinates.rows, std::back_inserter(touchable), &assembly::ContactRow::is_touchable);
   MatrixXd changes(held.cols(), static_cast<Eigen::Index>(touchable.size()));
-  for (std::size_t k = 0; k < touchable.size(); ++k)
+  for (std::size_t k = 0; k < touchable.size(); ++k) {
+    const auto& gaps = coordinates.gaps[static_cast<std::size_t>(touchable[k].obstacle)];
     changes.col(static_cast<Eigen::Index>(k)) =
-        held.transpose() * motions.gap_change(points[touchable[k]], coordinates.gaps[touchable[k]]);
+        held.transpose() * motions.gap_change(points[touchable[k].node], gaps[touchable[k].node]);
+  }
   return changes;
 }
 

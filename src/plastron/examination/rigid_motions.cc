@@ -100,9 +100,10 @@ FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<as
       const RigidMotion row = at_node.transpose() * coordinates.basis[i].col(k);
       by_supports += row * row.transpose();
     }
-    if (coordinates.gaps.empty()) continue;
-    const RigidMotion row = motions.gap_change(points[i], coordinates.gaps[i]);
-    by_gap += row * row.transpose() / static_cast<double>(points.size());
+    for (const auto& gaps : coordinates.gaps) {
+      const RigidMotion row = motions.gap_change(points[i], gaps[i]);
+      by_gap += row * row.transpose() / static_cast<double>(points.size());
+    }
   }
   const MatrixXd free = kernel(by_supports);
   FreeMotions result{.unheld = MatrixXd(6, 0), .held_by_obstacle = MatrixXd(6, 0)};

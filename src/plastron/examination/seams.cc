@@ -48,7 +48,7 @@ std::vector<OuterSide> outer_sides(const fem::Space& space, const fem::Surface& 
   std::vector<OuterSide> sides;
   std::map<std::pair<std::size_t, int>, std::size_t> known;
   for (const fem::BoundarySide& edge : space.sides) {
-    if (cells_at[ends_of(space, edge.cell, edge.side)] != 1) continue;
+    if (edge.is_inner || cells_at[ends_of(space, edge.cell, edge.side)] != 1) continue;
     const auto [at, is_new] = known.emplace(std::pair(edge.cell, edge.side), sides.size());
     if (is_new) sides.push_back(outer_side(space, surface, edge));
     sides[at->second].boundaries.insert(edge.boundary);

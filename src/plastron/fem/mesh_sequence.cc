@@ -1,32 +1,108 @@
 #include <plastron/fem/mesh_sequence.hpp>
 
+#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/vector.hpp>
 #include <plastron/fem/quadrilateral_sequence.hpp>
 #include <plastron/fem/triangle_sequence.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <variant>
 
 namespace plastron::fem {
 
 struct MeshSequence::Storage {
   std::variant<QuadrilateralSequence, TriangleSequence> levels;
+  Finish finish{};
+  std::shared_ptr<const Space> finished{};
+
+  std::shared_ptr<const Space> bare() const {
+    return std::visit([](const auto& of_shape) { return of_shape.space(); }, levels);
+  }
+  void finish_level() { finished = finish ? finish(bare()) : bare(); }
 };
 
-MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm) {
+namespace {
+
+/// The same owned values with the ghosts of another layout (collective).
+algebra::Vector on_layout(const std::shared_ptr<const algebra::Layout>& layout, const algebra::Vector& v) {
+  algebra::Vector other(layout, v.block());
+  std::ranges::copy(v.owned(), other.owned().begin());
+  other.update_ghosts();
+  return other;
+}
+
+/// A number that tells coarse meshes apart but for their coordinates: what is where, in which order, under which name.
+class Fingerprint {
+ public:
+  explicit Fingerprint(const CoarseMesh& mesh) {
+    add(mesh.shape == Shape::triangle);
+    for (const CoarseCell& cell : mesh.cells) {
+      for (const int v : cell.vertices) add(static_cast<std::uint64_t>(v));
+      add(static_cast<std::uint64_t>(cell.region));
+    }
+    for (const BoundaryEdge& edge : mesh.edges)
+      for (const int v : {edge.vertices[0], edge.vertices[1], edge.boundary}) add(static_cast<std::uint64_t>(v));
+    for (const auto* names : {&mesh.regions, &mesh.boundaries})
+      for (const std::string& name : *names)
+        for (const char c : name) add(static_cast<std::uint64_t>(c));
+  }
+  /// Exact as a double.
+  double value() const { return static_cast<double>(value_ >> 12); }
+
+ private:
+  void add(std::uint64_t item) { value_ = algebra::hash(value_ ^ item); }
+  std::uint64_t value_ = 0;
+};
+
+/// Weighs coordinates by their place. Machines of one job may round sines and cosines otherwise: not part of the fingerprint.
+double weighed_coordinates(const CoarseMesh& mesh) {
+  double sum = 0, place = 0;
+  for (const Vector2d& v : mesh.vertices)
+    for (const double x : v) sum += std::abs(x) * ++place;
+  return sum;
+}
+
+// Every rank makes or reads the mesh by itself. Ranks with different ones would wait for each other for ever, or compute nonsense.
+void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
+  constexpr double rounding = 1e-10;
+  const auto spread = [&](double mine) {
+    const double low = algebra::min_over_ranks(mine, comm), high = algebra::max_over_ranks(mine, comm);
+    return high > low ? (high - low) / std::max(std::abs(low), std::abs(high)) : 0.0;
+  };
+  const bool differ_in_shape = spread(Fingerprint(mesh).value()) > 0;
+  const bool differ_in_place = spread(weighed_coordinates(mesh)) > rounding;
+  if (differ_in_shape || differ_in_place)
+    throw DomainError(
+        "the processes of this job have different meshes; each reads the mesh file by itself: give all the same file");
+}
+
+}  // namespace
+
+MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish) {
+  check_that_all_have_one_mesh(coarse, comm);
   if (coarse.shape == Shape::triangle)
-    storage_ = std::make_unique<Storage>(Storage{TriangleSequence(std::move(coarse), degree, comm)});
+    storage_ = std::make_unique<Storage>(Storage{TriangleSequence(std::move(coarse), degree, comm), std::move(finish)});
   else
-    storage_ = std::make_unique<Storage>(Storage{QuadrilateralSequence(std::move(coarse), degree, comm)});
+    storage_ =
+        std::make_unique<Storage>(Storage{QuadrilateralSequence(std::move(coarse), degree, comm), std::move(finish)});
+  storage_->finish_level();
 }
 
 MeshSequence::~MeshSequence() = default;
 MeshSequence::MeshSequence(MeshSequence&&) noexcept = default;
 
-std::shared_ptr<const Space> MeshSequence::space() const {
-  return std::visit([](const auto& levels) { return levels.space(); }, storage_->levels);
-}
+std::shared_ptr<const Space> MeshSequence::space() const { return storage_->finished; }
 
 void MeshSequence::refine(std::span<algebra::Vector> fields) {
+  const bool has_own_layout = storage_->finished->layout != storage_->bare()->layout;
+  if (has_own_layout)
+    for (algebra::Vector& field : fields) field = on_layout(storage_->bare()->layout, field);
   std::visit([&](auto& levels) { levels.refine(fields); }, storage_->levels);
+  storage_->finish_level();
+  if (storage_->finished->layout != storage_->bare()->layout)
+    for (algebra::Vector& field : fields) field = on_layout(storage_->finished->layout, field);
 }
 
 }  // namespace plastron::fem

@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -13,8 +14,12 @@ namespace plastron::fem {
 
 class MeshSequence {
  public:
-  /// The coarsest level (collective). Throws DomainError for a degree that the shape does not have.
-  MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
+  /// What is made of the space of each level before anybody sees it: ties, and the ghosts that they need (collective).
+  using Finish = std::function<std::shared_ptr<const Space>(std::shared_ptr<const Space>)>;
+
+  /// The coarsest level (collective). Throws DomainError for a degree that the shape does not have, where ranks
+  /// bring different meshes, and what `finish` throws.
+  MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish = {});
   ~MeshSequence();
   MeshSequence(MeshSequence&&) noexcept;
 

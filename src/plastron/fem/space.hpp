@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace plastron::fem {
@@ -30,6 +31,12 @@ struct BoundarySide {
   bool is_inner = false;  ///< has cells on both sides
 };
 
+/// A node whose values are those of others, v = sum weight v_master: see ties.hpp. Masters are not tied themselves.
+struct Tie {
+  algebra::LocalIndex node = 0;
+  std::vector<std::pair<algebra::LocalIndex, double>> masters{};
+};
+
 struct Space {
   int degree = 1;
   std::shared_ptr<const CoarseMesh> coarse{};
@@ -38,6 +45,8 @@ struct Space {
   std::size_t owned_cells = 0;
   algebra::Connectivity connectivity{};  ///< nodes of all of `cells`
   std::vector<BoundarySide> sides{};     ///< of all of `cells`
+  std::vector<Tie> ties{};               ///< of all local nodes, ascending; their masters are local, too
+  bool has_ties = false;                 ///< on some rank
   std::int64_t global_cells = 0;
 
   Shape shape() const { return coarse->shape; }

@@ -1,3 +1,4 @@
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/io/atomic_file.hpp>
 
 #include <fcntl.h>
@@ -7,7 +8,6 @@
 
 #include <cerrno>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -22,19 +22,6 @@ int rank_in(MPI_Comm comm) {
   return rank;
 }
 
-/// The reason of the lowest rank that has one, on every rank; empty if none has.
-std::string first_reason(std::string mine, MPI_Comm comm) {
-  constexpr int none = std::numeric_limits<int>::max();
-  int speaker = mine.empty() ? none : rank_in(comm);
-  MPI_Allreduce(MPI_IN_PLACE, &speaker, 1, MPI_INT, MPI_MIN, comm);
-  if (speaker == none) return {};
-  int length = static_cast<int>(mine.size());
-  MPI_Bcast(&length, 1, MPI_INT, speaker, comm);
-  mine.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(mine.data(), length, MPI_CHAR, speaker, comm);
-  return mine;
-}
-
 /// Does a step of the work on `path` on every rank; if it throws on one, all ranks throw.
 template <class Step>
 void together(std::string_view what, const std::filesystem::path& path, MPI_Comm comm, const Step& step) {
@@ -47,7 +34,7 @@ void together(std::string_view what, const std::filesystem::path& path, MPI_Comm
     reason = e.what();
     if (reason.empty()) reason = "unknown error";
   }
-  reason = first_reason(std::move(reason), comm);
+  reason = algebra::first_words(std::move(reason), comm);
   if (!reason.empty()) throw std::runtime_error(fmt::format("cannot {} \"{}\": {}", what, path.string(), reason));
 }
 
@@ -164,10 +151,12 @@ void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI
 }
 
 void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::vector<std::filesystem::path>& made) {
-  for (auto above = directory; !above.empty() && !std::filesystem::exists(above); above = above.parent_path()) {
-    made.insert(made.begin(), above);
-    if (above == above.parent_path()) break;
-  }
+  together("make the directory", directory, comm, [&] {
+    for (auto above = directory; !above.empty() && !std::filesystem::exists(above); above = above.parent_path()) {
+      made.insert(made.begin(), above);
+      if (above == above.parent_path()) break;
+    }
+  });
   make_directory(directory, comm);
   // Enough to be refused by a disk that is full: one block may lie ready in the directory's own.
   constexpr std::size_t some = 1 << 16;

@@ -36,7 +36,7 @@ std::span<const Quantity<Result>> result_quantities() {
       {"loads/force", "N", "resultant of all loads", [](const Result& r) { return triple(r.summary.loads.force); }},
       {"loads/moment", "N m", "their moment about the origin",
        [](const Result& r) { return triple(r.summary.loads.moment); }},
-      {"reaction/force", "N", "resultant of the obstacle's reaction on the shell",
+      {"reaction/force", "N", "resultant of the obstacles' reaction on the shell",
        [](const Result& r) { return triple(r.summary.reaction.force); }},
       {"reaction/moment", "N m", "its moment about the origin",
        [](const Result& r) { return triple(r.summary.reaction.moment); }},
@@ -165,6 +165,21 @@ std::span<const Quantity<computation::Level>> level_quantities() {
        [](const Level& l) { return number(l.seconds.iteration); }},
       {"seconds/certificate", "s", "the certificate", [](const Level& l) { return number(l.seconds.certificate); }},
       {"seconds/total", "s", "all of these", [](const Level& l) { return number(l.seconds.total()); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities() {
+  using certificate::ObstacleContact;
+  static const std::vector<Quantity<ObstacleContact>> all{
+      {"name", "-", "that the case gives it", [](const ObstacleContact& o) { return Json(o.name); }},
+      {"reaction/force", "N", "resultant of its reaction on the shell",
+       [](const ObstacleContact& o) { return triple(o.reaction.force); }},
+      {"reaction/moment", "N m", "its moment about the origin",
+       [](const ObstacleContact& o) { return triple(o.reaction.moment); }},
+      {"area", "m^2", "mid-surface area of the nodes that touch it",
+       [](const ObstacleContact& o) { return number(o.area); }},
+      {"nodes", "1", "nodes that touch it", [](const ObstacleContact& o) { return Json(o.nodes); }},
   };
   return all;
 }

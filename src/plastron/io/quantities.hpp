@@ -28,6 +28,8 @@ std::span<const Quantity<computation::Result>> result_quantities();
 std::span<const Quantity<certificate::PointReaction>> point_support_quantities();
 /// Null as a whole where there is no obstacle; paths inside "contact".
 std::span<const Quantity<computation::Result>> contact_quantities();
+/// Paths inside "obstacles[]".
+std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities();
 /// Paths inside "certificate".
 std::span<const Quantity<certificate::Certificate>> certificate_quantities();
 /// Paths inside "levels[]".

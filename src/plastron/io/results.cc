@@ -84,6 +84,7 @@ Json units_json() {
   add_units(units, "", result_quantities());
   add_units(units, "point_supports/*/", point_support_quantities());
   add_units(units, "contact/", contact_quantities());
+  add_units(units, "obstacles/*/", obstacle_quantities());
   for (const Field& field : fields()) units["probes/*/" + std::string(field.key)] = field.unit;
   add_units(units, "certificate/", certificate_quantities());
   add_units(units, "levels/*/", level_quantities());
@@ -108,6 +109,9 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["warnings"] = result.warnings;
   json["point_supports"] = point_supports_json(result);
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
+  json["obstacles"] = Json::array();
+  for (const auto& contact : result.summary.obstacles)
+    json["obstacles"].push_back(record_json(obstacle_quantities(), contact));
   json["probes"] = Json::object();
   for (const computation::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);

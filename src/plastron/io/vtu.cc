@@ -112,7 +112,7 @@ std::vector<std::string> add_vtu(const computation::Solution& solution, const st
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
-  const std::vector<Field> present = fields_of(static_cast<bool>(solution.discrete->gap),
+  const std::vector<Field> present = fields_of(!solution.discrete->obstacles.empty(),
                                                solution.discrete->tangency.formulation == element::Formulation::mixed);
   const auto flags = flags_of(present);
   std::vector<std::string> names{base_name + ".vtu", base_name + ".pvd"};

@@ -1,10 +1,8 @@
 // The gap of a face of the shell against an obstacle, as an affine function of (u, r) at a point (M16).
 #pragma once
-#include <plastron/obstacle/half_space.hpp>
+#include <plastron/obstacle/obstacle.hpp>
 
 namespace plastron::obstacle {
-
-enum class Face { lower, upper };
 
 /// Height of a face over the mid-surface as a multiple of the thickness: -1/2 or +1/2.
 inline double face_position(Face face) { return face == Face::lower ? -0.5 : 0.5; }
@@ -19,11 +17,13 @@ struct Gap {
   double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + z * r); }
 };
 
-template <class Obstacle>
-Gap gap_at(const Obstacle& obstacle, Face face, const Vector3d& phi, const Vector3d& a3, double thickness) {
-  const double z = face_position(face) * thickness;
+/// Linearised at the face of the undeformed shell, the obstacle standing where it does at `time`.
+inline Gap gap_at(const Obstacle& obstacle, const Vector3d& phi, const Vector3d& a3, double thickness,
+                  double time = 0) {
+  const double z = face_position(obstacle.face) * thickness;
   const Vector3d point = phi + z * a3;
-  return {obstacle.distance(point), obstacle.gradient(point), z, point};
+  const Nearest nearest = obstacle.nearest(point, time);
+  return {nearest.distance, nearest.normal, z, point};
 }
 
 }  // namespace plastron::obstacle

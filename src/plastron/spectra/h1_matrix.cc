@@ -1,5 +1,7 @@
 #include <plastron/spectra/h1_matrix.hpp>
 
+#include <plastron/fem/ties.hpp>
+
 #include <Eigen/Cholesky>
 
 namespace plastron::spectra {
@@ -66,6 +68,28 @@ assembly::RowMatrix in_coordinates(const assembly::NodalCoordinates& coordinates
   return k;
 }
 
+/// On a cell with tied nodes: W' K W first, by components.
+assembly::RowMatrix tied_element(const assembly::NodalCoordinates& coordinates, const fem::Carriers& carriers,
+                                 const assembly::RowMatrix& cartesian) {
+  const Eigen::Index n = carriers.weights.rows(), m = carriers.weights.cols();
+  assembly::RowMatrix W = assembly::RowMatrix::Zero(6 * n, 6 * m);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < m; ++j) W.block<6, 6>(6 * i, 6 * j).diagonal().setConstant(carriers.weights(i, j));
+  const assembly::RowMatrix on_carriers = W.transpose() * cartesian * W;
+  return in_coordinates(coordinates, carriers.nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
+    return on_carriers.block<6, 6>(6 * i, 6 * j);
+  });
+}
+
+/// Diagonal blocks from a scalar element matrix.
+assembly::RowMatrix by_components(const assembly::RowMatrix& scalar, const Vector6& weights) {
+  assembly::RowMatrix cartesian = assembly::RowMatrix::Zero(6 * scalar.rows(), 6 * scalar.cols());
+  for (Eigen::Index i = 0; i < scalar.rows(); ++i)
+    for (Eigen::Index j = 0; j < scalar.cols(); ++j)
+      cartesian.block<6, 6>(6 * i, 6 * j).diagonal() = scalar(i, j) * weights;
+  return cartesian;
+}
+
 }  // namespace
 
 algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::NodalCoordinates& coordinates,
@@ -73,20 +97,23 @@ algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::
   const double weight_of_s = length * length;
   const Vector6 weights = (Vector6() << 1, 1, 1, weight_of_s, weight_of_s, weight_of_s).finished();
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, space.connectivity);
+  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_nodes(space));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const auto nodes = space.nodes(c);
+    const auto carriers = fem::carriers(space, c);
+    const std::span<const algebra::LocalIndex> nodes = carriers ? std::span(carriers->nodes) : space.nodes(c);
     assembly::RowMatrix k;
     if (shell.quadrature_bases(c).empty()) {
       const assembly::RowMatrix scalar = scalar_element(shell, c, length);
-      k = in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
-        return (scalar(i, j) * weights).asDiagonal();
-      });
+      k = carriers ? tied_element(coordinates, *carriers, by_components(scalar, weights))
+                   : in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
+                       return (scalar(i, j) * weights).asDiagonal();
+                     });
     } else {
       const assembly::RowMatrix cartesian = covariant_element(shell, c, length);
-      k = in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
-        return cartesian.block<6, 6>(6 * i, 6 * j);
-      });
+      k = carriers ? tied_element(coordinates, *carriers, cartesian)
+                   : in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
+                       return cartesian.block<6, 6>(6 * i, 6 * j);
+                     });
     }
     matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
   }
@@ -96,10 +123,13 @@ algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::
 
 algebra::Matrix scalar_h1_matrix(const assembly::ShellOperator& shell, double length) {
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, 1, space.connectivity);
+  algebra::Matrix matrix(space.layout, 1, fem::coupled_nodes(space));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const assembly::RowMatrix k = scalar_element(shell, c, length);
-    matrix.add(space.nodes(c), {k.data(), static_cast<std::size_t>(k.size())});
+    assembly::RowMatrix k = scalar_element(shell, c, length);
+    const auto carriers = fem::carriers(space, c);
+    if (carriers) k = (carriers->weights.transpose() * k * carriers->weights).eval();
+    matrix.add(carriers ? std::span<const algebra::LocalIndex>(carriers->nodes) : space.nodes(c),
+               {k.data(), static_cast<std::size_t>(k.size())});
   }
   matrix.finish();
   return matrix;

@@ -33,11 +33,14 @@ double extreme(const algebra::SelfAdjointOperator& T, algebra::End end) {
   return pairs.values.at(0);
 }
 
-/// Nodes without a multiplier.
+/// Nodes without a multiplier. That of the first obstacle is measured: its gap is the first coordinate wherever it is one.
 std::vector<char> without_multiplier(const assembly::DiscreteShell& discrete) {
   std::vector<char> marks(static_cast<std::size_t>(discrete.space().layout->owned));
   const assembly::NodalCoordinates& c = discrete.coordinates;
-  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = !c.touchable[i] || c.basis[i].col(0).head<3>().norm() == 0;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const auto rows = c.rows_of(i);
+    marks[i] = rows.empty() || rows[0].coordinate != 0 || c.basis[i].col(0).head<3>().norm() == 0;
+  }
   return marks;
 }
 

@@ -167,7 +167,7 @@ ModeKind Mode::kind() const {
 }
 
 std::vector<Mode> softest_modes(const assembly::DiscreteShell& discrete, int count, double length) {
-  PLASTRON_ASSERT(!discrete.gap, "the coordinates of a node that can touch are not orthonormal");
+  PLASTRON_ASSERT(discrete.obstacles.empty(), "the coordinates of a node that can touch are not orthonormal");
   const algebra::Matrix X = h1_matrix(discrete.shell, discrete.coordinates, length);
   const auto space = softest_space(discrete, X, count);
   if (space.empty()) return {};

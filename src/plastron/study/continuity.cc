@@ -90,7 +90,7 @@ class Continuity {
     examine("thickness",
             "a relative change of the stiffness changes the solution by no more than that part of its norm",
             &Continuity::thickness);
-    if (problem_.obstacle)
+    if (!problem_.obstacles.empty())
       examine("height",
               "a shift of the obstacle changes the solution by no more than the softest lifting of the contact zone",
               &Continuity::height);
@@ -153,7 +153,7 @@ class Continuity {
   std::optional<Change> thickness() {
     const double factor = 1 + options_.size * random_();
     computation::Problem changed = with_thickness_scaled(problem_, factor);
-    if (changed.obstacle) changed.obstacle->face_scale /= factor;
+    changed.face_scale /= factor;
     const auto solution = solve_changed(changed);
     if (!solution) return {};
     const double kappa = std::max(std::abs(factor - 1), std::abs(factor * factor * factor - 1));
@@ -165,13 +165,12 @@ class Continuity {
     const double relative = options_.size * random_();
     const double shift = relative * (largest_ > 0 ? largest_ : base_.solution->discrete->points.front().thickness);
     computation::Problem changed = problem_;
-    changed.obstacle->raised += shift;
+    raise(changed.obstacles, shift);
     const auto solution = solve_changed(changed);
     if (!solution) return {};
-    const auto after = solution->nodal.touching.owned();
-    std::vector<char> contact(after.size());
+    std::vector<char> contact(static_cast<std::size_t>(solution->nodal.touching.layout()->owned));
     for (std::size_t i = 0; i < contact.size(); ++i)
-      contact[i] = after[i] != 0 || base_.solution->nodal.touching.owned()[i] != 0;
+      contact[i] = touches(solution->nodal, i) || touches(base_.solution->nodal, i);
     const auto bound = lifting_norm(*base_.solution->discrete, contact, shift);
     if (!bound) return leave_out("the height: the lifting could not be computed");
     return change_to(*solution, relative, *bound);
@@ -278,7 +277,7 @@ class Continuity {
 
 std::vector<Variant> continuity_variants(const computation::Problem& problem, const StudyOptions& options) {
   computation::Problem thick = with_thickness_scaled(problem, 1 + options.size);
-  if (thick.obstacle) thick.obstacle->face_scale /= 1 + options.size;
+  thick.face_scale /= 1 + options.size;
   return {{fmt::format("{:g} times the thickness", 1 + options.size), thick}};
 }
 

@@ -157,18 +157,18 @@ Report convergence(const computation::Problem& problem, const StudyOptions& opti
       "length",
       length));
   computation::Problem alone = problem;
-  alone.obstacle.reset();
+  alone.obstacles.clear();
   if (observer.stage) observer.stage("without obstacle");
   const Sequence free = error_sequence(alone, options.reference, length, comm, observer.solve);
   const bool held = free.status != contact::Status::singular;
-  if (held || !problem.obstacle) {
+  if (held || problem.obstacles.empty()) {
     report.status = free.status;
     if (free.status != contact::Status::solved) return report;
     add(free, false, degree, report);
   } else {
     report.table.remarks.push_back("the supports alone do not hold the shell, so it is solved with the obstacle only");
   }
-  if (problem.obstacle) {
+  if (!problem.obstacles.empty()) {
     if (observer.stage) observer.stage("with obstacle");
     const Sequence pressed = error_sequence(problem, options.reference, length, comm, observer.solve);
     report.status = pressed.status;

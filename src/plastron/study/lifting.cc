@@ -1,5 +1,6 @@
 #include <plastron/study/lifting.hpp>
 
+#include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ void prescribe(const assembly::DiscreteShell& discrete, std::span<const char> at
   const auto width = static_cast<std::size_t>(box.load.block());
   for (std::size_t i = 0; i < box.load.owned().size(); ++i) {
     const std::size_t node = i / width;
-    const bool is_gap = i % width == 0 && discrete.coordinates.touchable[node];
+    const bool is_gap = i % width == 0 && discrete.coordinates.is_touchable(node);
     const bool held = !is_gap && box.lower.owned()[i] == box.upper.owned()[i];
     const bool lifted = is_gap && at[node];
     box.lower.owned()[i] = lifted ? change : held ? 0 : -infinity;

@@ -4,7 +4,7 @@
 
 namespace plastron::study {
 
-/// || U - U_p || for p = 1, 1/10, ... until conditioning stops it: the paper's Theorem 3 and Remark 4. (collective)
+/// |U_p - U|_a for p = 1, 1/10, ... until what locks is no longer the solution: the paper's Theorem 3 and Remark 4. (collective)
 Report penalty(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
                const StudyObserver& observer);
 

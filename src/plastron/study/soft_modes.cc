@@ -83,7 +83,7 @@ assembly::ShellDescription free_shell(const computation::Problem& problem, Formu
   shell.area_loads.clear();
   shell.edge_loads.clear();
   shell.gravity.setZero();
-  shell.gap = {};
+  shell.obstacles = {};
   return shell;
 }
 

@@ -185,7 +185,7 @@ Report stability(const computation::Problem& problem, const StudyOptions& option
       length));
   examine_coercivity(samples, problem, report.table);
   examine_tangency(samples, report.table);
-  examine_contact(samples, problem.obstacle.has_value(), report.table);
+  examine_contact(samples, !problem.obstacles.empty(), report.table);
   report.plot = plot_of(samples);
   return report;
 }

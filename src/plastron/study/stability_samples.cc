@@ -20,7 +20,7 @@ assembly::ShellDescription without_loads(const computation::Problem& problem, bo
   shell.area_loads.clear();
   shell.edge_loads.clear();
   shell.gravity.setZero();
-  if (!with_gap) shell.gap = {};
+  if (!with_gap) shell.obstacles = {};
   return shell;
 }
 
@@ -72,7 +72,7 @@ class Stability {
     measure_size(*discrete, sample);
     sample.alpha = spectra::softest_modes(*discrete, 1, length_).at(0).stiffness;
     sample.relative_alpha = sample.alpha / (problem_.sections.softest().young() * std::pow(sample.thickness, 3));
-    if (!problem_.obstacle) return sample;
+    if (problem_.obstacles.empty()) return sample;
     tell(level, fmt::format("inf-sup constant of c, thickness times {:g}", factor));
     const auto touching = assembly::discretise(space, surface_, without_loads(thin, true));
     if (const auto c = spectra::contact_inf_sup(*touching, length_)) sample.c_dual = c->dual, sample.c_l2 = c->l2;

@@ -137,7 +137,8 @@ std::vector<double> stiffness_exponents(const std::vector<Sample>& samples) {
 std::string no_exponents(const std::vector<Sample>& samples, const computation::Problem& problem) {
   constexpr double tolerable = 1e-3;
   if (has_prescribed_motion(problem)) return "the supports prescribe motions, so the stiffness K has no meaning";
-  if (problem.obstacle) return "with an obstacle K is a secant stiffness at one load and bound to no power of e";
+  if (!problem.obstacles.empty())
+    return "with an obstacle K is a secant stiffness at one load and bound to no power of e";
   if (samples.size() < 2) return "one thickness has no exponent; take more factors";
   const auto e = column(samples, [](const Sample& s) { return s.thickness; });
   const auto exponents = stiffness_exponents(samples);
@@ -194,7 +195,7 @@ void warn(const std::vector<Sample>& samples, const computation::Problem& proble
                     "m wide: it is "
                     "not resolved; refine the mesh or end the study earlier",
                     spacing, thinnest.layer));
-  if (problem.obstacle && spacing > thinnest.thickness / 2)
+  if (!problem.obstacles.empty() && spacing > thinnest.thickness / 2)
     table.remarks.push_back(
         fmt::format("warning: at the smallest thickness the nodes are {:.2g} m apart and the layer at the edge of the "
                     "contact zone is "
@@ -214,7 +215,7 @@ void conclude(const std::vector<Sample>& samples, const computation::Problem& pr
   if (why_not.empty())
     table.remarks.push_back(fmt::format("exponent {:.2f} on the thinnest shells, {}", exponent, domination(exponent)));
   table.claims = {between_one_and_three(samples, why_not), koiter_limit(samples)};
-  if (problem.obstacle && samples.front().touching > 0 && samples.back().touching == 0)
+  if (!problem.obstacles.empty() && samples.front().touching > 0 && samples.back().touching == 0)
     table.remarks.push_back(
         "the thinnest shell no longer touches the obstacle: its load falls faster than its stiffness; for a membrane "
         "dominated shell take --load-exponent 1");
@@ -246,11 +247,11 @@ std::vector<Variant> thickness_study_variants(const computation::Problem& proble
 
 Report thickness(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
                  const StudyObserver& observer) {
-  const double exponent = options.load_exponent.value_or(problem.obstacle ? 3 : 0);
+  const double exponent = options.load_exponent.value_or(problem.obstacles.empty() ? 0 : 3);
   Report report{.table = empty_table(), .plot = {}};
   report.table.remarks.push_back(exponent == 0 ? std::string("loads are those of the case")
                                                : fmt::format("loads are the case's times factor^{:g}", exponent));
-  if (problem.obstacle)
+  if (!problem.obstacles.empty())
     report.table.remarks.push_back("mid-surface and obstacle stay; the touching face moves with e/2");
   computation::Problem plain = problem;
   plain.probes.clear();

@@ -38,6 +38,20 @@ std::vector<Variant> thickness_variants(const computation::Problem& problem, con
   return variants;
 }
 
+namespace {
+
+struct Raise {
+  double height;
+  void operator()(obstacle::HalfSpace& body) const { body.point += height * body.normal; }
+  void operator()(obstacle::Ball& body) const { body.radius += body.inside ? -height : height; }
+};
+
+}  // namespace
+
+void raise(std::vector<obstacle::Obstacle>& obstacles, double height) {
+  for (obstacle::Obstacle& o : obstacles) std::visit(Raise{height}, o.shape);
+}
+
 computation::Problem with_loads_scaled(computation::Problem problem, double factor) {
   for (auto& load : problem.area_loads) {
     scale(load.force, factor);
@@ -55,7 +69,7 @@ computation::Problem with_loads_scaled(computation::Problem problem, double fact
 }
 
 computation::Problem linear_and_homogeneous(computation::Problem problem) {
-  problem.obstacle.reset();
+  problem.obstacles.clear();
   for (auto& support : problem.supports)
     for (auto& component : support.components) component.value = {};
   return problem;

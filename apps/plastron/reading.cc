@@ -1,0 +1,25 @@
+#include "reading.hpp"
+
+#include <plastron/algebra/agreement.hpp>
+#include <plastron/fem/domain.hpp>
+
+#include <mpi.h>
+
+namespace plastron::app {
+
+config::Case read_case(const std::filesystem::path& path) {
+  return algebra::in_agreement<RefusedCase>(MPI_COMM_WORLD, [&] {
+    try {
+      return config::read_case(path);
+    } catch (const config::CaseErrors& errors) {
+      throw RefusedCase(errors.format());
+    }
+  });
+}
+
+std::vector<examination::Finding> examine_together(
+    const std::function<std::vector<examination::Finding>()>& examination) {
+  return algebra::in_agreement<fem::DomainError>(MPI_COMM_WORLD, examination);
+}
+
+}  // namespace plastron::app

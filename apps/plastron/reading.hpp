@@ -1,0 +1,25 @@
+// Case files as all processes of a job read them: each by itself, and if one cannot, all say so and end.
+#pragma once
+#include <plastron/config/case.hpp>
+#include <plastron/examination/examine.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace plastron::app {
+
+/// What is wrong with a case file, as it is printed.
+struct RefusedCase : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws RefusedCase (collective).
+config::Case read_case(const std::filesystem::path& path);
+
+/// What `examination` finds, which every rank does by itself; throws on all ranks if it throws on one (collective).
+std::vector<examination::Finding> examine_together(
+    const std::function<std::vector<examination::Finding>()>& examination);
+
+}  // namespace plastron::app

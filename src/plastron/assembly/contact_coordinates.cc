@@ -1,0 +1,186 @@
+#include <plastron/assembly/contact_coordinates.hpp>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::assembly {
+
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// Below this part of a row its freedom, or what tells it from another row, is left out: where a curved shell is squeezed between two
+/// plates, both gaps feel the rotation by the sine of the slope, and coordinates that kept them apart would cancel by its square.
+constexpr double negligible = 1e-6;
+
+/// Directions of span(free) orthogonal to p, one fewer than free has.
+std::vector<Vector3d> orthogonal_part(const std::vector<Vector3d>& free, const Vector3d& p) {
+  if (free.size() == 3) {
+    const auto pair = across(p.normalized());
+    return {pair[0], pair[1]};
+  }
+  if (free.size() == 2) return {free[0].cross(free[1]).cross(p).normalized()};
+  return {};
+}
+
+Vector3d projection(const std::vector<Vector3d>& onto, const Vector3d& v) {
+  Vector3d p = Vector3d::Zero();
+  for (const Vector3d& d : onto) p += d.dot(v) * d;
+  return p;
+}
+
+/// One gap: w first, then what leaves w alone. u alone moves w where it can, or r where supports hold u across.
+std::optional<std::vector<ContactColumn>> around_one_gap(const obstacle::Gap& gap, const std::vector<Vector3d>& u,
+                                                         const std::vector<Vector3d>& r) {
+  const Vector3d zero = Vector3d::Zero();
+  std::vector<ContactColumn> columns;
+  const Vector3d p = projection(u, gap.normal);
+  if (p.norm() > negligible) {
+    const Vector3d unit_w = p / p.squaredNorm();  // n . unit_w = 1
+    columns.push_back({unit_w, zero});
+    for (const Vector3d& d : orthogonal_part(u, p)) columns.push_back({d, zero});
+    for (const Vector3d& d : r) columns.push_back({-gap.z * gap.normal.dot(d) * unit_w, d});
+    return columns;
+  }
+  const Vector3d q = projection(r, gap.normal);
+  if (!(q.norm() > negligible)) return {};
+  columns.push_back({zero, q / (gap.z * q.squaredNorm())});
+  for (const Vector3d& d : u) columns.push_back({d, zero});
+  for (const Vector3d& d : orthogonal_part(r, q)) columns.push_back({zero, d});
+  return columns;
+}
+
+/// The gaps as rows on the free directions: displacements as they are, rotations times the largest |z|.
+struct Rows {
+  Rows(std::span<const obstacle::Gap> gaps, const std::vector<Vector3d>& free_u, const std::vector<Vector3d>& free_r)
+      : u(free_u), r(free_r), all(static_cast<Index>(gaps.size()), static_cast<Index>(u.size() + r.size())) {
+    for (const obstacle::Gap& gap : gaps) lever = std::max(lever, std::abs(gap.z));
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      const auto row = static_cast<Index>(i);
+      for (std::size_t k = 0; k < u.size(); ++k) all(row, static_cast<Index>(k)) = gaps[i].normal.dot(u[k]);
+      for (std::size_t k = 0; k < r.size(); ++k)
+        all(row, static_cast<Index>(u.size() + k)) = gaps[i].z / lever * gaps[i].normal.dot(r[k]);
+    }
+  }
+
+  ContactColumn column(const VectorXd& free) const {
+    ContactColumn c;
+    for (std::size_t k = 0; k < u.size(); ++k) c.u += free[static_cast<Index>(k)] * u[k];
+    for (std::size_t k = 0; k < r.size(); ++k) c.r += free[static_cast<Index>(u.size() + k)] / lever * r[k];
+    return c;
+  }
+
+  const std::vector<Vector3d>&u, &r;
+  double lever = 0;
+  MatrixXd all;
+};
+
+/// A basis whose first columns C have F C = 1 and are orthogonal to the others, which F maps to zero.
+MatrixXd dual_basis(const MatrixXd& F) {
+  const auto qr = F.transpose().householderQr();
+  MatrixXd basis = qr.householderQ();
+  const MatrixXd R = qr.matrixQR().topRows(F.rows()).triangularView<Eigen::Upper>();
+  // F' = Q R, so C = Q R^{-T}: no squares of F, whose rows may be nearly parallel.
+  basis.leftCols(F.rows()) =
+      R.triangularView<Eigen::Upper>().solve(basis.leftCols(F.rows()).transpose()).transpose().eval();
+  return basis;
+}
+
+/// Columns C with F C = 1, and such that F maps the rest to zero. Displacements alone move the gaps where they can.
+std::vector<ContactColumn> around_gaps(const Rows& rows, const MatrixXd& F) {
+  constexpr double well_apart = 0.05;
+  const auto m = static_cast<Index>(rows.u.size()), p = F.rows();
+  const MatrixXd U = F.leftCols(m);
+  MatrixXd columns = MatrixXd::Zero(F.cols(), F.cols());
+  if (p <= m && U.jacobiSvd().singularValues().minCoeff() > well_apart) {
+    columns.topLeftCorner(m, m) = dual_basis(U);
+    for (Index k = m; k < F.cols(); ++k) {
+      columns.block(0, k, m, 1) = -columns.topLeftCorner(m, p) * F.col(k);
+      columns(k, k) = 1;
+    }
+  } else {
+    columns = dual_basis(F);
+  }
+  std::vector<ContactColumn> result;
+  for (Index k = 0; k < columns.cols(); ++k) result.push_back(rows.column(columns.col(k)));
+  return result;
+}
+
+/// Which gaps become coordinates, and where the others stand. Nothing where one depends on several.
+struct Choice {
+  std::vector<Index> coordinates{};
+  std::vector<ContactPlace> places{};
+};
+
+std::optional<ContactPlace> parallel_place(const Rows& rows, Index row, const std::vector<Index>& coordinates) {
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    const auto known = rows.all.row(coordinates[k]);
+    const double scale = rows.all.row(row).dot(known) / known.squaredNorm();
+    if ((rows.all.row(row) - scale * known).norm() <= negligible * rows.all.row(row).norm())
+      return ContactPlace{static_cast<int>(k), scale};
+  }
+  return {};
+}
+
+std::optional<Choice> choose(const Rows& rows) {
+  Choice choice;
+  MatrixXd span(0, rows.all.cols());  // orthonormal rows
+  for (Index i = 0; i < rows.all.rows(); ++i) {
+    const Eigen::RowVectorXd row = rows.all.row(i);
+    if (!(row.norm() > negligible)) {
+      choice.places.push_back({});
+    } else if (const auto place = parallel_place(rows, i, choice.coordinates)) {
+      choice.places.push_back(*place);
+    } else {
+      const Eigen::RowVectorXd rest = row - row * span.transpose() * span;
+      if (!(rest.norm() > negligible * row.norm())) return {};
+      span.conservativeResize(span.rows() + 1, Eigen::NoChange);
+      span.bottomRows(1) = rest.normalized();
+      choice.places.push_back({static_cast<int>(choice.coordinates.size()), 1});
+      choice.coordinates.push_back(i);
+    }
+  }
+  return choice;
+}
+
+std::vector<ContactColumn> without_gaps(const std::vector<Vector3d>& u, const std::vector<Vector3d>& r) {
+  std::vector<ContactColumn> columns;
+  for (const Vector3d& d : u) columns.push_back({d, Vector3d::Zero()});
+  for (const Vector3d& d : r) columns.push_back({Vector3d::Zero(), d});
+  return columns;
+}
+
+}  // namespace
+
+/// Two unit vectors that make an orthonormal basis with the unit vector n.
+std::array<Vector3d, 2> across(const Vector3d& n) {
+  int smallest = 0;
+  n.cwiseAbs().minCoeff(&smallest);
+  const Vector3d first = n.cross(Vector3d::Unit(smallest)).normalized();
+  return {first, n.cross(first)};
+}
+
+std::optional<ContactCoordinates> contact_coordinates(std::span<const obstacle::Gap> gaps,
+                                                      const std::vector<Vector3d>& u, const std::vector<Vector3d>& r) {
+  ContactCoordinates result;
+  if (gaps.size() == 1) {
+    const auto columns = around_one_gap(gaps[0], u, r);
+    return ContactCoordinates{columns ? *columns : without_gaps(u, r), {columns ? ContactPlace{0, 1} : ContactPlace{}}};
+  }
+  const Rows rows(gaps, u, r);
+  auto choice = choose(rows);
+  if (!choice) return {};
+  result.places = std::move(choice->places);
+  if (choice->coordinates.empty()) {
+    result.columns = without_gaps(u, r);
+  } else {
+    MatrixXd F(static_cast<Index>(choice->coordinates.size()), rows.all.cols());
+    for (Index k = 0; k < F.rows(); ++k) F.row(k) = rows.all.row(choice->coordinates[static_cast<std::size_t>(k)]);
+    result.columns = around_gaps(rows, F);
+  }
+  return result;
+}
+
+}  // namespace plastron::assembly

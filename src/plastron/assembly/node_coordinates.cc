@@ -1,0 +1,148 @@
+#include <plastron/assembly/node_coordinates.hpp>
+
+#include <plastron/assembly/contact_coordinates.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::assembly {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Eigen::Vector2d;
+
+/// Orthonormal directions in R^3, those that are prescribed and those that are free.
+struct Split {
+  std::vector<Vector3d> prescribed;
+  std::vector<double> values;
+  std::vector<Vector3d> free;
+};
+
+/// What one unknown's rows at a node are judged by.
+struct Scales {
+  double value;     ///< the largest value that the node's supports prescribe
+  double rounding;  ///< rounding of a value that should be zero
+};
+
+/// Splits the plane or space orthogonal to `excluded` (empty: all of R^3) by the prescribed rows.
+Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vector<Vector3d>& excluded,
+            const Vector2d& x, const Scales& scales) {
+  // Directions that differ by less than this angle are one. Conormals of two boundaries that meet smoothly differ by
+  // the rounding of the mesh's nodes, 1e-16 to 1e-7, and a component that is the quotient of two such differences
+  // would be noise; beyond the angle a value's rounding is magnified by 1e4 at most.
+  constexpr double negligible = 1e-4;
+  constexpr double precision = 1e-9;
+  Split result;
+  std::vector<Vector3d> basis(excluded);
+  for (const auto& [direction, value] : rows) {
+    Vector3d d = direction;
+    for (const Vector3d& q : excluded) d -= q.dot(d) * q;
+    // What the directions taken so far already prescribe of this component:
+    double known = 0;
+    for (std::size_t k = 0; k < result.prescribed.size(); ++k) {
+      const double share = result.prescribed[k].dot(d);
+      known += share * result.values[k];
+      d -= share * result.prescribed[k];
+    }
+    if (d.norm() > negligible) {
+      result.values.push_back((value - known) / d.norm());
+      result.prescribed.push_back(d.normalized());
+      basis.push_back(result.prescribed.back());
+    } else if (!(std::abs(value - known) <= (precision + d.norm()) * scales.value + scales.rounding)) {
+      throw SupportError(
+          fmt::format("supports contradict each other at x = {:g}, y = {:g}: a component that is already "
+                      "prescribed as {:g} is to be {:g}",
+                      x[0], x[1], known, value));
+    }
+  }
+  if (basis.empty()) {
+    result.free = {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()};
+  } else if (basis.size() == 1) {
+    const auto pair = across(basis[0]);
+    result.free = {pair[0], pair[1]};
+  } else if (basis.size() == 2) {
+    result.free = {basis[0].cross(basis[1]).normalized()};
+  }
+  return result;
+}
+
+void prescribe(const Split& u, const Split& r, const std::vector<ContactColumn>& free, NodeCoordinates& node) {
+  Eigen::Index next = 0;
+  const auto add = [&](const Vector3d& du, const Vector3d& dr, double lower, double upper) {
+    node.basis.col(next) << du, dr;
+    node.lower[static_cast<std::size_t>(next)] = lower;
+    node.upper[static_cast<std::size_t>(next)] = upper;
+    ++next;
+  };
+  for (const ContactColumn& column : free) add(column.u, column.r, -infinity, infinity);
+  for (std::size_t k = 0; k < u.prescribed.size(); ++k)
+    add(u.prescribed[k], Vector3d::Zero(), u.values[k], u.values[k]);
+  for (std::size_t k = 0; k < r.prescribed.size(); ++k)
+    add(Vector3d::Zero(), r.prescribed[k], r.values[k], r.values[k]);
+}
+
+/// The gap where all free components are zero.
+double gap_of_prescribed(const obstacle::Gap& gap, const Split& u, const Split& r) {
+  double value = gap.initial;
+  for (std::size_t k = 0; k < u.prescribed.size(); ++k) value += gap.normal.dot(u.prescribed[k]) * u.values[k];
+  for (std::size_t k = 0; k < r.prescribed.size(); ++k) value += gap.z * gap.normal.dot(r.prescribed[k]) * r.values[k];
+  return value;
+}
+
+/// Bounds of the coordinates from their rows. Of rows on one side of a coordinate the tightest binds, the first of equals.
+void bound(NodeCoordinates& node) {
+  std::array<ContactRow*, 6> below{}, above{};
+  for (ContactRow& row : node.rows) {
+    if (!row.is_touchable()) continue;
+    const auto k = static_cast<std::size_t>(row.coordinate);
+    const double value = -row.bound_gap / row.scale;
+    ContactRow*& tightest = row.scale > 0 ? below[k] : above[k];
+    double& limit = row.scale > 0 ? node.lower[k] : node.upper[k];
+    if (tightest && (row.scale > 0 ? value <= limit : value >= limit)) continue;
+    if (tightest) tightest->binds = false;
+    tightest = &row;
+    row.binds = true;
+    limit = value;
+  }
+}
+
+}  // namespace
+
+NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& support,
+                                 std::span<const obstacle::Gap> gaps, double size) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const Split u = split(support.displacement, {}, point.x, {support.displacement_scale, rounding * size}),
+              r = split(support.rotation, {point.a3}, point.x, {support.rotation_scale, rounding});
+  NodeCoordinates node;
+  // Vertices of triangles of degree 2 carry no weight in (M21), hence no bound.
+  const auto contact = contact_coordinates(point.weight > 0 ? gaps : gaps.first(0), u.free, r.free);
+  if (!contact)
+    throw ObstacleError(
+        fmt::format("three or more obstacles meet the shell at x = {:g}, y = {:g} in one plane of directions: two of "
+                    "them already say "
+                    "which way it can go there, and no bounds of a node's coordinates say it for all; leave one out, "
+                    "or let one body "
+                    "stand for those that meet",
+                    point.x[0], point.x[1]));
+  prescribe(u, r, contact->columns, node);
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const auto place = k < contact->places.size() ? contact->places[k] : ContactPlace{};
+    node.rows.push_back(
+        {.obstacle = static_cast<int>(k),
+         .coordinate = place.coordinate,
+         .scale = place.scale,
+         .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) : std::numeric_limits<double>::quiet_NaN()});
+  }
+  bound(node);
+  const double most = support.rotation.empty() ? infinity : 0;
+  node.basis.col(5) << Vector3d::Zero(), point.a3;
+  node.lower[5] = -most;
+  node.upper[5] = most;
+  return node;
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,80 @@
+// Shells between two obstacles against plane references with 16 digits (an exact solution between the edges of contact).
+#include <gtest/gtest.h>
+#include <plastron/computation/solve.hpp>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using namespace test;
+
+constexpr double width = 0.125, e = 0.1;
+
+/// A strip of length 1 in plane strain, clamped at both ends, between the floor z = 0 and a ceiling; load in the z direction.
+Problem strip(const std::string& height, const std::string& load, double ceiling) {
+  Problem p;
+  p.domain = fem::Rectangle{.to = {1, width}, .cells = {8, 1}};
+  p.charts = {{"", Chart({"x", "y", height}, {})}};
+  p.sections.common.thickness = Expression(e);
+  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.supports = {clamped("left"), clamped("right")};
+  for (const char* side : {"bottom", "top"})
+    p.supports.push_back(
+        {.boundary = side,
+         .components = {fixed(Unknown::displacement, Direction::y), fixed(Unknown::rotation, Direction::y)}});
+  p.area_loads = {assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression(load, {})}}};
+  p.obstacles = {{.name = "floor"},
+                 {.name = "ceiling",
+                  .shape = obstacle::HalfSpace{.point = {0, 0, ceiling}, .normal = {0, 0, -1}},
+                  .face = obstacle::Face::upper}};
+  p.discretisation = {.degree = 3, .refinements = 3};
+  return p;
+}
+
+struct Reference {
+  const char* name;
+  Problem problem;
+  double energy, floor, ceiling;  ///< per unit width
+};
+
+std::ostream& operator<<(std::ostream& out, const Reference& r) { return out << r.name; }
+
+class Between : public testing::TestWithParam<Reference> {};
+
+TEST_P(Between, FloorAndCeilingCarryWhatTheReferenceSays) {
+  const Reference& reference = GetParam();
+  const Result result = solve(reference.problem, MPI_COMM_SELF);
+  EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  EXPECT_NEAR(result.summary.energy.total(), width * reference.energy, 1e-3 * width * reference.energy);
+  ASSERT_EQ(result.summary.obstacles.size(), 2U);
+  const auto& [floor, ceiling] = std::tie(result.summary.obstacles[0], result.summary.obstacles[1]);
+  EXPECT_EQ(ceiling.name, "ceiling");
+  EXPECT_NEAR(floor.reaction.force[2], width * reference.floor, 2e-4 * width * reference.floor);
+  EXPECT_NEAR(ceiling.reaction.force[2], width * reference.ceiling, 2e-4 * width * std::abs(reference.ceiling));
+  EXPECT_GT(floor.nodes, 100);
+  EXPECT_EQ(floor.nodes + ceiling.nodes, result.summary.touching_nodes);
+  EXPECT_NEAR(floor.area + ceiling.area, result.summary.contact_area, 1e-14);
+  for (const Level& level : result.levels) EXPECT_LE(level.iterations, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FloorAndCeiling, Between,
+    testing::Values(Reference{"flat", strip("0.06", "-0.05*sin(2*pi*x)", 0.115), 1.58972104252893952e-05,
+                              1.25420100815093190e-02, -1.32295673989753521e-02},
+                    Reference{"wavy", strip("0.09 + 0.03*sin(2*pi*x)", "0.05*sin(2*pi*x)", 0.175),
+                              5.59901021090944603e-05, 1.12991423924100349e-02, -1.16468957853493538e-02}),
+    [](const auto& reference) { return std::string(reference.param.name); });
+
+TEST(Between, PlatesThatAreMirrorImagesTheReactionsAreToo) {
+  Problem p = strip("0.06", "0.05*sin(2*pi*x)", 0.12);
+  const Result result = solve(p, MPI_COMM_SELF);
+  ASSERT_EQ(result.status, contact::Status::solved);
+  const auto& obstacles = result.summary.obstacles;
+  EXPECT_GT(obstacles[0].reaction.force[2], 1e-3 * width);
+  EXPECT_NEAR(obstacles[0].reaction.force[2], -obstacles[1].reaction.force[2], 1e-10);
+  EXPECT_EQ(obstacles[0].nodes, obstacles[1].nodes);
+}
+
+}  // namespace
+}  // namespace plastron::computation
