@@ -8,6 +8,9 @@ endif()
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 if(PLASTRON_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  # Gmsh brings its own instances of Eigen's templates, which share our symbols: both must agree on how memory is aligned, and under the
+  # address sanitizer Eigen would align by itself.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
   add_link_options(-fsanitize=address,undefined)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()

@@ -32,6 +32,7 @@ class WithoutOptionsOfTheEnvironment {
 
 int end_slepc(MPI_Comm, int, void*, void*) {
   PetscBool has_ended = PETSC_FALSE;
+  PetscErrorPrintf = PetscErrorPrintfNone;  // it would tell of a standard output that was closed
   if (PetscFinalized(&has_ended) == 0 && !has_ended) SlepcFinalize();
   return MPI_SUCCESS;
 }

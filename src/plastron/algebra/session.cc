@@ -36,6 +36,7 @@ Session::Session(int& argc, char**& argv, int threads) : owns_mpi_(start_mpi(arg
 
 Session::~Session() {
   if (mpi_has_ended()) return;
+  PetscErrorPrintf = PetscErrorPrintfNone;  // it would tell of a standard output that was closed
   if (owns_slepc_) SlepcFinalize();
   if (owns_mpi_) MPI_Finalize();
 }
