@@ -61,7 +61,7 @@ TEST(WithoutAFactor, ABeamOnATableLiesTheSame) {
   expect_the_same_without_a_factor(problem);
   Jacobi D(beam.matrix);
   const auto solution = contact::solve_primal_dual_active_set(problem, {}, D);
-  EXPECT_GT(solution.iterations.front().linear_steps, 30);
+  EXPECT_GT(solution.iterations.front().linear_steps, 10);  // a factor takes two
   EXPECT_EQ(D.pinnings, static_cast<int>(solution.iterations.size()));
 }
 

@@ -35,13 +35,13 @@ void check_names(Examined& examined) {
     check(name, mesh.regions, "a thickness, material or density is given for the region");
   for (const auto& l : examined.problem.area_loads)
     for (const std::string& region : l.regions) check(region, mesh.regions, "a load names the region");
-  for (const auto& l : examined.problem.edge_loads) check(l.boundary, mesh.boundaries, "a load names the boundary");
   for (const auto& s : examined.problem.supports) {
     if (s.point)
       check_point(examined, *s.point);
     else
       check(s.boundary, mesh.boundaries, "a support names the boundary");
   }
+  for (const auto& l : examined.problem.edge_loads) check(l.boundary, mesh.boundaries, "a load names the boundary");
 }
 
 void check_probes(Examined& examined) {
