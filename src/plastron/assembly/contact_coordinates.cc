@@ -104,6 +104,7 @@ std::vector<ContactColumn> around_gaps(const Rows& rows, const MatrixXd& F) {
     columns = dual_basis(F);
   }
   std::vector<ContactColumn> result;
+  result.reserve(static_cast<std::size_t>(columns.cols()));
   for (Index k = 0; k < columns.cols(); ++k) result.push_back(rows.column(columns.col(k)));
   return result;
 }
@@ -147,6 +148,7 @@ std::optional<Choice> choose(const Rows& rows) {
 
 std::vector<ContactColumn> without_gaps(const std::vector<Vector3d>& u, const std::vector<Vector3d>& r) {
   std::vector<ContactColumn> columns;
+  columns.reserve(u.size() + r.size());
   for (const Vector3d& d : u) columns.push_back({d, Vector3d::Zero()});
   for (const Vector3d& d : r) columns.push_back({Vector3d::Zero(), d});
   return columns;

@@ -136,7 +136,7 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution
   sums.max_pressure = std::max(sums.max_pressure, pressure);
   sums.min_pressure = std::min(sums.min_pressure, pressure);
   sums.complementarity = std::max(sums.complementarity, std::abs(pressure * g));
-  const Vector6 force = pressure * point.weight * gap_row(gap, point.a3);
+  Vector6 force = pressure * point.weight * gap_row(gap, point.a3);
   sums.contact_work += force.dot(y);
   add(contact.reaction, point, force, sums);
   return force;

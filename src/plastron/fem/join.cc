@@ -75,6 +75,7 @@ std::vector<EdgeNode> nodes_on(const Space& space, const Surface& surface, int b
     nodes.emplace(node, EdgeNode{node, {all[i + 1], all[i + 2], all[i + 3]}, {all[i + 4], all[i + 5], all[i + 6]}});
   }
   std::vector<EdgeNode> list;
+  list.reserve(nodes.size());
   for (const auto& [node, at] : nodes) list.push_back(at);
   return list;
 }
