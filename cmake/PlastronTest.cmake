@@ -1,6 +1,7 @@
 # plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification RANKS 1 2 ...)
 #
-# A GoogleTest program. With RANKS it is run once under mpirun for every count, and the count is in the test's name.
+# A GoogleTest program. With RANKS it is run once under mpirun for every count, and the count is in the test's name. Of a quick program
+# the runs on one rank and on the most ranks are quick, those between are verification: they fail where the others do.
 include(GoogleTest)
 find_package(GTest REQUIRED)
 
@@ -57,9 +58,16 @@ function(plastron_test name)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
   endif()
+  list(LENGTH ARG_RANKS counts)
   foreach(ranks IN LISTS ARG_RANKS)
+    set(label ${ARG_LABEL})
+    list(FIND ARG_RANKS ${ranks} place)
+    math(EXPR after "${counts} - ${place} - 1")
+    if(place GREATER 0 AND after GREATER 0)
+      set(label verification)
+    endif()
     add_test(NAME ${name}.ranks=${ranks} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${name}>)
-    set_tests_properties(${name}.ranks=${ranks} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
+    set_tests_properties(${name}.ranks=${ranks} PROPERTIES LABELS ${label} TIMEOUT ${ARG_TIMEOUT}
                          PROCESSORS ${ranks} ENVIRONMENT "${environment}" RESOURCE_LOCK ${session})
   endforeach()
 endfunction()

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "algebra/chain.hpp"
 
@@ -52,6 +54,18 @@ TEST(Vector, knows_whether_its_ghosts_are_those_of_their_owners) {
   EXPECT_TRUE(algebra::ghosts_are_current(v));
   for (double& value : v.local()) value = std::nan("");
   EXPECT_TRUE(algebra::ghosts_are_current(v));
+}
+
+TEST(Gather, of_all_ranks_has_the_values_in_the_order_of_the_ranks_everywhere) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  // Rank r brings r + 1 values, and the last rank of several none.
+  std::vector<double> mine;
+  if (rank == 0 || rank + 1 < ranks()) mine.assign(static_cast<std::size_t>(rank) + 1, rank);
+  std::vector<double> expected;
+  for (int r = 0; r < std::max(1, ranks() - 1); ++r)
+    expected.insert(expected.end(), static_cast<std::size_t>(r) + 1, r);
+  EXPECT_EQ(algebra::gather_over_ranks(mine, MPI_COMM_WORLD), expected);
 }
 
 TEST(Vector, copies_are_independent) {

@@ -124,4 +124,16 @@ double min_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DO
 double max_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_MAX, comm); }
 std::int64_t sum_over_ranks(std::int64_t value, MPI_Comm comm) { return reduce(value, MPI_INT64_T, MPI_SUM, comm); }
 
+std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm comm) {
+  int ranks = 1;
+  MPI_Comm_size(comm, &ranks);
+  const auto count = static_cast<int>(mine.size());
+  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size());
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+  for (std::size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
+  std::vector<double> all(static_cast<std::size_t>(starts.back()) + static_cast<std::size_t>(counts.back()));
+  MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
+  return all;
+}
+
 }  // namespace plastron::algebra

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace plastron::algebra {
 
@@ -56,5 +57,8 @@ double sum_over_ranks(double value, MPI_Comm comm);
 double min_over_ranks(double value, MPI_Comm comm);
 double max_over_ranks(double value, MPI_Comm comm);
 std::int64_t sum_over_ranks(std::int64_t value, MPI_Comm comm);
+/// The values of all ranks one after the other, the same on every rank (collective). For what is small on every rank, or must be
+/// whole somewhere: at most 2^31 values in all.
+std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm comm);
 
 }  // namespace plastron::algebra

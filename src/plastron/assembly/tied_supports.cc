@@ -15,18 +15,6 @@ void pack(std::int64_t master, int unknown, const std::vector<std::pair<Vector3d
     out.insert(out.end(), {static_cast<double>(master), static_cast<double>(unknown), d[0], d[1], d[2], value, scale});
 }
 
-std::vector<double> gathered(const std::vector<double>& mine, MPI_Comm comm) {
-  int ranks = 1;
-  MPI_Comm_size(comm, &ranks);
-  const auto count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size());
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-  for (std::size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
-  std::vector<double> all(static_cast<std::size_t>(starts.back() + counts.back()));
-  MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
-  return all;
-}
-
 }  // namespace
 
 void hand_to_masters(const fem::Space& space, std::vector<NodeSupport>& supports) {
@@ -43,7 +31,7 @@ void hand_to_masters(const fem::Space& space, std::vector<NodeSupport>& supports
     }
     own = {};
   }
-  const auto all = gathered(handed, layout.comm);
+  const auto all = algebra::gather_over_ranks(handed, layout.comm);
   for (std::size_t i = 0; i < all.size(); i += packed_size) {
     const auto master = static_cast<std::int64_t>(all[i]) - layout.first;
     if (master < 0 || master >= layout.owned) continue;

@@ -34,18 +34,6 @@ int boundary_index(const CoarseMesh& coarse, const std::string& name) {
   return static_cast<int>(found - coarse.boundaries.begin());
 }
 
-std::vector<double> gathered(const std::vector<double>& mine, MPI_Comm comm) {
-  int ranks = 1;
-  MPI_Comm_size(comm, &ranks);
-  const auto count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size());
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-  for (std::size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
-  std::vector<double> all(static_cast<std::size_t>(starts.back() + counts.back()));
-  MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
-  return all;
-}
-
 /// The nodes on a boundary, ascending, the same on every rank (collective).
 std::vector<EdgeNode> nodes_on(const Space& space, const Surface& surface, int boundary) {
   const auto line = gauss_lobatto(space.degree + 1).points;
@@ -68,7 +56,7 @@ std::vector<EdgeNode> nodes_on(const Space& space, const Surface& surface, int b
     packed.push_back(static_cast<double>(node));
     for (const Vector3d& v : at) packed.insert(packed.end(), v.begin(), v.end());
   }
-  const auto all = gathered(packed, space.layout->comm);
+  const auto all = algebra::gather_over_ranks(packed, space.layout->comm);
   std::map<GlobalIndex, EdgeNode> nodes;
   for (std::size_t i = 0; i < all.size(); i += packed_size) {
     const auto node = static_cast<GlobalIndex>(all[i]);

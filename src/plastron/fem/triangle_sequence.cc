@@ -56,19 +56,6 @@ std::vector<std::size_t> cells_around(const TriangleTopology& mesh, std::size_t 
   return around;
 }
 
-/// The owned values of all ranks one after the other, on every rank (collective).
-std::vector<double> gathered(const algebra::Vector& field, const TriangleNumbering& numbers) {
-  std::vector<int> counts, offsets;
-  for (std::size_t r = 0; r + 1 < numbers.first_node.size(); ++r) {
-    counts.push_back(static_cast<int>((numbers.first_node[r + 1] - numbers.first_node[r]) * field.block()));
-    offsets.push_back(static_cast<int>(numbers.first_node[r] * field.block()));
-  }
-  std::vector<double> all(static_cast<std::size_t>(numbers.first_node.back() * field.block()));
-  MPI_Allgatherv(field.owned().data(), static_cast<int>(field.owned().size()), MPI_DOUBLE, all.data(), counts.data(),
-                 offsets.data(), MPI_DOUBLE, field.layout()->comm);
-  return all;
-}
-
 /// Values at the nodes of child k from those at the nodes of its parent: rows are the child's nodes.
 Eigen::MatrixXd to_child(int degree, int k) {
   const Cell child = child_cell(k);
@@ -145,7 +132,8 @@ void TriangleSequence::flatten() {
 
 void TriangleSequence::refine(std::span<algebra::Vector> fields) {
   std::vector<std::vector<double>> values;
-  for (const algebra::Vector& field : fields) values.push_back(gathered(field, numbers_));
+  for (const algebra::Vector& field : fields)
+    values.push_back(algebra::gather_over_ranks(field.owned(), field.layout()->comm));
   const TriangleTopology before = std::exchange(mesh_, refined(mesh_));
   const TriangleNumbering numbers_before = std::move(numbers_);
   flatten();

@@ -208,7 +208,7 @@ std::string solve_decades(const computation::Problem& problem, const Tangent& ta
       status = s.status;
       return std::string(contact::explain(s.status));
     }
-    if (const std::string end = descent.end_at(s); !end.empty()) return end;
+    if (std::string end = descent.end_at(s); !end.empty()) return end;
     samples.push_back(std::move(s));
     if (samples.size() > 2 && is_idle(samples.back()))
       return "r . a_3 takes no part on this shell: no smaller p was tried";

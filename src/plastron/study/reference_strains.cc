@@ -94,18 +94,8 @@ ReferenceStrains::ReferenceStrains(const fem::Space& reference) : comm_(referenc
   per_rank_.resize(static_cast<std::size_t>(ranks));
   const int mine = static_cast<int>(reference.owned_cells);
   MPI_Allgather(&mine, 1, MPI_INT, per_rank_.data(), 1, MPI_INT, comm_);
-  std::vector<int> counts, offsets;
-  int cells = 0;
-  for (const int n : per_rank_) {
-    counts.push_back(n * static_cast<int>(packed_size));
-    offsets.push_back(cells * static_cast<int>(packed_size));
-    cells += n;
-  }
-  first_ = static_cast<std::size_t>(offsets[static_cast<std::size_t>(rank)]) / packed_size;
-  cells_.resize(static_cast<std::size_t>(cells) * packed_size);
-  const auto values = packed(reference);
-  MPI_Allgatherv(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, cells_.data(), counts.data(),
-                 offsets.data(), MPI_DOUBLE, comm_);
+  first_ = static_cast<std::size_t>(std::accumulate(per_rank_.begin(), per_rank_.begin() + rank, 0));
+  cells_ = algebra::gather_over_ranks(packed(reference), comm_);
 }
 
 fem::Cell ReferenceStrains::cell(std::size_t number) const {
