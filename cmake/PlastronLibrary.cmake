@@ -1,5 +1,5 @@
 # plastron_library(NAME folder DEPENDS other folders EXTERNAL third-party targets PRIVATE_EXTERNAL ... PRECOMPILED headers
-#                  OWN_HEADERS headers that are not installed)
+#                  OWN_HEADERS headers that are not installed SEPARATE files that are compiled by themselves)
 #
 # One target per folder of src/plastron. A target sees its own headers and those of the folders it
 # DEPENDS on, and no others: its include root is a directory in the build tree that holds one link,
@@ -12,13 +12,14 @@ target_compile_options(plastron_warnings INTERFACE
   "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>")
 
 function(plastron_library name)
-  cmake_parse_arguments(ARG "" "PRECOMPILED" "DEPENDS;EXTERNAL;PRIVATE_EXTERNAL;OWN_HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "DEPENDS;EXTERNAL;PRIVATE_EXTERNAL;OWN_HEADERS;SEPARATE" ${ARGN})
   set(root ${PROJECT_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${root}/plastron)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/${name} ${root}/plastron/${name} SYMBOLIC)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
   if(sources)
     add_library(plastron_${name} STATIC ${sources})
+    plastron_unity(plastron_${name} SEPARATE ${ARG_SEPARATE})
     set(scope PUBLIC)
     target_link_libraries(plastron_${name} PRIVATE $<BUILD_INTERFACE:plastron_warnings> ${ARG_PRIVATE_EXTERNAL})
     if(ARG_PRECOMPILED)

@@ -1,4 +1,5 @@
-# plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification RANKS 1 2 ...)
+# plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification RANKS 1 2 ...
+#               SEPARATE files that are compiled by themselves)
 #
 # A GoogleTest program. With RANKS it is run once under mpirun for every count, and the count is in the test's name. Of a quick program
 # the runs on one rank and on the most ranks are quick, those between are verification: they fail where the others do.
@@ -34,7 +35,7 @@ function(plastron_run_test test program ranks)
 endfunction()
 
 function(plastron_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS;EXTERNAL;RANKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL quick)
   endif()
@@ -48,6 +49,7 @@ function(plastron_test name)
   endforeach()
   target_link_libraries(${name} PRIVATE ${ARG_EXTERNAL})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  plastron_unity(${name} SEPARATE ${ARG_SEPARATE})
   target_compile_options(${name} PRIVATE ${test_options})
   plastron_use_precompiled(${name} plastron_precompiled_tests)
   if(ARG_LABEL STREQUAL quick)

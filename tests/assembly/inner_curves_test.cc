@@ -37,7 +37,7 @@ void for_every_mesh(const std::function<void(const test::MeshedSurface&)>& check
     }
 }
 
-std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const std::vector<Support>& supports) {
+std::unique_ptr<DiscreteShell> shell_held_by(const test::MeshedSurface& m, const std::vector<Support>& supports) {
   return discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1)), .supports = supports});
 }
 
@@ -79,7 +79,7 @@ void expect_held(const test::MeshedSurface& m, const std::string& boundary,
                  const std::function<double(const Eigen::Vector2d&)>& distance) {
   const Support support{.boundary = boundary,
                         .components = {{Unknown::displacement, Direction::z, geometry::Expression(0.25)}}};
-  const auto discrete = shell_of(m, {support});
+  const auto discrete = shell_held_by(m, {support});
   double held = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.space->layout->owned); ++i) {
     const bool is_near = distance(discrete->points[i].x) < 1e-2;
@@ -109,7 +109,7 @@ TEST(InnerCurve, HasItsConormalOnTheRightOfItsDirection) {
   for_every_mesh([](const test::MeshedSurface& m) {
     const Support support{.boundary = "mid",
                           .components = {{Unknown::displacement, Direction::conormal, geometry::Expression(1e-3)}}};
-    const auto discrete = shell_of(m, {support});
+    const auto discrete = shell_held_by(m, {support});
     const auto all = node_supports(*m.space, *m.surface, discrete->points, {support});
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (all[i].displacement.empty()) continue;

@@ -13,7 +13,7 @@
 namespace plastron::cli {
 namespace {
 
-constexpr double patience = 20;  // [s]
+constexpr double seconds_to_answer = 20;
 
 /// tests/config/wrong and tests/cli/wrong, as far as they are there.
 std::vector<fs::path> wrong_cases() {
@@ -52,9 +52,9 @@ TEST_P(WrongCase, is_refused_in_the_expected_words_and_leaves_nothing_behind) {
   EXPECT_FALSE(expectations(GetParam()).empty());
   // Both at once: there are many files, and starting takes longest.
   auto run = std::async(std::launch::async, [&] {
-    return plastron({"run", GetParam().string(), "--output", "X"}, scratch.path, patience);
+    return plastron({"run", GetParam().string(), "--output", "X"}, scratch.path, seconds_to_answer);
   });
-  expect_refused(plastron({"check", GetParam().string()}, scratch.path, patience));
+  expect_refused(plastron({"check", GetParam().string()}, scratch.path, seconds_to_answer));
   expect_refused(run.get());
   EXPECT_TRUE(fs::is_empty(scratch.path));
 }

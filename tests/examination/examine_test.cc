@@ -5,6 +5,7 @@
 #include <plastron/examination/examine.hpp>
 
 #include "computation/problems.hpp"
+#include "examination/findings.hpp"
 
 namespace plastron::examination {
 namespace {
@@ -16,16 +17,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-std::vector<std::string> texts(const computation::Problem& problem, Severity severity) {
-  std::vector<std::string> all;
-  for (const Finding& f : examine(problem))
-    if (f.severity == severity) all.push_back(f.text);
-  return all;
-}
-
-std::vector<std::string> errors(const computation::Problem& problem) { return texts(problem, Severity::error); }
-std::vector<std::string> warnings(const computation::Problem& problem) { return texts(problem, Severity::warning); }
 
 computation::Problem two_regions(const std::array<std::string, 3>& second) {
   computation::Problem p = cantilever_plate();

@@ -4,6 +4,7 @@
 #include <plastron/examination/examine.hpp>
 
 #include "computation/problems.hpp"
+#include "examination/findings.hpp"
 
 namespace plastron::examination {
 namespace {
@@ -14,15 +15,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-std::vector<std::string> texts(const computation::Problem& problem, Severity severity) {
-  std::vector<std::string> all;
-  for (const Finding& f : examine(problem))
-    if (f.severity == severity) all.push_back(f.text);
-  return all;
-}
-std::vector<std::string> errors(const computation::Problem& problem) { return texts(problem, Severity::error); }
-std::vector<std::string> warnings(const computation::Problem& problem) { return texts(problem, Severity::warning); }
 
 computation::Problem on(fem::Shape shape, computation::Problem p) {
   p.discretisation.cells = shape;

@@ -4,6 +4,7 @@
 #include <plastron/examination/examine.hpp>
 
 #include "computation/problems.hpp"
+#include "examination/findings.hpp"
 
 namespace plastron::examination {
 namespace {
@@ -17,8 +18,8 @@ using testing::IsEmpty;
 
 std::vector<std::string> seams(const computation::Problem& problem) {
   std::vector<std::string> all;
-  for (const Finding& f : examine(problem))
-    if (f.severity == Severity::warning && f.text.find("seam") != std::string::npos) all.push_back(f.text);
+  for (const std::string& text : warnings(problem))
+    if (text.find("seam") != std::string::npos) all.push_back(text);
   return all;
 }
 

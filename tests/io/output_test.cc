@@ -16,12 +16,10 @@ namespace {
 
 using testing::UnorderedElementsAre;
 
-const MPI_Comm world = MPI_COMM_WORLD;
-
 TEST(Output, of_a_solved_problem_is_three_files_that_agree) {
   const ScratchDirectory scratch("output");
-  const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), world);
-  write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", world);
+  const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), MPI_COMM_WORLD);
+  write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
   EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
   EXPECT_EQ(json["files"], Json({"solution.vtu", "solution.pvd"}));
@@ -33,7 +31,7 @@ TEST(Output, of_a_solved_problem_is_three_files_that_agree) {
 }
 
 TEST(Output, the_resultants_of_results_json_balance) {
-  const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), world);
+  const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), MPI_COMM_WORLD);
   const Json json = results_json(result, {});
   double sum = 0;
   for (const char* part : {"loads", "reaction", "support_reaction"}) sum += json[part]["force"][2].get<double>();
@@ -42,62 +40,63 @@ TEST(Output, the_resultants_of_results_json_balance) {
 
 TEST(Output, makes_its_directory) {
   const ScratchDirectory scratch("deep");
-  write_output({}, {}, scratch.path / "a" / "b", "solution", world);
+  write_output({}, {}, scratch.path / "a" / "b", "solution", MPI_COMM_WORLD);
   EXPECT_TRUE(std::filesystem::exists(scratch.path / "a" / "b" / "results.json"));
 }
 
 TEST(Output, of_displacements_that_are_not_finite_has_no_surface) {
   const ScratchDirectory scratch("nan");
-  computation::Result result = computation::solve(pressed_plate({.refinements = 0}), world);
+  computation::Result result = computation::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
   const auto y = result.solution->nodal.y.owned();
   if (!y.empty()) y[0] = std::numeric_limits<double>::quiet_NaN();
-  write_output(result, {}, scratch.path, "solution", world);
+  write_output(result, {}, scratch.path, "solution", MPI_COMM_WORLD);
   EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json"));
 }
 
 TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
   const ScratchDirectory scratch("stale");
-  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), world);
-  write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", world);
+  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
+  write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
   const std::string before = text_of(scratch.path / "results.json");
-  MPI_Barrier(world);
+  MPI_Barrier(MPI_COMM_WORLD);
   if (world_rank() == 0) {  // a directory in the way of the .vtu file
     std::filesystem::remove(scratch.path / "solution.vtu");
     std::filesystem::create_directory(scratch.path / "solution.vtu");
   }
-  MPI_Barrier(world);
-  EXPECT_THROW(write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution", world),
-               std::runtime_error);
-  MPI_Barrier(world);
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_THROW(
+      write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD),
+      std::runtime_error);
+  MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_EQ(text_of(scratch.path / "results.json"), before);
   EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
-  MPI_Barrier(world);
+  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 /// A link under the temporary name of the next process's file sends the text to the device that is always full.
 void fill_disk_under(const std::filesystem::path& file) {
   auto process = static_cast<std::int64_t>(getpid());
-  MPI_Bcast(&process, 1, MPI_INT64_T, 0, world);
+  MPI_Bcast(&process, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
   if (world_rank() == 0)
     std::filesystem::create_symlink("/dev/full", file.string() + "." + std::to_string(process) + ".partial");
-  MPI_Barrier(world);
+  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 TEST(Output, on_a_disk_that_is_full_keeps_the_results_of_an_earlier_run) {
   const ScratchDirectory scratch("full-output");
-  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), world);
-  write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", world);
+  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
+  write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
   const std::string results = text_of(scratch.path / "results.json"), surface = text_of(scratch.path / "solution.vtu");
   for (const char* file : {"solution.vtu", "results.json"}) {
     fill_disk_under(scratch.path / file);
-    EXPECT_THROW(
-        write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution", world),
-        std::runtime_error);
-    MPI_Barrier(world);
+    EXPECT_THROW(write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution",
+                              MPI_COMM_WORLD),
+                 std::runtime_error);
+    MPI_Barrier(MPI_COMM_WORLD);
     EXPECT_EQ(text_of(scratch.path / "results.json"), results);
     EXPECT_EQ(text_of(scratch.path / "solution.vtu"), surface);
     EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
-    MPI_Barrier(world);
+    MPI_Barrier(MPI_COMM_WORLD);
   }
 }
 

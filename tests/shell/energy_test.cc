@@ -13,7 +13,7 @@ namespace {
 const Material material = Material::from_young_poisson(2, 0.3, 5.0 / 6);
 
 template <class Check>
-void at_all_points(const Check& check) {
+void with_stiffness_at_all_points(const Check& check) {
   for (const auto& [name, chart] : geometry::surfaces()) {
     SCOPED_TRACE(name);
     for (const auto& x : geometry::sample_points()) {
@@ -41,7 +41,7 @@ class Variables {
 
 TEST(Resultants, are_the_derivative_of_the_energy_by_the_strain) {
   Random random;
-  at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
     const Strain<double> s = strain(random.field(), geometry::frame_at(jet));
     Variables<8> variables;
     const Strain<Variables<8>::Scalar> t{variables(s.membrane), variables(s.bending), variables(s.shear)};
@@ -56,7 +56,7 @@ TEST(Resultants, are_the_derivative_of_the_energy_by_the_strain) {
 
 TEST(Dual, of_the_resultants_is_the_derivative_of_the_energy_by_the_field) {
   Random random;
-  at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
     const Frame f = geometry::frame_at(jet);
     const LocalField<double> v = random.field();
     Variables<15> variables;
@@ -74,7 +74,7 @@ TEST(Dual, of_the_resultants_is_the_derivative_of_the_energy_by_the_field) {
 
 TEST(EnergyDensity, is_positive_and_the_sum_of_its_parts) {
   Random random;
-  at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
     const Strain<double> s = strain(random.field(), geometry::frame_at(jet));
     const EnergyDensity e = energy_density(c, s);
     EXPECT_GT(e.membrane, 0);
@@ -87,7 +87,7 @@ TEST(EnergyDensity, is_positive_and_the_sum_of_its_parts) {
 
 TEST(EnergyDensity, of_a_rigid_motion_is_zero) {
   Random random;
-  at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
     const Frame f = geometry::frame_at(jet);
     EXPECT_LT(total_energy_density(c, strain(rigid_motion(f, random.vector()), f)), 1e-26);
   });
@@ -101,7 +101,7 @@ TEST(EnergyDensity, does_not_depend_on_the_coordinates) {
       .dd = {Eigen::Vector2d(0.2, -0.5), Eigen::Vector2d(0.7, 0.1), Eigen::Vector2d(-0.3, 0.4)}};
   Eigen::Matrix2d J;
   J << change.d[0], change.d[1];
-  at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
     const Frame f = geometry::frame_at(jet), g = geometry::frame_at(geometry::compose(jet, change));
     const LocalField<double> v = random.field();
     const EnergyDensity here = energy_density(c, strain(v, f));

@@ -53,8 +53,8 @@ std::optional<std::vector<ContactColumn>> around_one_gap(const obstacle::Gap& ga
 }
 
 /// The gaps as rows on the free directions: displacements as they are, rotations times the largest |z|.
-struct Rows {
-  Rows(std::span<const obstacle::Gap> gaps, const std::vector<Vector3d>& free_u, const std::vector<Vector3d>& free_r)
+struct GapRows {
+  GapRows(std::span<const obstacle::Gap> gaps, const std::vector<Vector3d>& free_u, const std::vector<Vector3d>& free_r)
       : u(free_u), r(free_r), all(static_cast<Index>(gaps.size()), static_cast<Index>(u.size() + r.size())) {
     for (const obstacle::Gap& gap : gaps) lever = std::max(lever, std::abs(gap.z));
     for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -89,7 +89,7 @@ MatrixXd dual_basis(const MatrixXd& F) {
 }
 
 /// Columns C with F C = 1, and such that F maps the rest to zero. Displacements alone move the gaps where they can.
-std::vector<ContactColumn> around_gaps(const Rows& rows, const MatrixXd& F) {
+std::vector<ContactColumn> around_gaps(const GapRows& rows, const MatrixXd& F) {
   constexpr double well_apart = 0.05;
   const auto m = static_cast<Index>(rows.u.size()), p = F.rows();
   const MatrixXd U = F.leftCols(m);
@@ -115,7 +115,7 @@ struct Choice {
   std::vector<ContactPlace> places{};
 };
 
-std::optional<ContactPlace> parallel_place(const Rows& rows, Index row, const std::vector<Index>& coordinates) {
+std::optional<ContactPlace> parallel_place(const GapRows& rows, Index row, const std::vector<Index>& coordinates) {
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const auto known = rows.all.row(coordinates[k]);
     const double scale = rows.all.row(row).dot(known) / known.squaredNorm();
@@ -125,7 +125,7 @@ std::optional<ContactPlace> parallel_place(const Rows& rows, Index row, const st
   return {};
 }
 
-std::optional<Choice> choose(const Rows& rows) {
+std::optional<Choice> choose(const GapRows& rows) {
   Choice choice;
   MatrixXd span(0, rows.all.cols());  // orthonormal rows
   for (Index i = 0; i < rows.all.rows(); ++i) {
@@ -171,7 +171,7 @@ std::optional<ContactCoordinates> contact_coordinates(std::span<const obstacle::
     const auto columns = around_one_gap(gaps[0], u, r);
     return ContactCoordinates{columns ? *columns : without_gaps(u, r), {columns ? ContactPlace{0, 1} : ContactPlace{}}};
   }
-  const Rows rows(gaps, u, r);
+  const GapRows rows(gaps, u, r);
   auto choice = choose(rows);
   if (!choice) return {};
   result.places = std::move(choice->places);

@@ -104,6 +104,12 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   return coordinates;
 }
 
+std::vector<char> NodalCoordinates::prescribed() const {
+  std::vector<char> marks(lower.owned().size());
+  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = lower.owned()[i] == upper.owned()[i];
+  return marks;
+}
+
 void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y) const {
   using Eigen::Map, Eigen::VectorXd;
   PLASTRON_ASSERT(z.block() == width && y.block() == 6 && z.local().size() == at(basis.size(), 0) &&

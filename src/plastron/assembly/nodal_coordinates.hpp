@@ -52,6 +52,8 @@ struct NodalCoordinates {
     return node * static_cast<std::size_t>(width) + static_cast<std::size_t>(k);
   }
   bool is_prescribed(std::size_t node, int k) const { return lower.local()[at(node, k)] == upper.local()[at(node, k)]; }
+  /// Marks of the owned coordinates that are prescribed.
+  std::vector<char> prescribed() const;
   /// y = H T z on local nodes, H the ties of fem/ties.hpp; needs z's ghosts. The result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
   /// z += T' H' f on owned nodes; f is complete on owned nodes (collective where there are ties).

@@ -11,7 +11,7 @@ namespace plastron::assembly {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 using Eigen::Vector2d;
 
@@ -78,7 +78,7 @@ void prescribe(const Split& u, const Split& r, const std::vector<ContactColumn>&
     node.upper[static_cast<std::size_t>(next)] = upper;
     ++next;
   };
-  for (const ContactColumn& column : free) add(column.u, column.r, -infinity, infinity);
+  for (const ContactColumn& column : free) add(column.u, column.r, -no_bound, no_bound);
   for (std::size_t k = 0; k < u.prescribed.size(); ++k)
     add(u.prescribed[k], Vector3d::Zero(), u.values[k], u.values[k]);
   for (std::size_t k = 0; k < r.prescribed.size(); ++k)
@@ -138,7 +138,7 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
          .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) : std::numeric_limits<double>::quiet_NaN()});
   }
   bound(node);
-  const double most = support.rotation.empty() ? infinity : 0;
+  const double most = support.rotation.empty() ? no_bound : 0;
   node.basis.col(5) << Vector3d::Zero(), point.a3;
   node.lower[5] = -most;
   node.upper[5] = most;

@@ -7,9 +7,9 @@ namespace plastron::assembly {
 namespace {
 
 /// master, 0 for u and 1 for r, direction, value, scale.
-constexpr std::size_t packed_size = 7;
+constexpr std::size_t handed_size = 7;
 
-void pack(std::int64_t master, int unknown, const std::vector<std::pair<Vector3d, double>>& rows, double scale,
+void hand(std::int64_t master, int unknown, const std::vector<std::pair<Vector3d, double>>& rows, double scale,
           std::vector<double>& out) {
   for (const auto& [d, value] : rows)
     out.insert(out.end(), {static_cast<double>(master), static_cast<double>(unknown), d[0], d[1], d[2], value, scale});
@@ -26,13 +26,13 @@ void hand_to_masters(const fem::Space& space, std::vector<NodeSupport>& supports
     NodeSupport& own = supports[static_cast<std::size_t>(tie.node)];
     if (tie.masters.size() == 1) {
       const auto master = layout.global(tie.masters[0].first);
-      pack(master, 0, own.displacement, own.displacement_scale, handed);
-      pack(master, 1, own.rotation, own.rotation_scale, handed);
+      hand(master, 0, own.displacement, own.displacement_scale, handed);
+      hand(master, 1, own.rotation, own.rotation_scale, handed);
     }
     own = {};
   }
   const auto all = algebra::gather_over_ranks(handed, layout.comm);
-  for (std::size_t i = 0; i < all.size(); i += packed_size) {
+  for (std::size_t i = 0; i < all.size(); i += handed_size) {
     const auto master = static_cast<std::int64_t>(all[i]) - layout.first;
     if (master < 0 || master >= layout.owned) continue;
     NodeSupport& at = supports[static_cast<std::size_t>(master)];

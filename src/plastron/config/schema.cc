@@ -10,7 +10,6 @@ namespace plastron::config {
 namespace {
 
 Range between(double low, double high) { return {.low = low, .high = high}; }
-Range above_to(double low, double high) { return {.low = low, .high = high, .low_open = true}; }
 
 Section file_section() {
   return {
@@ -210,15 +209,15 @@ Section solver_section() {
             .meaning = "active-set changes on one mesh; each costs one factorisation"},
            {.name = "linear_tolerance",
             .fallback = "1e-12",
-            .range = above_to(0, 0.01),
+            .range = Range::above_to(0, 0.01),
             .meaning = "relative residual of the linear solves"},
            {.name = "gap_tolerance",
             .fallback = "1e-11",
-            .range = above_to(0, 0.01),
+            .range = Range::above_to(0, 0.01),
             .meaning = "a bound counts as violated beyond this multiple of the largest unknown that has one"},
            {.name = "multiplier_tolerance",
             .fallback = "1e-10",
-            .range = above_to(0, 0.01),
+            .range = Range::above_to(0, 0.01),
             .meaning = "a multiplier counts as negative beyond this multiple of the largest one"}}};
 }
 

@@ -34,6 +34,8 @@ struct Range {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false;
 
+  /// low < value <= high.
+  static Range above_to(double low, double high) { return {.low = low, .high = high, .low_open = true}; }
   bool contains(double value) const;
   /// "0 < name <= 2", or "" without limits.
   std::string text(const std::string& name) const;

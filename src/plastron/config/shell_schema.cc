@@ -6,7 +6,6 @@ namespace plastron::config {
 namespace {
 
 Range poisson() { return {.low = -0.999, .high = 0.5, .high_open = true}; }
-Range above_to(double low, double high) { return {.low = low, .high = high, .low_open = true}; }
 
 Section shell_section() {
   return {
@@ -37,7 +36,7 @@ Section shell_section() {
         .meaning = "mass per volume, for the weight under [gravity]"},
        {.name = "shear_correction",
         .fallback = "1",
-        .range = above_to(0, 2),
+        .range = Range::above_to(0, 2),
         .meaning = "factor of the transverse shear energy: 1 in the paper, 5/6 on request"},
        {.name = "formulation",
         .kind = Kind::word,
@@ -46,7 +45,7 @@ Section shell_section() {
         .meaning = "how r . a3 = 0 is kept: two rotations a node, a penalty, a multiplier, covariant components"},
        {.name = "penalty",
         .fallback = "0.1",
-        .range = above_to(0, 1),
+        .range = Range::above_to(0, 1),
         .meaning = "p of the penalised formulation; the penalty is E e^3 / p"},
        {.name = "stabilisation",
         .fallback = "1",

@@ -11,7 +11,7 @@ namespace {
 
 /// So many iterations without fewer changes than ever before end the plain method. Generous: from a cold start it
 /// honestly moves the free boundary one element a step.
-constexpr int patience = 50;
+constexpr int patience_with_changes = 50;
 
 // Whether the plain method still gets anywhere.
 class Progress {
@@ -20,7 +20,7 @@ class Progress {
     const bool seen_before = !seen_.insert(next_set).second;
     since_fewer_changes_ = changes < fewest_changes_ ? 0 : since_fewer_changes_ + 1;
     fewest_changes_ = std::min(fewest_changes_, changes);
-    return seen_before || since_fewer_changes_ > patience;
+    return seen_before || since_fewer_changes_ > patience_with_changes;
   }
 
  private:

@@ -48,7 +48,7 @@ bool passes_through(const SideCurve& curve, const Vector2d& point) {
 }
 
 /// A box round a side, wide enough for a curved one.
-std::pair<Vector2d, Vector2d> box_of(const SideCurve& curve) {
+std::pair<Vector2d, Vector2d> box_round(const SideCurve& curve) {
   Vector2d low = curve.at(0), high = low;
   for (const double t : {0.25, 0.5, 0.75, 1.0}) {
     low = low.cwiseMin(curve.at(t));
@@ -64,7 +64,7 @@ std::optional<HangingVertex> find_hanging_vertex(const CoarseMesh& mesh, const s
   const std::vector<int> sorted[2] = {sorted_along(0, mesh, boundary), sorted_along(1, mesh, boundary)};
   for (const MeshEdge& edge : boundary) {
     const SideCurve curve{mesh.cells[edge.cell], edge.side};
-    const auto [low, high] = box_of(curve);
+    const auto [low, high] = box_round(curve);
     std::span<const int> near[2];
     for (int axis = 0; axis < 2; ++axis) {
       const auto key = [&](int v) { return mesh.vertices[static_cast<std::size_t>(v)][axis]; };

@@ -21,11 +21,11 @@ std::string number(const GiNaC::numeric& value) {
   return fmt::format("({:.17g})", value.to_double());
 }
 
-std::string power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
+std::string power_in_words(const GiNaC::ex& base, const GiNaC::ex& exponent) {
   std::string b = in_muparser_syntax(base);
   if (GiNaC::is_a<GiNaC::numeric>(exponent)) {
     const auto n = GiNaC::ex_to<GiNaC::numeric>(exponent);
-    if (n.is_negative()) return fmt::format("(1/{})", power(base, -n));
+    if (n.is_negative()) return fmt::format("(1/{})", power_in_words(base, -n));
     if (n.is_equal(GiNaC::numeric(1))) return b;
     if (n.is_equal(GiNaC::numeric(2))) return fmt::format("sq({})", b);
     if (n.is_equal(GiNaC::numeric(3))) return fmt::format("cube({})", b);
@@ -36,7 +36,7 @@ std::string power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
   return fmt::format("(({})^({}))", b, in_muparser_syntax(exponent));
 }
 
-std::string call(const GiNaC::function& f) {
+std::string call_in_words(const GiNaC::function& f) {
   std::string name = f.get_name();
   if (name == "csgn" || name == "sign_of_real") name = "sign";
   if (name == "magnitude_of_real") name = "abs";
@@ -74,8 +74,8 @@ std::string in_muparser_syntax(const GiNaC::ex& e) {
   if (GiNaC::is_a<GiNaC::constant>(e)) return number(GiNaC::ex_to<GiNaC::numeric>(e.evalf()));
   if (GiNaC::is_a<GiNaC::add>(e)) return joined(e, "+");
   if (GiNaC::is_a<GiNaC::mul>(e)) return joined(e, "*");
-  if (GiNaC::is_a<GiNaC::power>(e)) return power(e.op(0), e.op(1));
-  if (GiNaC::is_a<GiNaC::function>(e)) return call(GiNaC::ex_to<GiNaC::function>(e));
+  if (GiNaC::is_a<GiNaC::power>(e)) return power_in_words(e.op(0), e.op(1));
+  if (GiNaC::is_a<GiNaC::function>(e)) return call_in_words(GiNaC::ex_to<GiNaC::function>(e));
   throw std::invalid_argument("it cannot be differentiated twice");
 }
 

@@ -14,13 +14,6 @@ namespace {
 
 using algebra::Vector;
 
-std::vector<char> prescribed(const assembly::DiscreteShell& discrete) {
-  const auto lower = discrete.coordinates.lower.owned(), upper = discrete.coordinates.upper.owned();
-  std::vector<char> marks(lower.size());
-  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = lower[i] == upper[i];
-  return marks;
-}
-
 void clear(std::span<const char> marks, Vector& v) {
   for (std::size_t i = 0; i < marks.size(); ++i)
     if (marks[i]) v.owned()[i] = 0;
@@ -52,7 +45,7 @@ class Lifting {
         without_(without),
         X_(h1_matrix(discrete.shell, discrete.coordinates, length)),
         factor_(X_),
-        held_(prescribed(discrete)),
+        held_(discrete.coordinates.prescribed()),
         z_(X_.layout(), X_.block()),
         force_(z_),
         reply_(z_) {
@@ -131,7 +124,7 @@ std::optional<double> tangency_inf_sup(const assembly::DiscreteShell& discrete, 
   const algebra::Matrix X = h1_matrix(discrete.shell, discrete.coordinates, length),
                         K = gradient_matrix(discrete.shell);
   algebra::Factorisation X_factor(X), K_factor(K);
-  const auto fixed = prescribed(discrete);
+  const auto fixed = discrete.coordinates.prescribed();
   if (!X_factor.factorise(fixed) || !K_factor.factorise(zeros))
     throw std::runtime_error("a matrix of the inf-sup constant of b is not positive definite");
   Vector y(layout, 6), force(layout, X.block()), z(force), Bz(layout, 1);

@@ -21,13 +21,6 @@ using Eigen::VectorXd;
 // Of the largest stiffness found, or of E e^3: less is rounding.
 constexpr double negligible = 1e-14;
 
-std::vector<char> prescribed(const assembly::DiscreteShell& discrete) {
-  const auto lower = discrete.coordinates.lower.owned(), upper = discrete.coordinates.upper.owned();
-  std::vector<char> marks(lower.size());
-  for (std::size_t i = 0; i < marks.size(); ++i) marks[i] = lower[i] == upper[i];
-  return marks;
-}
-
 /// The smallest E e^3 of a node: what bending stiffness is made of.
 double bending_scale(const assembly::DiscreteShell& discrete) {
   double least = std::numeric_limits<double>::infinity();
@@ -39,7 +32,7 @@ double bending_scale(const assembly::DiscreteShell& discrete) {
 /// The shift must be positive, for a(., .) may have a kernel, and should be smaller than what is looked for.
 std::vector<Vector> softest_space(const assembly::DiscreteShell& discrete, const algebra::Matrix& X, int count) {
   const algebra::Matrix A = assembly::stiffness_matrix(discrete);
-  const auto fixed = prescribed(discrete);
+  const auto fixed = discrete.coordinates.prescribed();
   const double scale = bending_scale(discrete);
   // One alone is wanted for its value, whose error is the square of the vector's.
   const double tolerance = count == 1 ? 1e-5 : 1e-8;
