@@ -64,18 +64,18 @@ TEST(Obstacle, goes_its_way_in_proportion_to_time) {
 TEST(Gap, of_a_plate_over_a_table_is_the_height_of_its_face) {
   const HalfSpace table{};
   const Vector3d phi(3, 4, 1), up = Vector3d::UnitZ();
-  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::lower}, phi, up, thickness).initial,
+  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::lower}, {phi, up, thickness}).initial,
                    1 - thickness / 2);
-  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::upper}, phi, up, thickness).initial,
+  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::upper}, {phi, up, thickness}).initial,
                    1 + thickness / 2);
-  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::upper}, phi, -up, thickness).initial,
+  EXPECT_DOUBLE_EQ(gap_at(Obstacle{.shape = table, .face = Face::upper}, {phi, -up, thickness}).initial,
                    1 - thickness / 2);  // faces are seen along a_3
 }
 
 TEST(Gap, is_that_of_the_touching_face) {
   at_all_points([](const Vector3d& phi, const Vector3d& a3) {
     for (const Face face : {Face::lower, Face::upper}) {
-      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, phi, a3, thickness);
+      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, {phi, a3, thickness});
       const Vector3d point = phi + (face == Face::lower ? -1 : 1) * thickness / 2 * a3;
       EXPECT_LT((g.contact_point - point).norm(), 1e-15);
       EXPECT_NEAR(g.initial, slope().nearest(point).distance, 1e-15);
@@ -88,7 +88,7 @@ TEST(Gap, changes_under_a_motion_as_the_distance_of_the_moved_face) {  // exact 
   Random random;
   at_all_points([&](const Vector3d& phi, const Vector3d& a3) {
     for (const Face face : {Face::lower, Face::upper}) {
-      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, phi, a3, thickness);
+      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, {phi, a3, thickness});
       const Vector3d u = random.vector(), r = random.vector();
       EXPECT_NEAR(g(u, r), slope().nearest(phi + u + g.z * (a3 + r)).distance, 1e-14);
     }
@@ -99,7 +99,7 @@ TEST(Gap, under_a_rigid_motion_is_the_distance_of_the_rigidly_moved_point) {
   Random random;
   at_all_points([&](const Vector3d& phi, const Vector3d& a3) {
     for (const Face face : {Face::lower, Face::upper}) {
-      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, phi, a3, thickness);
+      const Gap g = gap_at(Obstacle{.shape = slope(), .face = face}, {phi, a3, thickness});
       const Vector3d c = random.vector(), w = random.vector();
       const double moved = slope().nearest(g.contact_point + c + w.cross(g.contact_point)).distance;
       EXPECT_NEAR(g(c + w.cross(phi), w.cross(a3)), moved, 1e-14);

@@ -8,30 +8,42 @@
 
 namespace plastron::assembly {
 
-namespace {
-
-std::vector<Eigen::Vector2d> support_points(const std::vector<Support>& supports) {
-  std::vector<Eigen::Vector2d> points;
-  for (const Support& support : supports)
-    if (support.point && std::ranges::find(points, *support.point) == points.end()) points.push_back(*support.point);
-  return points;
-}
-
-}  // namespace
-
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description) {
-  const element::Formulation formulation = description.tangency.formulation;
   ShellOperator shell(std::move(space), std::move(surface), description.sections, description.tying,
-                      formulation == element::Formulation::classical);
+                      description.tangency.formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
-  auto coordinates = nodal_coordinates(shell.space_pointer(), shell.surface(), points, description.supports,
-                                       description.obstacles, formulation);
   auto load = load_vector(shell, description.area_loads, description.edge_loads, description.gravity);
-  return std::make_unique<DiscreteShell>(DiscreteShell{std::move(shell), std::move(points), std::move(coordinates),
-                                                       std::move(load), description.obstacles, description.tangency,
-                                                       support_points(description.supports)});
+  auto discrete = std::make_unique<DiscreteShell>(DiscreteShell{.shell = std::move(shell),
+                                                                .points = std::move(points),
+                                                                .full_load = std::move(load),
+                                                                .obstacles = description.obstacles,
+                                                                .tangency = description.tangency,
+                                                                .supports = description.supports});
+  linearise(*discrete, {});
+  return discrete;
+}
+
+void linearise(DiscreteShell& discrete, State state) {
+  discrete.state = std::move(state);
+  discrete.coordinates =
+      nodal_coordinates(discrete.shell.space_pointer(), discrete.shell.surface(), discrete.points, discrete.supports,
+                        discrete.obstacles, discrete.tangency.formulation, discrete.state);
+  discrete.load = discrete.full_load;
+  for (double& value : discrete.load.local()) value *= discrete.state.load_factor;
+}
+
+element::CellField DiscreteShell::state_values(std::size_t cell, const element::BasisAt& at) const {
+  if (!state.is_deformed()) return element::CellField::Zero(static_cast<Eigen::Index>(at.xi.size()), 6);
+  return shell.interpolation().values(cell, at, shell.gather(cell, state.displacement));
+}
+
+std::vector<Eigen::Vector2d> DiscreteShell::support_points() const {
+  std::vector<Eigen::Vector2d> held;
+  for (const Support& support : supports)
+    if (support.point && std::ranges::find(held, *support.point) == held.end()) held.push_back(*support.point);
+  return held;
 }
 
 double DiscreteShell::tangency_factor() const {
@@ -42,6 +54,11 @@ double DiscreteShell::tangency_factor() const {
 void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
   shell.apply(y, f);
   if (tangency_factor() > 0) add_normal_rotation_form(shell, tangency_factor(), y, f);
+}
+
+void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const {
+  apply(y, f);
+  algebra::axpy(-1, load, f);
 }
 
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {

@@ -1,4 +1,4 @@
-// A shell on one mesh, ready to be solved: strains, nodal coordinates with their bounds, loads.
+// A shell on one mesh, linearised at a state and ready to be solved: strains, nodal coordinates with their bounds, loads.
 #pragma once
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
@@ -13,18 +13,35 @@ namespace plastron::assembly {
 struct DiscreteShell {
   ShellOperator shell;
   std::vector<NodalPoint> points;
-  NodalCoordinates coordinates;
-  algebra::Vector load;  ///< Cartesian nodal forces and couples (block 6)
+  algebra::Vector full_load;  ///< Cartesian nodal forces and couples at load factor 1 (block 6)
   RigidObstacles obstacles;
   element::Tangency tangency;
-  std::vector<Eigen::Vector2d> support_points{};  ///< where supports hold points of Omega, each once
+  std::vector<Support> supports{};
+
+  // Of the state:
+  State state{};
+  NodalCoordinates coordinates{};
+  algebra::Vector load{};  ///< load factor times full_load
 
   const fem::Space& space() const { return shell.space(); }
   /// What multiplies the form of normal_rotation.hpp: 1/p (M13), rho (M14) or nothing.
   double tangency_factor() const;
   /// f = A y through strains, the form of normal_rotation.hpp included; needs y's ghosts (collective).
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
+  /// f = A y - l, what supports and obstacles carry, tied nodes not yet handed on; owned values, needs y's ghosts (collective).
+  void residual(const algebra::Vector& y, algebra::Vector& f) const;
+  /// (M16) at a point that the state has moved, against obstacle k.
+  obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at, state.time); }
+  /// (u, r) of the state at points of a local cell, a row each.
+  element::CellField state_values(std::size_t cell, const element::BasisAt& at) const;
+  /// Where supports hold points of Omega, each once.
+  std::vector<Eigen::Vector2d> support_points() const;
 };
+
+/// Linearises the shell at another state: the gaps at the faces where it has moved them, with them coordinates and bounds, and the
+/// loads. Strains are linear; with finite rotations their operator would change here too (collective). Throws SupportError,
+/// ObstacleError.
+void linearise(DiscreteShell& discrete, State state);
 
 /// All that discretises a shell, independent of the mesh.
 struct ShellDescription {
@@ -38,7 +55,7 @@ struct ShellDescription {
   RigidObstacles obstacles{};
 };
 
-/// (collective) Throws SupportError.
+/// At the undeformed state (collective). Throws SupportError, ObstacleError.
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description);

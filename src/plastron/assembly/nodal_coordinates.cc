@@ -53,9 +53,15 @@ NodeCoordinates tied_node(std::size_t obstacles) {
 
 }  // namespace
 
+obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
+                                 const Eigen::Matrix<double, 6, 1>& moved) {
+  return {phi, a3, thickness, moved.head<3>(), geometry::tangential(moved.tail<3>(), a3)};
+}
+
 NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_pointer, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const RigidObstacles& obstacles, element::Formulation formulation) {
+                                   const RigidObstacles& obstacles, element::Formulation formulation,
+                                   const State& state) {
   const fem::Space& space = *space_pointer;
   const auto local = static_cast<std::size_t>(space.layout->local_size());
   const int width = element::is_relaxed(formulation) ? 6 : 5;
@@ -76,7 +82,9 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   algebra::in_agreement<SupportError>(space.layout->comm, [&] {
     for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
       auto& of_obstacle = coordinates.gaps.emplace_back();
-      for (const NodalPoint& p : points) of_obstacle.push_back(obstacles.gap(k, p.phi, p.a3, p.thickness));
+      for (std::size_t i = 0; i < points.size(); ++i)
+        of_obstacle.push_back(
+            obstacles.gap(k, shell_point(points[i].phi, points[i].a3, points[i].thickness, state.at(i)), state.time));
     }
     for (std::size_t i = 0; i < node_support.size(); ++i) {
       const NodeSupport& s = node_support[i];

@@ -3,6 +3,7 @@
 #pragma once
 #include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/node_coordinates.hpp>
+#include <plastron/assembly/state.hpp>
 #include <plastron/assembly/supports.hpp>
 #include <plastron/element/formulation.hpp>
 
@@ -16,16 +17,16 @@ namespace plastron::assembly {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The obstacles as the shell meets them at one step.
+/// The obstacles as the shell meets them.
 struct RigidObstacles {
   std::vector<obstacle::Obstacle> all{};
-  double time = 0;        ///< where they stand: see obstacle::Obstacle::nearest()
   double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 
   bool empty() const { return all.empty(); }
   /// (M16) against obstacle k.
-  obstacle::Gap gap(std::size_t k, const Vector3d& phi, const Vector3d& a3, double thickness) const {
-    return obstacle::gap_at(all[k], phi, a3, face_scale * thickness, time);
+  obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at, double time) const {
+    at.thickness *= face_scale;
+    return obstacle::gap_at(all[k], at, time);
   }
 };
 
@@ -77,9 +78,14 @@ struct InCoordinates {
 InCoordinates in_coordinates(const NodalCoordinates& coordinates, std::size_t cell,
                              const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& cartesian);
 
-/// (collective) Throws SupportError, ObstacleError.
+/// A point of the shell as (u, r) = `moved` has moved it.
+obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
+                                 const Eigen::Matrix<double, 6, 1>& moved);
+
+/// With the gaps linearised at `state` (collective). Throws SupportError, ObstacleError.
 NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const RigidObstacles& obstacles, element::Formulation formulation);
+                                   const RigidObstacles& obstacles, element::Formulation formulation,
+                                   const State& state = {});
 
 }  // namespace plastron::assembly

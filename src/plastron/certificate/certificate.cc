@@ -23,13 +23,12 @@ Vector6 block6(const algebra::Vector& v, std::size_t node) {
 /// A y + B' lambda - l per owned node, through strains; tied nodes have handed theirs to their masters.
 algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   algebra::Vector r(discrete.space().layout, 6);
-  discrete.apply(solution.y, r);
+  discrete.residual(solution.y, r);
   if (solution.lambda.layout()) {
     algebra::Vector f(discrete.space().layout, 6);
     apply_coupling_transposed(discrete.shell, solution.lambda, f);
     algebra::axpy(1, f, r);
   }
-  for (std::size_t i = 0; i < r.owned().size(); ++i) r.owned()[i] -= discrete.load.owned()[i];
   fem::collect(discrete.space(), r);
   return r;
 }

@@ -50,11 +50,13 @@ double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const alge
       discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
       discrete.shell.section(c).thickness.evaluate(px, py, e);
       const element::CellField values = discrete.shell.interpolation().values(c, basis, field);
+      const element::CellField moved = discrete.state_values(c, basis);
       for (std::size_t p = 0; p < jets.size(); ++p) {
         const auto row = values.row(static_cast<Eigen::Index>(p));
         const Vector3d a3 = geometry::unit_normal(jets[p]);
         for (const std::size_t k : near) {
-          const obstacle::Gap gap = discrete.obstacles.gap(k, jets[p].value, a3, e[p]);
+          const obstacle::Gap gap = discrete.gap(
+              k, assembly::shell_point(jets[p].value, a3, e[p], moved.row(static_cast<Eigen::Index>(p)).transpose()));
           smallest = std::min(smallest, gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3)));
         }
       }

@@ -4,8 +4,9 @@ namespace plastron::certificate {
 
 std::vector<std::pair<std::size_t, std::size_t>> point_nodes(const assembly::DiscreteShell& discrete) {
   std::vector<std::pair<std::size_t, std::size_t>> all;
-  for (std::size_t k = 0; k < discrete.support_points.size(); ++k)
-    for (const auto node : assembly::owned_nodes_at(discrete.space(), discrete.points, discrete.support_points[k]))
+  const auto points = discrete.support_points();
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const auto node : assembly::owned_nodes_at(discrete.space(), discrete.points, points[k]))
       all.emplace_back(k, static_cast<std::size_t>(node));
   return all;
 }
@@ -13,7 +14,7 @@ std::vector<std::pair<std::size_t, std::size_t>> point_nodes(const assembly::Dis
 std::vector<PointReaction> point_reactions(const assembly::DiscreteShell& discrete,
                                            const std::map<std::size_t, Vector3d>& at_nodes) {
   std::vector<PointReaction> reactions;
-  for (const Eigen::Vector2d& x : discrete.support_points) reactions.push_back({.at = x});
+  for (const Eigen::Vector2d& x : discrete.support_points()) reactions.push_back({.at = x});
   for (const auto& [support, node] : point_nodes(discrete)) reactions[support].force += at_nodes.at(node);
   for (PointReaction& reaction : reactions)
     for (double& component : reaction.force)

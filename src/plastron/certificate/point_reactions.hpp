@@ -16,7 +16,7 @@ struct PointReaction {
   Vector3d force = Vector3d::Zero();             ///< of all supports of its node on the shell [N]
 };
 
-/// The owned nodes that supports hold as points, each with its place in DiscreteShell::support_points.
+/// The owned nodes that supports hold as points, each with its place in DiscreteShell::support_points().
 std::vector<std::pair<std::size_t, std::size_t>> point_nodes(const assembly::DiscreteShell& discrete);
 
 /// Of every support point, from the forces [N] at the owned nodes (collective).

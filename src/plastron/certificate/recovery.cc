@@ -23,16 +23,11 @@ Vector3d physical(const Vector3d& tensor, const Eigen::Matrix2d& to_axes) {
   return {p(0, 0), p(1, 1), p(0, 1)};
 }
 
-struct FacePoint {
-  Vector3d phi, a3;
-  double thickness;
-};
-
-double smallest_gap(const assembly::RigidObstacles& obstacles, const FacePoint& at, const Vector3d& u,
+double smallest_gap(const assembly::DiscreteShell& discrete, const obstacle::ShellPoint& at, const Vector3d& u,
                     const Vector3d& r) {
   double smallest = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t k = 0; k < obstacles.all.size(); ++k)
-    smallest = std::fmin(smallest, obstacles.gap(k, at.phi, at.a3, at.thickness)(u, geometry::tangential(r, at.a3)));
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
+    smallest = std::fmin(smallest, discrete.gap(k, at)(u, geometry::tangential(r, at.a3)));
   return smallest;
 }
 
@@ -102,6 +97,7 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
     lambda[static_cast<Eigen::Index>(i)] = solution_.lambda.layout() ? solution_.lambda.local()[node] : 0;
   }
   const element::CellField values = shell.interpolation().values(cell, at_points_, field);
+  const element::CellField moved = discrete_.state_values(cell, at_points_);
   const Eigen::MatrixX2d contact_values = reaction_at_points_ * contact;
   const Eigen::VectorXd lambda_values = at_points_.value * lambda;
   const Eigen::MatrixXd resultants = from_gauss_ * resultants_at_gauss_points(cell, field);
@@ -119,7 +115,8 @@ std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
                  .thickness = e[p],
                  .u = u,
                  .r = r,
-                 .gap = smallest_gap(discrete_.obstacles, {jets[p].value, axes.a3, e[p]}, u, r),
+                 .gap = smallest_gap(
+                     discrete_, assembly::shell_point(jets[p].value, axes.a3, e[p], moved.row(row).transpose()), u, r),
                  .pressure = contact_values(row, 0),
                  .lambda = lambda_values[row],
                  .touching = contact_values(row, 1),

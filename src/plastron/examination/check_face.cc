@@ -42,11 +42,30 @@ Nearest nearest(const ExaminedNodes& nodes, std::size_t obstacle, Face face) {
   return {least, weights > 0 ? sum / weights : cosines[least]};
 }
 
+/// Which face can touch where the choice is made node by node.
+void note_faces(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
+  const auto& gaps = nodes.coordinates.gaps[obstacle];
+  const auto lower = std::ranges::count_if(gaps, [](const obstacle::Gap& gap) { return gap.z < 0; });
+  const auto all = static_cast<std::ptrdiff_t>(gaps.size());
+  const std::string which = lower == all ? "the lower face" : lower == 0 ? "the upper face" : "";
+  if (!which.empty())
+    return examined.add(Severity::note, "face: {} looks at {}", which, obstacle_text(examined.problem, obstacle));
+  const auto nearest =
+      static_cast<std::size_t>(std::ranges::min_element(gaps, {}, &obstacle::Gap::initial) - gaps.begin());
+  examined.add(
+      Severity::note,
+      "face: on {:.0f} % of the nodes the lower face looks at {}, on the rest the upper one; nearest is the {} "
+      "face at {}",
+      100.0 * static_cast<double>(lower) / static_cast<double>(all), obstacle_text(examined.problem, obstacle),
+      gaps[nearest].z < 0 ? "lower" : "upper", examined.place(nodes.points[nearest].x));
+}
+
 }  // namespace
 
 void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
   constexpr double alike = 0.1;  // within 6 degrees of upright, the faces are equally near but for a tenth of e
   const Face face = examined.problem.obstacles[obstacle].face;
+  if (face == Face::nearer) return note_faces(examined, nodes, obstacle);
   const Nearest near = nearest(nodes, obstacle, face);
   const auto& point = nodes.points[near.node];
   const bool is_lower = face == Face::lower;

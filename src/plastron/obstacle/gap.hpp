@@ -4,8 +4,11 @@
 
 namespace plastron::obstacle {
 
-/// Height of a face over the mid-surface as a multiple of the thickness: -1/2 or +1/2.
-inline double face_position(Face face) { return face == Face::lower ? -0.5 : 0.5; }
+/// Height of a face over the mid-surface as a multiple of the thickness, -1/2 or +1/2, where the obstacle's normal is n.
+inline double face_position(Face face, const Vector3d& n, const Vector3d& a3) {
+  if (face == Face::nearer) return n.dot(a3) >= 0 ? -0.5 : 0.5;
+  return face == Face::lower ? -0.5 : 0.5;
+}
 
 /// g(u, r) = initial + n . (u + z r), with z = -e/2 (lower face) or +e/2 (upper face).
 struct Gap {
@@ -17,13 +20,27 @@ struct Gap {
   double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + z * r); }
 };
 
-/// Linearised at the face of the undeformed shell, the obstacle standing where it does at `time`.
-inline Gap gap_at(const Obstacle& obstacle, const Vector3d& phi, const Vector3d& a3, double thickness,
-                  double time = 0) {
-  const double z = face_position(obstacle.face) * thickness;
-  const Vector3d point = phi + z * a3;
-  const Nearest nearest = obstacle.nearest(point, time);
-  return {nearest.distance, nearest.normal, z, point};
+/// A point of the mid-surface, and where the state has moved it that the gap is linearised at.
+struct ShellPoint {
+  Vector3d phi, a3;
+  double thickness = 0;
+  Vector3d u = Vector3d::Zero();  ///< displacement of the state [m]
+  Vector3d r = Vector3d::Zero();  ///< rotation of the state, tangential
+};
+
+/// (M16) linearised at the face where the state has moved it, the obstacle standing where it does at `time`: there the gap is the true
+/// distance. At the undeformed shell the linearisation of the model, exact for planes at every state.
+inline Gap gap_at(const Obstacle& obstacle, const ShellPoint& at, double time = 0) {
+  const Vector3d n = obstacle.face == Face::nearer ? obstacle.nearest(at.phi + at.u, time).normal : at.a3;
+  const double z = face_position(obstacle.face, n, at.a3) * at.thickness;
+  const Vector3d point = at.phi + z * at.a3, moved = at.u + z * at.r;
+  const Nearest nearest = obstacle.nearest(point + moved, time);
+  return {nearest.distance - nearest.normal.dot(moved), nearest.normal, z, point};
+}
+
+/// The distance of the touching face of the deformed shell, not linearised [m]; `at` has the displacement.
+inline double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at, double time) {
+  return obstacle.nearest(gap.contact_point + at.u + gap.z * at.r, time).distance;
 }
 
 }  // namespace plastron::obstacle

@@ -8,8 +8,8 @@
 
 namespace plastron::obstacle {
 
-/// A face of the shell: the points phi -+ e/2 a_3.
-enum class Face { lower, upper };
+/// A face of the shell: the points phi -+ e/2 a_3. Nearer is, point by point, the one whose outward normal looks at the obstacle.
+enum class Face { lower, upper, nearer };
 
 using Shape = std::variant<HalfSpace, Ball>;
 
