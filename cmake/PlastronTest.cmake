@@ -2,7 +2,8 @@
 #               SEPARATE files that are compiled by themselves)
 #
 # A GoogleTest program. With RANKS it is run once under mpirun for every count, and the count is in the test's name. Of a quick program
-# the runs on one rank and on the most ranks are quick, those between are verification: they fail where the others do.
+# the runs on one rank and on the most ranks are quick, those between are verification: they fail where the others do. With the
+# sanitizers two ranks are the most: three on two cores take minutes.
 include(GoogleTest)
 find_package(GTest REQUIRED)
 
@@ -59,6 +60,9 @@ function(plastron_test name)
   if(NOT ARG_RANKS)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
+  endif()
+  if(PLASTRON_SANITIZE)
+    list(REMOVE_ITEM ARG_RANKS 3)
   endif()
   list(LENGTH ARG_RANKS counts)
   foreach(ranks IN LISTS ARG_RANKS)

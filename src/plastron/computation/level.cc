@@ -3,6 +3,7 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/computation/gap.hpp>
+#include <plastron/computation/relinearisation.hpp>
 #include <plastron/computation/stopwatch.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 
@@ -53,43 +54,94 @@ Level record_of(const fem::Space& space, const contact::BoxSolution& z, const ce
 
 }  // namespace
 
+namespace {
+
+/// A level on its way: its shell, linearised as far as it has come.
+class LevelRun {
+ public:
+  LevelRun(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete, const Observer& observer)
+      : task_(task), discrete_(std::move(discrete)), observer_(observer) {}
+
+  Seconds seconds{};
+  int factorisations = 0;
+  std::vector<contact::Iteration> history{};
+
+  /// The contact problem of the present linearisation, with a first guess of its active set.
+  contact::BoxSolution solve(std::span<const contact::Activity> guess, bool detect_free_motions) {
+    Stopwatch watch;
+    tell("assembly");
+    const algebra::Matrix A = assembly::stiffness_matrix(*discrete_);
+    seconds.assembly += watch.lap();
+    tell("analysis");
+    algebra::Factorisation F(A);
+    seconds.analysis += watch.lap();
+    tell("contact");
+    const contact::BoxProblem box = assembly::box_problem(*discrete_, A);
+    const contact::Observer follow{.iteration =
+                                       [&](const contact::Iteration& i) {
+                                         if (observer_.iteration) observer_.iteration(task_.number, i);
+                                       },
+                                   .stop = [&] { return wants_to_stop(observer_, task_.space->layout->comm); }};
+    contact::Settings settings = task_.settings;
+    settings.detect_free_motions = settings.detect_free_motions && detect_free_motions;
+    contact::BoxSolution z = contact::solve_primal_dual_active_set(box, guess, F, settings, follow);
+    if (held_inside_obstacle(*discrete_)) z.status = contact::Status::infeasible;
+    seconds.factorisation += F.seconds_numeric();
+    seconds.iteration += watch.lap() - F.seconds_numeric();
+    factorisations += F.factorisations();
+    history.insert(history.end(), z.iterations.begin(), z.iterations.end());
+    return z;
+  }
+
+  void tell(std::string_view phase) const {
+    if (observer_.phase) observer_.phase(task_.number, phase);
+  }
+  assembly::DiscreteShell& discrete() { return *discrete_; }
+  std::unique_ptr<assembly::DiscreteShell> take() { return std::move(discrete_); }
+
+ private:
+  const LevelTask& task_;
+  std::unique_ptr<assembly::DiscreteShell> discrete_;
+  const Observer& observer_;
+};
+
+}  // namespace
+
 LevelResult solve_level(const LevelTask& task, const assembly::ShellDescription& shell,
                         std::shared_ptr<const fem::Surface> surface, const Observer& observer) {
-  const auto tell = [&](std::string_view phase) {
-    if (observer.phase) observer.phase(task.number, phase);
-  };
-  Seconds seconds{.mesh = task.seconds_for_mesh};
   Stopwatch watch;
-  tell("geometry");
-  auto discrete = assembly::discretise(task.space, std::move(surface), shell);
-  seconds.discretisation = watch.lap();
-  tell("assembly");
-  const algebra::Matrix A = assembly::stiffness_matrix(*discrete);
-  seconds.assembly = watch.lap();
-  tell("analysis");
-  algebra::Factorisation F(A);
-  seconds.analysis = watch.lap();
-  tell("contact");
-  const contact::BoxProblem box = assembly::box_problem(*discrete, A);
-  const auto guess = task.touched ? first_guess(*discrete, *task.touched) : std::vector<contact::Activity>{};
-  const contact::Observer follow{.iteration =
-                                     [&](const contact::Iteration& i) {
-                                       if (observer.iteration) observer.iteration(task.number, i);
-                                     },
-                                 .stop = [&] { return wants_to_stop(observer, task.space->layout->comm); }};
-  contact::BoxSolution z = contact::solve_primal_dual_active_set(box, guess, F, task.settings, follow);
-  if (held_inside_obstacle(*discrete)) z.status = contact::Status::infeasible;
-  seconds.factorisation = F.seconds_numeric();
-  seconds.iteration = watch.lap() - F.seconds_numeric();
-  tell("certificate");
-  certificate::NodalSolution nodal = certificate::nodal_solution(*discrete, z);
-  const certificate::Verdict verdict = certificate::certify(*discrete, nodal);
-  seconds.certificate = watch.lap();
+  if (observer.phase) observer.phase(task.number, "geometry");
+  LevelRun run(task, assembly::discretise(task.space, std::move(surface), shell), observer);
+  if (task.start.is_deformed() || task.start.time != 0 || task.start.load_factor != 1)
+    linearise(run.discrete(), task.start);
+  run.seconds.mesh = task.seconds_for_mesh;
+  run.seconds.discretisation = watch.lap();
+
+  Relinearisation outer(task.linearisation, run.discrete());
+  const auto guess = task.touched ? first_guess(run.discrete(), *task.touched) : std::vector<contact::Activity>{};
+  contact::BoxSolution z = run.solve(guess, true);
+  certificate::NodalSolution nodal = certificate::nodal_solution(run.discrete(), z);
+  while (z.status == contact::Status::solved) {
+    auto state = outer.next(nodal);
+    if (!state) break;
+    linearise(run.discrete(), std::move(*state));
+    z = run.solve(first_guess(run.discrete(), nodal.touching), false);
+    nodal = certificate::nodal_solution(run.discrete(), z);
+  }
+  if (z.status == contact::Status::solved && !outer.is_met()) z.status = contact::Status::gap_not_met;
+  watch.lap();
+  run.tell("certificate");
+  const certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);
+  run.seconds.certificate = watch.lap();
 
   Level record = record_of(*task.space, z, verdict);
-  record.factorisations = F.factorisations();
-  record.seconds = seconds;
-  return {std::move(record), {std::move(discrete), std::move(nodal)}, verdict};
+  record.iterations = static_cast<int>(run.history.size());
+  record.history = std::move(run.history);
+  record.factorisations = run.factorisations;
+  record.linearisations = outer.steps();
+  record.gap_error = gap_error(run.discrete(), nodal).at_contact;
+  record.seconds = run.seconds;
+  return {std::move(record), {run.take(), std::move(nodal)}, verdict};
 }
 
 }  // namespace plastron::computation

@@ -13,7 +13,9 @@ struct LevelTask {
   int number = 0;
   std::shared_ptr<const fem::Space> space{};
   contact::Settings settings{};
+  Linearisation linearisation{};
   std::optional<algebra::Vector> touched{};  ///< contact zone of the mesh before, interpolated; empty on the coarsest
+  assembly::State start{};                   ///< what the gaps are linearised at first
   double seconds_for_mesh = 0;
 };
 

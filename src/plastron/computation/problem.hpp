@@ -25,6 +25,14 @@ struct Discretisation {
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
 };
 
+/// How the gaps of curved obstacles are met (M16).
+struct Linearisation {
+  bool once = false;   ///< at the undeformed shell, and not again at the deformed one
+  int max_steps = 50;  ///< on one mesh
+  double tolerance =
+      1e-8;  ///< between faces in contact and where their gaps are linearised, over the largest displacement
+};
+
 /// A point of Omega where the results are wanted.
 struct Probe {
   std::string name;
@@ -44,6 +52,7 @@ struct Problem {
   std::vector<Probe> probes{};
   Discretisation discretisation{};
   contact::Settings contact{};
+  Linearisation linearisation{};
   double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 };
 

@@ -31,6 +31,8 @@ struct Level {
   std::int64_t active = 0;  ///< nodes in contact
   int iterations = 0;       ///< active-set iterations
   int factorisations = 0;
+  int linearisations = 1;            ///< of the gaps
+  double gap_error = 0;              ///< largest |distance - linearised gap| of the deformed faces in contact [m]
   double energy = 0;                 ///< 1/2 a(U, U) [J]
   double reaction = 0;               ///< norm of the obstacle's resultant force [N]
   double contact_area = 0;           ///< [m^2]

@@ -53,15 +53,19 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
   for (int number = 0; number <= problem.discretisation.refinements; ++number) {
     result.status = contact::Status::interrupted;
     if (wants_to_stop(observer, comm)) break;
-    std::optional<algebra::Vector> touched;
+    LevelTask task{.number = number, .settings = problem.contact, .linearisation = problem.linearisation};
     if (number > 0) {
-      std::array fields{result.solution->nodal.touching};
+      std::array fields{result.solution->nodal.touching, result.solution->nodal.y};
+      const bool was_deformed = result.solution->discrete->state.is_deformed();
       if (!observer.stop) result.solution.reset();  // one mesh at a time in memory, unless this may be the last one
-      meshes.refine(fields);
-      touched = std::move(fields[0]);
+      meshes.refine(std::span(fields).first(was_deformed ? 2 : 1));
+      task.touched = std::move(fields[0]);
+      if (was_deformed) {
+        task.start.displacement = std::move(fields[1]);
+        task.start.displacement.update_ghosts();
+      }
     }
-    LevelTask task{
-        .number = number, .space = meshes.space(), .settings = problem.contact, .touched = std::move(touched)};
+    task.space = meshes.space();
     if (number > 0 && supports_hold(result.levels.front())) task.settings.detect_free_motions = false;
     task.seconds_for_mesh = watch.lap();
     LevelResult level = solve_level(task, shell, surface, observer);

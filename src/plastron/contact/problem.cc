@@ -24,6 +24,8 @@ std::string_view to_string(Status status) {
       return "inaccurate";
     case Status::interrupted:
       return "interrupted";
+    case Status::gap_not_met:
+      return "gap_not_met";
   }
   return "unknown";
 }
@@ -59,6 +61,10 @@ std::string_view explain(Status status) {
     case Status::inaccurate:
       return "The contact problem was solved, but the certificate misses a limit: rounding or the mesh spoils the "
              "result; use a thicker shell, a coarser mesh of higher degree, or a finer one where contact was missed.";
+    case Status::gap_not_met:
+      return "The gaps of curved obstacles, linearised where the shell was found, did not come to rest; use a smaller "
+             "load or a finer "
+             "mesh, or write linearised = true for the gaps of the undeformed shell.";
     case Status::interrupted:
       return "The computation was interrupted; what is reported is of the last mesh that was finished.";
   }

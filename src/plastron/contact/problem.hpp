@@ -46,6 +46,7 @@ enum class Status {
   linear_solver_stalled,  ///< the preconditioned iteration missed its tolerance by far
   not_finite,             ///< numbers overflowed or are no numbers
   interrupted,            ///< somebody asked to stop
+  gap_not_met,            ///< solved, but what the bounds were linearised at is another point; set by who linearises
   inaccurate              ///< solved, but what was recomputed independently misses its limit; set by who recomputes
 };
 std::string_view to_string(Status status);

@@ -19,6 +19,8 @@ struct Obstacle {
   Face face = Face::lower;                  ///< of the shell, the one that may touch
   Vector3d translation = Vector3d::Zero();  ///< of the whole body from time 0 to time 1 [m]
 
+  /// Its gap is linear in the displacements: nothing is to be linearised again.
+  bool is_plane() const { return std::holds_alternative<HalfSpace>(shape); }
   /// Distance, normal and curvature at X when the body stands where it does at `time`, which runs linearly through the steps.
   Nearest nearest(const Vector3d& X, double time) const {
     const Vector3d at_rest = X - time * translation;

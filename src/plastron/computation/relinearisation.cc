@@ -1,0 +1,97 @@
+#include <plastron/computation/relinearisation.hpp>
+
+#include <plastron/geometry/frame.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::computation {
+
+namespace {
+
+using Eigen::Vector3d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+Vector6 block6(const algebra::Vector& y, std::size_t node) {
+  return Eigen::Map<const Vector6>(y.local().data() + 6 * node);
+}
+
+bool is_curved(const assembly::RigidObstacles& obstacles) {
+  return std::ranges::any_of(obstacles.all, [](const obstacle::Obstacle& o) { return !o.is_plane(); });
+}
+
+/// Calls check(row, touches) for the contact rows of curved obstacles at owned nodes.
+template <class Check>
+void for_rows(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution, const Check& check) {
+  const auto obstacles = discrete.obstacles.all.size();
+  for (const assembly::ContactRow& row : discrete.coordinates.rows) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    if (!row.is_touchable() || discrete.obstacles.all[k].is_plane()) continue;
+    check(row, k, solution.touching.local()[row.node * obstacles + k] != 0);
+  }
+}
+
+/// How far the faces in contact are from where the state has them, over the largest displacement.
+double distance_from_state(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+  double farthest = 0, largest = std::numeric_limits<double>::min();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+    largest = std::max(largest, block6(solution.y, i).head<3>().norm());
+  for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
+    if (!touches) return;
+    const Vector6 way = block6(solution.y, row.node) - discrete.state.at(row.node);
+    const Vector3d r = geometry::tangential(way.tail<3>(), discrete.points[row.node].a3);
+    farthest = std::max(farthest, (way.head<3>() + discrete.coordinates.gaps[k][row.node].z * r).norm());
+  });
+  const MPI_Comm comm = discrete.space().layout->comm;
+  return algebra::max_over_ranks(farthest, comm) / algebra::max_over_ranks(largest, comm);
+}
+
+double largest_displacement(const algebra::Vector& y) {
+  double largest = 0;
+  for (std::size_t i = 0; i + 2 < y.owned().size(); i += 6)
+    largest = std::max(largest, std::hypot(y.owned()[i], y.owned()[i + 1], y.owned()[i + 2]));
+  return algebra::max_over_ranks(largest, y.layout()->comm);
+}
+
+}  // namespace
+
+GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+  GapError error;
+  for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
+    const assembly::NodalPoint& p = discrete.points[row.node];
+    const Vector6 y = block6(solution.y, row.node);
+    const obstacle::ShellPoint moved = assembly::shell_point(p.phi, p.a3, p.thickness, y);
+    const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
+    const double distance = obstacle::true_gap(discrete.obstacles.all[k], gap, moved, discrete.state.time);
+    if (touches) error.at_contact = std::max(error.at_contact, std::abs(distance - gap(moved.u, moved.r)));
+    error.depth = std::max(error.depth, -distance);
+  });
+  const MPI_Comm comm = discrete.space().layout->comm;
+  return {algebra::max_over_ranks(error.at_contact, comm), algebra::max_over_ranks(error.depth, comm)};
+}
+
+Relinearisation::Relinearisation(const Linearisation& settings, const assembly::DiscreteShell& discrete)
+    : settings_(settings), discrete_(discrete) {}
+
+std::optional<assembly::State> Relinearisation::next(const certificate::NodalSolution& solution) {
+  if (settings_.once || !is_curved(discrete_.obstacles)) return {};
+  const double distance = distance_from_state(discrete_, solution);
+  const double depth = gap_error(discrete_, solution).depth;
+  const double negligible = settings_.tolerance * largest_displacement(solution.y);
+  is_met_ = distance <= settings_.tolerance && depth <= negligible;
+  if (is_met_ || steps_ >= settings_.max_steps) return {};
+  if (steps_ > 1 && !(distance < last_)) part_ /= 2;
+  last_ = distance;
+  ++steps_;
+  assembly::State state{
+      .displacement = solution.y, .time = discrete_.state.time, .load_factor = discrete_.state.load_factor};
+  if (part_ < 1 && discrete_.state.is_deformed()) {
+    const auto before = discrete_.state.displacement.local();
+    const auto values = state.displacement.local();
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = before[i] + part_ * (values[i] - before[i]);
+  }
+  return state;
+}
+
+}  // namespace plastron::computation
