@@ -2,12 +2,15 @@
 // (M16) and with the distance of the deformed one.
 #include <plastron/computation/solve.hpp>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
 
 namespace plastron::verification {
 namespace {
@@ -78,17 +81,56 @@ TEST_P(IndentedShell, HasTheEnergyTheReactionAndTheDeflectionOfTheReference) {
   EXPECT_NEAR(r.summary.energy.total() / scalar(p.name, "E_total"), 1, 1e-3);
   EXPECT_NEAR(r.summary.reaction.force[2] / scalar(p.name, "reaction_z_0"), 1, 1e-3);
   EXPECT_LT(r.summary.reaction.force.head<2>().norm(), 1e-6 * r.summary.reaction.force.norm());
-  fmt::print("{}: energy {:+.2e} reaction {:+.2e} linearisations", p.name,
-             r.summary.energy.total() / scalar(p.name, "E_total") - 1,
-             r.summary.reaction.force[2] / scalar(p.name, "reaction_z_0") - 1);
-  for (const computation::Level& l : r.levels)
-    fmt::print(" {} ({} it, {:.1e})", l.linearisations, l.iterations, l.gap_error);
-  fmt::print("\n");
   for (const computation::Level& level : r.levels) {
     EXPECT_EQ(level.linearisations > 1, !p.once);
     EXPECT_LT(level.gap_error, p.once ? p.depth : 1e-8 * p.depth);
   }
   EXPECT_LT(r.certificate.force_balance, 1e-8);
+}
+
+// ---- shells that contact alone holds -----------------------------------------------------------------------------------
+
+assembly::Support at_point(const Eigen::Vector2d& x, std::vector<assembly::Direction> directions) {
+  assembly::Support support{.point = x};
+  for (const auto d : directions) support.components.push_back({assembly::Unknown::displacement, d, Expression(0.0)});
+  return support;
+}
+
+/// Nothing but sliding and spin is held.
+computation::Problem resting(const std::string& height, double load) {
+  computation::Problem problem;
+  problem.domain = fem::Disk{.radius = std::sin(0.5)};
+  problem.charts.emplace("", geometry::Chart({"x", "y", height}, {}));
+  problem.sections.common.thickness = Expression(0.05);
+  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  assembly::AreaLoad weight{};
+  weight.force = {Expression(0.0), Expression(0.0), Expression(-load)};
+  problem.area_loads = {weight};
+  problem.supports = {at_point({0, 0}, {assembly::Direction::x, assembly::Direction::y}),
+                      at_point({std::sin(0.5), 0}, {assembly::Direction::y})};
+  problem.obstacles = {obstacle::Obstacle{}};
+  problem.discretisation.degree = 4;
+  problem.discretisation.refinements = 3;
+  return problem;
+}
+
+TEST(BowlThatRests, HasTheEnergyAndTheReactionOfTheReference) {
+  const char* name = "C6bowl0.5_e0.05_P1";
+  const computation::Result r = computation::solve(resting("1.025 - sqrt(1 - x^2 - y^2)", 1.25e-4), MPI_COMM_WORLD);
+  EXPECT_EQ(r.status, contact::Status::solved) << contact::explain(r.status);
+  EXPECT_NEAR(r.summary.energy.total() / scalar(name, "E_total"), 1, 1e-3);
+  EXPECT_NEAR(r.summary.reaction.force[2] / scalar(name, "reaction_z_0"), 1, 1e-3);
+}
+
+TEST(DomeThatStandsOnItsRim, HasTheEnergyAndTheLineReactionOfTheReference) {
+  const char* name = "C6standdome0.5_e0.05_P1";
+  const computation::Result r =
+      computation::solve(resting("-0.8556429978431134 + sqrt(1 - x^2 - y^2)", 1.25e-4), MPI_COMM_WORLD);
+  EXPECT_EQ(r.status, contact::Status::solved) << contact::explain(r.status);
+  EXPECT_NEAR(r.summary.energy.total() / scalar(name, "E_total"), 1, 1e-3);
+  EXPECT_NEAR(r.summary.reaction.force[2] / scalar(name, "reaction_z_0"), 1, 1e-3);
+  EXPECT_NEAR(r.summary.edge.max_per_length / scalar(name, "line_reaction"), 1, 1e-2);
+  EXPECT_NEAR(r.summary.edge.force / (2 * std::numbers::pi * std::sin(0.5)) / scalar(name, "line_reaction"), 1, 1e-2);
 }
 
 }  // namespace
