@@ -55,6 +55,7 @@ computation::Problem problem_of(const Indented& p) {
                         .shape = obstacle::Ball{.centre = {0, 0, p.radius - p.depth}, .radius = p.radius},
                         .face = Face::upper}};
   problem.linearisation.once = p.once;
+  problem.probes = {{.name = "apex", .at = {0, 0}}};
   problem.discretisation.degree = 4;
   problem.discretisation.refinements = 3;
   return problem;
@@ -81,6 +82,7 @@ TEST_P(IndentedShell, HasTheEnergyTheReactionAndTheDeflectionOfTheReference) {
   EXPECT_NEAR(r.summary.energy.total() / scalar(p.name, "E_total"), 1, 1e-3);
   EXPECT_NEAR(r.summary.reaction.force[2] / scalar(p.name, "reaction_z_0"), 1, 1e-3);
   EXPECT_LT(r.summary.reaction.force.head<2>().norm(), 1e-6 * r.summary.reaction.force.norm());
+  EXPECT_NEAR(r.probes.at(0).values.u[2] / scalar(p.name, "uz_axis"), 1, 1e-3);
   for (const computation::Level& level : r.levels) {
     EXPECT_EQ(level.linearisations > 1, !p.once);
     EXPECT_LT(level.gap_error, p.once ? p.depth : 1e-8 * p.depth);
