@@ -65,8 +65,8 @@ TEST(Equations, HoldTogetherWithAllConditionsOfTheBounds) {
     algebra::Factorisation factorisation(problem.distributed.matrix);
     for (const contact::Solver solver : contact::all_solvers) {
       SCOPED_TRACE(name_of(solver) + ", seed " + std::to_string(seed));
-      expect_all_conditions(dense, B, solve_with(solver, *problem.distributed.box, factorisation, {},
-                                                 {.detect_free_motions = false}));
+      expect_all_conditions(
+          dense, B, solve_with(solver, *problem.distributed.box, factorisation, {}, {.detect_free_motions = false}));
     }
   }
 }

@@ -6,7 +6,8 @@
 
 namespace plastron::test {
 
-inline void expect_solution(const contact::BoxProblem& problem, const contact::BoxSolution& solution, const Eigen::VectorXd& exact) {
+inline void expect_solution(const contact::BoxProblem& problem, const contact::BoxSolution& solution,
+                            const Eigen::VectorXd& exact) {
   ASSERT_EQ(solution.status, contact::Status::solved);
   EXPECT_LT((gathered(solution.z) - exact).cwiseAbs().maxCoeff(), 1e-9 * (1 + exact.cwiseAbs().maxCoeff()));
   const double slack = 1e-9 * (1 + algebra::max_abs(solution.multiplier));

@@ -17,7 +17,9 @@ namespace {
 using contact::Solver;
 using contact::Status;
 
-unsigned problems(unsigned on_one_rank) { return ranks() == 1 ? on_one_rank : 3; }  // MUMPS takes its time on tiny systems
+unsigned problems(unsigned on_one_rank) {
+  return ranks() == 1 ? on_one_rank : 3;
+}  // MUMPS takes its time on tiny systems
 
 void expect_that_all_find(const DenseProblem& dense, const Eigen::VectorXd& exact) {
   const DistributedProblem problem(dense);
@@ -60,7 +62,8 @@ TEST(EverySolver, does_not_mind_units) {
     const auto exact = brute_force(dense);
     ASSERT_TRUE(exact);
     Eigen::VectorXd unit(dense.size());
-    for (Eigen::Index i = 0; i < unit.size(); ++i) unit(i) = std::array{1e-6, 1.0, 1e6}[static_cast<std::size_t>(i % 3)];
+    for (Eigen::Index i = 0; i < unit.size(); ++i)
+      unit(i) = std::array{1e-6, 1.0, 1e6}[static_cast<std::size_t>(i % 3)];
     const Eigen::VectorXd inverse = unit.cwiseInverse();
     const DistributedProblem problem({.A = inverse.asDiagonal() * dense.A * inverse.asDiagonal(),
                                       .b = inverse.cwiseProduct(dense.b),
@@ -85,8 +88,7 @@ DenseProblem held_by_bounds_alone(Eigen::Index n, unsigned seed) {
                        .b = Eigen::VectorXd::NullaryExpr(n, [&] { return normal(random); }),
                        .lower = Eigen::VectorXd::NullaryExpr(n, [&] { return -std::abs(normal(random)); }),
                        .upper = Eigen::VectorXd::Constant(n, infinity)};
-  for (Eigen::Index i = 0; i + 1 < n; ++i)
-    problem.A.block(i, i, 2, 2) += Eigen::Matrix2d{{3.0, -3.0}, {-3.0, 3.0}};
+  for (Eigen::Index i = 0; i + 1 < n; ++i) problem.A.block(i, i, 2, 2) += Eigen::Matrix2d{{3.0, -3.0}, {-3.0, 3.0}};
   problem.b.array() -= problem.b.mean() + 0.5;
   for (Eigen::Index i = 0; i < n; ++i)
     if (i % 3 == 1) problem.upper(i) = problem.lower(i) + 0.2;
@@ -186,9 +188,9 @@ TEST(PetscsSolvers, mostly_need_no_help_from_ours) {
 TEST(Solve, takes_the_solver_that_the_settings_name) {
   const DistributedProblem problem(random_problem(20, 7));
   algebra::Factorisation F(problem.matrix);
-  const std::array<contact::SolverFunction*, 5> functions{
-      contact::solve_primal_dual_active_set, contact::solve_projected_search, contact::solve_tao,
-      contact::solve_snesvi, contact::solve_mprgp};
+  const std::array<contact::SolverFunction*, 5> functions{contact::solve_primal_dual_active_set,
+                                                          contact::solve_projected_search, contact::solve_tao,
+                                                          contact::solve_snesvi, contact::solve_mprgp};
   for (std::size_t s = 0; s < functions.size(); ++s) {
     const Solver solver = contact::all_solvers[s];
     EXPECT_EQ(&contact::function_of(solver), functions[s]) << name_of(solver);

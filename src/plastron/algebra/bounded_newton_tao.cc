@@ -37,9 +37,8 @@ PetscErrorCode converged(Tao tao, void* context) {
   PetscCall(TaoGetSolution(tao, &x));
   PetscCall(TaoGetIterationNumber(tao, &iteration));
   PetscCall(callbacks(context).look_at(static_cast<int>(iteration), x, ends));
-  return ends ? TaoSetConvergedReason(tao, callbacks(context).end() == BoundedNewtonEnd::converged
-                                               ? TAO_CONVERGED_USER
-                                               : TAO_DIVERGED_USER)
+  return ends ? TaoSetConvergedReason(tao, callbacks(context).end() == BoundedNewtonEnd::converged ? TAO_CONVERGED_USER
+                                                                                                   : TAO_DIVERGED_USER)
               : 0;
 }
 

@@ -4,7 +4,7 @@
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/computation/stopwatch.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/solve.hpp>
 
 namespace plastron::computation {
 
@@ -77,7 +77,7 @@ LevelResult solve_level(const LevelTask& task, const assembly::ShellDescription&
                                        if (observer.iteration) observer.iteration(task.number, i);
                                      },
                                  .stop = [&] { return wants_to_stop(observer, task.space->layout->comm); }};
-  contact::BoxSolution z = contact::solve_primal_dual_active_set(box, guess, F, task.settings, follow);
+  contact::BoxSolution z = contact::solve(box, guess, F, task.settings, follow);
   if (held_inside_obstacle(*discrete)) z.status = contact::Status::infeasible;
   seconds.factorisation = F.seconds_numeric();
   seconds.iteration = watch.lap() - F.seconds_numeric();

@@ -46,6 +46,11 @@ class DualAscent {
     has_ended_ = true;
   }
 
+  std::nullopt_t no_more(Status status) {
+    end(status);
+    return std::nullopt;
+  }
+
   void count(const Iteration& iteration) {
     solution_.iterations.push_back(iteration);
     solution_.iterations.back().safeguarded = is_safeguard_;
@@ -56,9 +61,8 @@ class DualAscent {
   std::optional<DualPoint> evaluate(Vector q, const ActiveSet& start) {
     Settings settings = settings_;
     settings.max_iterations -= static_cast<int>(solution_.iterations.size());
-    if (settings.max_iterations <= 0) return end(Status::iteration_limit), std::nullopt;
-    if (!solution_.iterations.empty() && observer_.wants_to_stop())
-      return end(Status::interrupted), std::nullopt;
+    if (settings.max_iterations <= 0) return no_more(Status::iteration_limit);
+    if (!solution_.iterations.empty() && observer_.wants_to_stop()) return no_more(Status::interrupted);
     const EqualityConstraints& equations = *problem_.equations;
     BoxProblem box{.matrix = problem_.matrix,
                    .apply = problem_.apply,
@@ -71,7 +75,7 @@ class DualAscent {
     algebra::axpy(-1, force, box.load);
     const Observer inside{.iteration = [this](const Iteration& i) { count(i); }, .stop = observer_.stop};
     BoxSolution inner = box_solver_(box, start, preconditioner_, settings, inside);
-    if (inner.status != Status::solved) return end(inner.status), std::nullopt;
+    if (inner.status != Status::solved) return no_more(inner.status);
     DualPoint point{.q = std::move(q), .violation = equations.multipliers, .set = std::move(inner.activity)};
     inner.z.update_ghosts();
     equations.apply(inner.z, point.violation);
@@ -105,7 +109,7 @@ class DualAscent {
       problem_.equations->precondition(here.violation, direction);
     }
     const double slope = algebra::dot(direction, here.violation);
-    if (!(slope > 0)) return end(std::isfinite(slope) ? Status::cycling : Status::not_finite), std::nullopt;
+    if (!(slope > 0)) return no_more(std::isfinite(slope) ? Status::cycling : Status::not_finite);
     auto next = first_rise(here, direction, slope);
     if (next && !best) next = lengthened(here, direction, slope, std::move(*next));
     return next;
@@ -131,7 +135,7 @@ class DualAscent {
         return next;
       }
     }
-    return end(Status::cycling), std::nullopt;
+    return no_more(Status::cycling);
   }
 
   // A direction without a length: as long as the slope has not halved.

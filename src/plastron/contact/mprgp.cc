@@ -176,11 +176,10 @@ class Mprgp {
     const Vector z = scaled_.original(x_);
     const Vector force = scaled_.original_forces(gradient_);
     const ActiveSet now = everything_at_bounds(problem_, z);
-    solution_.iterations.push_back(
-        {.active = count_active(problem_, now),
-         .changes = count_changes(problem_, set_, now),
-         .energy = 0.5 * (algebra::dot(z, force) - algebra::dot(z, problem_.load)),
-         .linear_steps = steps_});
+    solution_.iterations.push_back({.active = count_active(problem_, now),
+                                    .changes = count_changes(problem_, set_, now),
+                                    .energy = 0.5 * (algebra::dot(z, force) - algebra::dot(z, problem_.load)),
+                                    .linear_steps = steps_});
     solution_.z = z;
     solution_.multiplier = force;
     solution_.activity = set_ = now;
@@ -270,8 +269,7 @@ algebra::CgResult first_minimiser(const BoxProblem& problem, const FacePrecondit
 
 BoxSolution solve_mprgp(const BoxProblem& problem, std::span<const Activity> initial,
                         algebra::Preconditioner& preconditioner, const Settings& settings, const Observer& observer) {
-  if (problem.equations)
-    return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_mprgp);
+  if (problem.equations) return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_mprgp);
   BoxSolution solution = unsolved(problem, Status::infeasible);
   if (!bounds_are_consistent(problem)) return solution;
   const Vector diagonal = positive_diagonal(problem);

@@ -15,7 +15,8 @@ using algebra::Vector;
 ActiveSet free_where_not_held(const BoxProblem& problem, std::span<const char> held) {
   ActiveSet set = starting_set(problem, {});
   for (std::size_t i = 0; i < set.size(); ++i)
-    if (held[i] && set[i] != Activity::prescribed) set[i] = Activity::at_lower;  // which bound does not matter to an increment
+    if (held[i] && set[i] != Activity::prescribed)
+      set[i] = Activity::at_lower;  // which bound does not matter to an increment
   return set;
 }
 
@@ -31,13 +32,12 @@ class Run {
         set_(everything_at_bounds(problem, solution.z)) {}
 
   BoundedNewtonEnd with(BoundedNewton& method, int max_iterations) {
-    const algebra::BoundedQuadratic quadratic{
-        .apply = [this](const Vector& x, Vector& y) { scaled_.apply(x, y); },
-        .load = scaled_.load(),
-        .lower = scaled_.lower(),
-        .upper = scaled_.upper(),
-        .solve_on_face = [this](std::span<const char> held, const Vector& r,
-                                Vector& s) { return solve_on_face(held, r, s); }};
+    const algebra::BoundedQuadratic quadratic{.apply = [this](const Vector& x, Vector& y) { scaled_.apply(x, y); },
+                                              .load = scaled_.load(),
+                                              .lower = scaled_.lower(),
+                                              .upper = scaled_.upper(),
+                                              .solve_on_face = [this](std::span<const char> held, const Vector& r,
+                                                                      Vector& s) { return solve_on_face(held, r, s); }};
     const algebra::BoundedNewtonSettings settings{
         .max_iterations = max_iterations, .go_on = [this](int iteration, const Vector& x, const Vector& gradient) {
           return follow(iteration, x, gradient);
@@ -64,10 +64,9 @@ class Run {
     if (iteration == 0) return true;
     const ActiveSet set = everything_at_bounds(problem_, project(problem_, scaled_.original(x)));
     const Vector z = scaled_.original(x), force = scaled_.original_forces(gradient);
-    solution_.iterations.push_back(
-        {.active = count_active(problem_, set),
-         .changes = count_changes(problem_, set_, set),
-         .energy = 0.5 * (algebra::dot(z, force) - algebra::dot(z, problem_.load))});
+    solution_.iterations.push_back({.active = count_active(problem_, set),
+                                    .changes = count_changes(problem_, set_, set),
+                                    .energy = 0.5 * (algebra::dot(z, force) - algebra::dot(z, problem_.load))});
     set_ = set;
     if (observer_.iteration) observer_.iteration(solution_.iterations.back());
     return !observer_.wants_to_stop();

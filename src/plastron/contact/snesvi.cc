@@ -6,8 +6,9 @@
 namespace plastron::contact {
 
 BoxSolution solve_snesvi(const BoxProblem& problem, std::span<const Activity> initial,
-                      algebra::Preconditioner& preconditioner, const Settings& settings, const Observer& observer) {
-  if (problem.equations) return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_snesvi);
+                         algebra::Preconditioner& preconditioner, const Settings& settings, const Observer& observer) {
+  if (problem.equations)
+    return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_snesvi);
   return solve_by_bounded_newton(problem, initial, preconditioner, settings, observer, algebra::solve_with_snesvi);
 }
 

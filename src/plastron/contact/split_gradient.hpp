@@ -9,9 +9,10 @@
 namespace plastron::contact {
 
 struct SplitGradient {
-  std::vector<char> held{};    ///< at a bound: lower, upper or both
-  algebra::Vector free{};      ///< phi: g where nothing is held, else 0
-  algebra::Vector chopped{};   ///< beta: min(g, 0) at a lower bound, max(g, 0) at an upper one, 0 elsewhere and where the two are one
+  std::vector<char> held{};  ///< at a bound: lower, upper or both
+  algebra::Vector free{};    ///< phi: g where nothing is held, else 0
+  algebra::Vector
+      chopped{};  ///< beta: min(g, 0) at a lower bound, max(g, 0) at an upper one, 0 elsewhere and where the two are one
   double reduced_product = 0;  ///< phi~' phi: phi~ is phi cut so that a step alpha phi~ stays in the box
   double chopped_square = 0;   ///< beta' beta
 
