@@ -15,13 +15,14 @@ void describe_program(CLI::App& program) {
   program.footer("Exit codes: 0 solved, 2 bad input, 3 not converged or interrupted, 4 internal error.");
 }
 
-void add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
-                        bool& quiet, int& threads) {
-  command.add_option("-o,--output,--out", output, output_meaning)->required();
+CLI::Option* add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
+                                bool& quiet, int& threads) {
+  CLI::Option* option = command.add_option("-o,--output,--out", output, output_meaning)->required();
   command.add_flag("-q,--quiet", quiet, "Print errors only");
   command.add_option("--threads", threads, "Threads of each process; 0: as many as the work is worth")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  return option;
 }
 
 CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& summary,
@@ -33,13 +34,32 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
   return command;
 }
 
+namespace {
+
+/// `compare` sets formulations side by side, or with --solvers contact solvers; these also without files.
+CLI::App* add_compare(CLI::App& program, Options& options) {
+  CLI::App* compare =
+      add_command(program, "compare", "Solve a case in every formulation and set them side by side", "", options);
+  CLI::Option* output =
+      add_output_options(*compare, "Directory for compare.json and compare.svg; not required with --solvers",
+                         options.output, options.quiet, options.threads)
+          ->required(false);
+  compare->add_flag("--solvers", options.solvers,
+                    "Set all contact solvers side by side, in the case's own formulation (compare-solvers.json)");
+  compare->callback([output, &options] {
+    if (!options.solvers && output->empty()) throw CLI::RequiredError("--output");
+  });
+  return compare;
+}
+
+}  // namespace
+
 CommonCommands add_common_commands(CLI::App& program, Options& options) {
   return {
       .run = add_command(program, "run", "Solve a case and write its results",
                          "Directory for results.json and the .vtu files", options),
       .check = add_command(program, "check", "Examine a case without solving it", "", options),
-      .compare = add_command(program, "compare", "Solve a case in every formulation and set them side by side",
-                             "Directory for compare.json and compare.svg", options),
+      .compare = add_compare(program, options),
   };
 }
 

@@ -13,8 +13,9 @@ namespace plastron::app {
 struct Options {
   std::filesystem::path case_file;
   std::filesystem::path output;
-  bool quiet = false;  ///< print errors only
-  int threads = 0;     ///< of each process; 0: as many as the work is worth
+  bool quiet = false;    ///< print errors only
+  int threads = 0;       ///< of each process; 0: as many as the work is worth
+  bool solvers = false;  ///< compare: contact solvers in place of formulations
 };
 
 inline constexpr const char* study_summary = "Solve a case many times and examine a theorem or a limit with it";
@@ -24,9 +25,9 @@ void describe_program(CLI::App& program);
 /// Declares a command that takes a case; with an output directory if `output_meaning` is given.
 CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& summary,
                       const std::string& output_meaning, Options& options);
-/// -o, --output (or --out), -q, --threads, as every command that computes takes them.
-void add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
-                        bool& quiet, int& threads);
+/// -o, --output (or --out), -q, --threads, as every command that computes takes them. Returns the first, which is required.
+CLI::Option* add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
+                                bool& quiet, int& threads);
 
 /// The commands run, check and compare, all filling one Options.
 struct CommonCommands {

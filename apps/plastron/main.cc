@@ -129,8 +129,10 @@ int main(int argc, char** argv) {
   return compute(argc, argv, study_command->parsed() ? study_options.threads : options.threads, [&] {
     if (study_command->parsed()) return study_case(study_options);
     if (commands.compare->parsed())
-      return study_case(
-          {.kind = "compare", .case_file = options.case_file, .output = options.output, .quiet = options.quiet});
+      return study_case({.kind = options.solvers ? "compare-solvers" : "compare",
+                         .case_file = options.case_file,
+                         .output = options.output,
+                         .quiet = options.quiet});
     return commands.run->parsed() ? run(options) : check(options.case_file);
   });
 }

@@ -137,6 +137,31 @@ TEST(GoodCase, prints_its_levels_and_writes_its_results) {
   EXPECT_EQ(results.at("levels").size(), 2u);
 }
 
+TEST(GoodCase, may_name_its_contact_solver) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(1) + "[contact]\nsolver = \"mprgp\"\n");
+  const Outcome outcome = plastron({"run", "case.toml", "--output", "out"}, scratch.path);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const auto results = results_in(scratch.path / "out");
+  EXPECT_EQ(results.at("settings").at("contact").at("solver"), "mprgp");
+  for (const auto& level : results.at("levels")) EXPECT_EQ(level.at("factorisations"), 1);
+}
+
+TEST(Compare, sets_solvers_side_by_side_with_files_or_without) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(1));
+  const Outcome printed = plastron({"compare", "--solvers", "case.toml"}, scratch.path);
+  ASSERT_EQ(printed.exit_code, 0) << printed.output;
+  for (const char* name : {"active-set", "projected", "tao", "snesvi", "mprgp"})
+    EXPECT_THAT(printed.output, HasSubstr(name));
+  EXPECT_THAT(printed.output, Not(HasSubstr("does not hold")));
+  const Outcome written = plastron({"compare", "--solvers", "case.toml", "--output", "out"}, scratch.path);
+  ASSERT_EQ(written.exit_code, 0) << written.output;
+  EXPECT_THAT(files_below(scratch.path / "out"), Contains("compare-solvers.json"));
+  EXPECT_EQ(plastron({"compare", "case.toml"}, scratch.path).exit_code,
+            2);  // formulations need a place for their files
+}
+
 TEST(GoodCase, may_have_triangles) {
   const Scratch scratch;
   scratch.write("case.toml", case_with(2, "cells = \"triangle\"\n"));

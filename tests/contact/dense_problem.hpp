@@ -4,12 +4,14 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 #include <plastron/contact/projected_search.hpp>
+#include <plastron/contact/solve.hpp>
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "algebra/chain.hpp"
@@ -59,6 +61,16 @@ struct DistributedProblem {
   std::optional<contact::BoxProblem> box{};
 };
 
+inline contact::BoxSolution solve_with(contact::Solver solver, const contact::BoxProblem& problem,
+                                       algebra::Preconditioner& preconditioner,
+                                       std::span<const contact::Activity> initial = {}, contact::Settings settings = {},
+                                       const contact::Observer& observer = {}) {
+  settings.solver = solver;
+  return contact::solve(problem, initial, preconditioner, settings, observer);
+}
+
+inline std::string name_of(contact::Solver solver) { return std::string(contact::to_string(solver)); }
+
 inline Eigen::VectorXd gathered(const Vector& v) {
   const auto values = gather(v);
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -85,6 +97,7 @@ inline Eigen::VectorXd minimise_on_face(const DenseProblem& problem, const std::
 
 /// Whether z on that subproblem fulfils all conditions, up to rounding.
 inline bool is_optimal(const DenseProblem& problem, const std::vector<int>& side, const Eigen::VectorXd& z) {
+  if (!z.allFinite()) return false;  // the subproblem has no minimiser
   const Eigen::VectorXd multiplier = problem.A * z - problem.b;
   const double slack = 1e-9 * (1 + multiplier.cwiseAbs().maxCoeff() + z.cwiseAbs().maxCoeff());
   for (Eigen::Index i = 0; i < problem.size(); ++i) {

@@ -29,8 +29,11 @@ DenseProblem held_springs(Eigen::Index n) {
 std::vector<BoxSolution> solve_with_all(const DenseProblem& dense, const contact::Settings& settings = {}) {
   const DistributedProblem problem(dense);
   algebra::Factorisation F(problem.matrix);
-  return {contact::solve_primal_dual_active_set(*problem.box, {}, F, settings),
-          contact::solve_projected_search(*problem.box, {}, F, settings)};
+  std::vector<BoxSolution> solutions;
+  solutions.reserve(contact::all_solvers.size());
+  for (const contact::Solver solver : contact::all_solvers)
+    solutions.push_back(solve_with(solver, *problem.box, F, {}, settings));
+  return solutions;
 }
 
 TEST(EverySolver, calls_contradicting_bounds_infeasible) {
@@ -142,7 +145,13 @@ TEST(Observer, can_stop_the_solver_after_any_iteration) {
   const auto solution = contact::solve_primal_dual_active_set(*problem.box, {}, F, {}, first_only);
   EXPECT_EQ(solution.status, Status::interrupted);
   EXPECT_EQ(seen, 1U);
-  EXPECT_EQ(contact::solve_projected_search(*problem.box, {}, F, {}, first_only).status, Status::interrupted);
+  for (const contact::Solver solver : contact::all_solvers) {
+    seen = 0;
+    const auto stopped = solve_with(solver, *problem.box, F, {}, {}, first_only);
+    EXPECT_EQ(stopped.status, Status::interrupted) << name_of(solver);
+    EXPECT_EQ(seen, stopped.iterations.size()) << name_of(solver);
+    EXPECT_LE(seen, 1U) << name_of(solver);
+  }
 }
 
 TEST(Status, has_a_name_and_an_explanation) {

@@ -82,9 +82,9 @@ TEST(EverySolver, takes_a_degenerate_problem_from_either_side) {
   algebra::Factorisation F(problem.matrix);
   for (const auto activity : {contact::Activity::free, contact::Activity::at_lower}) {
     const std::vector<contact::Activity> initial(problem.box->load.owned().size(), activity);
-    for (const auto& solution : {contact::solve_primal_dual_active_set(*problem.box, initial, F),
-                                 contact::solve_projected_search(*problem.box, initial, F)}) {
-      EXPECT_EQ(solution.status, Status::solved);
+    for (const contact::Solver solver : contact::all_solvers) {
+      const auto solution = solve_with(solver, *problem.box, F, initial);
+      EXPECT_EQ(solution.status, Status::solved) << name_of(solver);
       EXPECT_LT((gathered(solution.z) - Eigen::Vector3d(0, 1, 0)).cwiseAbs().maxCoeff(), 1e-12);
     }
   }

@@ -1,5 +1,6 @@
 // plastron compare and the penalty study: what their tables say.
 #include <plastron/study/compare.hpp>
+#include <plastron/study/compare_solvers.hpp>
 #include <plastron/study/penalty.hpp>
 
 #include <gtest/gtest.h>
@@ -50,6 +51,37 @@ TEST(Compare, PutsAllFormulationsOfABowlSideBySide) {
   }
   EXPECT_GT(number(report.table, 8, "multiplier"), 0);
   EXPECT_LT(number(report.table, 11, "normal_rotation"), 1e-12);  // the classical rotation is tangent everywhere
+}
+
+void expect_that_all_solvers_agree(const computation::Problem& p) {
+  const Report report = compare_solvers(p, {}, MPI_COMM_WORLD, {});
+  EXPECT_EQ(report.status, contact::Status::solved);
+  ASSERT_EQ(report.table.rows.size(), contact::all_solvers.size());
+  EXPECT_EQ(report.table.claims.size(), 2 * contact::all_solvers.size() - 1);
+  expect_all_hold(report.table);
+  for (std::size_t s = 0; s < report.table.rows.size(); ++s) {
+    EXPECT_EQ(std::get<std::string>(report.table.rows[s][0]), contact::to_string(contact::all_solvers[s]));
+    EXPECT_EQ(std::get<std::string>(report.table.rows[s].back()), "holds");
+    EXPECT_GE(number(report.table, s, "factorisations"), 1);
+  }
+  // Whoever solves with one factorisation a mesh is none of the others.
+  EXPECT_EQ(number(report.table, 4, "factorisations"), p.discretisation.refinements + 1);
+  EXPECT_GT(number(report.table, 0, "factorisations"), p.discretisation.refinements + 1);
+}
+
+TEST(CompareSolvers, FindsThatAllSolversLayABowlAlike) {
+  computation::Problem p = pressed_bowl();
+  p.discretisation.refinements = 1;
+  expect_that_all_solvers_agree(p);
+}
+
+TEST(CompareSolvers, FindsThatAllSolversLayABowlAlikeInTheMixedFormulation) {
+  computation::Problem p = pressed_bowl();
+  p.discretisation.refinements = 1;
+  p.discretisation.tangency.formulation = element::Formulation::mixed;
+  const Report report = compare_solvers(p, {}, MPI_COMM_WORLD, {});
+  EXPECT_EQ(report.status, contact::Status::solved);
+  expect_all_hold(report.table);
 }
 
 TEST(Compare, LeavesOutWhatTheCaseRulesOutAndSaysWhy) {

@@ -4,33 +4,14 @@
 
 #include <stdexcept>
 
+#include "borrowed_vec.hpp"
 #include "petsc_check.hpp"
 #include "petsc_use.hpp"
 #include "pinned_matrix.hpp"
+#include "private_options.hpp"
 
 namespace plastron::algebra {
 namespace {
-
-// A database of PETSc options for the time of a call, seen by nobody else.
-class PrivateOptions {
- public:
-  PrivateOptions() {
-    petsc_check(PetscOptionsCreate(&options_), "creating options");
-    petsc_check(PetscOptionsPush(options_), "using private options");
-  }
-  ~PrivateOptions() {
-    PetscOptionsPop();
-    PetscOptionsDestroy(&options_);
-  }
-  PrivateOptions(const PrivateOptions&) = delete;
-  PrivateOptions& operator=(const PrivateOptions&) = delete;
-  void add(const char* name, const char* value) {
-    petsc_check(PetscOptionsSetValue(options_, name, value), "setting an option");
-  }
-
- private:
-  PetscOptions options_ = nullptr;
-};
 
 constexpr int mumps_extra_memory = 14;         // ICNTL: working space beyond its estimate, in per cent
 constexpr int mumps_negative_pivots = 12;      // INFOG: how many
@@ -83,22 +64,6 @@ FactorisationCost cost_of_mumps(Mat factor) {
 bool is_short_of_estimated_memory(PetscInt outcome) {
   return outcome == -8 || outcome == -9 || outcome == -14 || outcome == -15 || outcome == -17 || outcome == -20;
 }
-
-// An owned array as a PETSc vector for the time of a call.
-class BorrowedVec {
- public:
-  BorrowedVec(const Layout& layout, int block, const double* values) {
-    petsc_check(VecCreateMPIWithArray(layout.comm, 1, layout.owned * block, PETSC_DETERMINE, values, &vec_),
-                "wrapping a vector");
-  }
-  ~BorrowedVec() { VecDestroy(&vec_); }
-  BorrowedVec(const BorrowedVec&) = delete;
-  BorrowedVec& operator=(const BorrowedVec&) = delete;
-  Vec vec() const { return vec_; }
-
- private:
-  Vec vec_ = nullptr;
-};
 
 }  // namespace
 

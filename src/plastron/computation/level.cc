@@ -5,7 +5,7 @@
 #include <plastron/computation/gap.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/computation/stopwatch.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/solve.hpp>
 
 namespace plastron::computation {
 
@@ -52,10 +52,6 @@ Level record_of(const fem::Space& space, const contact::BoxSolution& z, const ce
           .history = z.iterations};
 }
 
-}  // namespace
-
-namespace {
-
 /// A level on its way: its shell, linearised as far as it has come.
 class LevelRun {
  public:
@@ -84,7 +80,7 @@ class LevelRun {
                                    .stop = [&] { return wants_to_stop(observer_, task_.space->layout->comm); }};
     contact::Settings settings = task_.settings;
     settings.detect_free_motions = settings.detect_free_motions && detect_free_motions;
-    contact::BoxSolution z = contact::solve_primal_dual_active_set(box, guess, F, settings, follow);
+    contact::BoxSolution z = contact::solve(box, guess, F, settings, follow);
     if (held_inside_obstacle(*discrete_)) z.status = contact::Status::infeasible;
     seconds.factorisation += F.seconds_numeric();
     seconds.iteration += watch.lap() - F.seconds_numeric();

@@ -69,6 +69,7 @@ Case parse_case(std::string text, std::string file_name) {
   read_gravity(root, result.problem);
   read_obstacles(root, result.problem);
   read_probes(root, domain, result.problem);
+  read_contact(root, result.problem);
   read_solver(root, result.problem);
   if (reading.more_mistakes)
     reading.mistakes.push_back(

@@ -1,4 +1,4 @@
-// [mesh] and [solver].
+// [mesh], [contact] and [solver].
 #include <plastron/config/sections.hpp>
 
 namespace plastron::config {
@@ -29,6 +29,15 @@ void read_mesh(Table& root, computation::Problem& problem) {
   d.refinements = mesh->integer("refinements").value_or(d.refinements);
   if (d.cells == fem::Shape::triangle) check_triangles(*mesh, d);
   root.effective["mesh"] = mesh->effective;
+}
+
+void read_contact(Table& root, computation::Problem& problem) {
+  auto contact = root.table("contact");
+  if (!contact) return;
+  const auto name = contact->text("solver");
+  for (const contact::Solver solver : contact::all_solvers)
+    if (name == contact::to_string(solver)) problem.contact.solver = solver;
+  root.effective["contact"] = contact->effective;
 }
 
 void read_solver(Table& root, computation::Problem& problem) {

@@ -31,6 +31,7 @@ Section file_section() {
        {.name = "gravity", .kind = Kind::table, .fallback = "{}", .meaning = "what makes the weight of the shell"},
        {.name = "obstacle", .kind = Kind::tables, .fallback = "[]", .meaning = "rigid obstacles"},
        {.name = "probe", .kind = Kind::tables, .fallback = "[]", .meaning = "points where results are wanted"},
+       {.name = "contact", .kind = Kind::table, .fallback = "{}", .meaning = "the contact solver"},
        {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"}}};
 }
 
@@ -198,6 +199,19 @@ Section probe_section() {
        {.name = "at", .kind = Kind::point, .required = true, .meaning = "a point of the domain", .example = "[0, 0]"}}};
 }
 
+Section contact_section() {
+  return {
+      "contact",
+      "[contact]",
+      "How the contact problem is solved; all solvers find the same solution.",
+      {{.name = "solver",
+        .kind = Kind::word,
+        .fallback = "\"active-set\"",
+        .words = {{"active-set"}, {"projected"}, {"tao"}, {"snesvi"}, {"mprgp"}},
+        .meaning =
+            "the contact solver; others than the default are there to check it, and mprgp factorises once a mesh"}}};
+}
+
 Section solver_section() {
   return {"solver",
           "[solver]",
@@ -228,7 +242,7 @@ std::vector<Section> all_sections() {
   append(geometry_sections());
   append({mesh_section(), join_section(), support_section(), load_section()});
   append(obstacle_sections());
-  append({probe_section(), solver_section()});
+  append({probe_section(), contact_section(), solver_section()});
   return all;
 }
 

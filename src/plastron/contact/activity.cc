@@ -3,6 +3,7 @@
 #include <plastron/algebra/hash.hpp>
 #include <plastron/contact/activity.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -67,6 +68,23 @@ ActiveSet everything_active(const BoxProblem& problem) {
     set[i] = std::abs(lower) <= std::abs(upper) ? Activity::at_lower : Activity::at_upper;
   }
   return set;
+}
+
+ActiveSet everything_at_bounds(const BoxProblem& problem, const algebra::Vector& z) {
+  ActiveSet set = starting_set(problem, {});
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    if (set[i] == Activity::prescribed) continue;
+    if (z.owned()[i] <= problem.lower.owned()[i]) set[i] = Activity::at_lower;
+    if (z.owned()[i] >= problem.upper.owned()[i]) set[i] = Activity::at_upper;
+  }
+  return set;
+}
+
+algebra::Vector project(const BoxProblem& problem, algebra::Vector z) {
+  for (std::size_t i = 0; i < z.owned().size(); ++i)
+    z.owned()[i] = std::clamp(z.owned()[i], problem.lower.owned()[i], problem.upper.owned()[i]);
+  z.update_ghosts();
+  return z;
 }
 
 BoxSolution unsolved(const BoxProblem& problem, Status status) {

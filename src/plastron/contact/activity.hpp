@@ -22,6 +22,11 @@ ActiveSet starting_set(const BoxProblem& problem, std::span<const Activity> init
 /// Every unknown that has a bound at a bound, at the one nearer to zero if it has two.
 ActiveSet everything_active(const BoxProblem& problem);
 
+/// Every unknown that z has at a bound, or beyond, at that bound.
+ActiveSet everything_at_bounds(const BoxProblem& problem, const algebra::Vector& z);
+/// z with every unknown that is beyond a bound at that bound, ghosts up to date. (collective)
+algebra::Vector project(const BoxProblem& problem, algebra::Vector z);
+
 /// Zeros of the right size, nothing active, and the status: where a solver starts from.
 BoxSolution unsolved(const BoxProblem& problem, Status status);
 

@@ -1,3 +1,4 @@
+#include <plastron/contact/dual_ascent.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 #include <plastron/contact/projected_search.hpp>
 #include <plastron/contact/subproblem.hpp>
@@ -29,23 +30,6 @@ class Progress {
   int since_fewer_changes_ = 0;
 };
 
-void record(const BoxProblem& problem, SubproblemPoint point, const ActiveSet& set, const Verdict& verdict,
-            const Observer& observer, BoxSolution& solution) {
-  solution.iterations.push_back({.active = count_active(problem, set),
-                                 .changes = count_changes(problem, set, verdict.next),
-                                 .energy = point.energy,
-                                 .worst_violation = verdict.worst_violation,
-                                 .worst_multiplier = verdict.worst_multiplier,
-                                 .linear_steps = point.linear_steps});
-  solution.z = std::move(point.z);
-  solution.multiplier = std::move(point.multiplier);
-  solution.equation_multiplier = std::move(point.equation_multiplier);
-  solution.activity = set;
-  solution.linear_residual = point.linear_residual;
-  solution.tolerances = point.tolerances;
-  if (observer.iteration) observer.iteration(solution.iterations.back());
-}
-
 }  // namespace
 
 BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<const Activity> initial,
@@ -61,8 +45,7 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   progress.is_lost(fingerprint(problem, set), std::numeric_limits<std::int64_t>::max());
   while (point) {
     const Verdict verdict = judge(problem, *point, set);
-    record(problem, std::move(*point), set, verdict, observer, solution);
-    const std::int64_t changes = solution.iterations.back().changes;
+    const std::int64_t changes = record(problem, std::move(*point), set, verdict, observer, solution);
     if (changes == 0) {
       solution.status = Status::solved;
       return solution;
@@ -79,7 +62,7 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   if (solution.iterations.empty())
     solution.status = subproblems.failure();
   else if (problem.equations)  // projections onto the box leave the equations
-    solution.status = point ? Status::cycling : after_a_first_step(subproblems.failure());
+    continue_dual_ascent(problem, preconditioner, settings, observer, solve_projected_search, solution);
   else
     continue_projected_search(problem, subproblems, settings, observer, solution);
   return solution;

@@ -7,7 +7,8 @@
 // seen. Source: Hintermueller, Ito, Kunisch, The primal-dual active set strategy as a semismooth Newton method (2003).
 //
 // Every set seen is remembered by its fingerprint. When one comes back, or when the number of changes has not fallen
-// for long, the projected search (projected_search.hpp) takes over, which cannot cycle.
+// for long, the projected search (projected_search.hpp) takes over, which cannot cycle; with equations, the dual ascent
+// (dual_ascent.hpp) with the projected search inside.
 #pragma once
 #include <plastron/algebra/preconditioner.hpp>
 #include <plastron/contact/problem.hpp>

@@ -1,3 +1,4 @@
+#include <plastron/contact/dual_ascent.hpp>
 #include <plastron/contact/projected_search.hpp>
 
 #include <algorithm>
@@ -17,29 +18,12 @@ struct Feasible {
   double energy = 0;
 };
 
-Vector project(const BoxProblem& problem, Vector z) {
-  for (std::size_t i = 0; i < z.owned().size(); ++i)
-    z.owned()[i] = std::clamp(z.owned()[i], problem.lower.owned()[i], problem.upper.owned()[i]);
-  z.update_ghosts();
-  return z;
-}
-
 Feasible evaluate(const BoxProblem& problem, Vector z) {
   Feasible here{.z = std::move(z), .gradient = Vector(problem.load.layout(), problem.load.block())};
   problem.apply(here.z, here.gradient);
   algebra::axpy(-1, problem.load, here.gradient);
   here.energy = 0.5 * (algebra::dot(here.z, here.gradient) - algebra::dot(here.z, problem.load));
   return here;
-}
-
-ActiveSet everything_at_bounds(const BoxProblem& problem, const Vector& z) {
-  ActiveSet set = starting_set(problem, {});
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    if (set[i] == Activity::prescribed) continue;
-    if (z.owned()[i] <= problem.lower.owned()[i]) set[i] = Activity::at_lower;
-    if (z.owned()[i] >= problem.upper.owned()[i]) set[i] = Activity::at_upper;
-  }
-  return set;
 }
 
 /// A step from z to P(z + t (target - z)), and the change of energy g's + s'As/2, which keeps its digits where the
@@ -200,6 +184,8 @@ void continue_projected_search(const BoxProblem& problem, SubproblemSolver& subp
 BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Activity> initial,
                                    algebra::Preconditioner& preconditioner, const Settings& settings,
                                    const Observer& observer) {
+  if (problem.equations)
+    return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_projected_search);
   BoxSolution solution = unsolved(problem, Status::infeasible);
   if (!bounds_are_consistent(problem)) return solution;
   SubproblemSolver subproblems(problem, preconditioner, settings);

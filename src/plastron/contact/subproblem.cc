@@ -9,16 +9,9 @@
 namespace plastron::contact {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// A linear solve that ends above this relative residual is a failure; below it, rounding may excuse a missed
 /// tolerance.
 constexpr double usable_residual = 1e-6;
-
-std::vector<char> held(const ActiveSet& set) {
-  std::vector<char> marks(set.size());
-  std::ranges::transform(set, marks.begin(), [](Activity activity) { return activity != Activity::free; });
-  return marks;
-}
 
 /// An exact preconditioner leaves rounding to be refined. Any other makes residuals fall by fits and starts, slowly.
 algebra::CgSettings linear_settings(const Settings& settings, const algebra::Preconditioner& preconditioner) {
@@ -28,7 +21,14 @@ algebra::CgSettings linear_settings(const Settings& settings, const algebra::Pre
   return {.tolerance = settings.linear_tolerance, .max_steps = settings.max_iterative_steps, .patience = patience};
 }
 
-/// What it means for a subproblem that the preconditioner could not be pinned.
+}  // namespace
+
+std::vector<char> held(const ActiveSet& set) {
+  std::vector<char> marks(set.size());
+  std::ranges::transform(set, marks.begin(), [](Activity activity) { return activity != Activity::free; });
+  return marks;
+}
+
 Status failure_of(algebra::Pinning pinning) {
   switch (pinning) {
     case algebra::Pinning::not_finite:
@@ -39,8 +39,6 @@ Status failure_of(algebra::Pinning pinning) {
       return Status::singular;
   }
 }
-
-}  // namespace
 
 SubproblemSolver::SubproblemSolver(const BoxProblem& problem, algebra::Preconditioner& preconditioner,
                                    const Settings& settings)
@@ -78,7 +76,8 @@ bool SubproblemSolver::pin(const ActiveSet& set) {
 /// that does not converge soon.
 std::optional<SubproblemPoint> SubproblemSolver::solve_with_kept_factor(const ActiveSet& set) {
   constexpr double sharper = 1e-2;
-  if (settings_.detect_free_motions || problem_.equations || !pinned_ || !preconditioner_.is_exact()) return {};
+  if (settings_.detect_free_motions || problem_.equations || !pinned_ || !nearby_.layout()) return {};
+  if (!preconditioner_.is_exact()) return {};
   const auto unknowns = static_cast<double>(nearby_.layout()->global_size) * nearby_.block();
   const int steps =
       steps_to_try(settings_.kept_factor, preconditioner_.price(), unknowns, count_changes(problem_, *pinned_, set));
@@ -136,6 +135,16 @@ algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, a
   }
 }
 
+bool SubproblemSolver::solve_increment(const ActiveSet& set, const algebra::Vector& r, algebra::Vector& s) {
+  if ((!pinned_ || count_changes(problem_, *pinned_, set) > 0) && !pin(set)) return false;
+  s.fill(0);
+  const auto precondition = [&](const algebra::Vector& from, algebra::Vector& to) { preconditioner_.apply(from, to); };
+  const auto linear = algebra::conjugate_gradients(problem_.apply, precondition, r, held(set), diagonal_, s,
+                                                   linear_settings(settings_, preconditioner_));
+  failure_ = std::isfinite(linear.relative_residual) ? Status::linear_solver_stalled : Status::not_finite;
+  return linear.converged || linear.relative_residual <= usable_residual;
+}
+
 /// z = A^{-1} force where nothing is fixed, exact but for rounding only if the preconditioner is. `force` is zero where fixed.
 void SubproblemSolver::solve_roughly(std::span<const char> fixed, const algebra::Vector& force,
                                      algebra::Vector& z) const {
@@ -171,117 +180,9 @@ bool SubproblemSolver::multiplier_step(const ActiveSet& set, const algebra::Vect
 
 SubproblemPoint SubproblemSolver::complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) {
   nearby_ = z;
-  SubproblemPoint point{.z = std::move(z), .multiplier = linear.residual};
+  SubproblemPoint point = assess(problem_, settings_, diagonal_, std::move(z), linear, set);
   if (problem_.equations) point.equation_multiplier = q_;
-  for (double& value : point.multiplier.owned()) value = -value;
-  point.energy = 0.5 * (algebra::dot(point.z, point.multiplier) - algebra::dot(point.z, problem_.load));
-  point.linear_residual = linear.relative_residual;
-  point.linear_steps = linear.steps;
-  point.has_converged = linear.converged;
-  measure_gap_noise(point);
-  measure_multiplier_noise(point, set);
   return point;
-}
-
-bool SubproblemSolver::is_bounded(std::size_t i) const {
-  const double lower = problem_.lower.owned()[i], upper = problem_.upper.owned()[i];
-  return lower < upper && (std::isfinite(lower) || std::isfinite(upper));
-}
-
-// The larger of the tolerance asked for, a multiple of the largest unknown that has a bound, and of what rounding leaves of
-// an unknown. Unknowns of other units are compared by the energy sqrt(A_ii) |z_i|, of which rounding spoils a few eps of the
-// largest anywhere: so neither the unit of length nor rotations decide.
-void SubproblemSolver::measure_gap_noise(SubproblemPoint& point) const {
-  constexpr double rounding = 16 * epsilon;
-  double largest = 0, energy = 0;
-  const std::span<const double> z = point.z.owned(), diagonal = diagonal_.owned();
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    if (is_bounded(i)) largest = std::max(largest, std::abs(z[i]));
-    if (diagonal[i] > 0) energy = std::max(energy, std::sqrt(diagonal[i]) * std::abs(z[i]));
-  }
-  const MPI_Comm comm = point.z.layout()->comm;
-  largest = algebra::max_over_ranks(largest, comm);
-  energy = algebra::max_over_ranks(energy, comm);
-  const double asked =
-      (point.has_converged ? settings_.gap_tolerance : std::max(settings_.gap_tolerance, point.linear_residual)) *
-      largest;
-  point.gap_noise = algebra::Vector(point.z.layout(), point.z.block());
-  double loosest = asked;
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    if (!is_bounded(i)) continue;
-    double& noise = point.gap_noise.owned()[i];
-    noise = diagonal[i] > 0 ? std::max(asked, rounding * energy / std::sqrt(diagonal[i])) : asked;
-    loosest = std::max(loosest, noise);
-  }
-  loosest = algebra::max_over_ranks(loosest, comm);
-  point.tolerances.gap = largest > 0 ? loosest / largest : settings_.gap_tolerance;
-}
-
-// The larger of the tolerance asked for and what rounding does to A z - b. The latter goes like eps |A| |z|, with a
-// factor that the residuals of the free unknowns show, since they would be zero without rounding; forces and moments
-// are made comparable by the diagonal.
-void SubproblemSolver::measure_multiplier_noise(SubproblemPoint& point, const ActiveSet& set) const {
-  algebra::Vector& noise = point.multiplier_noise;
-  noise = algebra::Vector(point.z.layout(), point.z.block());
-  problem_.matrix.multiply_absolute(point.z, noise);
-  double residual = 0;
-  double rounding = 0;
-  double largest = 0;
-  double energy = 0;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    const double multiplier = std::abs(point.multiplier.owned()[i]);
-    double& value = noise.owned()[i];
-    energy = std::max(energy, std::sqrt(std::max(diagonal_.owned()[i], 0.0)) * std::abs(point.z.owned()[i]));
-    value = epsilon * (value + std::abs(problem_.load.owned()[i]));
-    if (set[i] == Activity::free && diagonal_.owned()[i] > 0) {
-      residual += multiplier * multiplier / diagonal_.owned()[i];
-      rounding += value * value / diagonal_.owned()[i];
-    }
-    if (set[i] == Activity::at_lower || set[i] == Activity::at_upper) largest = std::max(largest, multiplier);
-  }
-  const MPI_Comm comm = point.z.layout()->comm;
-  residual = std::sqrt(algebra::sum_over_ranks(residual, comm));
-  // Where symmetry cancels entries of A, A z is still rounded by a few eps of the largest energy.
-  rounding =
-      std::max(std::sqrt(algebra::sum_over_ranks(rounding, comm)), epsilon * algebra::max_over_ranks(energy, comm));
-  const double factor = 4 * std::max(1.0, rounding > 0 ? residual / rounding : 1.0);
-  largest = algebra::max_over_ranks(largest, comm);
-  const double asked = settings_.multiplier_tolerance * largest;
-  double loosest = asked;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    double& value = noise.owned()[i];
-    value = std::max(asked, factor * value);
-    if (set[i] == Activity::at_lower || set[i] == Activity::at_upper) loosest = std::max(loosest, value);
-  }
-  loosest = algebra::max_over_ranks(loosest, comm);
-  point.tolerances.multiplier = largest > 0 ? loosest / largest : settings_.multiplier_tolerance;
-}
-
-Verdict judge(const BoxProblem& problem, const SubproblemPoint& point, const ActiveSet& set) {
-  Verdict verdict{.next = set};
-  const auto z = point.z.owned();
-  std::int64_t violations = 0;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    if (set[i] == Activity::prescribed) continue;
-    if (set[i] == Activity::free) {
-      const double below = problem.lower.owned()[i] - z[i];
-      const double above = z[i] - problem.upper.owned()[i];
-      verdict.worst_violation = std::max({verdict.worst_violation, below, above});
-      const double noise = point.gap_noise.owned()[i];
-      if (below > noise) verdict.next[i] = Activity::at_lower;
-      if (above > noise) verdict.next[i] = Activity::at_upper;
-      violations += below > noise || above > noise;
-    } else {
-      const double multiplier = (set[i] == Activity::at_lower ? 1 : -1) * point.multiplier.owned()[i];
-      verdict.worst_multiplier = std::min(verdict.worst_multiplier, multiplier);
-      if (multiplier < -point.multiplier_noise.owned()[i]) verdict.next[i] = Activity::free;
-    }
-  }
-  const MPI_Comm comm = problem.load.layout()->comm;
-  verdict.is_feasible = algebra::sum_over_ranks(violations, comm) == 0;
-  verdict.worst_violation = algebra::max_over_ranks(verdict.worst_violation, comm);
-  verdict.worst_multiplier = algebra::min_over_ranks(verdict.worst_multiplier, comm);
-  return verdict;
 }
 
 }  // namespace plastron::contact

@@ -6,23 +6,11 @@
 #include <plastron/contact/activity.hpp>
 #include <plastron/contact/problem.hpp>
 #include <plastron/contact/settings.hpp>
+#include <plastron/contact/subproblem_point.hpp>
 
 #include <optional>
 
 namespace plastron::contact {
-
-struct SubproblemPoint {
-  algebra::Vector z{};
-  algebra::Vector multiplier{};           ///< A z - b, with equations A z + B' q - b
-  algebra::Vector equation_multiplier{};  ///< q; empty without equations
-  algebra::Vector multiplier_noise{};     ///< what rounding makes of each multiplier, at least
-  double energy = 0;
-  algebra::Vector gap_noise{};  ///< violations up to here are no violations
-  Tolerances tolerances{};
-  bool has_converged = true;  ///< the linear solve: to its tolerance or to what rounding permits
-  double linear_residual = 0;
-  int linear_steps = 0;
-};
 
 class SubproblemSolver {
  public:
@@ -31,6 +19,13 @@ class SubproblemSolver {
   /// Nothing if the subproblem has no unique minimiser or it cannot be computed; failure() then tells which. (collective)
   std::optional<SubproblemPoint> solve(const ActiveSet& set);
   Status failure() const { return failure_; }
+
+  /// s with (A s - r)_i = 0 where `set` is free and s_i = 0 elsewhere; r is zero there. False if there is none, as with solve();
+  /// equations are left out. (collective)
+  bool solve_increment(const ActiveSet& set, const algebra::Vector& r, algebra::Vector& s);
+
+  /// A first guess of the multipliers of the equations, for the next solve().
+  void start_multipliers_from(const algebra::Vector& q) { q_ = q; }
 
   const algebra::Vector& diagonal() const { return diagonal_; }
 
@@ -41,11 +36,8 @@ class SubproblemSolver {
                                  algebra::Vector& z) const;
   algebra::CgResult solve_with_equations(const ActiveSet& set, algebra::Vector& z);
   void solve_roughly(std::span<const char> fixed, const algebra::Vector& force, algebra::Vector& z) const;
-  bool multiplier_step(const ActiveSet& set, const algebra::Vector& violation, algebra::Vector& step) const;
   SubproblemPoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set);
-  bool is_bounded(std::size_t i) const;
-  void measure_gap_noise(SubproblemPoint& point) const;
-  void measure_multiplier_noise(SubproblemPoint& point, const ActiveSet& set) const;
+  bool multiplier_step(const ActiveSet& set, const algebra::Vector& violation, algebra::Vector& step) const;
 
   const BoxProblem& problem_;
   algebra::Preconditioner& preconditioner_;
@@ -57,17 +49,11 @@ class SubproblemSolver {
   Status failure_ = Status::singular;
 };
 
+/// Marks of the unknowns that a set holds.
+std::vector<char> held(const ActiveSet& set);
+/// What it means for a subproblem that the preconditioner could not be pinned.
+Status failure_of(algebra::Pinning pinning);
 /// What a failure means once some subproblem had a minimiser: a motion that is free now was held then.
 constexpr Status after_a_first_step(Status failure) { return failure == Status::singular ? Status::not_held : failure; }
-
-/// How the point breaks the optimality conditions, and the active set that puts all of it right at once.
-struct Verdict {
-  ActiveSet next{};
-  bool is_feasible = true;      ///< no free unknown is beyond a bound by more than noise
-  double worst_violation = 0;   ///< of a bound by a free unknown
-  double worst_multiplier = 0;  ///< most negative, the sign turned at upper bounds; 0 if none is negative
-};
-/// Free unknowns beyond a bound become active, active ones with multipliers of the wrong sign free. (collective)
-Verdict judge(const BoxProblem& problem, const SubproblemPoint& point, const ActiveSet& set);
 
 }  // namespace plastron::contact

@@ -1,6 +1,7 @@
 #include <plastron/study/kinds.hpp>
 
 #include <plastron/study/compare.hpp>
+#include <plastron/study/compare_solvers.hpp>
 #include <plastron/study/continuity.hpp>
 #include <plastron/study/convergence.hpp>
 #include <plastron/study/penalty.hpp>
@@ -38,6 +39,11 @@ std::span<const Kind> kinds() {
 
 const Kind& comparison() {
   static constexpr Kind kind{"compare", "all formulations side by side", compare};
+  return kind;
+}
+
+const Kind& solver_comparison() {
+  static constexpr Kind kind{"compare-solvers", "all contact solvers side by side", compare_solvers};
   return kind;
 }
 

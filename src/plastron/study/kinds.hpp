@@ -62,6 +62,8 @@ std::span<const Kind> kinds();
 const Kind* find_kind(std::string_view name);
 /// What `plastron compare` runs: a report like a study's.
 const Kind& comparison();
+/// What `plastron compare --solvers` runs.
+const Kind& solver_comparison();
 
 bool takes_option(const Kind& kind, std::string_view option);
 /// The names of the studies that take an option, separated by commas.

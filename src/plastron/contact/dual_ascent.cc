@@ -1,0 +1,183 @@
+#include <plastron/contact/dual_ascent.hpp>
+#include <plastron/contact/subproblem.hpp>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace plastron::contact {
+namespace {
+
+using algebra::Vector;
+
+/// d(q) with what it is made of.
+struct DualPoint {
+  Vector q{};
+  Vector violation{};  ///< d'(q) = B z
+  double value = 0;
+  ActiveSet set{};
+};
+
+class DualAscent {
+ public:
+  DualAscent(const BoxProblem& problem, algebra::Preconditioner& preconditioner, const Settings& settings,
+             const Observer& observer, SolverFunction& box_solver, bool is_safeguard, BoxSolution& solution)
+      : problem_(problem),
+        preconditioner_(preconditioner),
+        settings_(settings),
+        observer_(observer),
+        box_solver_(box_solver),
+        is_safeguard_(is_safeguard),
+        solution_(solution) {}
+
+  void run() {
+    Vector q = solution_.equation_multiplier.layout() ? solution_.equation_multiplier : problem_.equations->multipliers;
+    std::optional<DualPoint> here = evaluate(std::move(q), solution_.activity);
+    while (here) {
+      const std::optional<Vector> best = maximise_on(here->set, here->q);
+      if (has_ended_) return;
+      here = climb(*here, best);
+    }
+  }
+
+ private:
+  void end(Status status) {
+    solution_.status = status;
+    has_ended_ = true;
+  }
+
+  std::nullopt_t no_more(Status status) {
+    end(status);
+    return std::nullopt;
+  }
+
+  void count(const Iteration& iteration) {
+    solution_.iterations.push_back(iteration);
+    solution_.iterations.back().safeguarded = is_safeguard_;
+    if (observer_.iteration) observer_.iteration(solution_.iterations.back());
+  }
+
+  // Nothing if the solver inside fails, or the limit is reached: then the solution has its status.
+  std::optional<DualPoint> evaluate(Vector q, const ActiveSet& start) {
+    Settings settings = settings_;
+    settings.max_iterations -= static_cast<int>(solution_.iterations.size());
+    if (settings.max_iterations <= 0) return no_more(Status::iteration_limit);
+    if (!solution_.iterations.empty() && observer_.wants_to_stop()) return no_more(Status::interrupted);
+    const EqualityConstraints& equations = *problem_.equations;
+    BoxProblem box{.matrix = problem_.matrix,
+                   .apply = problem_.apply,
+                   .load = problem_.load,
+                   .lower = problem_.lower,
+                   .upper = problem_.upper};
+    q.update_ghosts();
+    Vector force(box.load.layout(), box.load.block());
+    equations.apply_transposed(q, force);
+    algebra::axpy(-1, force, box.load);
+    const Observer inside{.iteration = [this](const Iteration& i) { count(i); }, .stop = observer_.stop};
+    BoxSolution inner = box_solver_(box, start, preconditioner_, settings, inside);
+    if (inner.status != Status::solved) return no_more(inner.status);
+    DualPoint point{.q = std::move(q), .violation = equations.multipliers, .set = std::move(inner.activity)};
+    inner.z.update_ghosts();
+    equations.apply(inner.z, point.violation);
+    point.value = inner.iterations.empty() ? 0 : inner.iterations.back().energy;
+    return point;
+  }
+
+  /// Step 2: q*, and the solution if it is one. Nothing where the equations cannot hold on the set, or at an end.
+  std::optional<Vector> maximise_on(const ActiveSet& set, const Vector& q) {
+    SubproblemSolver subproblems(problem_, preconditioner_, settings_);
+    subproblems.start_multipliers_from(q);
+    auto point = subproblems.solve(set);
+    if (!point) return {};
+    Vector best = point->equation_multiplier;
+    const Verdict verdict = judge(problem_, *point, set);
+    const Observer inside{.iteration = {}, .stop = {}};
+    const std::int64_t changes = record(problem_, std::move(*point), set, verdict, inside, solution_);
+    const Iteration last = solution_.iterations.back();
+    solution_.iterations.pop_back();
+    count(last);
+    if (changes == 0) end(Status::solved);
+    return best;
+  }
+
+  std::optional<DualPoint> climb(const DualPoint& here, const std::optional<Vector>& best) {
+    Vector direction = problem_.equations->multipliers;
+    if (best) {
+      direction = *best;
+      algebra::axpy(-1, here.q, direction);
+    } else {
+      problem_.equations->precondition(here.violation, direction);
+    }
+    const double slope = algebra::dot(direction, here.violation);
+    if (!(slope > 0)) return no_more(std::isfinite(slope) ? Status::cycling : Status::not_finite);
+    auto next = first_rise(here, direction, slope);
+    if (next && !best) next = lengthened(here, direction, slope, std::move(*next));
+    return next;
+  }
+
+  std::optional<DualPoint> step(const DualPoint& here, const Vector& direction, double t) {
+    Vector q = here.q;
+    algebra::axpy(t, direction, q);
+    return evaluate(std::move(q), here.set);
+  }
+
+  // Armijo's test on d; a slope that is still not negative proves the rise where the values of d agree up to rounding.
+  std::optional<DualPoint> first_rise(const DualPoint& here, const Vector& direction, double slope) {
+    constexpr double fraction_of_slope = 1e-4;
+    constexpr int most_halvings = 40;
+    double t = 1;
+    for (int halvings = 0; halvings < most_halvings; ++halvings, t /= 2) {
+      auto next = step(here, direction, t);
+      if (!next) return {};
+      const bool still_rises = algebra::dot(direction, next->violation) >= 0;
+      if (still_rises || next->value - here.value >= fraction_of_slope * t * slope) {
+        length_ = t;
+        return next;
+      }
+    }
+    return no_more(Status::cycling);
+  }
+
+  // A direction without a length: as long as the slope has not halved.
+  std::optional<DualPoint> lengthened(const DualPoint& here, const Vector& direction, double slope, DualPoint next) {
+    constexpr int most_doublings = 30;
+    for (int k = 0; k < most_doublings && algebra::dot(direction, next.violation) > 0.5 * slope; ++k) {
+      length_ *= 2;
+      auto further = step(here, direction, length_);
+      if (!further) return {};
+      if (!(further->value > next.value)) break;
+      next = std::move(*further);
+    }
+    return next;
+  }
+
+  const BoxProblem& problem_;
+  algebra::Preconditioner& preconditioner_;
+  const Settings& settings_;
+  const Observer& observer_;
+  SolverFunction& box_solver_;
+  bool is_safeguard_;
+  BoxSolution& solution_;
+  bool has_ended_ = false;
+  double length_ = 1;  ///< of the step taken last
+};
+
+}  // namespace
+
+BoxSolution solve_by_dual_ascent(const BoxProblem& problem, std::span<const Activity> initial,
+                                 algebra::Preconditioner& preconditioner, const Settings& settings,
+                                 const Observer& observer, SolverFunction& box_solver) {
+  BoxSolution solution = unsolved(problem, Status::infeasible);
+  solution.equation_multiplier = problem.equations->multipliers;
+  if (!bounds_are_consistent(problem)) return solution;
+  solution.activity = starting_set(problem, initial);
+  DualAscent(problem, preconditioner, settings, observer, box_solver, false, solution).run();
+  return solution;
+}
+
+void continue_dual_ascent(const BoxProblem& problem, algebra::Preconditioner& preconditioner, const Settings& settings,
+                          const Observer& observer, SolverFunction& box_solver, BoxSolution& so_far) {
+  DualAscent(problem, preconditioner, settings, observer, box_solver, true, so_far).run();
+}
+
+}  // namespace plastron::contact

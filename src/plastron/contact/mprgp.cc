@@ -1,0 +1,295 @@
+#include <plastron/algebra/krylov.hpp>
+#include <plastron/contact/dual_ascent.hpp>
+#include <plastron/contact/face_preconditioner.hpp>
+#include <plastron/contact/mprgp.hpp>
+#include <plastron/contact/scaled_unknowns.hpp>
+#include <plastron/contact/split_gradient.hpp>
+#include <plastron/contact/subproblem.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+namespace plastron::contact {
+namespace {
+
+using algebra::Vector;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// Less curvature than this, in unknowns of unit diagonal, is a motion that only rounding holds.
+constexpr double no_stiffness = 4 * epsilon;
+
+/// Proportioning in the unknowns x of ScaledUnknowns, from a feasible point.
+class Mprgp {
+ public:
+  Mprgp(const BoxProblem& problem, const ScaledUnknowns& scaled, const FacePreconditioner& preconditioner,
+        const Vector& diagonal, const Settings& settings, const Observer& observer, BoxSolution& solution)
+      : problem_(problem),
+        scaled_(scaled),
+        preconditioner_(preconditioner),
+        diagonal_(diagonal),
+        settings_(settings),
+        observer_(observer),
+        solution_(solution),
+        x_(scaled.unknowns(solution.z)),
+        gradient_(x_),
+        set_(everything_at_bounds(problem, solution.z)) {
+    step_length_ = 1.8 / largest_eigenvalue([this](const Vector& v, Vector& y) { scaled_.apply(v, y); }, x_);
+    reference_ = preconditioned_norm(scaled_.load());
+    restart();
+  }
+
+  Status run() {
+    while (!outcome_) {
+      if (face_is_solved())
+        conclude();
+      else if (split_.is_proportional())
+        move_in_face();
+      else
+        let_go(split_.chopped);
+      if (!outcome_ && steps_ >= settings_.max_iterative_steps) outcome_ = Status::linear_solver_stalled;
+    }
+    return *outcome_;
+  }
+
+ private:
+  // g = A x - b afresh; the next direction is the preconditioned gradient.
+  void restart() {
+    x_.update_ghosts();
+    scaled_.apply(x_, gradient_);
+    algebra::axpy(-1, scaled_.load(), gradient_);
+    look_around();
+    p_ = z_;
+  }
+
+  // Free and chopped gradient, z = P M^{-1} P phi.
+  void look_around() {
+    split_ = split_gradient(scaled_.lower(), scaled_.upper(), x_, gradient_, step_length_);
+    z_ = on_face(split_.free);
+    phi_z_ = algebra::dot(split_.free, z_);
+    if (!(phi_z_ >= 0)) outcome_ = std::isfinite(phi_z_) ? Status::linear_solver_stalled : Status::not_finite;
+    const double norm = std::sqrt(std::max(0.0, phi_z_));
+    since_halved_ = norm < 0.5 * halved_ ? 0 : since_halved_ + 1;
+    if (since_halved_ == 0) halved_ = norm;
+  }
+
+  Vector preconditioned(const Vector& r) const {
+    Vector z(r.layout(), r.block());
+    preconditioner_.apply(scaled_.original_forces(r), z);
+    return scaled_.unknowns(z);
+  }
+
+  double preconditioned_norm(const Vector& r) const { return std::sqrt(std::abs(algebra::dot(r, preconditioned(r)))); }
+
+  Vector on_face(const Vector& free_gradient) const {
+    Vector z = preconditioned(free_gradient);
+    for (std::size_t i = 0; i < z.owned().size(); ++i)
+      if (split_.held[i]) z.owned()[i] = 0;
+    z.update_ghosts();
+    return z;
+  }
+
+  bool face_is_solved() const {
+    constexpr double nearly = 1e-9, rounding = 64 * epsilon;
+    constexpr int patience = 200;
+    return std::sqrt(phi_z_) <= std::max(nearly * reference_, rounding * algebra::norm(x_)) || since_halved_ > patience;
+  }
+
+  // A step of conjugate gradients, or as far as the box lets one go.
+  void move_in_face() {
+    ++steps_;
+    Vector Ap(p_.layout(), p_.block());
+    p_.update_ghosts();
+    scaled_.apply(p_, Ap);
+    const double pAp = algebra::dot(p_, Ap), slope = algebra::dot(gradient_, p_);
+    const double feasible = largest_feasible_step(scaled_.lower(), scaled_.upper(), x_, p_);
+    const double step = pAp > no_stiffness * algebra::dot(p_, p_) ? slope / pAp : infinity;
+    if (step == infinity && feasible == infinity) {
+      outcome_ = Status::not_held;
+    } else if (step <= feasible) {
+      algebra::axpy(-step, p_, x_);
+      algebra::axpy(-step, Ap, gradient_);
+      look_around();
+      const double beta = algebra::dot(z_, Ap) / pAp;
+      for (std::size_t i = 0; i < p_.owned().size(); ++i) p_.owned()[i] = z_.owned()[i] - beta * p_.owned()[i];
+      p_.update_ghosts();
+    } else {
+      expand(step, feasible, -feasible * slope + 0.5 * feasible * feasible * pAp);
+    }
+  }
+
+  // The projected conjugate-gradient step where it lowers the energy more than the feasible half-step does, else the latter and a
+  // projected step along the free gradient.
+  void expand(double step, double feasible, double change_of_half_step) {
+    if (std::isfinite(step)) {
+      Vector candidate = clamped_step(scaled_.lower(), scaled_.upper(), x_, p_, step);
+      if (energy_change(candidate) < change_of_half_step) {
+        x_ = std::move(candidate);
+        return restart();
+      }
+    }
+    x_ = clamped_step(scaled_.lower(), scaled_.upper(), x_, p_, feasible);
+    restart();
+    for (;; step_length_ /= 2) {
+      Vector candidate = clamped_step(scaled_.lower(), scaled_.upper(), x_, split_.free, step_length_);
+      // The estimate of |A| comes from below; a step that does not lower the energy shows it.
+      if (!(energy_change(candidate) > 0) || step_length_ < epsilon) {
+        x_ = std::move(candidate);
+        return restart();
+      }
+    }
+  }
+
+  /// g's + s'As/2 of the step s to `candidate`.
+  double energy_change(const Vector& candidate) const {
+    Vector s = candidate;
+    algebra::axpy(-1, x_, s);
+    s.update_ghosts();
+    Vector As(s.layout(), s.block());
+    scaled_.apply(s, As);
+    return algebra::dot(gradient_, s) + 0.5 * algebra::dot(s, As);
+  }
+
+  // Proportioning: the minimiser along the chopped gradient, as far as the box allows.
+  void let_go(const Vector& d) {
+    Vector direction = d, Ad(d.layout(), d.block());
+    direction.update_ghosts();
+    scaled_.apply(direction, Ad);
+    const double dAd = algebra::dot(direction, Ad), slope = algebra::dot(gradient_, direction);
+    const double feasible = largest_feasible_step(scaled_.lower(), scaled_.upper(), x_, direction);
+    const double step = dAd > no_stiffness * algebra::dot(direction, direction) ? slope / dAd : infinity;
+    if (std::min(step, feasible) == infinity) {
+      outcome_ = Status::not_held;
+      return;
+    }
+    x_ = clamped_step(scaled_.lower(), scaled_.upper(), x_, direction, std::min(step, feasible));
+    restart();
+    halved_ = infinity;
+    since_halved_ = 0;
+    record_face();
+  }
+
+  void record_face() {
+    const Vector z = scaled_.original(x_);
+    const Vector force = scaled_.original_forces(gradient_);
+    const ActiveSet now = everything_at_bounds(problem_, z);
+    solution_.iterations.push_back({.active = count_active(problem_, now),
+                                    .changes = count_changes(problem_, set_, now),
+                                    .energy = 0.5 * (algebra::dot(z, force) - algebra::dot(z, problem_.load)),
+                                    .linear_steps = steps_});
+    solution_.z = z;
+    solution_.multiplier = force;
+    solution_.activity = set_ = now;
+    steps_ = 0;
+    if (observer_.iteration) observer_.iteration(solution_.iterations.back());
+    check_limits();
+  }
+
+  void check_limits() {
+    if (outcome_) return;
+    if (static_cast<int>(solution_.iterations.size()) >= settings_.max_iterations)
+      outcome_ = Status::iteration_limit;
+    else if (observer_.wants_to_stop())
+      outcome_ = Status::interrupted;
+  }
+
+  // The minimiser on this face to full accuracy, through problem.apply, judged as in the other solvers.
+  void conclude() {
+    Vector z = scaled_.original(x_);
+    const ActiveSet set = everything_at_bounds(problem_, z);
+    const auto precondition = [this](const Vector& r, Vector& to) { preconditioner_.apply(r, to); };
+    constexpr int patience = 200;
+    const auto linear = algebra::conjugate_gradients(
+        problem_.apply, precondition, problem_.load, held(set), diagonal_, z,
+        {.tolerance = settings_.linear_tolerance, .max_steps = settings_.max_iterative_steps, .patience = patience});
+    constexpr double usable = 1e-6;
+    if (!linear.converged && !(linear.relative_residual <= usable)) {
+      outcome_ = std::isfinite(linear.relative_residual) ? Status::linear_solver_stalled : Status::not_finite;
+      return;
+    }
+    SubproblemPoint point = assess(problem_, settings_, diagonal_, std::move(z), linear, set);
+    point.linear_steps += steps_;
+    const Verdict verdict = judge(problem_, point, set);
+    const bool seen_before = !concluded_.insert(fingerprint(problem_, set)).second;
+    const std::int64_t changes = record(problem_, std::move(point), set, verdict, observer_, solution_);
+    steps_ = 0;
+    if (changes == 0) outcome_ = Status::solved;
+    check_limits();
+    if (!outcome_ && seen_before) outcome_ = Status::cycling;
+    if (!outcome_) go_on_from(verdict);
+  }
+
+  // From the face's minimiser: on the box, with only what judge() releases let go of.
+  void go_on_from(const Verdict& verdict) {
+    set_ = solution_.activity;
+    x_ = scaled_.unknowns(project(problem_, solution_.z));
+    restart();
+    halved_ = infinity;
+    since_halved_ = 0;
+    Vector released(x_.layout(), x_.block());
+    for (std::size_t i = 0; i < set_.size(); ++i)
+      if (set_[i] != Activity::free && verdict.next[i] == Activity::free)
+        released.owned()[i] = split_.chopped.owned()[i];
+    if (algebra::max_abs(released) > 0) let_go(released);
+  }
+
+  const BoxProblem& problem_;
+  const ScaledUnknowns& scaled_;
+  const FacePreconditioner& preconditioner_;
+  const Vector& diagonal_;
+  const Settings& settings_;
+  const Observer& observer_;
+  BoxSolution& solution_;
+  Vector x_, gradient_, p_{}, z_{};
+  SplitGradient split_{};
+  double phi_z_ = 0, reference_ = 0, step_length_ = 0;
+  double halved_ = infinity;  ///< preconditioned norm of the free gradient when it was last seen halved
+  int since_halved_ = 0;
+  int steps_ = 0;  ///< since the last iteration
+  ActiveSet set_;  ///< of the last iteration
+  std::set<std::uint64_t> concluded_{};
+  std::optional<Status> outcome_{};
+};
+
+/// The minimiser on the pinned set, by conjugate gradients.
+algebra::CgResult first_minimiser(const BoxProblem& problem, const FacePreconditioner& preconditioner,
+                                  const ActiveSet& set, const Vector& diagonal, const Settings& settings, Vector& z) {
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if (set[i] != Activity::free) z.owned()[i] = held_at(problem, i, set[i]);
+  constexpr double rough = 1e-8;
+  const auto precondition = [&](const Vector& r, Vector& to) { preconditioner.apply(r, to); };
+  return algebra::conjugate_gradients(problem.apply, precondition, problem.load, held(set), diagonal, z,
+                                      {.tolerance = rough, .max_steps = settings.max_iterative_steps, .patience = 200});
+}
+
+}  // namespace
+
+BoxSolution solve_mprgp(const BoxProblem& problem, std::span<const Activity> initial,
+                        algebra::Preconditioner& preconditioner, const Settings& settings, const Observer& observer) {
+  if (problem.equations) return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_mprgp);
+  BoxSolution solution = unsolved(problem, Status::infeasible);
+  if (!bounds_are_consistent(problem)) return solution;
+  const Vector diagonal = positive_diagonal(problem);
+  FacePreconditioner fixed(preconditioner, diagonal);
+  ActiveSet set = starting_set(problem, initial);
+  solution.status = fixed.pin(problem, set, settings.detect_free_motions);
+  if (solution.status == Status::singular) {
+    set = everything_active(problem);
+    solution.status = fixed.pin(problem, set, settings.detect_free_motions);
+  }
+  if (solution.status != Status::solved) return solution;
+  const auto linear = first_minimiser(problem, fixed, set, diagonal, settings, solution.z);
+  solution.z = project(problem, std::move(solution.z));
+  if (!std::isfinite(linear.relative_residual)) {
+    solution.status = Status::not_finite;
+    return solution;
+  }
+  const ScaledUnknowns scaled(problem);
+  solution.status = Mprgp(problem, scaled, fixed, diagonal, settings, observer, solution).run();
+  return solution;
+}
+
+}  // namespace plastron::contact

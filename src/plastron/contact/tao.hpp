@@ -1,0 +1,16 @@
+// Contact by PETSc's TAO: its bounded Newton method with a line search, TAOBNLS (algebra/bounded_newton.hpp), and a polish.
+#pragma once
+#include <plastron/algebra/preconditioner.hpp>
+#include <plastron/contact/problem.hpp>
+#include <plastron/contact/settings.hpp>
+
+#include <span>
+
+namespace plastron::contact {
+
+/// As solve_by_bounded_newton (newton_referee.hpp) does it. Equations: by dual ascent (dual_ascent.hpp). (collective)
+BoxSolution solve_tao(const BoxProblem& problem, std::span<const Activity> initial,
+                      algebra::Preconditioner& preconditioner, const Settings& settings = {},
+                      const Observer& observer = {});
+
+}  // namespace plastron::contact
