@@ -57,7 +57,7 @@ TEST(Variation, that_is_linear_and_homogeneous_keeps_what_is_held) {
 
 TEST(Obstacle, that_is_raised_is_an_obstacle_moved_along_its_normal) {
   computation::Problem raised = pressed_strip(), moved = pressed_strip();
-  raise(raised.obstacles, 0.003);
+  raise(raised.obstacles.at(0), 0.003);
   std::get<obstacle::HalfSpace>(moved.obstacles.at(0).shape).point = {0, 0, 0.003};
   const auto a = computation::solve(raised, MPI_COMM_SELF), b = computation::solve(moved, MPI_COMM_SELF);
   EXPECT_NEAR(a.summary.energy.total(), b.summary.energy.total(), 1e-12 * b.summary.energy.total());

@@ -12,8 +12,8 @@ namespace {
 
 obstacle::Gap gap_of(const computation::Problem& problem, double x, double y) {
   const geometry::SurfaceJet phi = problem.charts.at("")(x, y);
-  return obstacle::gap_at(problem.obstacles.at(0), phi.value, geometry::unit_normal(phi),
-                          problem.sections.common.thickness(x, y));
+  return obstacle::gap_at(problem.obstacles.at(0),
+                          {phi.value, geometry::unit_normal(phi), problem.sections.common.thickness(x, y)});
 }
 
 }  // namespace

@@ -11,8 +11,6 @@ namespace {
 
 using OwnedSnes = Owned<SNES, SNESDestroy>;
 
-NewtonCallbacks& callbacks(void* context) { return *static_cast<NewtonCallbacks*>(context); }
-
 PetscErrorCode residual(SNES, Vec x, Vec f, void* context) { return callbacks(context).evaluate(x, nullptr, f); }
 
 PetscErrorCode constant_matrix(SNES, Vec, Mat A, Mat, void*) {

@@ -11,8 +11,6 @@ namespace {
 
 using OwnedTao = Owned<Tao, TaoDestroy>;
 
-NewtonCallbacks& callbacks(void* context) { return *static_cast<NewtonCallbacks*>(context); }
-
 PetscErrorCode energy(Tao, Vec x, PetscReal* value, Vec gradient, void* context) {
   return callbacks(context).evaluate(x, value, gradient);
 }

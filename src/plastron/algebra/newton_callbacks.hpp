@@ -82,6 +82,8 @@ class NewtonCallbacks {
   std::exception_ptr thrown_{};
 };
 
+inline NewtonCallbacks& callbacks(void* context) { return *static_cast<NewtonCallbacks*>(context); }
+
 /// Keeps what `function` throws for later and tells PETSc of an error.
 template <class Function>
 PetscErrorCode NewtonCallbacks::guarded(Function&& function) {

@@ -37,6 +37,7 @@ void read_contact(Table& root, computation::Problem& problem) {
   const auto name = contact->text("solver");
   for (const contact::Solver solver : contact::all_solvers)
     if (name == contact::to_string(solver)) problem.contact.solver = solver;
+  problem.linearisation.once = contact->boolean("linearised").value_or(false);
   root.effective["contact"] = contact->effective;
 }
 

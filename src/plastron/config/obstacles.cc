@@ -1,4 +1,5 @@
 // [[obstacle]] and [[probe]].
+#include <plastron/config/obstacle_shapes.hpp>
 #include <plastron/config/sections.hpp>
 
 #include <algorithm>
@@ -7,13 +8,21 @@ namespace plastron::config {
 
 namespace {
 
-std::optional<obstacle::HalfSpace> read_half_space(Table& table) {
-  const auto point = table.vector("point"), normal = table.vector("normal");
-  if (!point || !normal) return {};
-  if (const double length = normal->stableNorm(); length > 0) return obstacle::HalfSpace{*point, *normal / length};
-  table.report("normal", "the normal is the zero vector", "",
-               "give the direction of the free side, for example [0, 0, 1]");
-  return {};
+// An obstacle that both faces may touch counts as two.
+constexpr const char *of_lower_face = ", lower face", *of_upper_face = ", upper face";
+
+/// Where the shape stands: `rotate`, then `translate`.
+std::optional<obstacle::Placement> read_placement(Table& table) {
+  const auto shift = table.vector("translate");
+  if (!table.has("rotate"))
+    return shift ? std::optional(obstacle::placed({0, 0, 1}, 0, {0, 0, 0}, *shift)) : std::nullopt;
+  auto rotate = table.table("rotate");
+  if (!rotate) return {};
+  const auto axis = read_direction(*rotate, "axis"), about = rotate->vector("about");
+  const auto angle = rotate->number("angle");
+  table.effective["rotate"] = rotate->effective;
+  if (!shift || !axis || !about || !angle) return {};
+  return obstacle::placed(*axis, *angle, *about, *shift);
 }
 
 /// "obstacle-1", "obstacle-2", ... where the case gives none.
@@ -22,9 +31,27 @@ std::string read_obstacle_name(Table& table, const computation::Problem& problem
   if (table.has("name")) name = table.text("name").value_or(name);
   table.effective["name"] = name;
   if (name.empty()) table.report("name", "an obstacle's name is empty", "", "leave the key out or give a name");
-  if (std::ranges::count(problem.obstacles, name, &obstacle::Obstacle::name) > 0)
+  if (std::ranges::any_of(problem.obstacles,
+                          [&](const auto& o) { return o.name == name || o.name == name + of_lower_face; }))
     table.report("name", fmt::format("two obstacles are named \"{}\"", name), "", "choose another name");
   return name;
+}
+
+/// One obstacle for each face that it may meet.
+void add_faces(obstacle::Obstacle body, const std::string& face, computation::Problem& problem) {
+  using obstacle::Face;
+  if (face == "both") {
+    obstacle::Obstacle other = body;
+    body.name += of_lower_face;
+    other.name += of_upper_face;
+    other.face = Face::upper;
+    body.face = Face::lower;
+    problem.obstacles.push_back(std::move(body));
+    problem.obstacles.push_back(std::move(other));
+    return;
+  }
+  body.face = face == "lower" ? Face::lower : face == "upper" ? Face::upper : Face::nearer;
+  problem.obstacles.push_back(std::move(body));
 }
 
 }  // namespace
@@ -33,12 +60,9 @@ void read_obstacles(Table& root, computation::Problem& problem) {
   auto& effective = root.effective["obstacle"] = nlohmann::json::array();
   for (Table& table : root.tables("obstacle")) {
     obstacle::Obstacle result{.name = read_obstacle_name(table, problem)};
-    if (auto half_space = table.table("half_space")) {
-      result.shape = read_half_space(*half_space).value_or(obstacle::HalfSpace{});
-      table.effective["half_space"] = half_space->effective;
-    }
-    if (table.text("face") == "upper") result.face = obstacle::Face::upper;
-    problem.obstacles.push_back(std::move(result));
+    if (auto shape = read_shape(table)) result.shape = std::move(*shape);
+    result.placement = read_placement(table).value_or(obstacle::Placement{});
+    add_faces(std::move(result), table.text("face").value_or("auto"), problem);
     effective.push_back(table.effective);
   }
 }

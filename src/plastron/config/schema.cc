@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <plastron/config/geometry_schema.hpp>
+#include <plastron/config/obstacle_schema.hpp>
 #include <plastron/config/shell_schema.hpp>
 
 #include <algorithm>
@@ -154,38 +155,6 @@ Section load_section() {
         .meaning = "Cartesian vector that works on r"}}};
 }
 
-std::vector<Section> obstacle_sections() {
-  return {
-      {"obstacle",
-       "[[obstacle]]",
-       "A rigid body the shell cannot enter. There may be several: floor and wall, floor and ceiling.",
-       {{.name = "name",
-         .kind = Kind::name,
-         .meaning = "a name no other obstacle has, for results and messages; obstacle-1, obstacle-2, ... if not given"},
-        {.name = "half_space",
-         .kind = Kind::table,
-         .required = true,
-         .meaning = "the body",
-         .example = "{ point = [0, 0, 0], normal = [0, 0, 1] }"},
-        {.name = "face",
-         .kind = Kind::word,
-         .fallback = "\"lower\"",
-         .words = {{"lower"}, {"upper"}, {"both", false}},
-         .meaning = "the face of the shell that may touch: lower at -e/2, upper at +e/2 along a3"}}},
-      {"obstacle.half_space",
-       "half_space",
-       "The points X with (X - point) . normal <= 0.",
-       {{.name = "point",
-         .kind = Kind::vector,
-         .unit = "m",
-         .fallback = "[0, 0, 0]",
-         .meaning = "a point of the plane"},
-        {.name = "normal",
-         .kind = Kind::vector,
-         .fallback = "[0, 0, 1]",
-         .meaning = "towards the free side; of any length but 0"}}}};
-}
-
 Section probe_section() {
   return {
       "probe",
@@ -200,16 +169,20 @@ Section probe_section() {
 }
 
 Section contact_section() {
-  return {
-      "contact",
-      "[contact]",
-      "How the contact problem is solved; all solvers find the same solution.",
-      {{.name = "solver",
-        .kind = Kind::word,
-        .fallback = "\"active-set\"",
-        .words = {{"active-set"}, {"projected"}, {"tao"}, {"snesvi"}, {"mprgp"}},
-        .meaning =
-            "the contact solver; others than the default are there to check it, and mprgp factorises once a mesh"}}};
+  return {"contact",
+          "[contact]",
+          "How the contact problem is solved.",
+          {{.name = "solver",
+            .kind = Kind::word,
+            .fallback = "\"active-set\"",
+            .words = {{"active-set"}, {"projected"}, {"tao"}, {"snesvi"}, {"mprgp"}},
+            .meaning =
+                "the contact solver; others than the default are there to check it, and mprgp factorises once a mesh"},
+           {.name = "linearised",
+            .kind = Kind::boolean,
+            .fallback = "false",
+            .meaning =
+                "take the gaps of curved obstacles at the undeformed shell, and not again where the shell was found"}}};
 }
 
 Section solver_section() {

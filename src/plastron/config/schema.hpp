@@ -17,12 +17,14 @@ enum class Kind {
   numbers,        ///< a list of numbers
   point,          ///< two numbers
   vector,         ///< three numbers
+  vectors,        ///< a list of vectors
   cell_counts,    ///< two integers
   names,          ///< a list of texts; one of Key::words each, if there are any
   name_or_names,  ///< a name, or a list of some
   points,         ///< a list of points
   field,          ///< a number or an expression of x, y and the constants
   field_vector,   ///< three fields
+  space_formula,  ///< an expression of X, Y, Z with two derivatives
   formulas,       ///< three fields with two derivatives, or a table of such by region
   table,
   tables,     ///< a repeated section

@@ -58,6 +58,8 @@ std::string description(Kind kind) {
       return "a list of two numbers";
     case Kind::vector:
       return "a list of three numbers";
+    case Kind::vectors:
+      return "a list of vectors [x, y, z]";
     case Kind::cell_counts:
       return "a list of two whole numbers";
     case Kind::names:
@@ -70,6 +72,8 @@ std::string description(Kind kind) {
       return "a number or an expression of x, y and the constants";
     case Kind::field_vector:
       return "a list of three numbers or expressions of x, y and the constants";
+    case Kind::space_formula:
+      return "an expression of X, Y, Z and the constants";
     case Kind::formulas:
       return "a list of three expressions of x, y and the constants";
     case Kind::table:

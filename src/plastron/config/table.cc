@@ -18,6 +18,11 @@ template <class Value>
 nlohmann::json json_of(const Value& value) {
   return value;
 }
+nlohmann::json json_of(const std::vector<Eigen::Vector3d>& vectors) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& v : vectors) list.push_back({v[0], v[1], v[2]});
+  return list;
+}
 nlohmann::json json_of(const geometry::Expression& field) { return as_json(field); }
 nlohmann::json json_of(const std::vector<geometry::Expression>& fields) {
   nlohmann::json list = nlohmann::json::array();
@@ -126,6 +131,15 @@ std::optional<Eigen::Vector3d> Table::vector(const std::string& name) {
   const auto list = read(name, list_reader(Kind::vector, 3, read_number));
   if (!list) return {};
   return Eigen::Vector3d((*list)[0], (*list)[1], (*list)[2]);
+}
+
+std::optional<std::vector<Eigen::Vector3d>> Table::vectors(const std::string& name) {
+  const auto read_one = [](Reading& reading, const Item& item) -> std::optional<Eigen::Vector3d> {
+    const auto list = read_list(reading, item, Kind::vector, 3, read_number);
+    if (!list) return {};
+    return Eigen::Vector3d((*list)[0], (*list)[1], (*list)[2]);
+  };
+  return read(name, list_reader(Kind::vectors, 0, read_one));
 }
 
 std::optional<std::array<int, 2>> Table::cell_counts(const std::string& name) {

@@ -31,7 +31,7 @@ struct ShellPoint {
 /// (M16) linearised at the face where the state has moved it, the obstacle standing where it does at `time`: there the gap is the true
 /// distance. At the undeformed shell the linearisation of the model, exact for planes at every state.
 inline Gap gap_at(const Obstacle& obstacle, const ShellPoint& at, double time = 0) {
-  const Vector3d n = obstacle.face == Face::nearer ? obstacle.nearest(at.phi + at.u, time).normal : at.a3;
+  const Vector3d n = obstacle.face == Face::nearer ? obstacle.nearest(at.phi + at.u, time).normal : Vector3d::Zero();
   const double z = face_position(obstacle.face, n, at.a3) * at.thickness;
   const Vector3d point = at.phi + z * at.a3, moved = at.u + z * at.r;
   const Nearest nearest = obstacle.nearest(point + moved, time);

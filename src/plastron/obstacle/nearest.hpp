@@ -13,4 +13,7 @@ struct Nearest {
   Matrix3d curvature;  ///< Hessian of d: the curvature of the surface of equal distance through X [1/m]
 };
 
+/// The same surface seen from its other side.
+inline Nearest reversed(const Nearest& other) { return {-other.distance, -other.normal, -other.curvature}; }
+
 }  // namespace plastron::obstacle

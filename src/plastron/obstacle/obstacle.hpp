@@ -1,7 +1,15 @@
 // A rigid obstacle as a value: a shape in space, how it moves from step to step, and the face of the shell that it meets.
 #pragma once
 #include <plastron/obstacle/ball.hpp>
+#include <plastron/obstacle/box.hpp>
+#include <plastron/obstacle/cone.hpp>
+#include <plastron/obstacle/cylinder.hpp>
+#include <plastron/obstacle/distance_field.hpp>
 #include <plastron/obstacle/half_space.hpp>
+#include <plastron/obstacle/height_field.hpp>
+#include <plastron/obstacle/placement.hpp>
+#include <plastron/obstacle/torus.hpp>
+#include <plastron/obstacle/triangle_surface.hpp>
 
 #include <string>
 #include <variant>
@@ -11,20 +19,22 @@ namespace plastron::obstacle {
 /// A face of the shell: the points phi -+ e/2 a_3. Nearer is, point by point, the one whose outward normal looks at the obstacle.
 enum class Face { lower, upper, nearer };
 
-using Shape = std::variant<HalfSpace, Ball>;
+/// Copies are cheap: what is large is shared and never changes.
+using Shape = std::variant<HalfSpace, Ball, Cylinder, Box, Torus, Cone, HeightField, DistanceField, TriangleSurface>;
 
 struct Obstacle {
   std::string name{};  ///< no two obstacles of a problem share one; may be empty where there is one obstacle only
   Shape shape = HalfSpace{};
-  Face face = Face::lower;                  ///< of the shell, the one that may touch
+  Face face = Face::nearer;                 ///< of the shell, the one that may touch
   Vector3d translation = Vector3d::Zero();  ///< of the whole body from time 0 to time 1 [m]
+  Placement placement{};                    ///< where the shape stands at time 0
 
   /// Its gap is linear in the displacements: nothing is to be linearised again.
   bool is_plane() const { return std::holds_alternative<HalfSpace>(shape); }
   /// Distance, normal and curvature at X when the body stands where it does at `time`, which runs linearly through the steps.
   Nearest nearest(const Vector3d& X, double time) const {
-    const Vector3d at_rest = X - time * translation;
-    return std::visit([&](const auto& body) { return body.nearest(at_rest); }, shape);
+    const Vector3d in_body = placement.to_body(X - time * translation);
+    return placement.to_space(std::visit([&](const auto& body) { return body.nearest(in_body); }, shape));
   }
 };
 

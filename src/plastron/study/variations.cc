@@ -38,18 +38,9 @@ std::vector<Variant> thickness_variants(const computation::Problem& problem, con
   return variants;
 }
 
-namespace {
-
-struct Raise {
-  double height;
-  void operator()(obstacle::HalfSpace& body) const { body.point += height * body.normal; }
-  void operator()(obstacle::Ball& body) const { body.radius += body.inside ? -height : height; }
-};
-
-}  // namespace
-
-void raise(std::vector<obstacle::Obstacle>& obstacles, double height) {
-  for (obstacle::Obstacle& o : obstacles) std::visit(Raise{height}, o.shape);
+void raise(obstacle::Obstacle& plane, double height) {
+  auto& body = std::get<obstacle::HalfSpace>(plane.shape);
+  body.point += height * body.normal;
 }
 
 computation::Problem with_loads_scaled(computation::Problem problem, double factor) {

@@ -8,8 +8,8 @@ namespace plastron::study {
 computation::Problem with_thickness_scaled(computation::Problem problem, double factor);
 /// The problem at each factor but 1, where it is the case itself.
 std::vector<Variant> thickness_variants(const computation::Problem& problem, const std::vector<double>& factors);
-/// Each obstacle's surface moves towards the shell: every gap is smaller by `height` [m].
-void raise(std::vector<obstacle::Obstacle>& obstacles, double height);
+/// The surface of a half-space moves towards the shell: every gap is smaller by `height` [m].
+void raise(obstacle::Obstacle& half_space, double height);
 /// All loads of (M9) times `factor`.
 computation::Problem with_loads_scaled(computation::Problem problem, double factor);
 /// Supports hold the same components at zero, and there is no obstacle: the linear problem on V.

@@ -1,0 +1,19 @@
+// muParser with the constants and functions of expressions, and its errors in our words.
+#pragma once
+#include <plastron/geometry/expression.hpp>
+
+#include <muParser.h>
+
+#include <string>
+
+namespace plastron::geometry {
+
+mu::Parser parser_with(const Constants& constants);
+
+/// Throws ExpressionError for a text that is too long or has too many brackets in each other.
+void check_size(const std::string& text);
+
+/// As ExpressionError.
+[[noreturn]] void rethrow(const mu::ParserError& error, const std::string& text);
+
+}  // namespace plastron::geometry

@@ -1,0 +1,99 @@
+#include <plastron/geometry/quotation.hpp>
+#include <plastron/geometry/space_function.hpp>
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "formula.hpp"
+#include "muparser_text.hpp"
+#include "parser.hpp"
+
+namespace plastron::geometry {
+
+namespace {
+
+constexpr std::array<const char*, 3> coordinates{"X", "Y", "Z"};
+
+void check_constants(const Constants& constants) {
+  for (const auto& [name, value] : constants)
+    for (const char* coordinate : coordinates)
+      if (name == coordinate)
+        throw ExpressionError(
+            fmt::format("{} is a coordinate here, and cannot be the constant of that name, too", name), 0);
+}
+
+/// f, its three first and its six second derivatives: 11, 12, 13, 22, 23, 33.
+std::array<GiNaC::ex, 10> derivatives(const std::string& text, const Constants& constants) {
+  std::array<GiNaC::realsymbol, 3> x;
+  std::map<std::string, GiNaC::ex> names{{"pi", GiNaC::Pi}};
+  for (std::size_t i = 0; i < 3; ++i) names[coordinates[i]] = x[i] = GiNaC::realsymbol(coordinates[i]);
+  for (const auto& [name, value] : constants) names[name] = GiNaC::realsymbol(name);
+  std::array<GiNaC::ex, 10> all;
+  all[0] = formula(text, names);
+  check_derivative_size(all[0]);
+  std::size_t second = 4;
+  for (std::size_t i = 0; i < 3; ++i) {
+    all[1 + i] = all[0].diff(x[i]);
+    for (std::size_t j = i; j < 3; ++j) all[second++] = all[1 + i].diff(x[j]);
+  }
+  return all;
+}
+
+}  // namespace
+
+// muParser keeps the addresses of its variables. `derivatives` gives all ten numbers at once.
+struct SpaceFunction::Program {
+  mu::Parser value, derivatives;
+  Vector3d at = Vector3d::Zero();
+
+  mu::Parser parser(const std::string& text, const Constants& constants) {
+    mu::Parser made = parser_with(constants);
+    for (int i = 0; i < 3; ++i) made.DefineVar(coordinates[static_cast<std::size_t>(i)], &at[i]);
+    made.SetExpr(text);
+    return made;
+  }
+};
+
+SpaceFunction::SpaceFunction(std::string text, const Constants& constants) : text_(std::move(text)) {
+  check_size(text_);
+  check_constants(constants);
+  auto program = std::make_shared<Program>();
+  try {
+    program->value = program->parser(text_, constants);
+    program->value.Eval();
+    if (program->value.GetNumResults() != 1)
+      throw ExpressionError(fmt::format("\"{}\" has more than one value", shortened(text_)), 0);
+  } catch (const mu::ParserError& error) {
+    rethrow(error, text_);
+  }
+  try {
+    std::string list;
+    const auto all = derivatives(text_, constants);
+    for (const GiNaC::ex& f : all) list += (list.empty() ? "" : ",") + in_muparser_syntax(f);
+    for (std::size_t i = 0; i < 3; ++i) depends_on_[i] = !all[1 + i].is_zero();
+    program->derivatives = program->parser(list, constants);
+    program->derivatives.Eval();
+  } catch (const std::exception& error) {
+    throw NotDifferentiable(text_, shortened(error.what(), 200));
+  } catch (const mu::ParserError& error) {
+    throw NotDifferentiable(text_, shortened(error.GetMsg(), 200));
+  }
+  program_ = std::move(program);
+}
+
+double SpaceFunction::value(const Vector3d& X) const {
+  program_->at = X;
+  return program_->value.Eval();
+}
+
+SpaceJet SpaceFunction::operator()(const Vector3d& X) const {
+  program_->at = X;
+  int count = 0;
+  const double* f = program_->derivatives.Eval(count);
+  SpaceJet jet{.value = f[0], .gradient = {f[1], f[2], f[3]}};
+  jet.hessian << f[4], f[5], f[6], f[5], f[7], f[8], f[6], f[8], f[9];
+  return jet;
+}
+
+}  // namespace plastron::geometry

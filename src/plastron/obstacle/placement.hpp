@@ -1,0 +1,27 @@
+// Where a body stands at rest: its own coordinates turned about a point, then shifted.
+#pragma once
+#include <plastron/obstacle/nearest.hpp>
+
+namespace plastron::obstacle {
+
+/// A point x of the body's own coordinates is at rotation x + translation in space.
+struct Placement {
+  Matrix3d rotation = Matrix3d::Identity();
+  Vector3d translation = Vector3d::Zero();  ///< [m]
+
+  Vector3d to_body(const Vector3d& X) const { return rotation.transpose() * (X - translation); }
+  Vector3d to_space(const Vector3d& x) const { return rotation * x + translation; }
+  /// Distances stay, directions turn.
+  Nearest to_space(const Nearest& of_body) const {
+    return {of_body.distance, rotation * of_body.normal, rotation * of_body.curvature * rotation.transpose()};
+  }
+};
+
+/// Turned by `angle` [rad] about the line through `about` along the unit vector `axis`, by the right hand, then shifted by `translation`.
+inline Placement placed(const Vector3d& axis, double angle, const Vector3d& about, const Vector3d& translation) {
+  const Matrix3d rotation =
+      angle == 0 ? Matrix3d(Matrix3d::Identity()) : Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+  return {rotation, angle == 0 ? translation : Vector3d(about - rotation * about + translation)};
+}
+
+}  // namespace plastron::obstacle

@@ -1,0 +1,282 @@
+// STL, OBJ and PLY files.
+#include <plastron/obstacle/error.hpp>
+#include <plastron/obstacle/triangle_mesh.hpp>
+#include <plastron/obstacle/words.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <map>
+
+namespace plastron::obstacle {
+
+namespace {
+
+using geometry::Vector3d;
+
+static_assert(std::endian::native == std::endian::little, "binary files are read as they are in memory");
+
+/// Points that are equal become one; polygons are cut into triangles.
+class Builder {
+ public:
+  explicit Builder(std::string path) : path_(std::move(path)) {}
+
+  int add_point(const Vector3d& p) {
+    if (!(p.cwiseAbs().maxCoeff() <= largest_coordinate)) throw ObstacleError(path_ + ": a coordinate is not finite");
+    const auto [found, is_new] =
+        number_.try_emplace({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, static_cast<int>(mesh_.points.size()));
+    if (is_new) mesh_.points.push_back(p);
+    return found->second;
+  }
+  void add_polygon(const std::vector<int>& corners) {
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      const int a = corners[0], b = corners[k - 1], c = corners[k];
+      if (a == b || b == c || c == a) continue;
+      if (mesh_.triangles.size() == most_triangles)
+        throw ObstacleError(fmt::format("{}: more than {} triangles; make the surface coarser", path_, most_triangles));
+      mesh_.triangles.push_back({a, b, c});
+    }
+  }
+  TriangleMesh take() {
+    if (mesh_.triangles.empty()) throw ObstacleError(path_ + ": the file has no triangles");
+    return std::move(mesh_);
+  }
+
+ private:
+  std::string path_;
+  TriangleMesh mesh_;
+  std::map<std::array<double, 3>, int> number_;
+};
+
+Vector3d vector(Words& words) {
+  Vector3d v;
+  for (int i = 0; i < 3; ++i) v[i] = words.number("a coordinate");
+  return v;
+}
+
+void expect(Words& words, const char* word) {
+  if (!words.take(word)) words.refuse(fmt::format("\"{}\" should stand here", word));
+}
+
+void read_ascii_stl(Words& words, Builder& builder) {
+  expect(words, "solid");
+  words.rest_of_line();
+  while (!words.take("endsolid")) {
+    expect(words, "facet");
+    expect(words, "normal");
+    for (int i = 0; i < 3; ++i) words.next();  // what the corners say counts
+    expect(words, "outer");
+    expect(words, "loop");
+    std::vector<int> corners;
+    for (int k = 0; k < 3; ++k) {
+      expect(words, "vertex");
+      corners.push_back(builder.add_point(vector(words)));
+    }
+    expect(words, "endloop");
+    expect(words, "endfacet");
+    builder.add_polygon(corners);
+  }
+}
+
+/// Numbers as bytes, each within the text.
+class Bytes {
+ public:
+  Bytes(std::string path, const std::string& text, std::size_t at, bool swapped = false)
+      : path_(std::move(path)), text_(text), at_(at), swapped_(swapped) {}
+
+  template <class Number>
+  Number take() {
+    if (text_.size() - at_ < sizeof(Number)) throw ObstacleError(path_ + ": the file ends too early");
+    std::array<char, sizeof(Number)> raw;
+    std::memcpy(raw.data(), text_.data() + at_, sizeof(Number));
+    if (swapped_) std::ranges::reverse(raw);
+    at_ += sizeof(Number);
+    return std::bit_cast<Number>(raw);
+  }
+  void skip(std::size_t count) { at_ = std::min(at_ + count, text_.size()); }
+
+ private:
+  std::string path_;
+  const std::string& text_;
+  std::size_t at_;
+  bool swapped_;
+};
+
+constexpr std::size_t stl_head = 84, stl_triangle = 50;
+
+bool is_binary_stl(const std::string& text) {
+  if (text.size() < stl_head) return false;
+  std::uint32_t count = 0;
+  std::memcpy(&count, text.data() + 80, sizeof(count));
+  return text.size() == stl_head + stl_triangle * static_cast<std::size_t>(count);
+}
+
+void read_stl(Words& words, Builder& builder) {
+  if (!is_binary_stl(words.text())) {
+    if (words.at_end() || words.peek() != "solid")
+      throw ObstacleError(words.path() +
+                          ": this is no STL file: it neither begins with \"solid\" nor has the length "
+                          "that a binary one states; it may have been cut off");
+    return read_ascii_stl(words, builder);
+  }
+  Bytes bytes(words.path(), words.text(), 80);
+  const auto count = bytes.take<std::uint32_t>();
+  for (std::uint32_t t = 0; t < count; ++t) {
+    bytes.skip(3 * sizeof(float));
+    std::vector<int> corners;
+    for (int k = 0; k < 3; ++k) {
+      const double x = bytes.take<float>(), y = bytes.take<float>(), z = bytes.take<float>();
+      corners.push_back(builder.add_point({x, y, z}));
+    }
+    bytes.skip(2);
+    builder.add_polygon(corners);
+  }
+}
+
+/// Lines "v x y z" and "f 1 2 3", "f 1/4 2/5 3/6", negative numbers from the last point backwards; all else is skipped.
+void read_obj(Words& words, Builder& builder) {
+  std::vector<int> points;
+  while (!words.at_end()) {
+    const std::string key(words.next());
+    if (key == "v") {
+      points.push_back(builder.add_point(vector(words)));
+      words.rest_of_line();
+    } else if (key == "f") {
+      std::vector<int> corners;
+      Words line(words.path(), std::string(words.rest_of_line()));
+      while (!line.at_end()) {
+        const std::string corner(line.next());
+        Words first(words.path(), corner.substr(0, corner.find('/')));
+        const long given = first.integer("the number of a point"), count = static_cast<long>(points.size());
+        const long index = given < 0 ? count + given : given - 1;
+        if (index < 0 || index >= count) words.refuse(fmt::format("there is no point {} yet", given));
+        corners.push_back(points[static_cast<std::size_t>(index)]);
+      }
+      if (corners.size() < 3) words.refuse("a face has fewer than three corners");
+      builder.add_polygon(corners);
+    } else {
+      words.rest_of_line();
+    }
+  }
+}
+
+struct Property {
+  std::string name, type, count_type{};  ///< count_type: of a list
+};
+struct Element {
+  std::string name;
+  std::size_t count;
+  std::vector<Property> properties{};
+};
+
+/// The next number of a PLY file, as text or as bytes of the type.
+class PlyNumbers {
+ public:
+  PlyNumbers(Words& words, const std::string& format, std::size_t body)
+      : words_(words),
+        is_text_(format == "ascii"),
+        bytes_(words.path(), words.text(), body, format == "binary_big_endian") {}
+
+  double take(const std::string& type) {
+    if (is_text_) return words_.number("a number");
+    if (type == "char" || type == "int8") return bytes_.take<std::int8_t>();
+    if (type == "uchar" || type == "uint8") return bytes_.take<std::uint8_t>();
+    if (type == "short" || type == "int16") return bytes_.take<std::int16_t>();
+    if (type == "ushort" || type == "uint16") return bytes_.take<std::uint16_t>();
+    if (type == "int" || type == "int32") return bytes_.take<std::int32_t>();
+    if (type == "uint" || type == "uint32") return bytes_.take<std::uint32_t>();
+    if (type == "float" || type == "float32") return bytes_.take<float>();
+    if (type == "double" || type == "float64") return bytes_.take<double>();
+    throw ObstacleError(words_.path() + ": a property has a type that PLY does not know");
+  }
+
+ private:
+  Words& words_;
+  bool is_text_;
+  Bytes bytes_;
+};
+
+void read_ply_element(Words& words, const Element& element, PlyNumbers& numbers, std::vector<int>& points,
+                      Builder& builder) {
+  for (std::size_t i = 0; i < element.count; ++i) {
+    Vector3d at = Vector3d::Zero();
+    std::vector<int> corners;
+    for (const Property& property : element.properties) {
+      const double count = property.count_type.empty() ? 1 : numbers.take(property.count_type);
+      constexpr double most_corners = 1000;
+      if (!(count >= 0 && count <= most_corners)) throw ObstacleError(words.path() + ": a list is too long");
+      for (int k = 0; k < static_cast<int>(count); ++k) {
+        const double value = numbers.take(property.type);
+        for (int a = 0; a < 3; ++a)
+          if (property.name == std::string(1, "xyz"[a])) at[a] = value;
+        if (element.name != "face" || property.count_type.empty() || property.name.find("ind") == std::string::npos)
+          continue;
+        if (!(value >= 0 && value < static_cast<double>(points.size())))
+          throw ObstacleError(
+              fmt::format("{}: face {} names the point {}, which does not exist", words.path(), i + 1, value));
+        corners.push_back(points[static_cast<std::size_t>(value)]);
+      }
+    }
+    if (element.name == "vertex") points.push_back(builder.add_point(at));
+    if (element.name == "face") builder.add_polygon(corners);
+  }
+}
+
+void read_ply(Words& words, Builder& builder) {
+  expect(words, "ply");
+  std::string format;
+  std::vector<Element> elements;
+  std::size_t body = 0;
+  for (;;) {
+    const std::string key(words.next());
+    if (key == "end_header") break;
+    if (key == "format") {
+      format = words.next();
+    } else if (key == "element") {
+      const std::string name(words.next());
+      const long count = words.integer("a count");
+      if (count < 0) words.refuse("a count is negative");
+      elements.push_back({name, static_cast<std::size_t>(count)});
+    } else if (key == "property") {
+      if (elements.empty()) words.refuse("a property belongs to no element");
+      Property property;
+      if (words.take("list")) property.count_type = words.next();
+      property.type = words.next();
+      property.name = words.next();
+      elements.back().properties.push_back(property);
+      continue;
+    }
+    words.rest_of_line();
+  }
+  body = words.text().find('\n', words.text().find("end_header")) + 1;
+  if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+    throw ObstacleError(words.path() +
+                        ": the PLY file names no format of ascii, binary_little_endian, binary_big_endian");
+  PlyNumbers numbers(words, format, body);
+  std::vector<int> points;
+  for (const Element& element : elements)
+    if (!element.properties.empty()) read_ply_element(words, element, numbers, points, builder);
+}
+
+}  // namespace
+
+TriangleMesh read_triangle_mesh(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending != ".stl" && ending != ".obj" && ending != ".ply")
+    throw ObstacleError(path + ": the file's name must end in .stl, .obj or .ply");
+  Words words(path);
+  Builder builder(path);
+  if (ending == ".stl") read_stl(words, builder);
+  if (ending == ".obj") read_obj(words, builder);
+  if (ending == ".ply") read_ply(words, builder);
+  return builder.take();
+}
+
+}  // namespace plastron::obstacle

@@ -1,0 +1,123 @@
+// The only file that sees CGAL, which compiles slowly.
+#include <plastron/obstacle/error.hpp>
+#include <plastron/obstacle/triangle_features.hpp>
+#include <plastron/obstacle/triangle_surface.hpp>
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace plastron::obstacle {
+
+namespace {
+
+/// Whether triangles cross is decided exactly, distances are computed in double precision.
+using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Fast = CGAL::Simple_cartesian<double>;
+using FastTriangles = std::vector<Fast::Triangle_3>;
+using BoxTree =
+    CGAL::AABB_tree<CGAL::AABB_traits<Fast, CGAL::AABB_triangle_primitive<Fast, FastTriangles::const_iterator>>>;
+
+Exact::Point_3 exact(const Vector3d& p) { return {p[0], p[1], p[2]}; }
+Fast::Point_3 fast(const Vector3d& p) { return {p[0], p[1], p[2]}; }
+
+/// Triangles that share a side cross if they fold onto each other; those that share a corner if the side across of one meets the other; all others
+/// if they meet.
+bool cross_each_other(const TriangleMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t) {
+  const auto point = [&](int i) { return exact(mesh.points[static_cast<std::size_t>(i)]); };
+  const auto triangle = [&](const std::array<int, 3>& c) {
+    return Exact::Triangle_3(point(c[0]), point(c[1]), point(c[2]));
+  };
+  std::vector<int> shared, own_s, own_t;
+  for (const int i : s) (std::ranges::count(t, i) ? shared : own_s).push_back(i);
+  for (const int i : t)
+    if (std::ranges::count(s, i) == 0) own_t.push_back(i);
+  if (shared.size() == 3) return true;
+  if (shared.size() == 2)
+    return CGAL::coplanar(point(shared[0]), point(shared[1]), point(own_s[0]), point(own_t[0])) &&
+           CGAL::coplanar_orientation(point(shared[0]), point(shared[1]), point(own_s[0]), point(own_t[0])) ==
+               CGAL::POSITIVE;
+  if (shared.size() == 1)
+    return CGAL::do_intersect(triangle(s), Exact::Segment_3(point(own_t[0]), point(own_t[1]))) ||
+           CGAL::do_intersect(triangle(t), Exact::Segment_3(point(own_s[0]), point(own_s[1])));
+  return CGAL::do_intersect(triangle(s), triangle(t));
+}
+
+struct Crossing {
+  std::size_t first, second;
+};
+
+void check_crossings(const TriangleMesh& mesh, const std::string& name) {
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& c = mesh.triangles[i];
+    boxes.emplace_back(fast(mesh.points[c[0]]).bbox() + fast(mesh.points[c[1]]).bbox() + fast(mesh.points[c[2]]).bbox(),
+                       i);
+  }
+  const auto look = [&](const Box& a, const Box& b) {
+    if (cross_each_other(mesh, mesh.triangles[a.info()], mesh.triangles[b.info()])) throw Crossing{a.info(), b.info()};
+  };
+  try {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
+  } catch (const Crossing& found) {
+    const Vector3d& at = mesh.points[mesh.triangles[found.first][0]];
+    throw ObstacleError(fmt::format(
+        "{}: the surface cuts itself: triangles {} and {} cross near ({:.6g}, {:.6g}, {:.6g}); repair it, or "
+        "give its parts as obstacles of their own",
+        name, std::min(found.first, found.second) + 1, std::max(found.first, found.second) + 1, at[0], at[1], at[2]));
+  }
+}
+
+FastTriangles triangles_of(const TriangleMesh& mesh) {
+  FastTriangles all;
+  all.reserve(mesh.triangles.size());
+  for (const auto& c : mesh.triangles)
+    all.emplace_back(fast(mesh.points[c[0]]), fast(mesh.points[c[1]]), fast(mesh.points[c[2]]));
+  return all;
+}
+
+TriangleMesh checked(TriangleMesh mesh, const std::string& name) {
+  check_closed(mesh, name);
+  check_crossings(mesh, name);
+  return mesh;
+}
+
+}  // namespace
+
+struct TriangleSurface::Tree {
+  TriangleMesh mesh;
+  TriangleFeatures features;
+  FastTriangles triangles;
+  BoxTree boxes;
+
+  explicit Tree(TriangleMesh given)
+      : mesh(std::move(given)),
+        features(mesh),
+        triangles(triangles_of(mesh)),
+        boxes(triangles.begin(), triangles.end()) {
+    boxes.build();
+    boxes.accelerate_distance_queries();
+  }
+};
+
+TriangleSurface::TriangleSurface(TriangleMesh mesh, const std::string& name)
+    : tree_(std::make_shared<const Tree>(checked(std::move(mesh), name))) {}
+
+Nearest TriangleSurface::nearest(const Vector3d& X) const {
+  const auto [at, triangle] = tree_->boxes.closest_point_and_primitive(fast(X));
+  return tree_->features.nearest(tree_->mesh, static_cast<int>(triangle - tree_->triangles.begin()), X);
+}
+
+const TriangleMesh& TriangleSurface::mesh() const { return tree_->mesh; }
+
+}  // namespace plastron::obstacle

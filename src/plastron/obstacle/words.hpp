@@ -1,0 +1,47 @@
+// A file that an obstacle is read from, held within limits, and its words one after the other.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace plastron::obstacle {
+
+inline constexpr std::size_t largest_obstacle_file = std::size_t{256} << 20;  ///< bytes
+
+/// Throws ObstacleError: no such file, no regular file, too large, not readable.
+std::string file_content(const std::string& path);
+
+/// A coordinate of magnitude beyond this is refused: with it computations would overflow.
+inline constexpr double largest_coordinate = 1e50;
+
+class Words {
+ public:
+  explicit Words(const std::string& path) : Words(path, file_content(path)) {}
+  Words(std::string path, std::string text) : path_(std::move(path)), text_(std::move(text)) { skip_blanks(); }
+
+  const std::string& path() const { return path_; }
+  const std::string& text() const { return text_; }
+  std::size_t offset() const { return at_; }
+
+  bool at_end() const { return at_ >= text_.size(); }
+  /// The next word without taking it. Precondition: not at the end.
+  std::string_view peek() const;
+  /// Refuses if there is none.
+  std::string_view next();
+  bool take(std::string_view word);
+  /// The rest of this line, which the last word taken may have ended already.
+  std::string_view rest_of_line();
+  /// Finite and not beyond largest_coordinate; `what` is for the message.
+  double number(const char* what);
+  long integer(const char* what);
+
+  /// Throws ObstacleError: path, line and `what`.
+  [[noreturn]] void refuse(const std::string& what) const;
+
+ private:
+  void skip_blanks();
+  std::string path_, text_;
+  std::size_t at_ = 0, last_end_ = 0;
+};
+
+}  // namespace plastron::obstacle
