@@ -12,19 +12,20 @@ Matrix3d turned() { return Eigen::AngleAxisd(0.7, tilted).toRotationMatrix(); }
 /// All in the unit of length `m`.
 std::vector<Shape> shapes(double m = 1) {
   const Vector3d at = m * Vector3d(0.1, -0.2, 0.15);
-  return {HalfSpace{at, tilted},
-          Ball{at, 0.6 * m},
-          Ball{at, 0.6 * m, true},
-          Cylinder{.point = at, .axis = tilted, .radius = 0.5 * m},
-          Cylinder{.point = at, .axis = tilted, .radius = 0.5 * m, .length = 1.2 * m},
-          Cylinder{.point = at, .axis = tilted, .radius = 0.5 * m, .length = 1.2 * m, .inside = true, .fillet = 0.2 * m},
-          Cylinder{.point = at, .axis = tilted, .radius = 0.4 * m, .length = 1.2 * m, .fillet = 0.4 * m},
-          Box{at, m * Vector3d(1, 0.8, 0.5), turned()},
-          Box{at, m * Vector3d(1, 0.8, 0.5), turned(), 0.2 * m},
-          Torus{at, tilted, 0.7 * m, 0.2 * m},
-          Cone{.apex = at, .axis = tilted, .half_angle = 0.5},
-          Cone{.apex = at, .axis = tilted, .half_angle = 0.8, .height = 0.9 * m},
-          Cone{.apex = at, .axis = tilted, .half_angle = 0.6, .height = 0.9 * m, .fillet = 0.1 * m}};
+  return {
+      HalfSpace{at, tilted},
+      Ball{at, 0.6 * m},
+      Ball{at, 0.6 * m, true},
+      Cylinder{.point = at, .axis = tilted, .radius = 0.5 * m},
+      Cylinder{.point = at, .axis = tilted, .radius = 0.5 * m, .length = 1.2 * m},
+      Cylinder{.point = at, .axis = tilted, .radius = 0.5 * m, .length = 1.2 * m, .inside = true, .fillet = 0.2 * m},
+      Cylinder{.point = at, .axis = tilted, .radius = 0.4 * m, .length = 1.2 * m, .fillet = 0.4 * m},
+      Box{at, m * Vector3d(1, 0.8, 0.5), turned()},
+      Box{at, m * Vector3d(1, 0.8, 0.5), turned(), 0.2 * m},
+      Torus{at, tilted, 0.7 * m, 0.2 * m},
+      Cone{.apex = at, .axis = tilted, .half_angle = 0.5},
+      Cone{.apex = at, .axis = tilted, .half_angle = 0.8, .height = 0.9 * m},
+      Cone{.apex = at, .axis = tilted, .half_angle = 0.6, .height = 0.9 * m, .fillet = 0.1 * m}};
 }
 
 TEST(AnalyticShapes, HaveExactDerivatives) {
@@ -40,7 +41,8 @@ TEST(AnalyticShapes, AreTheSameInMicrometresAndInMegametres) {
   for (const double m : {1e-6, 1e6})
     for (std::size_t k = 0; k < shapes().size(); ++k)
       for (const Vector3d& X : points) {
-        const Nearest one = Obstacle{.shape = shapes()[k]}.nearest(X, 0), other = Obstacle{.shape = shapes(m)[k]}.nearest(m * X, 0);
+        const Nearest one = Obstacle{.shape = shapes()[k]}.nearest(X, 0),
+                      other = Obstacle{.shape = shapes(m)[k]}.nearest(m * X, 0);
         EXPECT_NEAR(other.distance / m, one.distance, 1e-13);
         EXPECT_LT((other.normal - one.normal).norm(), 1e-11);
         EXPECT_LT((other.curvature * m - one.curvature).norm(), 1e-10 * (1 + std::pow(one.curvature.norm(), 2)));

@@ -25,7 +25,8 @@ TEST(AHeightFieldOfZero, IsTheHalfSpaceExactly) {
 TEST(ASlope, IsAHalfSpace) {
   const HeightField slope = height("0.5*X - 0.25*Y + 1");
   const HalfSpace plane{{0, 0, 1}, Vector3d(-0.5, 0.25, 1).normalized()};
-  for (const Vector3d& X : test::random_points(100, 3)) EXPECT_NEAR(slope.nearest(X).distance, plane.nearest(X).distance, 1e-14);
+  for (const Vector3d& X : test::random_points(100, 3))
+    EXPECT_NEAR(slope.nearest(X).distance, plane.nearest(X).distance, 1e-14);
 }
 
 TEST(AWavyFloor, HasExactDerivatives) {
@@ -83,7 +84,8 @@ TEST(ARaster, ApproachesTheExpressionItWasMadeFrom) {
 }
 
 TEST(ARaster, HasExactDerivatives) {
-  test::expect_exact_derivatives(HeightField(std::make_shared<const Raster>(wave_raster(11))), test::random_points(100, 0.15), 1, 3);
+  test::expect_exact_derivatives(HeightField(std::make_shared<const Raster>(wave_raster(11))),
+                                 test::random_points(100, 0.15), 1, 3);
 }
 
 TEST(ARaster, SaysWhereItDoesNotReach) {

@@ -28,7 +28,8 @@ inline void expect_exact_derivatives(const Shape& shape, const std::vector<Vecto
     EXPECT_NEAR(at.normal.norm(), 1, 1e-12);
     double off = 0;
     for (int i = 0; i < 3; ++i) {
-      const Nearest ahead = body.nearest(X + step * Vector3d::Unit(i), 0), behind = body.nearest(X - step * Vector3d::Unit(i), 0);
+      const Nearest ahead = body.nearest(X + step * Vector3d::Unit(i), 0),
+                    behind = body.nearest(X - step * Vector3d::Unit(i), 0);
       off = std::max(off, std::abs((ahead.distance - behind.distance) / (2 * step) - at.normal[i]));
       const Vector3d bend = (ahead.normal - behind.normal) / (2 * step);
       off = std::max(off, (bend - at.curvature.col(i)).norm() * size / (1 + std::pow(at.curvature.norm() * size, 3)));

@@ -18,7 +18,11 @@ double area(const TriangleMesh& mesh) {
 
 TEST(ADrawnSurface, LiesOnTheObstacleAndLooksToTheFreeSide) {
   const std::vector<Shape> shapes{
-      Ball{{0.1, 0, 0}, 0.05}, Ball{.radius = 1, .inside = true}, Cylinder{.radius = 0.5}, Torus{}, Box{},
+      Ball{{0.1, 0, 0}, 0.05},
+      Ball{.radius = 1, .inside = true},
+      Cylinder{.radius = 0.5},
+      Torus{},
+      Box{},
       HeightField(std::make_shared<const geometry::SpaceFunction>("0.2*cos(X)*Y", geometry::Constants{}))};
   for (const Shape& shape : shapes) {
     Obstacle body{.shape = shape, .translation = {0, 0, 0.4}};

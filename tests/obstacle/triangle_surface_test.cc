@@ -13,7 +13,8 @@ namespace {
 /// A box from its corners, two triangles a side.
 TriangleMesh box_mesh(const Vector3d& low, const Vector3d& high) {
   TriangleMesh mesh;
-  for (int i = 0; i < 8; ++i) mesh.points.emplace_back(i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]);
+  for (int i = 0; i < 8; ++i)
+    mesh.points.emplace_back(i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]);
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return mesh;
@@ -33,7 +34,8 @@ TriangleMesh ball_mesh(int rounds) {
     std::vector<std::array<int, 3>> finer;
     for (const auto& [a, b, c] : mesh.triangles) {
       const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      for (const auto& t : {std::array{a, ab, ca}, std::array{b, bc, ab}, std::array{c, ca, bc}, std::array{ab, bc, ca}})
+      for (const auto& t :
+           {std::array{a, ab, ca}, std::array{b, bc, ab}, std::array{c, ca, bc}, std::array{ab, bc, ca}})
         finer.push_back(t);
     }
     mesh.triangles = finer;
@@ -80,7 +82,8 @@ TEST(ATriangulatedBall, ApproachesTheBall) {
   for (const int rounds : {3, 5}) {
     const TriangleSurface surface(ball_mesh(rounds));
     double off = 0;
-    for (const Vector3d& X : test::random_points(300, 1.2)) off = std::max(off, std::abs(surface.nearest(X).distance - Ball{}.nearest(X).distance));
+    for (const Vector3d& X : test::random_points(300, 1.2))
+      off = std::max(off, std::abs(surface.nearest(X).distance - Ball{}.nearest(X).distance));
     EXPECT_LT(off, last / 8);
     last = off;
   }
@@ -162,12 +165,14 @@ TEST(Files, OfAllFormatsGiveTheSameSurface) {
       binary << std::string(2, '\0');
     }
     text << "endsolid a box\n";
-    ply << "ply\nformat ascii 1.0\ncomment element none\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n"
+    ply << "ply\nformat ascii 1.0\ncomment element none\nelement vertex 8\nproperty double x\nproperty double "
+           "y\nproperty double z\n"
            "element face 12\nproperty list uchar int vertex_indices\nend_header\n";
     for (const auto& p : box.points) obj << "v " << p.transpose() << "\n", ply << p.transpose() << "\n";
     obj << "# two faces are quadrilaterals\nf 1//1 3//1 4//1 2//1\nf 5 6 8 7\n";
     for (std::size_t t = 4; t < 12; ++t)
-      obj << "f " << box.triangles[t][0] + 1 << " " << box.triangles[t][1] - 8 << " " << box.triangles[t][2] + 1 << "\n";
+      obj << "f " << box.triangles[t][0] + 1 << " " << box.triangles[t][1] - 8 << " " << box.triangles[t][2] + 1
+          << "\n";
     for (const auto& t : box.triangles) ply << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
   }
   for (const char* name : {"a.stl", "b.stl", "c.obj", "d.ply"}) {
@@ -177,7 +182,8 @@ TEST(Files, OfAllFormatsGiveTheSameSurface) {
   }
   std::ofstream(path("e.stl")) << "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n";
   std::ofstream(path("f.stl"), std::ios::binary) << std::string(300, 'x');
-  for (const char* name : {"e.stl", "f.stl", "none.stl", "a.step"}) EXPECT_THROW(read_triangle_mesh(path(name)), ObstacleError) << name;
+  for (const char* name : {"e.stl", "f.stl", "none.stl", "a.step"})
+    EXPECT_THROW(read_triangle_mesh(path(name)), ObstacleError) << name;
   std::filesystem::remove_all(folder);
 }
 

@@ -18,12 +18,7 @@ Key length_key(const std::string& name, const std::string& meaning) {
 }
 
 Key radius_key(const std::string& name, const std::string& meaning, const std::string& example) {
-  return {.name = name,
-          .unit = "m",
-          .required = true,
-          .range = positive(),
-          .meaning = meaning,
-          .example = example};
+  return {.name = name, .unit = "m", .required = true, .range = positive(), .meaning = meaning, .example = example};
 }
 
 Key fillet_key(const std::string& meaning) {
@@ -41,7 +36,8 @@ Section obstacle_section() {
   return {
       "obstacle",
       "[[obstacle]]",
-      "A rigid body the shell cannot enter: exactly one of the shapes half_space to surface. There may be several: floor "
+      "A rigid body the shell cannot enter: exactly one of the shapes half_space to surface. There may be several: "
+      "floor "
       "and wall, floor and ceiling.",
       {{.name = "name",
         .kind = Kind::name,
@@ -54,11 +50,13 @@ Section obstacle_section() {
        {.name = "cone", .kind = Kind::table, .meaning = "a cone"},
        {.name = "height_field",
         .kind = Kind::table,
-        .meaning = "all below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate give its frame"},
+        .meaning =
+            "all below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate give its frame"},
        {.name = "distance",
         .kind = Kind::space_formula,
-        .meaning = "all points where the expression is not positive; its size elsewhere does not count, for the distance to "
-                   "its zero set is found; its gradient must not be zero"},
+        .meaning =
+            "all points where the expression is not positive; its size elsewhere does not count, for the distance to "
+            "its zero set is found; its gradient must not be zero"},
        {.name = "surface",
         .kind = Kind::text,
         .meaning = "a file .stl, .obj or .ply of at most 256 MB and two million triangles, its path relative to the "
@@ -153,9 +151,10 @@ Section height_field_section() {
           {{.name = "expression", .kind = Kind::space_formula, .unit = "m", .meaning = "the height h(X, Y); no Z"},
            {.name = "file",
             .kind = Kind::text,
-            .meaning = "an ESRI ASCII grid (ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the "
-                       "heights, that of the greatest Y first) of at most four million heights, its path relative to "
-                       "the case file; a bicubic spline goes through them, and the shell must be above it"}}};
+            .meaning =
+                "an ESRI ASCII grid (ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the "
+                "heights, that of the greatest Y first) of at most four million heights, its path relative to "
+                "the case file; a bicubic spline goes through them, and the shell must be above it"}}};
 }
 
 }  // namespace

@@ -91,9 +91,10 @@ MaybeShape read_torus(Table& table) {
   const auto radius = table.number("radius"), tube_radius = table.number("tube_radius");
   if (!centre || !axis || !radius || !tube_radius) return {};
   if (*tube_radius < *radius) return obstacle::Torus{*centre, *axis, *radius, *tube_radius};
-  table.report("tube_radius",
-               fmt::format("the ring has no hole: tube_radius = {} is not less than radius = {}", *tube_radius, *radius),
-               "0 < tube_radius < radius");
+  table.report(
+      "tube_radius",
+      fmt::format("the ring has no hole: tube_radius = {} is not less than radius = {}", *tube_radius, *radius),
+      "0 < tube_radius < radius");
   return {};
 }
 
@@ -133,9 +134,8 @@ MaybeShape made(const Table& table, const std::string& name, const std::string& 
 MaybeShape read_surface(Table& obstacle) {
   const auto path = read_path(obstacle, "surface");
   if (!path) return {};
-  return made(obstacle, "surface", "a file .stl, .obj or .ply with the closed surface of a body, turned outward", [&] {
-    return obstacle::TriangleSurface(obstacle::read_triangle_mesh(*path), *path);
-  });
+  return made(obstacle, "surface", "a file .stl, .obj or .ply with the closed surface of a body, turned outward",
+              [&] { return obstacle::TriangleSurface(obstacle::read_triangle_mesh(*path), *path); });
 }
 
 /// The function under a key, noted as effective.

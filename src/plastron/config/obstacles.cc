@@ -11,7 +11,8 @@ namespace {
 /// Where the shape stands: `rotate`, then `translate`.
 std::optional<obstacle::Placement> read_placement(Table& table) {
   const auto shift = table.vector("translate");
-  if (!table.has("rotate")) return shift ? std::optional(obstacle::placed({0, 0, 1}, 0, {0, 0, 0}, *shift)) : std::nullopt;
+  if (!table.has("rotate"))
+    return shift ? std::optional(obstacle::placed({0, 0, 1}, 0, {0, 0, 0}, *shift)) : std::nullopt;
   auto rotate = table.table("rotate");
   if (!rotate) return {};
   const auto axis = read_direction(*rotate, "axis"), about = rotate->vector("about");

@@ -133,8 +133,9 @@ std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading,
 std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& reading, const Item& item) {
   if (item.value.is_integer() || item.value.is_floating()) {
     const auto value = plain_number(reading, item);
-    return value ? std::make_shared<const geometry::SpaceFunction>(fmt::format("{:.17g}", *value), geometry::Constants{})
-                 : nullptr;
+    return value
+               ? std::make_shared<const geometry::SpaceFunction>(fmt::format("{:.17g}", *value), geometry::Constants{})
+               : nullptr;
   }
   if (!item.value.is_string()) {
     report_kind(reading, item, Kind::space_formula);

@@ -33,8 +33,7 @@ struct Cylinder {
       corner.distance -= fillet;
       return corner;
     }
-    return over[0] >= over[1] ? distance_to_line(at[0] - radius, out)
-                              : distance_to_line(side * at[1] - length / 2, up);
+    return over[0] >= over[1] ? distance_to_line(at[0] - radius, out) : distance_to_line(side * at[1] - length / 2, up);
   }
 };
 

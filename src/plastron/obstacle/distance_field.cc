@@ -64,7 +64,8 @@ Vector3d DistanceField::foot(const Vector3d& X, Vector3d Y) const {
     Vector3d next = Y;
     SpaceJet there = f;
     double then = off;
-    for (const Vector3d& way : {newton, tangent, Vector3d(tangent / 2), Vector3d(tangent / 8), Vector3d(tangent / 64)}) {
+    for (const Vector3d& way :
+         {newton, tangent, Vector3d(tangent / 2), Vector3d(tangent / 8), Vector3d(tangent / 64)}) {
       const Vector3d trial = Y + way;
       const SpaceJet at = (*function_)(trial);
       const double size = at.gradient.norm();

@@ -58,8 +58,8 @@ void HeightField::refuse(const Vector3d& X, const char* what) const {
   if (const auto* raster = std::get_if<std::shared_ptr<const Raster>>(&heights_))
     range = fmt::format("; the raster covers x from {:.6g} to {:.6g} and y from {:.6g} to {:.6g}", (*raster)->from()[0],
                         (*raster)->to()[0], (*raster)->from()[1], (*raster)->to()[1]);
-  throw ObstacleError(
-      fmt::format("the height field {} ({:.6g}, {:.6g}, {:.6g}) in its own coordinates{}", what, X[0], X[1], X[2], range));
+  throw ObstacleError(fmt::format("the height field {} ({:.6g}, {:.6g}, {:.6g}) in its own coordinates{}", what, X[0],
+                                  X[1], X[2], range));
 }
 
 // Newton's method where the objective is convex, else without the part of the Hessian that is not; steps are halved until they help.
@@ -76,7 +76,8 @@ Vector2d HeightField::descend(const Vector3d& X, Vector2d p) const {
       const Objective next = objective(X, trial, height(trial));
       const bool descends = next.value < f.value + 1e-4 * share * f.gradient.dot(full);
       // Beyond the rounding of its value the objective falls unseen, but its gradient is still seen to.
-      const bool polishes = newton && next.value <= f.value * (1 + 1e-14) && next.gradient.norm() < f.gradient.norm() / 2;
+      const bool polishes =
+          newton && next.value <= f.value * (1 + 1e-14) && next.gradient.norm() < f.gradient.norm() / 2;
       if (!descends && !polishes) continue;
       p = trial;
       f = next;

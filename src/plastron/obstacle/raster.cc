@@ -17,7 +17,8 @@ namespace {
 /// Values of the spline's four pieces at t in [0, 1], or of a derivative: d = 0, 1, 2.
 std::array<double, 4> pieces(double t, int d) {
   const double s = 1 - t;
-  if (d == 0) return {s * s * s / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * s * s + 3 * s * s * s) / 6, t * t * t / 6};
+  if (d == 0)
+    return {s * s * s / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * s * s + 3 * s * s * s) / 6, t * t * t / 6};
   if (d == 1) return {-s * s / 2, (3 * t * t - 4 * t) / 2, (4 * s - 3 * s * s) / 2, t * t / 2};
   return {s, 3 * t - 2, 3 * s - 2, t};
 }
@@ -52,8 +53,8 @@ struct Header {
   std::size_t count(const Words& words, const std::string& name) const {
     const double n = wanted(words, name);
     if (n == std::floor(n) && n >= 2 && n <= most_raster_points) return static_cast<std::size_t>(n);
-    throw ObstacleError(fmt::format("{}: {} is {}; a whole number from 2 to {} is wanted", words.path(), name, n,
-                                    most_raster_points));
+    throw ObstacleError(
+        fmt::format("{}: {} is {}; a whole number from 2 to {} is wanted", words.path(), name, n, most_raster_points));
   }
 };
 
@@ -104,8 +105,8 @@ Raster read_raster(const std::string& path) {
   const Header header = read_header(words);
   const std::size_t columns = header.count(words, "ncols"), rows = header.count(words, "nrows");
   if (columns * rows > most_raster_points)
-    throw ObstacleError(fmt::format("{}: the grid has {} heights, at most {} are allowed", path, columns * rows,
-                                    most_raster_points));
+    throw ObstacleError(
+        fmt::format("{}: the grid has {} heights, at most {} are allowed", path, columns * rows, most_raster_points));
   const double cell = header.wanted(words, "cellsize");
   if (!(cell > 0)) throw ObstacleError(fmt::format("{}: cellsize is {}, but must be greater than 0", path, cell));
   const auto none = header.numbers.find("nodata_value");

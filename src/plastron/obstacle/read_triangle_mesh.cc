@@ -29,7 +29,8 @@ class Builder {
 
   int add_point(const Vector3d& p) {
     if (!(p.cwiseAbs().maxCoeff() <= largest_coordinate)) throw ObstacleError(path_ + ": a coordinate is not finite");
-    const auto [found, is_new] = number_.try_emplace({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, static_cast<int>(mesh_.points.size()));
+    const auto [found, is_new] =
+        number_.try_emplace({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, static_cast<int>(mesh_.points.size()));
     if (is_new) mesh_.points.push_back(p);
     return found->second;
   }
@@ -119,8 +120,9 @@ bool is_binary_stl(const std::string& text) {
 void read_stl(Words& words, Builder& builder) {
   if (!is_binary_stl(words.text())) {
     if (words.at_end() || words.peek() != "solid")
-      throw ObstacleError(words.path() + ": this is no STL file: it neither begins with \"solid\" nor has the length "
-                                         "that a binary one states; it may have been cut off");
+      throw ObstacleError(words.path() +
+                          ": this is no STL file: it neither begins with \"solid\" nor has the length "
+                          "that a binary one states; it may have been cut off");
     return read_ascii_stl(words, builder);
   }
   Bytes bytes(words.path(), words.text(), 80);
@@ -177,7 +179,9 @@ struct Element {
 class PlyNumbers {
  public:
   PlyNumbers(Words& words, const std::string& format, std::size_t body)
-      : words_(words), is_text_(format == "ascii"), bytes_(words.path(), words.text(), body, format == "binary_big_endian") {}
+      : words_(words),
+        is_text_(format == "ascii"),
+        bytes_(words.path(), words.text(), body, format == "binary_big_endian") {}
 
   double take(const std::string& type) {
     if (is_text_) return words_.number("a number");
@@ -198,7 +202,8 @@ class PlyNumbers {
   Bytes bytes_;
 };
 
-void read_ply_element(Words& words, const Element& element, PlyNumbers& numbers, std::vector<int>& points, Builder& builder) {
+void read_ply_element(Words& words, const Element& element, PlyNumbers& numbers, std::vector<int>& points,
+                      Builder& builder) {
   for (std::size_t i = 0; i < element.count; ++i) {
     Vector3d at = Vector3d::Zero();
     std::vector<int> corners;
@@ -210,9 +215,11 @@ void read_ply_element(Words& words, const Element& element, PlyNumbers& numbers,
         const double value = numbers.take(property.type);
         for (int a = 0; a < 3; ++a)
           if (property.name == std::string(1, "xyz"[a])) at[a] = value;
-        if (element.name != "face" || property.count_type.empty() || property.name.find("ind") == std::string::npos) continue;
+        if (element.name != "face" || property.count_type.empty() || property.name.find("ind") == std::string::npos)
+          continue;
         if (!(value >= 0 && value < static_cast<double>(points.size())))
-          throw ObstacleError(fmt::format("{}: face {} names the point {}, which does not exist", words.path(), i + 1, value));
+          throw ObstacleError(
+              fmt::format("{}: face {} names the point {}, which does not exist", words.path(), i + 1, value));
         corners.push_back(points[static_cast<std::size_t>(value)]);
       }
     }
@@ -249,7 +256,8 @@ void read_ply(Words& words, Builder& builder) {
   }
   body = words.text().find('\n', words.text().find("end_header")) + 1;
   if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-    throw ObstacleError(words.path() + ": the PLY file names no format of ascii, binary_little_endian, binary_big_endian");
+    throw ObstacleError(words.path() +
+                        ": the PLY file names no format of ascii, binary_little_endian, binary_big_endian");
   PlyNumbers numbers(words, format, body);
   std::vector<int> points;
   for (const Element& element : elements)

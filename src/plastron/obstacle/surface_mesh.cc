@@ -24,9 +24,7 @@ double level_of(const Body& body, const Vector3d& x) {
     return body.nearest(x).distance;
 }
 
-Extent around(const Vector3d& centre, double reach) {
-  return {centre.array() - reach, centre.array() + reach};
-}
+Extent around(const Vector3d& centre, double reach) { return {centre.array() - reach, centre.array() + reach}; }
 
 /// What certainly holds a shape that is bounded, a little larger.
 std::optional<Extent> reach_of(const Shape& shape) {
@@ -36,7 +34,8 @@ std::optional<Extent> reach_of(const Shape& shape) {
     const Vector3d half = margin / 2 * (box->axes.cwiseAbs() * box->size);
     return Extent{box->centre - half, box->centre + half};
   }
-  if (const auto* torus = std::get_if<Torus>(&shape)) return around(torus->centre, margin * (torus->radius + torus->tube_radius));
+  if (const auto* torus = std::get_if<Torus>(&shape))
+    return around(torus->centre, margin * (torus->radius + torus->tube_radius));
   if (const auto* c = std::get_if<Cylinder>(&shape); c && std::isfinite(c->length))
     return around(c->point, margin * std::hypot(c->length / 2, c->radius));
   if (const auto* c = std::get_if<Cone>(&shape); c && std::isfinite(c->height))
@@ -66,9 +65,7 @@ class Marching {
   }
 
  private:
-  Vector3d point(int i) const {
-    return low_ + step_.cwiseProduct(Vector3d(i % n_, (i / n_) % n_, i / (n_ * n_)));
-  }
+  Vector3d point(int i) const { return low_ + step_.cwiseProduct(Vector3d(i % n_, (i / n_) % n_, i / (n_ * n_))); }
 
   /// Six tetrahedra around the diagonal of the cell, one for each order of the axes.
   void cell(int first) {
@@ -137,7 +134,8 @@ TriangleMesh rectangle(const HalfSpace& body, const Extent& extent) {
   const double reach = (extent.high - extent.low).norm() / 2, distance = body.nearest(middle).distance;
   if (std::abs(distance) > reach) return {};
   const Vector3d foot = middle - distance * body.normal, u = body.normal.unitOrthogonal(), v = body.normal.cross(u);
-  return {{foot - reach * u - reach * v, foot + reach * u - reach * v, foot + reach * u + reach * v, foot - reach * u + reach * v},
+  return {{foot - reach * u - reach * v, foot + reach * u - reach * v, foot + reach * u + reach * v,
+           foot - reach * u + reach * v},
           {{0, 1, 2}, {0, 2, 3}}};
 }
 
@@ -146,7 +144,9 @@ TriangleMesh marched(const Shape& shape, Extent extent, int intervals) {
     extent = {extent.low.cwiseMax(reach->low), extent.high.cwiseMin(reach->high)};
     if ((extent.low.array() >= extent.high.array()).any()) return {};
   }
-  const Level level = [&](const Vector3d& x) { return std::visit([&](const auto& body) { return level_of(body, x); }, shape); };
+  const Level level = [&](const Vector3d& x) {
+    return std::visit([&](const auto& body) { return level_of(body, x); }, shape);
+  };
   return Marching(level, extent, intervals).surface();
 }
 

@@ -47,7 +47,9 @@ Foot foot_of(const Vector3d& X, const std::array<Vector3d, 3>& p, const Vector3d
 }  // namespace
 
 TriangleFeatures::TriangleFeatures(const TriangleMesh& mesh)
-    : faces_(mesh.triangles.size()), sides_(mesh.triangles.size()), corners_(mesh.points.size(), {Vector3d::Zero(), true}) {
+    : faces_(mesh.triangles.size()),
+      sides_(mesh.triangles.size()),
+      corners_(mesh.points.size(), {Vector3d::Zero(), true}) {
   std::unordered_map<std::uint64_t, int> on_left;
   on_left.reserve(3 * mesh.triangles.size());
   std::vector<Vector3d> first(mesh.points.size(), Vector3d::Zero());

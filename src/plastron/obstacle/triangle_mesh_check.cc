@@ -60,18 +60,19 @@ void check_sides(const TriangleMesh& mesh, const std::vector<Side>& sides, const
         fmt::format("from {} to {}", shown(mesh.points[sides[i].low]), shown(mesh.points[sides[i].high]));
     if (end - i == 1 && open++ == 0) first_open = i;
     if (end - i > 2)
-      throw ObstacleError(fmt::format("{}: {} triangles meet in the side {}; the surface must be that of one body, "
-                                      "where two do",
-                                      name, end - i, place));
+      throw ObstacleError(
+          fmt::format("{}: {} triangles meet in the side {}; the surface must be that of one body, "
+                      "where two do",
+                      name, end - i, place));
     if (end - i == 2 && sides[i].rises == sides[i + 1].rises)
-      throw ObstacleError(fmt::format("{}: the triangles on the side {} are not turned alike; orient all of them outward",
-                                      name, place));
+      throw ObstacleError(fmt::format(
+          "{}: the triangles on the side {} are not turned alike; orient all of them outward", name, place));
   }
   if (open > 0)
-    throw ObstacleError(fmt::format("{}: the surface is not closed: {} sides have one triangle only, the first from {} "
-                                    "to {}; close it, or join points that should be one",
-                                    name, open, shown(mesh.points[sides[first_open].low]),
-                                    shown(mesh.points[sides[first_open].high])));
+    throw ObstacleError(
+        fmt::format("{}: the surface is not closed: {} sides have one triangle only, the first from {} "
+                    "to {}; close it, or join points that should be one",
+                    name, open, shown(mesh.points[sides[first_open].low]), shown(mesh.points[sides[first_open].high])));
 }
 
 /// The part of each triangle: those that hang together by sides have the same number, counted from 0.
@@ -121,11 +122,11 @@ void check_outward(const TriangleMesh& mesh, const std::vector<int>& part, const
       if (part[t] != p) around += solid_angle(mesh, mesh.triangles[t], origin[p]);
     const bool within = std::abs(around) > 2 * std::numbers::pi;
     if (within == (volume[p] > 0))
-      throw ObstacleError(
-          within ? fmt::format("{}: the part at {} lies inside of another; a cavity must be turned inward", name,
-                               shown(origin[p]))
-                 : fmt::format("{}: the surface is turned inward{}; turn its triangles around", name,
-                               count > 1 ? " at " + shown(origin[p]) : ""));
+      throw ObstacleError(within
+                              ? fmt::format("{}: the part at {} lies inside of another; a cavity must be turned inward",
+                                            name, shown(origin[p]))
+                              : fmt::format("{}: the surface is turned inward{}; turn its triangles around", name,
+                                            count > 1 ? " at " + shown(origin[p]) : ""));
   }
 }
 

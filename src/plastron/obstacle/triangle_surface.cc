@@ -23,7 +23,8 @@ namespace {
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Fast = CGAL::Simple_cartesian<double>;
 using FastTriangles = std::vector<Fast::Triangle_3>;
-using BoxTree = CGAL::AABB_tree<CGAL::AABB_traits<Fast, CGAL::AABB_triangle_primitive<Fast, FastTriangles::const_iterator>>>;
+using BoxTree =
+    CGAL::AABB_tree<CGAL::AABB_traits<Fast, CGAL::AABB_triangle_primitive<Fast, FastTriangles::const_iterator>>>;
 
 Exact::Point_3 exact(const Vector3d& p) { return {p[0], p[1], p[2]}; }
 Fast::Point_3 fast(const Vector3d& p) { return {p[0], p[1], p[2]}; }
@@ -32,7 +33,9 @@ Fast::Point_3 fast(const Vector3d& p) { return {p[0], p[1], p[2]}; }
 /// if they meet.
 bool cross_each_other(const TriangleMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t) {
   const auto point = [&](int i) { return exact(mesh.points[static_cast<std::size_t>(i)]); };
-  const auto triangle = [&](const std::array<int, 3>& c) { return Exact::Triangle_3(point(c[0]), point(c[1]), point(c[2])); };
+  const auto triangle = [&](const std::array<int, 3>& c) {
+    return Exact::Triangle_3(point(c[0]), point(c[1]), point(c[2]));
+  };
   std::vector<int> shared, own_s, own_t;
   for (const int i : s) (std::ranges::count(t, i) ? shared : own_s).push_back(i);
   for (const int i : t)
@@ -58,7 +61,8 @@ void check_crossings(const TriangleMesh& mesh, const std::string& name) {
   boxes.reserve(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& c = mesh.triangles[i];
-    boxes.emplace_back(fast(mesh.points[c[0]]).bbox() + fast(mesh.points[c[1]]).bbox() + fast(mesh.points[c[2]]).bbox(), i);
+    boxes.emplace_back(fast(mesh.points[c[0]]).bbox() + fast(mesh.points[c[1]]).bbox() + fast(mesh.points[c[2]]).bbox(),
+                       i);
   }
   const auto look = [&](const Box& a, const Box& b) {
     if (cross_each_other(mesh, mesh.triangles[a.info()], mesh.triangles[b.info()])) throw Crossing{a.info(), b.info()};
@@ -67,17 +71,18 @@ void check_crossings(const TriangleMesh& mesh, const std::string& name) {
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
   } catch (const Crossing& found) {
     const Vector3d& at = mesh.points[mesh.triangles[found.first][0]];
-    throw ObstacleError(
-        fmt::format("{}: the surface cuts itself: triangles {} and {} cross near ({:.6g}, {:.6g}, {:.6g}); repair it, or "
-                    "give its parts as obstacles of their own",
-                    name, std::min(found.first, found.second) + 1, std::max(found.first, found.second) + 1, at[0], at[1], at[2]));
+    throw ObstacleError(fmt::format(
+        "{}: the surface cuts itself: triangles {} and {} cross near ({:.6g}, {:.6g}, {:.6g}); repair it, or "
+        "give its parts as obstacles of their own",
+        name, std::min(found.first, found.second) + 1, std::max(found.first, found.second) + 1, at[0], at[1], at[2]));
   }
 }
 
 FastTriangles triangles_of(const TriangleMesh& mesh) {
   FastTriangles all;
   all.reserve(mesh.triangles.size());
-  for (const auto& c : mesh.triangles) all.emplace_back(fast(mesh.points[c[0]]), fast(mesh.points[c[1]]), fast(mesh.points[c[2]]));
+  for (const auto& c : mesh.triangles)
+    all.emplace_back(fast(mesh.points[c[0]]), fast(mesh.points[c[1]]), fast(mesh.points[c[2]]));
   return all;
 }
 
@@ -96,7 +101,10 @@ struct TriangleSurface::Tree {
   BoxTree boxes;
 
   explicit Tree(TriangleMesh given)
-      : mesh(std::move(given)), features(mesh), triangles(triangles_of(mesh)), boxes(triangles.begin(), triangles.end()) {
+      : mesh(std::move(given)),
+        features(mesh),
+        triangles(triangles_of(mesh)),
+        boxes(triangles.begin(), triangles.end()) {
     boxes.build();
     boxes.accelerate_distance_queries();
   }

@@ -100,7 +100,8 @@ long Words::integer(const char* what) {
 }
 
 void Words::refuse(const std::string& what) const {
-  const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size())), '\n');
+  const auto line =
+      1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size())), '\n');
   throw ObstacleError(fmt::format("{}, line {}: {}", path_, line, what));
 }
 
