@@ -9,6 +9,7 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/config/mistakes.hpp>
 #include <plastron/fem/domain.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <mpi.h>
 #include <CLI/CLI.hpp>
@@ -34,6 +35,9 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
     print_error("error: {}\n", error.what());
     return bad_input;
   } catch (const assembly::SupportError& error) {
+    print_error("error: {}\n", error.what());
+    return bad_input;
+  } catch (const obstacle::ObstacleError& error) {
     print_error("error: {}\n", error.what());
     return bad_input;
   } catch (const assembly::LoadError& error) {

@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/fem/domain.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <mpi.h>
 
@@ -19,7 +20,7 @@ config::Case read_case(const std::filesystem::path& path) {
 
 std::vector<examination::Finding> examine_together(
     const std::function<std::vector<examination::Finding>()>& examination) {
-  return algebra::in_agreement<fem::DomainError>(MPI_COMM_WORLD, examination);
+  return algebra::in_agreement<fem::DomainError, obstacle::ObstacleError>(MPI_COMM_WORLD, examination);
 }
 
 }  // namespace plastron::app

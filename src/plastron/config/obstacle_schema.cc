@@ -36,7 +36,8 @@ Section obstacle_section() {
   return {
       "obstacle",
       "[[obstacle]]",
-      "A rigid body the shell cannot enter: exactly one of the shapes half_space to cone. There may be several: floor "
+      "A rigid body the shell cannot enter: exactly one of the shapes half_space to surface. There may be several: "
+      "floor "
       "and wall, floor and ceiling.",
       {{.name = "name",
         .kind = Kind::name,
@@ -47,6 +48,19 @@ Section obstacle_section() {
        {.name = "box", .kind = Kind::table, .meaning = "a box"},
        {.name = "torus", .kind = Kind::table, .meaning = "a ring"},
        {.name = "cone", .kind = Kind::table, .meaning = "a cone"},
+       {.name = "height_field",
+        .kind = Kind::table,
+        .meaning =
+            "all below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate give its frame"},
+       {.name = "distance",
+        .kind = Kind::space_formula,
+        .meaning =
+            "all points where the expression is not positive; its size elsewhere does not count, for the distance to "
+            "its zero set is found; its gradient must not be zero"},
+       {.name = "surface",
+        .kind = Kind::text,
+        .meaning = "a file .stl, .obj or .ply of at most 256 MB and two million triangles, its path relative to the "
+                   "case file: the closed surface of a body, turned outward, that does not cut itself"},
        {.name = "rotate", .kind = Kind::table, .meaning = "turns the shape before anything else"},
        {.name = "translate",
         .kind = Kind::vector,
@@ -132,11 +146,25 @@ std::vector<Section> plane_sections() {
             fillet_key("radius of its rounded edges and corners, at most half of the shortest side")}}};
 }
 
+Section height_field_section() {
+  return {"obstacle.height_field",
+          "height_field",
+          "Exactly one of these. What counts is the distance to the surface, not the height above it.",
+          {{.name = "expression", .kind = Kind::space_formula, .unit = "m", .meaning = "the height h(X, Y); no Z"},
+           {.name = "file",
+            .kind = Kind::text,
+            .meaning =
+                "an ESRI ASCII grid (ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the "
+                "heights, that of the greatest Y first) of at most four million heights, its path relative to "
+                "the case file; a bicubic spline goes through them, and the shell must be above it"}}};
+}
+
 }  // namespace
 
 std::vector<Section> obstacle_sections() {
   std::vector<Section> all{obstacle_section()};
   for (auto& some : {plane_sections(), round_sections()}) all.insert(all.end(), some.begin(), some.end());
+  all.push_back(height_field_section());
   all.push_back(rotate_section());
   return all;
 }

@@ -1,8 +1,11 @@
 #include <plastron/config/obstacle_shapes.hpp>
+#include <plastron/config/printable.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
-#include <array>
+#include <filesystem>
 #include <functional>
+#include <memory>
 
 namespace plastron::config {
 
@@ -106,6 +109,77 @@ MaybeShape read_cone(Table& table) {
   return fits ? MaybeShape(c) : std::nullopt;
 }
 
+/// The file that a key names, beside the case file; what is wrong with the path is reported.
+std::optional<std::string> read_path(Table& table, const std::string& name) {
+  const auto path = table.text(name);
+  if (!path) return {};
+  if (path->empty() || has_control_characters(*path)) {
+    table.report(name, path->empty() ? fmt::format("the path of {} is empty", name)
+                                     : fmt::format("the path of {} has a control character", name));
+    return {};
+  }
+  return (std::filesystem::path(table.reading().source.file_name()).parent_path() / *path).string();
+}
+
+/// What `make` makes; if it throws an ObstacleError, that is reported about the key.
+MaybeShape made(const Table& table, const std::string& name, const std::string& allowed, const auto& make) {
+  try {
+    return Shape(make());
+  } catch (const obstacle::ObstacleError& error) {
+    table.report(name, printable(error.what()), allowed);
+    return {};
+  }
+}
+
+MaybeShape read_surface(Table& obstacle) {
+  const auto path = read_path(obstacle, "surface");
+  if (!path) return {};
+  return made(obstacle, "surface", "a file .stl, .obj or .ply with the closed surface of a body, turned outward",
+              [&] { return obstacle::TriangleSurface(obstacle::read_triangle_mesh(*path), *path); });
+}
+
+/// The function under a key, noted as effective.
+std::shared_ptr<const geometry::SpaceFunction> read_function(Table& table, const std::string& name) {
+  const toml::value value = table.value(name).value();
+  auto function = read_space_function(table.reading(), Item{value, name});
+  if (function) table.effective[name] = function->text();
+  return function;
+}
+
+MaybeShape read_distance(Table& obstacle) {
+  const auto function = read_function(obstacle, "distance");
+  if (!function) return {};
+  return made(obstacle, "distance", "an expression of X, Y, Z, for example \"sqrt(X^2 + Y^2 + Z^2) - 1\"",
+              [&] { return obstacle::DistanceField(function); });
+}
+
+MaybeShape read_height(Table& table, const std::string& name) {
+  const auto function = read_function(table, name);
+  if (!function) return {};
+  return made(table, name, "an expression of X and Y, for example \"0.02*cos(X)\"",
+              [&] { return obstacle::HeightField(function); });
+}
+
+/// height_field = "expression" or { expression = ... } or { file = ... }.
+MaybeShape read_height_field(Table& obstacle) {
+  const std::string key = "height_field";
+  if (!obstacle.value(key)->is_table()) return read_height(obstacle, key);
+  auto table = obstacle.table(key);
+  const bool has_file = table->has("file");
+  MaybeShape shape;
+  if (has_file == table->has("expression"))
+    obstacle.report(key, has_file ? "height_field has both expression and file" : "height_field names no heights",
+                    "expression or file", "for example height_field = \"0.02*cos(X)\"");
+  else if (!has_file)
+    shape = read_height(*table, "expression");
+  else if (const auto path = read_path(*table, "file"))
+    shape = made(*table, "file", "an ESRI ASCII grid", [&] {
+      return obstacle::HeightField(std::make_shared<const obstacle::Raster>(obstacle::read_raster(*path)));
+    });
+  obstacle.effective[key] = table->effective;
+  return shape;
+}
+
 struct ShapeReader {
   std::string key;
   std::function<MaybeShape(Table&)> read;  ///< of the [[obstacle]]
@@ -123,9 +197,15 @@ ShapeReader in_table(const std::string& key, MaybeShape (*read)(Table&)) {
 }
 
 const std::vector<ShapeReader>& shape_readers() {
-  static const std::vector<ShapeReader> all{in_table("half_space", read_half_space), in_table("ball", read_ball),
-                                            in_table("cylinder", read_cylinder),     in_table("box", read_box),
-                                            in_table("torus", read_torus),           in_table("cone", read_cone)};
+  static const std::vector<ShapeReader> all{in_table("half_space", read_half_space),
+                                            in_table("ball", read_ball),
+                                            in_table("cylinder", read_cylinder),
+                                            in_table("box", read_box),
+                                            in_table("torus", read_torus),
+                                            in_table("cone", read_cone),
+                                            {"height_field", read_height_field},
+                                            {"distance", read_distance},
+                                            {"surface", read_surface}};
   return all;
 }
 

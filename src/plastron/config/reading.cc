@@ -55,6 +55,8 @@ std::optional<double> plain_number(Reading& reading, const Item& item) {
   return {};
 }
 
+const std::vector<std::string> parameters{"x", "y"};
+
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool in_name(char c) { return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)); }
 
@@ -84,7 +86,7 @@ std::optional<geometry::Expression> expression(Reading& reading, const Item& ite
     }
     if (finite(reading, item, parsed(0, 0))) return parsed;
   } catch (const geometry::ExpressionError& error) {
-    report_expression(reading, item, error, parameters_allowed);
+    report_expression(reading, item, error, parameters_allowed ? parameters : std::vector<std::string>{});
   }
   return {};
 }
@@ -128,6 +130,32 @@ std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading,
   return all;
 }
 
+std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& reading, const Item& item) {
+  if (item.value.is_integer() || item.value.is_floating()) {
+    const auto value = plain_number(reading, item);
+    return value
+               ? std::make_shared<const geometry::SpaceFunction>(fmt::format("{:.17g}", *value), geometry::Constants{})
+               : nullptr;
+  }
+  if (!item.value.is_string()) {
+    report_kind(reading, item, Kind::space_formula);
+    return {};
+  }
+  if (!check_expression_text(reading, item) || !reading.constants_complete) return {};
+  const std::string& text = item.value.as_string().str;
+  try {
+    if (const auto at = unlisted_function(text)) throw geometry::ExpressionError("unknown name", *at);
+    return std::make_shared<const geometry::SpaceFunction>(text, reading.constants);
+  } catch (const geometry::NotDifferentiable& error) {
+    reading.report(reading.source.value(item.value),
+                   fmt::format("{} cannot be differentiated twice: {}", item.name, error.reason),
+                   fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
+  } catch (const geometry::ExpressionError& error) {
+    report_expression(reading, item, error, {"X", "Y", "Z"});
+  }
+  return {};
+}
+
 void report_kind(Reading& reading, const Item& item, Kind expected) {
   reading.report(reading.source.value(item.value),
                  fmt::format("{} must be {}, found {}", item.name, description(expected), found(item.value)));
@@ -139,7 +167,7 @@ void report_range(Reading& reading, const Item& item, double value) {
 }
 
 void report_expression(Reading& reading, const Item& item, const geometry::ExpressionError& error,
-                       bool parameters_allowed) {
+                       const std::vector<std::string>& variables) {
   const std::string& text = item.value.as_string().str;
   const std::string word = identifier_at(text, error.position);
   const std::string message = error.what();
@@ -148,12 +176,14 @@ void report_expression(Reading& reading, const Item& item, const geometry::Expre
     reading.report(place, fmt::format("{}: {}", item.name, message));
     return;
   }
-  std::vector<std::string> known;
+  std::vector<std::string> known = variables;
   for (const std::string& name : expression_names())
-    if (parameters_allowed || (name != "x" && name != "y")) known.push_back(name);
+    if (name != "x" && name != "y") known.push_back(name);
   for (const auto& [name, value] : reading.constants) known.push_back(name);
   std::string advice = did_you_mean(word, known);
-  if (word == "x" || word == "y") advice = "x and y are not known here: the value must be constant";
+  if (word == "x" || word == "y")
+    advice = variables.empty() ? "x and y are not known here: the value must be constant"
+                               : "the coordinates in space are X, Y, Z; x and y are the parameters of the mid-surface";
   if (std::ranges::count(reading.later_constants, word) > 0)
     advice = fmt::format("\"{}\" is defined below: constants use those above them", word);
   reading.report(place,

@@ -5,9 +5,10 @@
 #include <plastron/config/limits.hpp>
 #include <plastron/config/schema.hpp>
 #include <plastron/config/source.hpp>
-#include <plastron/geometry/expression.hpp>
+#include <plastron/geometry/space_function.hpp>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -49,11 +50,14 @@ std::optional<int> read_integer(Reading& reading, const Item& item);
 /// A number or an expression that may use x and y; a constant one is finite and in the item's range.
 std::optional<geometry::Expression> read_field(Reading& reading, const Item& item);
 
+/// An expression of X, Y, Z and the constants with two derivatives.
+std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& reading, const Item& item);
+
 void report_kind(Reading& reading, const Item& item, Kind expected);
 void report_range(Reading& reading, const Item& item, double value);
 /// Marks the character of the string that the error is about.
 void report_expression(Reading& reading, const Item& item, const geometry::ExpressionError& error,
-                       bool parameters_allowed);
+                       const std::vector<std::string>& variables);
 /// Refuses what the expressions' library would accept, but the manual does not describe. True if there is none.
 bool check_expression_text(Reading& reading, const Item& item);
 

@@ -1,0 +1,177 @@
+// Marching over tetrahedra: each cell of a grid is cut into six, and the surface crosses a tetrahedron in a triangle or two.
+#include <plastron/obstacle/surface_mesh.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace plastron::obstacle {
+
+namespace {
+
+using Level = std::function<double(const Vector3d&)>;
+
+/// A function that is zero on the surface and positive on the free side; need not be a distance, NaN where there is none.
+template <class Body>
+double level_of(const Body& body, const Vector3d& x) {
+  if constexpr (requires { body.level(x); })
+    return body.level(x);
+  else
+    return body.nearest(x).distance;
+}
+
+Extent around(const Vector3d& centre, double reach) { return {centre.array() - reach, centre.array() + reach}; }
+
+/// What certainly holds a shape that is bounded, a little larger.
+std::optional<Extent> reach_of(const Shape& shape) {
+  constexpr double margin = 1.01;
+  if (const auto* ball = std::get_if<Ball>(&shape)) return around(ball->centre, margin * ball->radius);
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    const Vector3d half = margin / 2 * (box->axes.cwiseAbs() * box->size);
+    return Extent{box->centre - half, box->centre + half};
+  }
+  if (const auto* torus = std::get_if<Torus>(&shape))
+    return around(torus->centre, margin * (torus->radius + torus->tube_radius));
+  if (const auto* c = std::get_if<Cylinder>(&shape); c && std::isfinite(c->length))
+    return around(c->point, margin * std::hypot(c->length / 2, c->radius));
+  if (const auto* c = std::get_if<Cone>(&shape); c && std::isfinite(c->height))
+    return around(c->apex, margin * c->height / std::cos(c->half_angle));
+  return {};
+}
+
+/// The axis-parallel box, in the body's coordinates, of an extent in space.
+Extent in_body(const Extent& extent, const Placement& placement) {
+  const Vector3d middle = placement.to_body((extent.low + extent.high) / 2);
+  const Vector3d half = placement.rotation.transpose().cwiseAbs() * (extent.high - extent.low) / 2;
+  return {middle - half, middle + half};
+}
+
+class Marching {
+ public:
+  Marching(const Level& level, const Extent& extent, int intervals)
+      : level_(level), low_(extent.low), step_((extent.high - extent.low) / intervals), n_(intervals + 1) {}
+
+  TriangleMesh surface() {
+    values_.resize(static_cast<std::size_t>(n_) * n_ * n_);
+    for (int i = 0; i < n_ * n_ * n_; ++i) values_[static_cast<std::size_t>(i)] = level_(point(i));
+    for (int k = 0; k + 1 < n_; ++k)
+      for (int j = 0; j + 1 < n_; ++j)
+        for (int i = 0; i + 1 < n_; ++i) cell(i + n_ * (j + n_ * k));
+    return std::move(mesh_);
+  }
+
+ private:
+  Vector3d point(int i) const { return low_ + step_.cwiseProduct(Vector3d(i % n_, (i / n_) % n_, i / (n_ * n_))); }
+
+  /// Six tetrahedra around the diagonal of the cell, one for each order of the axes.
+  void cell(int first) {
+    const std::array<int, 3> along{1, n_, n_ * n_};
+    std::array<int, 3> order{0, 1, 2};
+    do {
+      const int a = first, b = a + along[order[0]], c = b + along[order[1]], d = c + along[order[2]];
+      tetrahedron({a, b, c, d});
+    } while (std::ranges::next_permutation(order).found);
+  }
+
+  void tetrahedron(const std::array<int, 4>& corners) {
+    std::vector<int> free, held;
+    for (const int c : corners) {
+      if (std::isnan(values_[c])) return;
+      (values_[c] > 0 ? free : held).push_back(c);
+    }
+    if (free.empty() || held.empty()) return;
+    if (free.size() == 2) {
+      const int p = crossing(free[0], held[0]), q = crossing(free[0], held[1]), r = crossing(free[1], held[1]),
+                s = crossing(free[1], held[0]);
+      add({p, q, r}, free[0], held[0]);
+      add({p, r, s}, free[0], held[0]);
+    } else {
+      const bool one_free = free.size() == 1;
+      const int apex = one_free ? free[0] : held[0];
+      const auto& others = one_free ? held : free;
+      add({crossing(apex, others[0]), crossing(apex, others[1]), crossing(apex, others[2])}, free[0], held[0]);
+    }
+  }
+
+  /// Turned so that its normal looks from the held corner to the free one.
+  void add(std::array<int, 3> t, int free, int held) {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
+    const auto& p = mesh_.points;
+    const Vector3d normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+    if (normal.dot(point(free) - point(held)) < 0) std::swap(t[1], t[2]);
+    mesh_.triangles.push_back(t);
+  }
+
+  /// The zero between two corners, by bisection.
+  int crossing(int a, int b) {
+    const auto [found, is_new] = crossings_.try_emplace(std::minmax(a, b), static_cast<int>(mesh_.points.size()));
+    if (!is_new) return found->second;
+    Vector3d free = point(values_[a] > 0 ? a : b), held = point(values_[a] > 0 ? b : a);
+    constexpr int halvings = 30;
+    for (int i = 0; i < halvings; ++i) {
+      const Vector3d middle = (free + held) / 2;
+      (level_(middle) > 0 ? free : held) = middle;
+    }
+    mesh_.points.push_back((free + held) / 2);
+    return found->second;
+  }
+
+  const Level& level_;
+  Vector3d low_, step_;
+  int n_;
+  std::vector<double> values_;
+  std::map<std::pair<int, int>, int> crossings_;
+  TriangleMesh mesh_;
+};
+
+/// The plane's rectangle around the foot of the box's middle, large enough for all of the box.
+TriangleMesh rectangle(const HalfSpace& body, const Extent& extent) {
+  const Vector3d middle = (extent.low + extent.high) / 2;
+  const double reach = (extent.high - extent.low).norm() / 2, distance = body.nearest(middle).distance;
+  if (std::abs(distance) > reach) return {};
+  const Vector3d foot = middle - distance * body.normal, u = body.normal.unitOrthogonal(), v = body.normal.cross(u);
+  return {{foot - reach * u - reach * v, foot + reach * u - reach * v, foot + reach * u + reach * v,
+           foot - reach * u + reach * v},
+          {{0, 1, 2}, {0, 2, 3}}};
+}
+
+TriangleMesh marched(const Shape& shape, Extent extent, int intervals) {
+  if (const auto reach = reach_of(shape)) {
+    extent = {extent.low.cwiseMax(reach->low), extent.high.cwiseMin(reach->high)};
+    if ((extent.low.array() >= extent.high.array()).any()) return {};
+  }
+  const Level level = [&](const Vector3d& x) {
+    return std::visit([&](const auto& body) { return level_of(body, x); }, shape);
+  };
+  return Marching(level, extent, intervals).surface();
+}
+
+/// Leaves out triangles whose middle is outside of the extent.
+void cut(TriangleMesh& mesh, const Extent& extent) {
+  std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) {
+    const Vector3d middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+    return (middle.array() < extent.low.array()).any() || (middle.array() > extent.high.array()).any();
+  });
+}
+
+}  // namespace
+
+TriangleMesh surface_mesh(const Obstacle& obstacle, const Extent& extent, int intervals, double time) {
+  Placement now = obstacle.placement;
+  now.translation += time * obstacle.translation;
+  const Extent of_body = in_body(extent, now);
+  const auto* plane = std::get_if<HalfSpace>(&obstacle.shape);
+  const auto* surface = std::get_if<TriangleSurface>(&obstacle.shape);
+  TriangleMesh mesh = plane     ? rectangle(*plane, of_body)
+                      : surface ? surface->mesh()
+                                : marched(obstacle.shape, of_body, intervals);
+  for (Vector3d& p : mesh.points) p = now.to_space(p);
+  if (!plane) cut(mesh, extent);
+  return mesh;
+}
+
+}  // namespace plastron::obstacle
