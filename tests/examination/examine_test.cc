@@ -337,7 +337,9 @@ computation::Problem turned(computation::Problem p) {
 }
 
 TEST(Face, that_is_the_far_one_is_an_error_that_says_where_a3_points) {
-  for (const computation::Problem& p : {turned(pressed_bowl()), turned(pressed_strip())}) {
+  for (computation::Problem p : {turned(pressed_bowl()), turned(pressed_strip())}) {
+    EXPECT_THAT(errors(p), IsEmpty());  // the nearer face, unless one is named
+    p.obstacles.at(0).face = obstacle::Face::lower;
     EXPECT_THAT(errors(p), testing::Contains(AllOf(HasSubstr("the lower face is to touch"), HasSubstr("the far one"),
                                                    HasSubstr("a_3 = (0, 0, -1)"), HasSubstr("face = \"upper\""))));
     computation::Problem mended = p;
@@ -350,7 +352,11 @@ TEST(Face, that_is_the_far_one_is_an_error_that_says_where_a3_points) {
 }
 
 TEST(Face, that_is_near_is_described) {
-  EXPECT_THAT(texts(pressed_bowl(), Severity::note),
+  computation::Problem p = pressed_bowl();
+  EXPECT_THAT(texts(p, Severity::note), testing::Contains(HasSubstr("the lower face looks at the obstacle")));
+  EXPECT_THAT(texts(turned(p), Severity::note), testing::Contains(HasSubstr("the upper face looks at the obstacle")));
+  p.obstacles.at(0).face = obstacle::Face::lower;
+  EXPECT_THAT(texts(p, Severity::note),
               testing::Contains(AllOf(HasSubstr("a_3 = (0, 0, 1)"), HasSubstr("the lower face is 0.02 m nearer"))));
 }
 

@@ -73,7 +73,7 @@ than a mesh a person would make is refused, too: a rectangle has at most a milli
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
 std::string allowed(const Key& key) {
-  return key.words.empty() ? code(key.range.text(key.name)) : joined(available_names(key.words));
+  return key.words.empty() ? code(key.range.text(key.name)) : joined(word_names(key.words));
 }
 
 std::string fallback(const Key& key) { return key.required ? "required" : code(key.fallback); }

@@ -45,7 +45,6 @@ struct Range {
 
 struct Word {
   std::string name;
-  bool available = true;  ///< false: known, but this version cannot do it
 };
 
 struct Key {
@@ -72,7 +71,7 @@ const Section& section(const std::string& path);
 
 std::vector<std::string> names(const std::vector<Key>& keys);
 /// The names of the words this version can do.
-std::vector<std::string> available_names(const std::vector<Word>& words);
+std::vector<std::string> word_names(const std::vector<Word>& words);
 /// "a number or an expression of the constants", for messages and the manual.
 std::string description(Kind kind);
 /// "a, b, c".

@@ -25,10 +25,10 @@ std::vector<std::string> names(const std::vector<Key>& keys) {
   return all;
 }
 
-std::vector<std::string> available_names(const std::vector<Word>& words) {
+std::vector<std::string> word_names(const std::vector<Word>& words) {
   std::vector<std::string> all;
-  for (const Word& word : words)
-    if (word.available) all.push_back(word.name);
+  all.reserve(words.size());
+  for (const Word& word : words) all.push_back(word.name);
   return all;
 }
 

@@ -54,7 +54,7 @@ bool check_new(Reading& reading, const toml::value& word, const std::string& pla
 std::optional<std::vector<Fixed>> read_fix(Table& support, const std::vector<std::string>& places, FixedOn& fixed_on) {
   const auto words = support.texts("fix");
   if (!words) return {};
-  if (words->empty()) support.report("fix", "fix names no component", joined(available_names(fix_key().words)));
+  if (words->empty()) support.report("fix", "fix names no component", joined(word_names(fix_key().words)));
   const toml::value list = support.value("fix").value();
   const auto is_new_everywhere = [&](const toml::value& word, const std::string& name) {
     return std::ranges::all_of(places, [&](const std::string& place) {
@@ -171,7 +171,7 @@ Places read_places(Table& support, const std::optional<fem::Domain>& domain) {
 void check_components_at_point(const Table& support) {
   const toml::value given = support.value("fix").value_or(toml::value());
   if (!given.is_array()) return;
-  const auto known = available_names(fix_key().words);
+  const auto known = word_names(fix_key().words);
   for (const toml::value& word : given.as_array()) {
     if (!word.is_string()) continue;
     const std::string& name = word.as_string().str;

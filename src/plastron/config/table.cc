@@ -155,14 +155,11 @@ std::optional<assembly::VectorExpression> Table::field_vector(const std::string&
 }
 
 bool Table::check_word(const Key& key, const Item& item, const std::string& word) const {
-  const auto allowed = available_names(key.words);
-  const auto known = std::ranges::find(key.words, word, &Word::name);
-  if (key.words.empty() || (known != key.words.end() && known->available)) return true;
-  const bool later = known != key.words.end();
+  const auto allowed = word_names(key.words);
+  if (allowed.empty() || std::ranges::find(allowed, word) != allowed.end()) return true;
   reading_->report(reading_->source.value(item.value),
-                   later ? fmt::format("{} \"{}\" is not available in this version", item.name, word)
-                         : fmt::format("unknown word \"{}\" for {}", geometry::shortened(word), item.name),
-                   joined(allowed), later ? fmt::format("use \"{}\"", allowed.front()) : did_you_mean(word, allowed));
+                   fmt::format("unknown word \"{}\" for {}", geometry::shortened(word), item.name), joined(allowed),
+                   did_you_mean(word, allowed));
   return false;
 }
 
