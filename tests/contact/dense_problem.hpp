@@ -76,7 +76,7 @@ inline Eigen::VectorXd gathered(const Vector& v) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// z on the subproblem where unknown i is free (side[i] = 0), at its lower (1) or upper bound (2).
+/// z on the subproblem where unknown i is free (side[i] = 0), at its lower (1) or upper bound (2); NaN if a motion is free there.
 inline Eigen::VectorXd minimise_on_face(const DenseProblem& problem, const std::vector<int>& side) {
   Eigen::VectorXd held = Eigen::VectorXd::Zero(problem.size());
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
@@ -92,7 +92,9 @@ inline Eigen::VectorXd minimise_on_face(const DenseProblem& problem, const std::
     K(i, i) = 1;
     right(i) = held(i);
   }
-  return K.llt().solve(right);
+  const Eigen::LLT<Eigen::MatrixXd> factor(K);
+  if (factor.info() != Eigen::Success) return Eigen::VectorXd::Constant(problem.size(), std::nan(""));
+  return factor.solve(right);
 }
 
 /// Whether z on that subproblem fulfils all conditions, up to rounding.

@@ -145,8 +145,16 @@ TEST(Observer, can_stop_the_solver_after_any_iteration) {
   const auto solution = contact::solve_primal_dual_active_set(*problem.box, {}, F, {}, first_only);
   EXPECT_EQ(solution.status, Status::interrupted);
   EXPECT_EQ(seen, 1U);
+}
+
+TEST(Observer, can_stop_every_solver_after_its_first_iteration) {
+  const DistributedProblem problem(random_problem(40, 1));
+  algebra::Factorisation F(problem.matrix);
   for (const contact::Solver solver : contact::all_solvers) {
-    seen = 0;
+    ASSERT_GT(solve_with(solver, *problem.box, F).iterations.size(), 1U) << name_of(solver);
+    std::size_t seen = 0;
+    const contact::Observer first_only{.iteration = [&](const contact::Iteration&) { ++seen; },
+                                       .stop = [] { return true; }};
     const auto stopped = solve_with(solver, *problem.box, F, {}, {}, first_only);
     EXPECT_EQ(stopped.status, Status::interrupted) << name_of(solver);
     EXPECT_EQ(seen, stopped.iterations.size()) << name_of(solver);

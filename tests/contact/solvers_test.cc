@@ -54,16 +54,25 @@ TEST(EverySolver, finds_solutions_with_bounds_that_carry_no_force) {
   }
 }
 
-// Unknown i in units of 1e-6, 1 or 1e6: the solution in other words.
+// What has bounds in units of 1e-6 or of 1e6, anything else in several at once: the solution in other words. Tolerances of gaps are
+// multiples of the largest unknown that has a bound, so these share one unit, as displacements do.
+Eigen::VectorXd units_of(const DenseProblem& dense, unsigned seed) {
+  Eigen::VectorXd unit(dense.size());
+  for (Eigen::Index i = 0; i < unit.size(); ++i) {
+    const bool is_bounded =
+        dense.lower(i) < dense.upper(i) && (std::isfinite(dense.lower(i)) || std::isfinite(dense.upper(i)));
+    unit(i) = is_bounded ? (seed % 2 ? 1e-6 : 1e6) : std::array{1e-6, 1.0, 1e6}[static_cast<std::size_t>(i % 3)];
+  }
+  return unit;
+}
+
 TEST(EverySolver, does_not_mind_units) {
   for (unsigned seed = 1; seed <= problems(60); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const DenseProblem dense = random_problem(2 + seed % 6, seed);
     const auto exact = brute_force(dense);
     ASSERT_TRUE(exact);
-    Eigen::VectorXd unit(dense.size());
-    for (Eigen::Index i = 0; i < unit.size(); ++i)
-      unit(i) = std::array{1e-6, 1.0, 1e6}[static_cast<std::size_t>(i % 3)];
+    const Eigen::VectorXd unit = units_of(dense, seed);
     const Eigen::VectorXd inverse = unit.cwiseInverse();
     const DistributedProblem problem({.A = inverse.asDiagonal() * dense.A * inverse.asDiagonal(),
                                       .b = inverse.cwiseProduct(dense.b),

@@ -34,9 +34,15 @@ class DualAscent {
     Vector q = solution_.equation_multiplier.layout() ? solution_.equation_multiplier : problem_.equations->multipliers;
     std::optional<DualPoint> here = evaluate(std::move(q), solution_.activity);
     while (here) {
-      const std::optional<Vector> best = maximise_on(here->set, here->q);
+      SubproblemSolver subproblems(problem_, preconditioner_, settings_);
+      const std::optional<Vector> best = maximise_on(subproblems, here->set, here->q);
       if (has_ended_) return;
-      here = climb(*here, best);
+      Vector direction = best ? *best : problem_.equations->multipliers;
+      if (best)
+        algebra::axpy(-1, here->q, direction);
+      else
+        problem_.equations->precondition(irreducible(subproblems, *here), direction);
+      here = climb(*here, direction, best.has_value());
     }
   }
 
@@ -53,7 +59,7 @@ class DualAscent {
 
   void count(const Iteration& iteration) {
     solution_.iterations.push_back(iteration);
-    solution_.iterations.back().safeguarded = is_safeguard_;
+    solution_.iterations.back().safeguarded |= is_safeguard_;
     if (observer_.iteration) observer_.iteration(solution_.iterations.back());
   }
 
@@ -84,8 +90,7 @@ class DualAscent {
   }
 
   /// Step 2: q*, and the solution if it is one. Nothing where the equations cannot hold on the set, or at an end.
-  std::optional<Vector> maximise_on(const ActiveSet& set, const Vector& q) {
-    SubproblemSolver subproblems(problem_, preconditioner_, settings_);
+  std::optional<Vector> maximise_on(SubproblemSolver& subproblems, const ActiveSet& set, const Vector& q) {
     subproblems.start_multipliers_from(q);
     auto point = subproblems.solve(set);
     if (!point) return {};
@@ -100,18 +105,20 @@ class DualAscent {
     return best;
   }
 
-  std::optional<DualPoint> climb(const DualPoint& here, const std::optional<Vector>& best) {
-    Vector direction = problem_.equations->multipliers;
-    if (best) {
-      direction = *best;
-      algebra::axpy(-1, here.q, direction);
-    } else {
-      problem_.equations->precondition(here.violation, direction);
-    }
+  /// Along it d is about linear as long as the set stays: worth a long step, where the other part of d' allows a short one.
+  Vector irreducible(const SubproblemSolver& subproblems, const DualPoint& here) const {
+    if (subproblems.failure() != Status::linear_solver_stalled) return here.violation;  // not even A is definite
+    Vector rest = subproblems.irreducible(here.set, here.violation);
+    Vector ascent = problem_.equations->multipliers;
+    problem_.equations->precondition(rest, ascent);
+    return algebra::dot(ascent, here.violation) > 0 ? rest : here.violation;
+  }
+
+  std::optional<DualPoint> climb(const DualPoint& here, const Vector& direction, bool is_newtons) {
     const double slope = algebra::dot(direction, here.violation);
     if (!(slope > 0)) return no_more(std::isfinite(slope) ? Status::cycling : Status::not_finite);
     auto next = first_rise(here, direction, slope);
-    if (next && !best) next = lengthened(here, direction, slope, std::move(*next));
+    if (next && !is_newtons) next = lengthened(here, direction, slope, std::move(*next));
     return next;
   }
 
@@ -138,17 +145,18 @@ class DualAscent {
     return no_more(Status::cycling);
   }
 
-  // A direction without a length: as long as the slope has not halved.
+  // A direction without a length: doubled as long as the slope has not halved.
   std::optional<DualPoint> lengthened(const DualPoint& here, const Vector& direction, double slope, DualPoint next) {
     constexpr int most_doublings = 30;
-    for (int k = 0; k < most_doublings && algebra::dot(direction, next.violation) > 0.5 * slope; ++k) {
+    for (int k = 0; k < most_doublings; ++k) {
+      if (!(algebra::dot(direction, next.violation) > 0.5 * slope)) return next;
       length_ *= 2;
       auto further = step(here, direction, length_);
       if (!further) return {};
-      if (!(further->value > next.value)) break;
+      if (!(further->value > next.value)) return next;
       next = std::move(*further);
     }
-    return next;
+    return no_more(Status::infeasible);  // d has no greatest value
   }
 
   const BoxProblem& problem_;

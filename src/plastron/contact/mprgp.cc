@@ -38,8 +38,10 @@ class Mprgp {
         gradient_(x_),
         set_(everything_at_bounds(problem, solution.z)) {
     step_length_ = 1.8 / largest_eigenvalue([this](const Vector& v, Vector& y) { scaled_.apply(v, y); }, x_);
-    reference_ = preconditioned_norm(scaled_.load());
     restart();
+    const double energy =
+        algebra::dot(x_, gradient_) + algebra::dot(x_, scaled_.load());  // x'Ax: prescribed values alone may move it
+    reference_ = std::max(preconditioned_norm(scaled_.load()), std::sqrt(std::max(0.0, energy)));
   }
 
   Status run() {

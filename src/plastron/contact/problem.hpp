@@ -40,7 +40,7 @@ enum class Status {
   solved,
   iteration_limit,        ///< max_iterations reached
   cycling,                ///< the active set came back and the safeguarded search could not go on either
-  infeasible,             ///< some lower > upper
+  infeasible,             ///< some lower > upper, or equations that cannot hold within the bounds
   singular,               ///< A is not positive definite even with every bound active: a motion is left free
   not_held,               ///< a motion is free on the active set that came up, though more active bounds would hold it
   linear_solver_stalled,  ///< the preconditioned iteration missed its tolerance by far

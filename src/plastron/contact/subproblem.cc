@@ -104,6 +104,7 @@ algebra::CgResult SubproblemSolver::solve_linear(const ActiveSet& set, const alg
 algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, algebra::Vector& z) {
   constexpr int most_corrections = 30;
   constexpr double negligible = 1e-11;  // of an energy norm
+  constexpr double hopeless = 0.1;
   const EqualityConstraints& equations = *problem_.equations;
   algebra::Vector violation = equations.multipliers;
   algebra::Vector force(z.layout(), z.block());
@@ -118,7 +119,8 @@ algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, a
     steps += linear.steps;
     equations.apply(z, violation);
     algebra::Vector step = equations.multipliers;
-    const bool can_hold = multiplier_step(set, violation, step);
+    const auto correcting = multiplier_step(set, violation, step);
+    const bool can_hold = correcting.converged || correcting.relative_residual < hopeless;
     const double gain = std::sqrt(std::max(0.0, algebra::dot(step, violation)));
     algebra::Vector Az = load;
     algebra::axpy(-1, linear.residual, Az);
@@ -157,11 +159,11 @@ void SubproblemSolver::solve_roughly(std::span<const char> fixed, const algebra:
   algebra::conjugate_gradients(problem_.apply, precondition, force, fixed, diagonal_, z, settings);
 }
 
-/// Roughly (B A^{-1} B')^{-1} times a violation of the equations, by conjugate gradients with the preconditioner for A. False if the
-/// equations cannot hold on this subproblem.
-bool SubproblemSolver::multiplier_step(const ActiveSet& set, const algebra::Vector& violation,
-                                       algebra::Vector& step) const {
-  constexpr double tolerance = 1e-4, hopeless = 0.1;
+/// Roughly (B A^{-1} B')^{-1} times a violation of the equations, by conjugate gradients with the preconditioner for A. A residual
+/// that hardly falls shows that the equations cannot hold on this subproblem.
+algebra::CgResult SubproblemSolver::multiplier_step(const ActiveSet& set, const algebra::Vector& violation,
+                                                    algebra::Vector& step) const {
+  constexpr double tolerance = 1e-4;
   const EqualityConstraints& equations = *problem_.equations;
   const auto fixed = held(set);
   algebra::Vector force(problem_.load.layout(), problem_.load.block()), z = force;
@@ -173,9 +175,13 @@ bool SubproblemSolver::multiplier_step(const ActiveSet& set, const algebra::Vect
     z.update_ghosts();
     equations.apply(z, result);
   };
-  const auto result = algebra::conjugate_gradients(schur, equations.precondition, violation, {}, {}, step,
-                                                   {.tolerance = tolerance, .max_steps = 60, .patience = 20});
-  return result.converged || result.relative_residual < hopeless;
+  return algebra::conjugate_gradients(schur, equations.precondition, violation, {}, {}, step,
+                                      {.tolerance = tolerance, .max_steps = 60, .patience = 20});
+}
+
+algebra::Vector SubproblemSolver::irreducible(const ActiveSet& set, const algebra::Vector& violation) const {
+  algebra::Vector step = problem_.equations->multipliers;
+  return multiplier_step(set, violation, step).residual;
 }
 
 SubproblemPoint SubproblemSolver::complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set) {

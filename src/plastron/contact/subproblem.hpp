@@ -27,6 +27,10 @@ class SubproblemSolver {
   /// A first guess of the multipliers of the equations, for the next solve().
   void start_multipliers_from(const algebra::Vector& q) { q_ = q; }
 
+  /// For a set on which solve() found that the equations cannot hold: what remains of a violation B z however q is chosen, about
+  /// its part in the kernel of B' on the free unknowns. To be asked right after. (collective)
+  algebra::Vector irreducible(const ActiveSet& set, const algebra::Vector& violation) const;
+
   const algebra::Vector& diagonal() const { return diagonal_; }
 
  private:
@@ -37,7 +41,8 @@ class SubproblemSolver {
   algebra::CgResult solve_with_equations(const ActiveSet& set, algebra::Vector& z);
   void solve_roughly(std::span<const char> fixed, const algebra::Vector& force, algebra::Vector& z) const;
   SubproblemPoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set);
-  bool multiplier_step(const ActiveSet& set, const algebra::Vector& violation, algebra::Vector& step) const;
+  algebra::CgResult multiplier_step(const ActiveSet& set, const algebra::Vector& violation,
+                                    algebra::Vector& step) const;
 
   const BoxProblem& problem_;
   algebra::Preconditioner& preconditioner_;
