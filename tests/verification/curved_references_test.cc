@@ -1,5 +1,7 @@
 // Shells against curved obstacles with known answers: energy, reaction, deflection, contact boundary, with the gap of the undeformed shell
 // (M16) and with the distance of the deformed one.
+#include "verification/reference_problems.hpp"
+
 #include <plastron/computation/solve.hpp>
 
 #include <gtest/gtest.h>
@@ -8,8 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plastron::verification {
@@ -33,6 +37,10 @@ assembly::Support clamped(const std::string& boundary) {
     for (const auto direction : {assembly::Direction::x, assembly::Direction::y, assembly::Direction::z})
       support.components.push_back({unknown, direction, Expression(0.0)});
   return support;
+}
+
+std::shared_ptr<const geometry::SpaceFunction> function(const std::string& text) {
+  return std::make_shared<const geometry::SpaceFunction>(text, Constants{});
 }
 
 struct Indented {
@@ -88,6 +96,132 @@ TEST_P(IndentedShell, HasTheEnergyTheReactionAndTheDeflectionOfTheReference) {
     EXPECT_LT(level.gap_error, p.once ? p.depth : 1e-8 * p.depth);
   }
   EXPECT_LT(r.certificate.force_balance, 1e-8);
+}
+
+// ---- plane problems ----------------------------------------------------------------------------------------------------
+
+struct Strip {
+  std::string name;
+  double from, thickness, height;  ///< where it begins (it ends at 1), e, of the mid-surface
+  std::string load;                ///< downward
+  obstacle::Obstacle body;
+  bool once;
+};
+
+obstacle::Obstacle cylinder_from_above(double depth) {
+  return {.name = "cylinder",
+          .shape = obstacle::Cylinder{.point = {0, 0, 2 - depth}, .axis = {0, 1, 0}, .radius = 2},
+          .face = Face::upper};
+}
+
+class PlaneProblem : public testing::TestWithParam<Strip> {};
+INSTANTIATE_TEST_SUITE_P(
+    All, PlaneProblem,
+    testing::Values(Strip{"C1strip_e0.1_d0.1", -1, 0.1, -0.05, "0", cylinder_from_above(0.1), true},
+                    Strip{"C3strip_e0.1_d0.2", -1, 0.1, -0.05, "0", cylinder_from_above(0.2), false},
+                    Strip{"C4shift_e0.1_A0.02_P10_S",
+                          0,
+                          0.1,
+                          0.075,
+                          "0.01",
+                          {.name = "wavy", .shape = obstacle::HeightField(function("0.02*cos(6*pi*X + 0.5)"))},
+                          true}),
+    [](const auto& p) {
+      std::string name = p.param.name;
+      std::ranges::replace_if(
+          name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+      return name;
+    });
+
+TEST_P(PlaneProblem, HasTheEnergyAndTheReactionOfTheReference) {
+  const Strip& p = GetParam();
+  computation::Problem problem;
+  const double width = 0.1;
+  problem.domain = fem::Rectangle{.from = {p.from, 0}, .to = {1, width}, .cells = {32, 1}};
+  problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", p.height}}));
+  problem.sections.common.thickness = Expression(p.thickness);
+  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  assembly::AreaLoad load{};
+  load.force = {Expression(0.0), Expression(0.0), Expression("-(" + p.load + ")", {})};
+  problem.area_loads = {load};
+  problem.supports = {clamped("left"), clamped("right")};
+  for (const char* edge : {"bottom", "top"})
+    problem.supports.push_back(
+        {.boundary = edge,
+         .components = {{assembly::Unknown::displacement, assembly::Direction::y, Expression(0.0)},
+                        {assembly::Unknown::rotation, assembly::Direction::y, Expression(0.0)}}});
+  problem.obstacles = {p.body};
+  problem.linearisation.once = p.once;
+  problem.discretisation.degree = 4;
+  problem.discretisation.refinements = 2;
+  const computation::Result r = computation::solve(problem, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved);
+  EXPECT_LE(r.levels.back().unknowns, 60'000);
+  EXPECT_NEAR(r.summary.energy.total() / width / scalar(p.name, "E_total"), 1, 1e-3);
+  EXPECT_NEAR(r.summary.reaction.force[2] / width / scalar(p.name, "reaction_z_0"), 1, 1e-3);
+  EXPECT_LT(r.certificate.force_balance, 1e-8);
+}
+
+// ---- one obstacle in several forms ---------------------------------------------------------------------------------------
+
+computation::Problem cap_over_the_table() {
+  computation::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
+  problem.linearisation = {};
+  return problem;
+}
+
+obstacle::TriangleMesh slab() {
+  obstacle::TriangleMesh mesh;
+  for (const double z : {-1.0, 0.0})
+    for (const double y : {-2.0, 3.0})
+      for (const double x : {-2.5, 2.0}) mesh.points.emplace_back(x, y, z);
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+// The table as a half-space, and as bodies that have its plane for a part of their surface.
+TEST(Table, in_every_form_gives_the_same_numbers) {
+  const computation::Problem table = cap_over_the_table();
+  const computation::Result expected = computation::solve(table, MPI_COMM_WORLD);
+  ASSERT_EQ(expected.status, contact::Status::solved);
+  ASSERT_GT(expected.summary.touching_nodes, 0);
+  const std::vector<std::pair<const char*, obstacle::Shape>> forms{
+      {"height field", obstacle::HeightField(function("0"))},
+      {"distance", obstacle::DistanceField(function("Z"))},
+      {"no distance", obstacle::DistanceField(function("exp(Z) - 1"))},
+      {"box", obstacle::Box{.centre = {0.3, -0.2, -0.5}, .size = {5, 6, 1}}},
+      {"triangles", obstacle::TriangleSurface(slab())}};
+  for (const auto& [name, shape] : forms) {
+    SCOPED_TRACE(name);
+    computation::Problem other = table;
+    other.obstacles.at(0).shape = shape;
+    const computation::Result r = computation::solve(other, MPI_COMM_WORLD);
+    ASSERT_EQ(r.status, contact::Status::solved);
+    EXPECT_EQ(r.summary.touching_nodes, expected.summary.touching_nodes);
+    EXPECT_NEAR(r.summary.energy.total() / expected.summary.energy.total(), 1, 1e-9);
+    EXPECT_NEAR(r.summary.reaction.force[2] / expected.summary.reaction.force[2], 1, 1e-9);
+  }
+}
+
+// A ball of radius R under the cap differs from the table by r^2 / 2R.
+TEST(Table, is_the_limit_of_balls_that_grow) {
+  const computation::Problem table = cap_over_the_table();
+  const double expected = computation::solve(table, MPI_COMM_WORLD).summary.energy.total();
+  double last = 0;
+  for (const double radius : {1e3, 1e4, 1e5}) {
+    computation::Problem other = table;
+    other.obstacles.at(0).shape = obstacle::Ball{.centre = {0, 0, -radius}, .radius = radius};
+    const computation::Result r = computation::solve(other, MPI_COMM_WORLD);
+    ASSERT_EQ(r.status, contact::Status::solved);
+    const double difference = std::abs(r.summary.energy.total() / expected - 1);
+    EXPECT_GT(difference, 0);
+    EXPECT_LT(difference, 20 / radius);
+    if (last > 0) {
+      EXPECT_NEAR(difference / last, 0.1, 0.02);
+    }
+    last = difference;
+  }
 }
 
 // ---- shells that contact alone holds -----------------------------------------------------------------------------------
