@@ -10,7 +10,8 @@ struct Box {
   Matrix3d axes = Matrix3d::Identity();  ///< columns: directions of the sides, orthonormal
   double fillet = 0;                     ///< radius of the rounding, at most half of the shortest side [m]
 
-  /// The body is all that is within `fillet` of a smaller sharp box, the core. Where several faces are equally near inside, the first of them
+  /// The body is all that is within `fillet` of a smaller sharp box, the core. Where several faces are equally near inside, the first of
+  /// them
   /// has the normal.
   Nearest nearest(const Vector3d& X) const {
     const Vector3d at = axes.transpose() * (X - centre);

@@ -21,7 +21,8 @@ struct Cone {
     return height / (1 / s + 1);
   }
 
-  /// The body is all that is within `fillet` of a smaller sharp cone. On the axis within the body, where no direction is nearest, the normal
+  /// The body is all that is within `fillet` of a smaller sharp cone. On the axis within the body, where no direction is nearest, the
+  /// normal
   /// is any of them.
   Nearest nearest(const Vector3d& X) const {
     const double s = std::sin(half_angle);

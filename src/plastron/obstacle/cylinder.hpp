@@ -16,7 +16,8 @@ struct Cylinder {
   bool inside = false;                                      ///< the shell is inside: the free side is the cylinder
   double fillet = 0;  ///< radius of the rounded edges of the caps, at most radius and length / 2 [m]
 
-  /// The body is all that is within `fillet` of a sharp cylinder, so that d = (distance to the sharp one) - fillet, inside too. On the axis,
+  /// The body is all that is within `fillet` of a sharp cylinder, so that d = (distance to the sharp one) - fillet, inside too. On the
+  /// axis,
   /// where no direction is nearest, the normal is any across it.
   Nearest nearest(const Vector3d& X) const {
     const Nearest outside = revolved({point, axis}, X, [&](const Vector2d& at) { return profile(at); });

@@ -12,8 +12,10 @@ class DistanceField {
   /// Throws ObstacleError if the expression is the same everywhere.
   explicit DistanceField(std::shared_ptr<const geometry::SpaceFunction> expression);
 
-  /// The foot Y solves F(Y) = 0, X = Y + d F'(Y) / |F'(Y)|: Newton's method, with projections on the tangent plane where that fails, and once more
-  /// from where F changes its sign nearer to X. If F is a distance the first step ends it. Throws ObstacleError where the gradient of F is zero at X or at
+  /// The foot Y solves F(Y) = 0, X = Y + d F'(Y) / |F'(Y)|: Newton's method, with projections on the tangent plane where that fails, and
+  /// once more
+  /// from where F changes its sign nearer to X. If F is a distance the first step ends it. Throws ObstacleError where the gradient of F
+  /// is zero at X or at
   /// the surface, and where no foot is found.
   Nearest nearest(const Vector3d& X) const;
 

@@ -1,4 +1,5 @@
-// All that lies below a graph z = h(x, y), given by an expression or by a raster. Its distance is that to the graph, not the height above it.
+// All that lies below a graph z = h(x, y), given by an expression or by a raster. Its distance is that to the graph, not the height above
+// it.
 #pragma once
 #include <plastron/geometry/space_function.hpp>
 #include <plastron/obstacle/nearest.hpp>
@@ -15,8 +16,10 @@ class HeightField {
   explicit HeightField(std::shared_ptr<const geometry::SpaceFunction> expression);
   explicit HeightField(std::shared_ptr<const Raster> raster) : heights_(std::move(raster)) {}
 
-  /// The foot is the point (p, h(p)) of the graph where |X - foot| is least: Newton's method on p with a descent that cannot fail, from below X
-  /// and from samples of the graph wherever one of them is nearer than the foot found. Throws ObstacleError where the foot is not inside of the raster.
+  /// The foot is the point (p, h(p)) of the graph where |X - foot| is least: Newton's method on p with a descent that cannot fail, from
+  /// below X
+  /// and from samples of the graph wherever one of them is nearer than the foot found. Throws ObstacleError where the foot is not inside
+  /// of the raster.
   Nearest nearest(const Vector3d& X) const;
 
   /// z - h(x, y): zero on the graph, positive above; NaN outside of the raster.

@@ -35,8 +35,10 @@ class Raster {
 
 inline constexpr std::size_t most_raster_points = 4'000'000;
 
-/// An ESRI ASCII grid: lines ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize and perhaps NODATA_value, then the heights, the
-/// row of the greatest y first. A corner is half a cell outside of the first height. Throws ObstacleError: no such file, no such format, too
+/// An ESRI ASCII grid: lines ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize and perhaps NODATA_value, then the
+/// heights, the
+/// row of the greatest y first. A corner is half a cell outside of the first height. Throws ObstacleError: no such file, no such format,
+/// too
 /// many heights, heights missing or not finite.
 Raster read_raster(const std::string& path);
 

@@ -15,7 +15,8 @@ std::uint64_t directed(int from, int to) {
   return (static_cast<std::uint64_t>(from) << 32) | static_cast<std::uint32_t>(to);
 }
 
-/// The nearest point of a triangle as foot = a + s (b - a) + t (c - a), and where it lies: 0 to 2 a corner, 3 to 5 the sides ab, bc, ca, 6 inside.
+/// The nearest point of a triangle as foot = a + s (b - a) + t (c - a), and where it lies: 0 to 2 a corner, 3 to 5 the sides ab, bc, ca,
+/// 6 inside.
 struct Foot {
   Vector3d at;
   int place;

@@ -16,13 +16,15 @@ struct TriangleMesh {
 
 inline constexpr std::size_t most_triangles = 2'000'000;
 
-/// Reads .stl (ASCII or binary), .obj or .ply (ASCII or binary), as the name's end says; polygons are cut into triangles from their first corner.
+/// Reads .stl (ASCII or binary), .obj or .ply (ASCII or binary), as the name's end says; polygons are cut into triangles from their first
+/// corner.
 /// Equal points become one, triangles with two equal corners go. Throws ObstacleError: no such file, no such format, damaged,
 /// numbers that are not finite, more than most_triangles.
 TriangleMesh read_triangle_mesh(const std::string& path);
 
 /// Throws ObstacleError, `name` in front, unless the triangles are the boundary of a body: each has an area; each side is one of
-/// exactly two, which run through it in opposite senses; no part is turned inside out. (That they do not cross is seen to by TriangleSurface.)
+/// exactly two, which run through it in opposite senses; no part is turned inside out. (That they do not cross is seen to by
+/// TriangleSurface.)
 void check_closed(const TriangleMesh& mesh, const std::string& name);
 
 }  // namespace plastron::obstacle

@@ -20,7 +20,8 @@ namespace {
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 Exact::Point_3 exact(const Vector3d& p) { return {p[0], p[1], p[2]}; }
 
-/// Triangles that share a side cross if they fold onto each other; those that share a corner if the side across of one meets the other; all others
+/// Triangles that share a side cross if they fold onto each other; those that share a corner if the side across of one meets the other;
+/// all others
 /// if they meet.
 bool cross_each_other(const TriangleMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t) {
   const auto point = [&](int i) { return exact(mesh.points[static_cast<std::size_t>(i)]); };

@@ -6,7 +6,8 @@
 
 namespace plastron::obstacle {
 
-/// Halves are taken at the middle triangle along the longest side of the box of their middles. A query goes into the nearer box first, so that the other
+/// Halves are taken at the middle triangle along the longest side of the box of their middles. A query goes into the nearer box first, so
+/// that the other
 /// is mostly out of reach by then.
 class TriangleTree {
  public:
