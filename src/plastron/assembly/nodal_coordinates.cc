@@ -4,6 +4,7 @@
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/ties.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
@@ -79,7 +80,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   const double size = extent(points, space.layout->comm);
   algebra::Vector packed(space.layout, packed_size);
   std::vector<obstacle::Gap> gaps(obstacles.all.size());
-  algebra::in_agreement<SupportError>(space.layout->comm, [&] {
+  algebra::in_agreement<SupportError, obstacle::ObstacleError>(space.layout->comm, [&] {
     for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
       auto& of_obstacle = coordinates.gaps.emplace_back();
       for (std::size_t i = 0; i < points.size(); ++i)

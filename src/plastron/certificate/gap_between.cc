@@ -1,6 +1,8 @@
 #include <plastron/certificate/gap_between.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -30,39 +32,45 @@ bool is_near_obstacle(const assembly::DiscreteShell& discrete, const std::vector
 /// Twice as fine as the nodes, and in elements of degree 1 four times.
 int intervals_of(int degree) { return std::max(4, 2 * degree); }
 
-}  // namespace
-
-double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+/// The smallest gap on this rank's cells.
+double min_gap_in_cells(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   const fem::Space& space = discrete.space();
   double smallest = std::numeric_limits<double>::infinity();
-  if (!discrete.obstacles.empty()) {
-    const element::BasisAt basis =
-        element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals_of(space.degree)));
-    std::vector<geometry::SurfaceJet> jets(basis.xi.size());
-    std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
-    for (std::size_t c = 0; c < space.owned_cells; ++c) {
-      const element::CellField field = discrete.shell.gather(c, y);
-      std::vector<std::size_t> near;
-      for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k)
-        if (is_near_obstacle(discrete, discrete.coordinates.gaps[k], field, space.nodes(c))) near.push_back(k);
-      if (near.empty()) continue;
-      discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
-      discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
-      discrete.shell.section(c).thickness.evaluate(px, py, e);
-      const element::CellField values = discrete.shell.interpolation().values(c, basis, field);
-      const element::CellField moved = discrete.state_values(c, basis);
-      for (std::size_t p = 0; p < jets.size(); ++p) {
-        const auto row = values.row(static_cast<Eigen::Index>(p));
-        const Vector3d a3 = geometry::unit_normal(jets[p]);
-        for (const std::size_t k : near) {
-          const obstacle::Gap gap = discrete.gap(
-              k, assembly::shell_point(jets[p].value, a3, e[p], moved.row(static_cast<Eigen::Index>(p)).transpose()));
-          smallest = std::min(smallest, gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3)));
-        }
+  const element::BasisAt basis =
+      element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals_of(space.degree)));
+  std::vector<geometry::SurfaceJet> jets(basis.xi.size());
+  std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    const element::CellField field = discrete.shell.gather(c, y);
+    std::vector<std::size_t> near;
+    for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k)
+      if (is_near_obstacle(discrete, discrete.coordinates.gaps[k], field, space.nodes(c))) near.push_back(k);
+    if (near.empty()) continue;
+    discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
+    discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
+    discrete.shell.section(c).thickness.evaluate(px, py, e);
+    const element::CellField values = discrete.shell.interpolation().values(c, basis, field);
+    const element::CellField moved = discrete.state_values(c, basis);
+    for (std::size_t p = 0; p < jets.size(); ++p) {
+      const auto row = values.row(static_cast<Eigen::Index>(p));
+      const Vector3d a3 = geometry::unit_normal(jets[p]);
+      for (const std::size_t k : near) {
+        const obstacle::Gap gap = discrete.gap(
+            k, assembly::shell_point(jets[p].value, a3, e[p], moved.row(static_cast<Eigen::Index>(p)).transpose()));
+        smallest = std::min(smallest, gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3)));
       }
     }
   }
-  return algebra::min_over_ranks(smallest, space.layout->comm);
+  return smallest;
+}
+
+}  // namespace
+
+double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  if (discrete.obstacles.empty()) return std::numeric_limits<double>::infinity();
+  const MPI_Comm comm = discrete.space().layout->comm;
+  return algebra::min_over_ranks(
+      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return min_gap_in_cells(discrete, y); }), comm);
 }
 
 }  // namespace plastron::certificate

@@ -1,6 +1,8 @@
 #include <plastron/computation/relinearisation.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -54,9 +56,8 @@ double largest_displacement(const algebra::Vector& y) {
   return algebra::max_over_ranks(largest, y.layout()->comm);
 }
 
-}  // namespace
-
-GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+/// On this rank's nodes.
+GapError gap_error_here(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
   GapError error;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     const assembly::NodalPoint& p = discrete.points[row.node];
@@ -67,8 +68,16 @@ GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::N
     if (touches) error.at_contact = std::max(error.at_contact, std::abs(distance - gap(moved.u, moved.r)));
     error.depth = std::max(error.depth, -distance);
   });
+  return error;
+}
+
+}  // namespace
+
+GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  return {algebra::max_over_ranks(error.at_contact, comm), algebra::max_over_ranks(error.depth, comm)};
+  const GapError mine =
+      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return gap_error_here(discrete, solution); });
+  return {algebra::max_over_ranks(mine.at_contact, comm), algebra::max_over_ranks(mine.depth, comm)};
 }
 
 Relinearisation::Relinearisation(const Linearisation& settings, const assembly::DiscreteShell& discrete)
