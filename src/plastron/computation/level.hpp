@@ -1,6 +1,7 @@
 // One mesh of the sequence: discretise, assemble, solve the contact problem, certify.
 #pragma once
 #include <plastron/computation/observer.hpp>
+#include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/contact/settings.hpp>
 

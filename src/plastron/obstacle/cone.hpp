@@ -39,7 +39,7 @@ struct Cone {
     const double s = std::sin(half_angle), c = std::cos(half_angle);
     const double along = at[0] * s + at[1] * c, off = at[0] * c - at[1] * s, below = at[1] - core_height;
     const Vector2d edge(core_height * (s / c), core_height);
-    const ProfileDistance side = distance_to_line(off, {c, -s}), base = distance_to_line(below, {0, 1});
+    ProfileDistance side = distance_to_line(off, {c, -s}), base = distance_to_line(below, {0, 1});
     if (off <= 0 && below <= 0) return off >= below ? side : base;
     if (along <= 0) return distance_to_point(at);
     if (off > 0 && along <= core_height / c) return side;

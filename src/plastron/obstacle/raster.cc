@@ -71,7 +71,7 @@ Header read_header(Words& words) {
 
 }  // namespace
 
-Raster::Raster(Eigen::MatrixXd heights, const Eigen::Vector2d& from, double cell) : from_(from), cell_(cell) {
+Raster::Raster(const Eigen::MatrixXd& heights, const Eigen::Vector2d& from, double cell) : from_(from), cell_(cell) {
   if (heights.rows() < 2 || heights.cols() < 2 || !heights.allFinite() || !(cell > 0))
     throw ObstacleError("a raster wants at least 2 x 2 finite heights and cells with a size");
   to_ = from_ + cell_ * Eigen::Vector2d(heights.rows() - 1, heights.cols() - 1);

@@ -17,7 +17,7 @@ struct HeightJet {
 class Raster {
  public:
   /// heights(i, j) stands at from + cell (i, j); at least 2 x 2 of them. Throws ObstacleError for fewer or heights that are not finite.
-  Raster(Eigen::MatrixXd heights, const Eigen::Vector2d& from, double cell);
+  Raster(const Eigen::MatrixXd& heights, const Eigen::Vector2d& from, double cell);
 
   bool covers(const Eigen::Vector2d& p) const { return (p.array() >= from_.array() && p.array() <= to_.array()).all(); }
   /// Precondition: covers(p).

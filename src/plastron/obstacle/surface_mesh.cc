@@ -65,7 +65,10 @@ class Marching {
   }
 
  private:
-  Vector3d point(int i) const { return low_ + step_.cwiseProduct(Vector3d(i % n_, (i / n_) % n_, i / (n_ * n_))); }
+  Vector3d point(int i) const {
+    const Eigen::Vector3i at(i % n_, (i / n_) % n_, i / (n_ * n_));
+    return low_ + step_.cwiseProduct(at.cast<double>());
+  }
 
   /// Six tetrahedra around the diagonal of the cell, one for each order of the axes.
   void cell(int first) {

@@ -82,7 +82,7 @@ Nearest TriangleFeatures::nearest(const TriangleMesh& mesh, int triangle, const 
   const std::array<Vector3d, 3> p{mesh.points[corner[0]], mesh.points[corner[1]], mesh.points[corner[2]]};
   const Vector3d& face = faces_[triangle];
   const Foot foot = foot_of(X, p, face);
-  const Nearest over_face{(X - p[0]).dot(face), face, Matrix3d::Zero()};
+  Nearest over_face{(X - p[0]).dot(face), face, Matrix3d::Zero()};
   if (foot.place == 6) return over_face;
   const bool is_side = foot.place >= 3;
   const Feature& feature = is_side ? sides_[triangle][foot.place - 3] : corners_[corner[foot.place]];
