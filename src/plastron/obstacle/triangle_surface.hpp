@@ -1,5 +1,4 @@
-// A body bounded by triangles, as drawing programs write it. Its nearest point is found in a tree of boxes; that no triangles cross
-// is decided exactly (CGAL).
+// A body bounded by triangles, as drawing programs write it. Its nearest point is found in a tree of boxes (CGAL).
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 #include <plastron/obstacle/triangle_mesh.hpp>
