@@ -9,7 +9,6 @@ namespace plastron::spectra {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// Scalar element matrix: 1/L^2 int N_i N_j / L^2 + a^{ab} d_a N_i d_b N_j sqrt(a) dx. That of s is L^2 times as large.
 assembly::RowMatrix scalar_element(const assembly::ShellOperator& shell, std::size_t cell, double length) {
@@ -52,35 +51,6 @@ assembly::RowMatrix covariant_element(const assembly::ShellOperator& shell, std:
   return value.transpose() * value + d1.transpose() * d1 + d2.transpose() * d2;
 }
 
-/// T_i' K_ij T_j for the blocks K_ij of a Cartesian element matrix.
-template <class Block>
-assembly::RowMatrix in_coordinates(const assembly::NodalCoordinates& coordinates,
-                                   std::span<const algebra::LocalIndex> nodes, const Block& block) {
-  const int width = coordinates.width;
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  const auto basis = [&](Eigen::Index i) {
-    return coordinates.basis[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])].leftCols(width);
-  };
-  assembly::RowMatrix k(width * n, width * n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      k.block(width * i, width * j, width, width) = basis(i).transpose() * (block(i, j) * basis(j));
-  return k;
-}
-
-/// On a cell with tied nodes: W' K W first, by components.
-assembly::RowMatrix tied_element(const assembly::NodalCoordinates& coordinates, const fem::Carriers& carriers,
-                                 const assembly::RowMatrix& cartesian) {
-  const Eigen::Index n = carriers.weights.rows(), m = carriers.weights.cols();
-  assembly::RowMatrix W = assembly::RowMatrix::Zero(6 * n, 6 * m);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < m; ++j) W.block<6, 6>(6 * i, 6 * j).diagonal().setConstant(carriers.weights(i, j));
-  const assembly::RowMatrix on_carriers = W.transpose() * cartesian * W;
-  return in_coordinates(coordinates, carriers.nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
-    return on_carriers.block<6, 6>(6 * i, 6 * j);
-  });
-}
-
 /// Diagonal blocks from a scalar element matrix.
 assembly::RowMatrix by_components(const assembly::RowMatrix& scalar, const Vector6& weights) {
   assembly::RowMatrix cartesian = assembly::RowMatrix::Zero(6 * scalar.rows(), 6 * scalar.cols());
@@ -99,23 +69,13 @@ algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::
   const fem::Space& space = shell.space();
   algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_nodes(space));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const auto carriers = fem::carriers(space, c);
-    const std::span<const algebra::LocalIndex> nodes = carriers ? std::span(carriers->nodes) : space.nodes(c);
-    assembly::RowMatrix k;
-    if (shell.quadrature_bases(c).empty()) {
-      const assembly::RowMatrix scalar = scalar_element(shell, c, length);
-      k = carriers ? tied_element(coordinates, *carriers, by_components(scalar, weights))
-                   : in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
-                       return (scalar(i, j) * weights).asDiagonal();
-                     });
-    } else {
-      const assembly::RowMatrix cartesian = covariant_element(shell, c, length);
-      k = carriers ? tied_element(coordinates, *carriers, cartesian)
-                   : in_coordinates(coordinates, nodes, [&](Eigen::Index i, Eigen::Index j) -> Matrix6 {
-                       return cartesian.block<6, 6>(6 * i, 6 * j);
-                     });
-    }
-    matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
+    const assembly::RowMatrix cartesian = shell.quadrature_bases(c).empty()
+                                              ? by_components(scalar_element(shell, c, length), weights)
+                                              : covariant_element(shell, c, length);
+    // C' K C from K C, for K is symmetric.
+    const assembly::RowMatrix half = assembly::in_coordinates(coordinates, c, cartesian).matrix.transpose();
+    const auto k = assembly::in_coordinates(coordinates, c, half);
+    matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
   }
   matrix.finish();
   return matrix;
