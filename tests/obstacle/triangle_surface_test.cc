@@ -2,7 +2,6 @@
 
 #include <plastron/obstacle/error.hpp>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -90,17 +89,15 @@ TEST(ATriangulatedBall, ApproachesTheBall) {
   EXPECT_LT(last, 2e-3);
 }
 
-TEST(ASurfaceOf200000Triangles, AnswersOften) {
+/// What it costs is for benchmarks/obstacle_cost.
+TEST(ASurfaceOf200000Triangles, IsTheBallItWasMadeFrom) {
   const TriangleSurface surface(ball_mesh(7));
   EXPECT_GE(surface.mesh().triangles.size(), 190000u);
-  const auto points = test::random_points(100000, 1.2);
-  const auto begin = std::chrono::steady_clock::now();
-  double sum = 0;
-  for (const Vector3d& X : points) sum += surface.nearest(X).distance;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  RecordProperty("seconds", std::to_string(seconds));
-  EXPECT_TRUE(std::isfinite(sum));
-  EXPECT_LT(seconds, 30);  // about one alone on a core of 2020
+  for (const Vector3d& X : test::random_points(1000, 1.2)) {
+    const Nearest at = surface.nearest(X), exact = Ball{}.nearest(X);
+    EXPECT_NEAR(at.distance, exact.distance, 1e-4);
+    EXPECT_LT(X.norm() * (at.normal - exact.normal).norm(), 0.02);
+  }
 }
 
 TEST(ASurface, IsRefusedForEachReasonInWords) {

@@ -10,7 +10,7 @@ namespace plastron::assembly {
 
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
-                                          const ShellDescription& description) {
+                                          const ShellDescription& description, State state) {
   ShellOperator shell(std::move(space), std::move(surface), description.sections, description.tying,
                       description.tangency.formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
@@ -21,7 +21,7 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
                                                                 .obstacles = description.obstacles,
                                                                 .tangency = description.tangency,
                                                                 .supports = description.supports});
-  linearise(*discrete, {});
+  linearise(*discrete, std::move(state));
   return discrete;
 }
 

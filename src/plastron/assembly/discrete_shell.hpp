@@ -55,10 +55,10 @@ struct ShellDescription {
   RigidObstacles obstacles{};
 };
 
-/// At the undeformed state (collective). Throws SupportError, ObstacleError.
+/// Linearised at `state` (collective). Throws SupportError, ObstacleError.
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
-                                          const ShellDescription& description);
+                                          const ShellDescription& description, State state = {});
 
 /// Its stiffness matrix in nodal coordinates, the form of normal_rotation.hpp included (collective).
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);

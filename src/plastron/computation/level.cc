@@ -103,13 +103,11 @@ class LevelRun {
 
 }  // namespace
 
-LevelResult solve_level(const LevelTask& task, const assembly::ShellDescription& shell,
+LevelResult solve_level(LevelTask task, const assembly::ShellDescription& shell,
                         std::shared_ptr<const fem::Surface> surface, const Observer& observer) {
   Stopwatch watch;
   if (observer.phase) observer.phase(task.number, "geometry");
-  LevelRun run(task, assembly::discretise(task.space, std::move(surface), shell), observer);
-  if (task.start.is_deformed() || task.start.time != 0 || task.start.load_factor != 1)
-    linearise(run.discrete(), task.start);
+  LevelRun run(task, assembly::discretise(task.space, std::move(surface), shell, std::move(task.start)), observer);
   run.seconds.mesh = task.seconds_for_mesh;
   run.seconds.discretisation = watch.lap();
 

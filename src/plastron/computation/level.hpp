@@ -27,7 +27,7 @@ struct LevelResult {
 };
 
 /// (collective)
-LevelResult solve_level(const LevelTask& task, const assembly::ShellDescription& shell,
+LevelResult solve_level(LevelTask task, const assembly::ShellDescription& shell,
                         std::shared_ptr<const fem::Surface> surface, const Observer& observer);
 
 }  // namespace plastron::computation

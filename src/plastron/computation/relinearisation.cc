@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plastron::computation {
 
@@ -34,26 +33,23 @@ void for_rows(const assembly::DiscreteShell& discrete, const certificate::NodalS
   }
 }
 
-/// How far the faces in contact are from where the state has them, over the largest displacement.
+double largest_displacement(const algebra::Vector& y) {
+  double largest = 0;
+  for (std::size_t i = 0; i + 2 < y.owned().size(); i += 6)
+    largest = std::max(largest, std::hypot(y.owned()[i], y.owned()[i + 1], y.owned()[i + 2]));
+  return algebra::max_over_ranks(largest, y.layout()->comm);
+}
+
+/// How far the faces in contact are from where the state has them.
 double distance_from_state(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
-  double farthest = 0, largest = std::numeric_limits<double>::min();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    largest = std::max(largest, block6(solution.y, i).head<3>().norm());
+  double farthest = 0;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     if (!touches) return;
     const Vector6 way = block6(solution.y, row.node) - discrete.state.at(row.node);
     const Vector3d r = geometry::tangential(way.tail<3>(), discrete.points[row.node].a3);
     farthest = std::max(farthest, (way.head<3>() + discrete.coordinates.gaps[k][row.node].z * r).norm());
   });
-  const MPI_Comm comm = discrete.space().layout->comm;
-  return algebra::max_over_ranks(farthest, comm) / algebra::max_over_ranks(largest, comm);
-}
-
-double largest_displacement(const algebra::Vector& y) {
-  double largest = 0;
-  for (std::size_t i = 0; i + 2 < y.owned().size(); i += 6)
-    largest = std::max(largest, std::hypot(y.owned()[i], y.owned()[i + 1], y.owned()[i + 2]));
-  return algebra::max_over_ranks(largest, y.layout()->comm);
+  return algebra::max_over_ranks(farthest, discrete.space().layout->comm);
 }
 
 /// On this rank's nodes.
@@ -88,7 +84,7 @@ std::optional<assembly::State> Relinearisation::next(const certificate::NodalSol
   const double distance = distance_from_state(discrete_, solution);
   const double depth = gap_error(discrete_, solution).depth;
   const double negligible = settings_.tolerance * largest_displacement(solution.y);
-  is_met_ = distance <= settings_.tolerance && depth <= negligible;
+  is_met_ = distance <= negligible && depth <= negligible;
   if (is_met_ || steps_ >= settings_.max_steps) return {};
   if (steps_ > 1 && !(distance < last_)) part_ /= 2;
   last_ = distance;

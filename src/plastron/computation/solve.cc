@@ -20,8 +20,11 @@ namespace plastron::computation {
 
 namespace {
 
-/// Whether the supports alone hold the shell: then the first step of the coarsest mesh went through with nothing in contact.
-bool supports_hold(const Level& coarsest) { return !coarsest.history.empty() && coarsest.history.front().active == 0; }
+/// Whether the supports alone hold the shell: then the active set's first step on the coarsest mesh went through with nothing in
+/// contact. Other solvers' first steps say nothing of the kind.
+bool supports_hold(const Level& coarsest, contact::Solver solver) {
+  return solver == contact::Solver::active_set && !coarsest.history.empty() && coarsest.history.front().active == 0;
+}
 
 bool nothing_to_refine(contact::Status status) {
   return status == contact::Status::infeasible || status == contact::Status::singular ||
@@ -66,9 +69,10 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
       }
     }
     task.space = meshes.space();
-    if (number > 0 && supports_hold(result.levels.front())) task.settings.detect_free_motions = false;
+    if (number > 0 && supports_hold(result.levels.front(), problem.contact.solver))
+      task.settings.detect_free_motions = false;
     task.seconds_for_mesh = watch.lap();
-    LevelResult level = solve_level(task, shell, surface, observer);
+    LevelResult level = solve_level(std::move(task), shell, surface, observer);
     if (level.record.status == contact::Status::interrupted) break;  // what there is of the mesh before is the result
     if (observer.level) observer.level(number, level.record);
     if (observer.solution) observer.solution(number, level.solution);

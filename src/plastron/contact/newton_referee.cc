@@ -97,8 +97,7 @@ BoxSolution solve_by_bounded_newton(const BoxProblem& problem, std::span<const A
   BoxSolution solution = unsolved(problem, Status::infeasible);
   if (!bounds_are_consistent(problem)) return solution;
   SubproblemSolver subproblems(problem, preconditioner, settings);
-  auto start = subproblems.solve(starting_set(problem, initial));
-  if (!start) start = subproblems.solve(everything_active(problem));
+  auto start = subproblems.solve_first(initial);
   solution.status = subproblems.failure();
   if (!start) return solution;
   solution.z = project(problem, std::move(start->z));

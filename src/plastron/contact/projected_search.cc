@@ -189,8 +189,7 @@ BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Ac
   BoxSolution solution = unsolved(problem, Status::infeasible);
   if (!bounds_are_consistent(problem)) return solution;
   SubproblemSolver subproblems(problem, preconditioner, settings);
-  auto point = subproblems.solve(starting_set(problem, initial));
-  if (!point) point = subproblems.solve(everything_active(problem));
+  auto point = subproblems.solve_first(initial);
   solution.status = subproblems.failure();
   if (!point) return solution;
   solution.z = std::move(point->z);

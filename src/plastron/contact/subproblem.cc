@@ -46,6 +46,11 @@ SubproblemSolver::SubproblemSolver(const BoxProblem& problem, algebra::Precondit
   if (problem_.equations) q_ = problem_.equations->multipliers;
 }
 
+std::optional<SubproblemPoint> SubproblemSolver::solve_first(std::span<const Activity> initial) {
+  auto point = solve(starting_set(problem_, initial));
+  return point ? std::move(point) : solve(everything_active(problem_));
+}
+
 std::optional<SubproblemPoint> SubproblemSolver::solve(const ActiveSet& set) {
   PLASTRON_ASSERT(set.size() == problem_.load.owned().size(), set.size(), problem_.load.owned().size());
   if (auto point = solve_with_kept_factor(set)) return point;

@@ -18,6 +18,8 @@ class SubproblemSolver {
 
   /// Nothing if the subproblem has no unique minimiser or it cannot be computed; failure() then tells which. (collective)
   std::optional<SubproblemPoint> solve(const ActiveSet& set);
+  /// The point on `initial` or, where that leaves a motion free, with every bound active: where solvers begin. (collective)
+  std::optional<SubproblemPoint> solve_first(std::span<const Activity> initial);
   Status failure() const { return failure_; }
 
   /// s with (A s - r)_i = 0 where `set` is free and s_i = 0 elsewhere; r is zero there. False if there is none, as with solve();

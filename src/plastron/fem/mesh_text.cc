@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -19,6 +18,8 @@
 namespace plastron::fem {
 
 namespace {
+
+using geometry::parse;
 
 /// A coarse mesh is held by every process; with a million cells the file has about 80 MB.
 constexpr std::int64_t largest_file = 256 << 20;
@@ -67,22 +68,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-template <class Number>
-bool parse(std::string_view word, Number& number) {
-  if (word.size() > 1 && word.front() == '+') word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error == std::errc{} && end == word.data() + word.size();
-}
-
 }  // namespace
-
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string result(text.substr(0, longest));
-  std::ranges::replace_if(
-      result, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text.size() > longest ? result + "..." : result;
-}
 
 MeshText::MeshText(std::string path) : path_(std::move(path)), text_(content(path_)) {}
 

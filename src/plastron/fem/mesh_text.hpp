@@ -1,14 +1,15 @@
 // A text file as lines and their numbers, read whole and examined word by word: whatever the file holds, the result is
 // a value or a DomainError that names the line.
 #pragma once
+#include <plastron/geometry/file_words.hpp>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace plastron::fem {
 
-/// A piece of a file as a message may show it: printable and short.
-std::string shown(std::string_view text);
+using geometry::shown;
 
 class MeshText {
  public:

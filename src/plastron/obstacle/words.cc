@@ -1,10 +1,10 @@
+#include <plastron/geometry/file_words.hpp>
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/words.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -13,22 +13,10 @@ namespace plastron::obstacle {
 
 namespace {
 
+using geometry::parse;
+using geometry::shown;
+
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-std::string shown(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string text(word.substr(0, longest));
-  std::ranges::replace_if(
-      text, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return word.size() > longest ? text + "..." : text;
-}
-
-template <class Number>
-bool parse(std::string_view word, Number& number) {
-  if (word.size() > 1 && word.front() == '+') word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error == std::errc{} && end == word.data() + word.size();
-}
 
 }  // namespace
 

@@ -86,7 +86,7 @@ class Continuity {
     base_ = compute(problem_, "unchanged");
     if (report_.status != Status::solved) return std::move(report_);
     norm_ = norm_of(base_.solution->nodal.y);
-    largest_ = largest_displacement();
+    largest_ = base_.summary.max_displacement;
     examine("load", "the load changes the solution by no more than the dual norm of its change", &Continuity::load);
     examine("thickness",
             "a relative change of the stiffness changes the solution by no more than that part of its norm",
@@ -246,13 +246,6 @@ class Continuity {
     for (std::size_t i = 0; i < static_cast<std::size_t>(base_.solution->discrete->space().layout->owned); ++i)
       sum += base_.solution->discrete->points[i].weight;
     return algebra::sum_over_ranks(sum, comm_);
-  }
-
-  double largest_displacement() const {
-    double largest = 0;
-    const auto y = base_.solution->nodal.y.owned();
-    for (std::size_t i = 0; i + 2 < y.size(); i += 6) largest = std::max(largest, std::hypot(y[i], y[i + 1], y[i + 2]));
-    return algebra::max_over_ranks(largest, comm_);
   }
 
   std::pair<double, double> range_of_bounds() const {
