@@ -89,6 +89,20 @@ void Progress::level(int level, const computation::Level& r) {
   if (is_first_rank()) std::fflush(stdout);
 }
 
+void Progress::instant(const computation::HistoryEntry& entry) {
+  status_.clear();
+  if (quiet_) return;
+  if (!has_instants_)
+    print("\n{:>9} {:<20} {:>7} {:>8} {:>6} {:>14} {:>16} {:>16}\n", "time", "step", "loads", "contact", "steps",
+          "obstacles [N]", "max |u| [m]", "energy [J]");
+  has_instants_ = true;
+  print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>14.6e} {:>16.6e} {:>16.9e}{}\n", entry.time,
+        geometry::shortened(entry.step, 20), entry.load_factor, entry.level.active, entry.level.iterations,
+        entry.level.reaction, entry.summary.max_displacement, entry.summary.energy.total(),
+        entry.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(entry.status)));
+  if (is_first_rank()) std::fflush(stdout);
+}
+
 namespace {
 
 std::string vector_text(const Eigen::Vector3d& v) { return fmt::format("({:.6e}, {:.6e}, {:.6e})", v[0], v[1], v[2]); }

@@ -33,6 +33,8 @@ class Progress {
  public:
   Progress(bool has_obstacle, bool quiet);
   computation::Observer observer();
+  /// A line of the table of instants.
+  void instant(const computation::HistoryEntry& entry);
   void finish() { status_.clear(); }
 
  private:
@@ -43,6 +45,7 @@ class Progress {
   bool has_obstacle_, quiet_;
   StatusLine status_;
   int iterations_ = 0;
+  bool has_instants_ = false;
 };
 
 /// On a terminal, what a study is computing now.

@@ -21,9 +21,8 @@ void add_warnings(const std::vector<examination::Finding>& findings, std::vector
 }
 
 /// Writes the results and tells of them.
-void report(const computation::Result& result, const config::Case& c, const Options& options) {
-  io::write_output(result, {.title = c.title, .settings = c.effective, .files = {}}, options.output, "solution",
-                   MPI_COMM_WORLD);
+void report(const computation::Result& result, const config::Case& c, const Options& options, io::Output& files) {
+  files.finish(result, {.title = c.title, .settings = c.effective, .files = {}});
   if (options.quiet) return;
   print_summary(result);
   print("\nresults           {}\n", (options.output / "results.json").string());
@@ -50,18 +49,27 @@ ExitCode run(const Options& options) {
     progress.finish();
     print_error("{}: warning: {}\n", case_file, text);
   };
+  io::Output files(options.output, "solution", MPI_COMM_WORLD);
+  observer.instant = [&](const computation::HistoryEntry& entry, const computation::Solution& solution) {
+    progress.instant(entry);
+    files.add_instant(entry, solution);
+  };
   computation::Result result = computation::solve(c.problem, MPI_COMM_WORLD, observer);
   progress.finish();
   add_warnings(findings, result.warnings);
   if (exit_code(result.status) == bad_input) {
-    print_error("{}: error: {}\n", case_file, contact::explain(result.status));
+    const std::string where =
+        result.history.empty()
+            ? ""
+            : fmt::format("in step \"{}\", at time {:g}: ", result.history.back().step, result.history.back().time);
+    print_error("{}: error: {}{}\n", case_file, where, contact::explain(result.status));
     return bad_input;
   }
   if (result.levels.empty()) {
     print_error("{}: interrupted before the first mesh was finished: no results\n", case_file);
     return not_converged;
   }
-  report(result, c, options);
+  report(result, c, options, files);
   if (result.status == contact::Status::interrupted)
     print_error("{}: interrupted: {}\n", case_file, computation::status_text(result));
   else if (result.status != contact::Status::solved)

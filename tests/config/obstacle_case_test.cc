@@ -22,7 +22,7 @@ Obstacle read(const std::string& lines) {
       .problem.obstacles.at(0);
 }
 
-double distance(const std::string& lines, const Vector3d& X) { return read(lines).nearest(X, 0).distance; }
+double distance(const std::string& lines, const Vector3d& X) { return read(lines).nearest(X).distance; }
 
 TEST(AnObstacle, IsAnyOfTheShapes) {
   EXPECT_NEAR(distance("ball = { centre = [0, 0, 1], radius = \"R\" }", {0, 0, 0}), 0.5, 1e-15);

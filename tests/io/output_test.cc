@@ -8,7 +8,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace plastron::io {
 
@@ -28,6 +30,37 @@ TEST(Output, of_a_solved_problem_is_three_files_that_agree) {
   EXPECT_EQ(json["levels"].back()["cells"], Json(read_vtu(scratch.path / "solution.vtu").cells));
   for (const Json& file : json["files"]) EXPECT_TRUE(std::filesystem::exists(scratch.path / file.get<std::string>()));
   EXPECT_NE(text_of(scratch.path / "solution.pvd").find("file=\"solution.vtu\""), std::string::npos);
+}
+
+TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
+  const ScratchDirectory scratch("steps");
+  computation::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
+  problem.steps = {{.name = "press, slowly", .parts = 3}};
+  Output output(scratch.path, "solution", MPI_COMM_WORLD);
+  const computation::Result result = computation::solve(
+      problem, MPI_COMM_WORLD,
+      {.instant = [&](const auto& entry, const auto& solution) { output.add_instant(entry, solution); }});
+  output.finish(result, {.title = "plate", .settings = {}, .files = {}});
+  EXPECT_THAT(scratch.names(),
+              UnorderedElementsAre("results.json", "solution-0001.vtu", "solution-0002.vtu", "solution-0003.vtu",
+                                   "solution.vtu", "solution.pvd", "history.csv", "history.svg"));
+  EXPECT_EQ(text_of(scratch.path / "solution-0003.vtu"), text_of(scratch.path / "solution.vtu"));
+  EXPECT_NE(text_of(scratch.path / "solution-0001.vtu"), text_of(scratch.path / "solution.vtu"));
+  EXPECT_NE(text_of(scratch.path / "solution.pvd").find("timestep=\"1\" part=\"0\" file=\"solution-0003.vtu\""),
+            std::string::npos);
+  const Json history = Json::parse(text_of(scratch.path / "results.json"))["history"];
+  ASSERT_EQ(history.size(), 3U);
+  EXPECT_EQ(history[2]["step"], Json("press, slowly"));
+  EXPECT_NEAR(history[2]["energy"].get<double>(), result.summary.energy.total(), 0);
+  // The table: a line of names, then one for each instant with as many values.
+  std::istringstream table(text_of(scratch.path / "history.csv"));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(table, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0].rfind("time,step,status,load_factor,energy,", 0), 0U);
+  EXPECT_EQ(lines[3].rfind("1.0,\"press, slowly\",solved,1.0,", 0), 0U);
+  const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(commas(lines[i]), commas(lines[0]) + 1);  // one is in the name
 }
 
 TEST(Output, the_resultants_of_results_json_balance) {

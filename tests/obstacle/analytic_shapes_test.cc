@@ -41,8 +41,8 @@ TEST(AnalyticShapes, AreTheSameInMicrometresAndInMegametres) {
   for (const double m : {1e-6, 1e6})
     for (std::size_t k = 0; k < shapes().size(); ++k)
       for (const Vector3d& X : points) {
-        const Nearest one = Obstacle{.shape = shapes()[k]}.nearest(X, 0),
-                      other = Obstacle{.shape = shapes(m)[k]}.nearest(m * X, 0);
+        const Nearest one = Obstacle{.shape = shapes()[k]}.nearest(X),
+                      other = Obstacle{.shape = shapes(m)[k]}.nearest(m * X);
         EXPECT_NEAR(other.distance / m, one.distance, 1e-13);
         EXPECT_LT((other.normal - one.normal).norm(), 1e-11);
         EXPECT_LT((other.curvature * m - one.curvature).norm(), 1e-10 * (1 + std::pow(one.curvature.norm(), 2)));

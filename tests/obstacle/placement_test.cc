@@ -1,5 +1,7 @@
 #include "obstacle/probing.hpp"
 
+#include <numbers>
+
 namespace plastron::obstacle {
 namespace {
 
@@ -8,11 +10,10 @@ TEST(APlacement, TurnsAndShiftsTheShapeAndLeavesDistances) {
   const Obstacle rest{.shape = Box{.size = {1, 0.7, 0.4}, .fillet = 0.1}};
   Obstacle body = rest;
   body.placement = placed(axis, 1.1, about, shift);
-  body.translation = {0, 0, 2};
   const Matrix3d R = Eigen::AngleAxisd(1.1, axis).toRotationMatrix();
   for (const Vector3d& x : test::random_points(100, 1)) {
-    const Vector3d X = about + R * (x - about) + shift + 0.5 * body.translation;
-    const Nearest at = body.nearest(X, 0.5), at_rest = rest.nearest(x, 0);
+    const Vector3d X = about + R * (x - about) + shift;
+    const Nearest at = body.nearest(X), at_rest = rest.nearest(x);
     EXPECT_NEAR(at.distance, at_rest.distance, 1e-14);
     EXPECT_LT((at.normal - R * at_rest.normal).norm(), 1e-12);
     EXPECT_LT((at.curvature - R * at_rest.curvature * R.transpose()).norm(), 1e-10 * (1 + at.curvature.norm()));
@@ -23,7 +24,28 @@ TEST(APlacement, OfNothingChangesNoBit) {
   Obstacle body{.shape = HalfSpace{{0.1, 0.2, 0.3}, Vector3d(0.6, 0, 0.8)}};
   body.placement = placed({0, 0, 1}, 0, {5, 6, 7}, Vector3d::Zero());
   for (const Vector3d& X : test::random_points(50, 1))
-    EXPECT_EQ(body.nearest(X, 0).distance, std::get<HalfSpace>(body.shape).nearest(X).distance);
+    EXPECT_EQ(body.nearest(X).distance, std::get<HalfSpace>(body.shape).nearest(X).distance);
+}
+
+TEST(AMotion, RunsThroughItsStepsOneAfterTheOther) {
+  // A quarter turn about z through (1, 0, 0), then 2 along x.
+  const Obstacle body{.shape = Ball{{2, 0, 0}, 0.5},
+                      .motions = {{.angle = std::numbers::pi / 2, .about = {1, 0, 0}}, {.translation = {2, 0, 0}}}};
+  const auto distance_of_centre = [&](double time, const Vector3d& centre) {
+    return body.standing(time).nearest(centre).distance;
+  };
+  const double s = std::sqrt(0.5);
+  EXPECT_NEAR(distance_of_centre(0, {2, 0, 0}), -0.5, 1e-15);
+  EXPECT_NEAR(distance_of_centre(0.5, {1 + s, s, 0}), -0.5, 1e-15);
+  EXPECT_NEAR(distance_of_centre(1, {1, 1, 0}), -0.5, 1e-15);
+  EXPECT_NEAR(distance_of_centre(1.25, {1.5, 1, 0}), -0.5, 1e-15);
+  EXPECT_NEAR(distance_of_centre(7, {3, 1, 0}), -0.5, 1e-15);
+}
+
+TEST(APressedBody, ComesAlongItsForce) {
+  const Obstacle body{.shape = Ball{}, .force = {0, 0, -3}};
+  EXPECT_TRUE(body.is_pressed());
+  EXPECT_NEAR(body.standing(0, 0.25).nearest({0, 0, -2}).distance, 0.75, 1e-15);
 }
 
 }  // namespace

@@ -24,12 +24,12 @@ inline void expect_exact_derivatives(const Shape& shape, const std::vector<Vecto
   const double step = 1e-5 * size;
   std::size_t kinks = 0;
   for (const Vector3d& X : points) {
-    const Nearest at = body.nearest(X, 0);
+    const Nearest at = body.nearest(X);
     EXPECT_NEAR(at.normal.norm(), 1, 1e-12);
     double off = 0;
     for (int i = 0; i < 3; ++i) {
-      const Nearest ahead = body.nearest(X + step * Vector3d::Unit(i), 0),
-                    behind = body.nearest(X - step * Vector3d::Unit(i), 0);
+      const Nearest ahead = body.nearest(X + step * Vector3d::Unit(i)),
+                    behind = body.nearest(X - step * Vector3d::Unit(i));
       off = std::max(off, std::abs((ahead.distance - behind.distance) / (2 * step) - at.normal[i]));
       const Vector3d bend = (ahead.normal - behind.normal) / (2 * step);
       off = std::max(off, (bend - at.curvature.col(i)).norm() * size / (1 + std::pow(at.curvature.norm() * size, 3)));
@@ -43,11 +43,11 @@ inline void expect_exact_derivatives(const Shape& shape, const std::vector<Vecto
 inline void expect_true_distance(const Shape& shape, const std::vector<Vector3d>& points, double size) {
   const Obstacle body{.shape = shape};
   for (const Vector3d& X : points) {
-    const Nearest at = body.nearest(X, 0);
-    EXPECT_NEAR(body.nearest(X - at.distance * at.normal, 0).distance, 0, 1e-9 * size);
+    const Nearest at = body.nearest(X);
+    EXPECT_NEAR(body.nearest(X - at.distance * at.normal).distance, 0, 1e-9 * size);
     for (const Vector3d& direction : random_points(20, 1)) {
       const Vector3d nearer = X + 0.99 * std::abs(at.distance) * direction.normalized();
-      EXPECT_GE(body.nearest(nearer, 0).distance * (at.distance < 0 ? -1 : 1), -1e-9 * size);
+      EXPECT_GE(body.nearest(nearer).distance * (at.distance < 0 ? -1 : 1), -1e-9 * size);
     }
   }
 }

@@ -25,16 +25,16 @@ TEST(ADrawnSurface, LiesOnTheObstacleAndLooksToTheFreeSide) {
       Box{},
       HeightField(std::make_shared<const geometry::SpaceFunction>("0.2*cos(X)*Y", geometry::Constants{}))};
   for (const Shape& shape : shapes) {
-    Obstacle body{.shape = shape, .translation = {0, 0, 0.4}};
-    body.placement = placed({0, 1, 0}, 0.4, {0, 0, 0}, {0.2, 0, 0});
-    const TriangleMesh mesh = surface_mesh(body, all, 16, 0.5);
+    Obstacle body{.shape = shape};
+    body.placement = placed({0, 1, 0}, 0.4, {0, 0, 0}, {0.2, 0, 0.2});
+    const TriangleMesh mesh = surface_mesh(body, all, 16);
     EXPECT_GT(mesh.triangles.size(), 100u);
-    for (const Vector3d& p : mesh.points) EXPECT_NEAR(body.nearest(p, 0.5).distance, 0, 1e-8);
+    for (const Vector3d& p : mesh.points) EXPECT_NEAR(body.nearest(p).distance, 0, 1e-8);
     std::size_t turned = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
       const Vector3d &p = mesh.points[a], &q = mesh.points[b], &r = mesh.points[c], middle = (p + q + r) / 3;
       const Vector3d normal = (q - p).cross(r - p);
-      if (normal.norm() > 1e-6 && normal.dot(body.nearest(middle, 0.5).normal) < 0) ++turned;
+      if (normal.norm() > 1e-6 && normal.dot(body.nearest(middle).normal) < 0) ++turned;
     }
     EXPECT_EQ(turned, 0u);
   }

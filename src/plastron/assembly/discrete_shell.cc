@@ -18,7 +18,7 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
   auto discrete = std::make_unique<DiscreteShell>(DiscreteShell{.shell = std::move(shell),
                                                                 .points = std::move(points),
                                                                 .full_load = std::move(load),
-                                                                .obstacles = description.obstacles,
+                                                                .obstacles_at_start = description.obstacles,
                                                                 .tangency = description.tangency,
                                                                 .supports = description.supports});
   linearise(*discrete, std::move(state));
@@ -27,6 +27,7 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
 
 void linearise(DiscreteShell& discrete, State state) {
   discrete.state = std::move(state);
+  discrete.obstacles = discrete.obstacles_at_start.standing(discrete.state);
   discrete.coordinates =
       nodal_coordinates(discrete.shell.space_pointer(), discrete.shell.surface(), discrete.points, discrete.supports,
                         discrete.obstacles, discrete.tangency.formulation, discrete.state);

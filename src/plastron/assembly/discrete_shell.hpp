@@ -14,12 +14,13 @@ struct DiscreteShell {
   ShellOperator shell;
   std::vector<NodalPoint> points;
   algebra::Vector full_load;  ///< Cartesian nodal forces and couples at load factor 1 (block 6)
-  RigidObstacles obstacles;
+  RigidObstacles obstacles_at_start;
   element::Tangency tangency;
   std::vector<Support> supports{};
 
   // Of the state:
   State state{};
+  RigidObstacles obstacles{};  ///< where they stand
   NodalCoordinates coordinates{};
   algebra::Vector load{};  ///< load factor times full_load
 
@@ -31,7 +32,7 @@ struct DiscreteShell {
   /// f = A y - l, what supports and obstacles carry, tied nodes not yet handed on; owned values, needs y's ghosts (collective).
   void residual(const algebra::Vector& y, algebra::Vector& f) const;
   /// (M16) at a point that the state has moved, against obstacle k.
-  obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at, state.time); }
+  obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }
   /// (u, r) of the state at points of a local cell, a row each.
   element::CellField state_values(std::size_t cell, const element::BasisAt& at) const;
   /// Where supports hold points of Omega, each once.

@@ -85,7 +85,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
       auto& of_obstacle = coordinates.gaps.emplace_back();
       for (std::size_t i = 0; i < points.size(); ++i)
         of_obstacle.push_back(
-            obstacles.gap(k, shell_point(points[i].phi, points[i].a3, points[i].thickness, state.at(i)), state.time));
+            obstacles.gap(k, shell_point(points[i].phi, points[i].a3, points[i].thickness, state.at(i))));
     }
     for (std::size_t i = 0; i < node_support.size(); ++i) {
       const NodeSupport& s = node_support[i];

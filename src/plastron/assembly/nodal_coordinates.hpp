@@ -17,16 +17,22 @@ namespace plastron::assembly {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The obstacles as the shell meets them.
+/// The obstacles as the shell meets them, at rest.
 struct RigidObstacles {
   std::vector<obstacle::Obstacle> all{};
   double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 
   bool empty() const { return all.empty(); }
   /// (M16) against obstacle k.
-  obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at, double time) const {
+  obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at) const {
     at.thickness *= face_scale;
-    return obstacle::gap_at(all[k], at, time);
+    return obstacle::gap_at(all[k], at);
+  }
+  /// The same standing where they do in the state.
+  RigidObstacles standing(const State& state) const {
+    RigidObstacles result{.face_scale = face_scale};
+    for (std::size_t k = 0; k < all.size(); ++k) result.all.push_back(all[k].standing(state.time, state.position(k)));
+    return result;
   }
 };
 
@@ -82,7 +88,7 @@ InCoordinates in_coordinates(const NodalCoordinates& coordinates, std::size_t ce
 obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
                                  const Eigen::Matrix<double, 6, 1>& moved);
 
-/// With the gaps linearised at `state` (collective). Throws SupportError, ObstacleError.
+/// With the gaps against `obstacles`, where they stand, linearised at `state` (collective). Throws SupportError, ObstacleError.
 NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
                                    const RigidObstacles& obstacles, element::Formulation formulation,

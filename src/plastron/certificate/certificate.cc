@@ -208,8 +208,10 @@ Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution&
   s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
   s.loads = over_ranks(sums.loads, comm);
   for (const ObstacleContact& contact : sums.obstacles) {
-    s.obstacles.push_back({contact.name, over_ranks(contact.reaction, comm),
-                           algebra::sum_over_ranks(contact.area, comm), algebra::sum_over_ranks(contact.nodes, comm)});
+    s.obstacles.push_back(contact);
+    s.obstacles.back().reaction = over_ranks(contact.reaction, comm);
+    s.obstacles.back().area = algebra::sum_over_ranks(contact.area, comm);
+    s.obstacles.back().nodes = algebra::sum_over_ranks(contact.nodes, comm);
     s.reaction.force += s.obstacles.back().reaction.force;
     s.reaction.moment += s.obstacles.back().reaction.moment;
   }
@@ -296,13 +298,26 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
   return solution;
 }
 
+namespace {
+
+/// Where the obstacle stands, and that nothing touches it.
+ObstacleContact untouched(const obstacle::Obstacle& at_start, const obstacle::Obstacle& now) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.placement.rotation * at_start.placement.rotation.transpose()));
+  return {.name = now.name,
+          .translation = now.placement.translation - at_start.placement.translation,
+          .rotation = turn.angle() * turn.axis()};
+}
+
+}  // namespace
+
 Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const algebra::Vector r = residual(discrete, solution);
   const double size = size_of(discrete);
   Sums sums;
   for (const auto& [support, node] : point_nodes(discrete)) sums.at_points.emplace(node, Vector3d::Zero());
-  for (const obstacle::Obstacle& o : discrete.obstacles.all) sums.obstacles.emplace_back().name = o.name;
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
+    sums.obstacles.push_back(untouched(discrete.obstacles_at_start.all[k], discrete.obstacles.all[k]));
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     add_node(discrete, solution, i, block6(r, i), sums);
     sums.strain_scale.add(discrete.points[i], block6(solution.y, i), size);

@@ -17,9 +17,12 @@ struct Wrench {
 /// What one obstacle does to the shell.
 struct ObstacleContact {
   std::string name{};
-  Wrench reaction;
+  Wrench reaction{};
   double area = 0;         ///< nodal weight of the nodes that touch it [m^2]
   std::int64_t nodes = 0;  ///< that touch it
+  Vector3d translation =
+      Vector3d::Zero();  ///< from where it stood at the start, of the origin of its shape's own coordinates [m]
+  Vector3d rotation = Vector3d::Zero();  ///< from how it stood: axis times angle [rad]
 };
 
 struct Certificate {

@@ -56,9 +56,9 @@ Level record_of(const fem::Space& space, const contact::BoxSolution& z, const ce
 class LevelRun {
  public:
   LevelRun(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete, const Observer& observer)
-      : task_(task), discrete_(std::move(discrete)), observer_(observer) {}
+      : seconds(task.seconds), task_(task), discrete_(std::move(discrete)), observer_(observer) {}
 
-  Seconds seconds{};
+  Seconds seconds;
   int factorisations = 0;
   std::vector<contact::Iteration> history{};
 
@@ -77,7 +77,7 @@ class LevelRun {
                                        [&](const contact::Iteration& i) {
                                          if (observer_.iteration) observer_.iteration(task_.number, i);
                                        },
-                                   .stop = [&] { return wants_to_stop(observer_, task_.space->layout->comm); }};
+                                   .stop = [&] { return wants_to_stop(observer_, discrete_->space().layout->comm); }};
     contact::Settings settings = task_.settings;
     settings.detect_free_motions = settings.detect_free_motions && detect_free_motions;
     contact::BoxSolution z = contact::solve(box, guess, F, settings, follow);
@@ -103,14 +103,9 @@ class LevelRun {
 
 }  // namespace
 
-LevelResult solve_level(LevelTask task, const assembly::ShellDescription& shell,
-                        std::shared_ptr<const fem::Surface> surface, const Observer& observer) {
-  Stopwatch watch;
-  if (observer.phase) observer.phase(task.number, "geometry");
-  LevelRun run(task, assembly::discretise(task.space, std::move(surface), shell, std::move(task.start)), observer);
-  run.seconds.mesh = task.seconds_for_mesh;
-  run.seconds.discretisation = watch.lap();
-
+LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete,
+                        const Observer& observer) {
+  LevelRun run(task, std::move(discrete), observer);
   Relinearisation outer(task.linearisation, run.discrete());
   const auto guess = task.touched ? first_guess(run.discrete(), *task.touched) : std::vector<contact::Activity>{};
   contact::BoxSolution z = run.solve(guess, true);
@@ -123,12 +118,12 @@ LevelResult solve_level(LevelTask task, const assembly::ShellDescription& shell,
     nodal = certificate::nodal_solution(run.discrete(), z);
   }
   if (z.status == contact::Status::solved && !outer.is_met()) z.status = contact::Status::gap_not_met;
-  watch.lap();
+  Stopwatch watch;
   run.tell("certificate");
   const certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);
   run.seconds.certificate = watch.lap();
 
-  Level record = record_of(*task.space, z, verdict);
+  Level record = record_of(run.discrete().space(), z, verdict);
   record.iterations = static_cast<int>(run.history.size());
   record.history = std::move(run.history);
   record.factorisations = run.factorisations;

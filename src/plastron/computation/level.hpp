@@ -1,4 +1,4 @@
-// One mesh of the sequence: discretise, assemble, solve the contact problem, certify.
+// A discrete shell on one mesh at one instant: assemble, solve the contact problem, linearise again where obstacles are curved, certify.
 #pragma once
 #include <plastron/computation/observer.hpp>
 #include <plastron/computation/problem.hpp>
@@ -12,12 +12,11 @@ namespace plastron::computation {
 
 struct LevelTask {
   int number = 0;
-  std::shared_ptr<const fem::Space> space{};
   contact::Settings settings{};
   Linearisation linearisation{};
-  std::optional<algebra::Vector> touched{};  ///< contact zone of the mesh before, interpolated; empty on the coarsest
-  assembly::State start{};                   ///< what the gaps are linearised at first
-  double seconds_for_mesh = 0;
+  std::optional<algebra::Vector>
+      touched{};      ///< contact zone of the mesh before, interpolated, or of the instant before; empty at first
+  Seconds seconds{};  ///< spent on the mesh and on `discrete`
 };
 
 struct LevelResult {
@@ -26,8 +25,8 @@ struct LevelResult {
   certificate::Verdict verdict;
 };
 
-/// (collective)
-LevelResult solve_level(LevelTask task, const assembly::ShellDescription& shell,
-                        std::shared_ptr<const fem::Surface> surface, const Observer& observer);
+/// `discrete` is linearised where the gaps shall be at first; it becomes the solution's (collective).
+LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete,
+                        const Observer& observer);
 
 }  // namespace plastron::computation

@@ -14,6 +14,7 @@ struct Observer {
   std::function<void(int level, const Level&)> level{};
   std::function<void(std::string_view text)> warning{};        ///< as soon as it is known; it also stands in the result
   std::function<void(int level, const Solution&)> solution{};  ///< of every level, which is gone afterwards
+  std::function<void(const HistoryEntry&, const Solution&)> instant{};  ///< of every instant, where there are steps
   /// Asked between active-set iterations and between meshes: true ends the computation with status interrupted. Empty on all
   /// ranks or on none; one rank that says true stops all.
   std::function<bool()> stop{};

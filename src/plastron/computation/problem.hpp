@@ -39,6 +39,14 @@ struct Probe {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
 };
 
+/// Loads, forces on obstacles and their motions go from where the step before has left them to what they are at this one's end.
+struct Step {
+  std::string name{};
+  double load_factor = 1;               ///< of all loads at the step's end
+  int parts = 1;                        ///< equal, each of them solved
+  std::vector<double> force_factors{};  ///< of the forces on obstacles, one by one, at the step's end; empty: 1
+};
+
 struct Problem {
   fem::Domain domain = fem::Rectangle{};
   std::vector<fem::Join> joins{};                 ///< edges that are joined
@@ -49,6 +57,7 @@ struct Problem {
   std::vector<assembly::EdgeLoad> edge_loads{};
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g that makes the weight of the density [m/s^2]
   std::vector<obstacle::Obstacle> obstacles{};
+  std::vector<Step> steps{};  ///< obstacles have a motion for each, or none; without steps all is where it is
   std::vector<Probe> probes{};
   Discretisation discretisation{};
   contact::Settings contact{};

@@ -60,7 +60,7 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const certifica
     const Vector6 y = block6(solution.y, row.node);
     const obstacle::ShellPoint moved = assembly::shell_point(p.phi, p.a3, p.thickness, y);
     const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
-    const double distance = obstacle::true_gap(discrete.obstacles.all[k], gap, moved, discrete.state.time);
+    const double distance = obstacle::true_gap(discrete.obstacles.all[k], gap, moved);
     if (touches) error.at_contact = std::max(error.at_contact, std::abs(distance - gap(moved.u, moved.r)));
     error.depth = std::max(error.depth, -distance);
   });
@@ -89,8 +89,8 @@ std::optional<assembly::State> Relinearisation::next(const certificate::NodalSol
   if (steps_ > 1 && !(distance < last_)) part_ /= 2;
   last_ = distance;
   ++steps_;
-  assembly::State state{
-      .displacement = solution.y, .time = discrete_.state.time, .load_factor = discrete_.state.load_factor};
+  assembly::State state = discrete_.state;
+  state.displacement = solution.y;
   if (part_ < 1 && discrete_.state.is_deformed()) {
     const auto before = discrete_.state.displacement.local();
     const auto values = state.displacement.local();

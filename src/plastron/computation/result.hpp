@@ -1,4 +1,4 @@
-// What a computation returns: status, summary, certificate, the story of its levels, and the finest solution itself.
+// What a computation returns: status, summary, certificate, the story of its levels and steps, and the last solution itself.
 #pragma once
 #include <plastron/certificate/certificate_limits.hpp>
 #include <plastron/certificate/recovery.hpp>
@@ -58,6 +58,18 @@ struct Solution {
   certificate::NodalSolution nodal;
 };
 
+/// The solution at the end of a step, or of a part of one.
+struct HistoryEntry {
+  std::string step;  ///< its name
+  double time = 0;   ///< steps that are over, the part of this one included
+  double load_factor = 1;
+  contact::Status status = contact::Status::solved;
+  std::string missed_limits{};
+  Level level;  ///< how it was computed
+  certificate::Summary summary;
+  std::vector<ProbeValue> probes{};
+};
+
 struct Result {
   contact::Status status = contact::Status::solved;
   std::string missed_limits{};  ///< rows of the certificate beyond their limits, in words; empty unless inaccurate
@@ -65,7 +77,8 @@ struct Result {
   certificate::Certificate certificate{};
   std::vector<certificate::CertificateLimit> limits{};  ///< of its rows
   std::vector<ProbeValue> probes{};                     ///< the same on every rank
-  std::vector<Level> levels{};
+  std::vector<Level> levels{};                          ///< of the first instant, where there are steps
+  std::vector<HistoryEntry> history{};  ///< on the finest mesh, instant after instant; empty without steps
   bool has_obstacle = false;
   element::Formulation formulation = element::Formulation::tangent;
   int ranks = 1;

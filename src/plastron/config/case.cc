@@ -68,6 +68,7 @@ Case parse_case(std::string text, std::string file_name) {
   read_loads(root, domain, result.problem);
   read_gravity(root, result.problem);
   read_obstacles(root, result.problem);
+  read_steps(root, result.problem);
   read_probes(root, domain, result.problem);
   read_contact(root, result.problem);
   read_solver(root, result.problem);

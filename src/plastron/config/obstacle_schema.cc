@@ -67,6 +67,12 @@ Section obstacle_section() {
         .unit = "m",
         .fallback = "[0, 0, 0]",
         .meaning = "shifts the shape, after rotate"},
+       {.name = "force",
+        .kind = Kind::vector,
+        .unit = "N",
+        .fallback = "[0, 0, 0]",
+        .meaning = "presses the obstacle along this direction, across it and against turning it is held; how far it "
+                   "comes is found. [0, 0, 0]: the obstacle is held"},
        {.name = "face",
         .kind = Kind::word,
         .fallback = "\"auto\"",
@@ -74,20 +80,6 @@ Section obstacle_section() {
         .meaning = "the face of the shell that may touch: lower at -e/2, upper at +e/2 along a3, auto: point by point "
                    "the one that "
                    "looks at the obstacle; both: as two obstacles, the results of each face apart"}}};
-}
-
-Section rotate_section() {
-  return {"obstacle.rotate",
-          "rotate",
-          "A turn by the right hand about a line.",
-          {direction_key("axis", "direction of the line"),
-           {.name = "angle",
-            .unit = "rad",
-            .required = true,
-            .range = {.low = -1e3, .high = 1e3},
-            .meaning = "the angle",
-            .example = "\"pi/2\""},
-           point_key("about", "a point of the line")}};
 }
 
 std::vector<Section> round_sections() {
@@ -161,11 +153,25 @@ Section height_field_section() {
 
 }  // namespace
 
+Section rotate_section(const std::string& path) {
+  return {path,
+          "rotate",
+          "A turn by the right hand about a line.",
+          {direction_key("axis", "direction of the line"),
+           {.name = "angle",
+            .unit = "rad",
+            .required = true,
+            .range = {.low = -1e3, .high = 1e3},
+            .meaning = "the angle",
+            .example = "\"pi/2\""},
+           point_key("about", "a point of the line")}};
+}
+
 std::vector<Section> obstacle_sections() {
   std::vector<Section> all{obstacle_section()};
   for (auto& some : {plane_sections(), round_sections()}) all.insert(all.end(), some.begin(), some.end());
   all.push_back(height_field_section());
-  all.push_back(rotate_section());
+  all.push_back(rotate_section("obstacle.rotate"));
   return all;
 }
 

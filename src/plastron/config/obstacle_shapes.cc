@@ -221,6 +221,18 @@ std::optional<Eigen::Vector3d> read_direction(Table& table, const std::string& n
   return {};
 }
 
+std::optional<obstacle::Motion> read_motion(Table& table) {
+  const auto shift = table.vector("translate");
+  if (!table.has("rotate")) return shift ? std::optional(obstacle::Motion{.translation = *shift}) : std::nullopt;
+  auto rotate = table.table("rotate");
+  if (!rotate) return {};
+  const auto axis = read_direction(*rotate, "axis"), about = rotate->vector("about");
+  const auto angle = rotate->number("angle");
+  table.effective["rotate"] = rotate->effective;
+  if (!shift || !axis || !about || !angle) return {};
+  return obstacle::Motion{.axis = *axis, .angle = *angle, .about = *about, .translation = *shift};
+}
+
 MaybeShape read_shape(Table& obstacle) {
   std::vector<std::string> known;
   std::vector<const ShapeReader*> given;

@@ -12,5 +12,7 @@ std::optional<obstacle::Shape> read_shape(Table& obstacle);
 
 /// The unit vector along the three numbers of a key; the zero vector is reported.
 std::optional<Eigen::Vector3d> read_direction(Table& table, const std::string& name);
+/// `rotate`, then `translate`.
+std::optional<obstacle::Motion> read_motion(Table& table);
 
 }  // namespace plastron::config

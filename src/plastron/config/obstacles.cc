@@ -11,20 +11,6 @@ namespace {
 // An obstacle that both faces may touch counts as two.
 constexpr const char *of_lower_face = ", lower face", *of_upper_face = ", upper face";
 
-/// Where the shape stands: `rotate`, then `translate`.
-std::optional<obstacle::Placement> read_placement(Table& table) {
-  const auto shift = table.vector("translate");
-  if (!table.has("rotate"))
-    return shift ? std::optional(obstacle::placed({0, 0, 1}, 0, {0, 0, 0}, *shift)) : std::nullopt;
-  auto rotate = table.table("rotate");
-  if (!rotate) return {};
-  const auto axis = read_direction(*rotate, "axis"), about = rotate->vector("about");
-  const auto angle = rotate->number("angle");
-  table.effective["rotate"] = rotate->effective;
-  if (!shift || !axis || !about || !angle) return {};
-  return obstacle::placed(*axis, *angle, *about, *shift);
-}
-
 /// "obstacle-1", "obstacle-2", ... where the case gives none.
 std::string read_obstacle_name(Table& table, const computation::Problem& problem) {
   std::string name = fmt::format("obstacle-{}", problem.obstacles.size() + 1);
@@ -56,13 +42,27 @@ void add_faces(obstacle::Obstacle body, const std::string& face, computation::Pr
 
 }  // namespace
 
+std::vector<std::size_t> obstacles_named(const computation::Problem& problem, const std::string& name) {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < problem.obstacles.size(); ++k) {
+    const std::string& its = problem.obstacles[k].name;
+    if (its == name || its == name + of_lower_face || its == name + of_upper_face) found.push_back(k);
+  }
+  return found;
+}
+
 void read_obstacles(Table& root, computation::Problem& problem) {
   auto& effective = root.effective["obstacle"] = nlohmann::json::array();
   for (Table& table : root.tables("obstacle")) {
     obstacle::Obstacle result{.name = read_obstacle_name(table, problem)};
     if (auto shape = read_shape(table)) result.shape = std::move(*shape);
-    result.placement = read_placement(table).value_or(obstacle::Placement{});
-    add_faces(std::move(result), table.text("face").value_or("auto"), problem);
+    result.placement = read_motion(table).value_or(obstacle::Motion{}).after(1);
+    result.force = table.vector("force").value_or(Eigen::Vector3d::Zero());
+    const std::string face = table.text("face").value_or("auto");
+    if (face == "both" && result.is_pressed())
+      table.report("force", "an obstacle that both faces may touch cannot be pressed by a force", "",
+                   "say which face touches it: lower, upper or auto");
+    add_faces(std::move(result), face, problem);
     effective.push_back(table.effective);
   }
 }

@@ -2,6 +2,7 @@
 #include <plastron/config/geometry_schema.hpp>
 #include <plastron/config/obstacle_schema.hpp>
 #include <plastron/config/shell_schema.hpp>
+#include <plastron/config/step_schema.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -31,6 +32,7 @@ Section file_section() {
        {.name = "load", .kind = Kind::tables, .fallback = "[]", .meaning = "dead loads"},
        {.name = "gravity", .kind = Kind::table, .fallback = "{}", .meaning = "what makes the weight of the shell"},
        {.name = "obstacle", .kind = Kind::tables, .fallback = "[]", .meaning = "rigid obstacles"},
+       {.name = "step", .kind = Kind::tables, .fallback = "[]", .meaning = "loads and obstacles that change in steps"},
        {.name = "probe", .kind = Kind::tables, .fallback = "[]", .meaning = "points where results are wanted"},
        {.name = "contact", .kind = Kind::table, .fallback = "{}", .meaning = "the contact solver"},
        {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"}}};
@@ -215,6 +217,7 @@ std::vector<Section> all_sections() {
   append(geometry_sections());
   append({mesh_section(), join_section(), support_section(), load_section()});
   append(obstacle_sections());
+  append(step_sections());
   append({probe_section(), contact_section(), solver_section()});
   return all;
 }

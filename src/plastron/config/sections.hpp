@@ -27,6 +27,10 @@ void read_joins(Table& root, const std::optional<fem::Domain>& domain, computati
 void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_loads(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_obstacles(Table& root, computation::Problem& problem);
+/// Places in the problem's list: two for an obstacle that both faces may touch, none for an unknown name.
+std::vector<std::size_t> obstacles_named(const computation::Problem& problem, const std::string& name);
+/// After the obstacles.
+void read_steps(Table& root, computation::Problem& problem);
 void read_probes(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 
 /// The names under "boundary", those of the domain if its names are known.

@@ -255,7 +255,7 @@ std::vector<Table> Table::tables(const std::string& name) const {
   } else {
     for (const toml::value& entry : given.as_array()) {
       if (entry.is_table())
-        all.emplace_back(*reading_, section(name), entry);
+        all.emplace_back(*reading_, section(section_->path.empty() ? name : section_->path + "." + name), entry);
       else
         report_kind(*reading_, Item{entry, "an entry of " + name}, Kind::table);
     }

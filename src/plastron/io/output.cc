@@ -1,7 +1,10 @@
 #include <plastron/io/output.hpp>
 
 #include <plastron/io/atomic_file.hpp>
-#include <plastron/io/vtu.hpp>
+#include <plastron/io/history.hpp>
+#include <plastron/io/plot.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,23 +14,56 @@ namespace plastron::io {
 namespace {
 
 /// A singular system leaves displacements that no viewer can show.
-bool can_be_drawn(const computation::Result& result, MPI_Comm comm) {
-  if (!result.solution) return false;
-  const auto y = result.solution->nodal.y.owned();
+bool can_be_drawn(const computation::Solution& solution, MPI_Comm comm) {
+  const auto y = solution.nodal.y.owned();
   const bool finite = std::all_of(y.begin(), y.end(), [](double value) { return std::isfinite(value); });
   return algebra::sum_over_ranks(static_cast<std::int64_t>(finite ? 0 : 1), comm) == 0;
 }
 
 }  // namespace
 
+Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm)
+    : directory_(std::move(directory)), base_name_(std::move(base_name)), files_(comm) {
+  make_directory(directory_, comm);
+}
+
+void Output::add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution) {
+  if (!can_be_drawn(solution, files_.comm())) return;
+  instants_.push_back({entry.time, fmt::format("{}-{:04}.vtu", base_name_, instants_.size() + 1)});
+  names_.push_back(instants_.back().file_name);
+  add_vtu(solution, directory_ / names_.back(), files_);
+}
+
+void Output::add_history(const computation::Result& result) {
+  int rank = 0;
+  MPI_Comm_rank(files_.comm(), &rank);
+  const auto add = [&](const char* name, const auto& text) {
+    names_.emplace_back(name);
+    files_.add(directory_ / name, [&] { return rank == 0 ? text() : std::string(); });
+  };
+  add("history.csv", [&] { return history_csv(result); });
+  add("history.svg", [&] { return svg_text(history_plot(result)); });
+}
+
+void Output::finish(const computation::Result& result, Provenance provenance) {
+  if (result.solution && can_be_drawn(*result.solution, files_.comm())) {
+    names_.push_back(base_name_ + ".vtu");
+    add_vtu(*result.solution, directory_ / names_.back(), files_);
+    if (instants_.empty()) instants_.push_back({0, names_.back()});
+  }
+  if (!instants_.empty()) {
+    names_.push_back(base_name_ + ".pvd");
+    add_pvd(instants_, directory_ / names_.back(), files_);
+  }
+  if (!result.history.empty()) add_history(result);
+  provenance.files = names_;
+  add_results(result, provenance, directory_, files_);
+  files_.commit();
+}
+
 void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,
                   const std::string& base_name, MPI_Comm comm) {
-  make_directory(directory, comm);
-  AtomicFiles files(comm);
-  provenance.files.clear();
-  if (can_be_drawn(result, comm)) provenance.files = add_vtu(*result.solution, directory, base_name, files);
-  add_results(result, provenance, directory, files);
-  files.commit();
+  Output(directory, base_name, comm).finish(result, std::move(provenance));
 }
 
 }  // namespace plastron::io

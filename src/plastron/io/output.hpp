@@ -1,12 +1,34 @@
 // All output files of a computation, in the order that makes results.json the sign of completeness.
 #pragma once
 #include <plastron/io/results.hpp>
+#include <plastron/io/vtu.hpp>
 
 namespace plastron::io {
 
-/// Makes the directory and writes base_name.vtu and .pvd (unless there is no finite solution to draw) and results.json;
-/// those of an earlier run stay until all are complete, results.json is replaced last; provenance.files is filled here
-/// (collective). Throws std::runtime_error.
+/// Files of a run on their way. Those of an earlier run stay until all are complete; results.json is replaced last. All functions are
+/// collective and throw std::runtime_error.
+class Output {
+ public:
+  /// Makes the directory. Files of fields are base_name.vtu, .pvd and, of instants, base_name-0001.vtu and so on.
+  Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm);
+
+  /// The fields of an instant of the steps (computation::Observer::instant).
+  void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
+  /// The fields of the solution, unless there is none that is finite, history.csv and history.svg where there are steps, and
+  /// results.json; then all files get their names. provenance.files is filled here.
+  void finish(const computation::Result& result, Provenance provenance);
+
+ private:
+  void add_history(const computation::Result& result);
+
+  std::filesystem::path directory_;
+  std::string base_name_;
+  AtomicFiles files_;
+  std::vector<DataSet> instants_{};
+  std::vector<std::string> names_{};
+};
+
+/// All at once, for a computation without steps.
 void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,
                   const std::string& base_name, MPI_Comm comm);
 

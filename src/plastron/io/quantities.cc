@@ -184,6 +184,39 @@ std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities() {
       {"area", "m^2", "mid-surface area of the nodes that touch it",
        [](const ObstacleContact& o) { return number(o.area); }},
       {"nodes", "1", "nodes that touch it", [](const ObstacleContact& o) { return Json(o.nodes); }},
+      {"translation", "m", "how far it has come from where it stood at the start",
+       [](const ObstacleContact& o) { return triple(o.translation); }},
+      {"rotation", "rad", "how far it has turned: direction of the axis times the angle",
+       [](const ObstacleContact& o) { return triple(o.rotation); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
+  using computation::HistoryEntry;
+  static const std::vector<Quantity<HistoryEntry>> all{
+      {"time", "1", "steps that are over, the part of the present one included",
+       [](const HistoryEntry& h) { return number(h.time); }},
+      {"step", "-", "the step's name", [](const HistoryEntry& h) { return Json(h.step); }},
+      {"status", "-", "how this instant ended, in a word",
+       [](const HistoryEntry& h) { return Json(contact::to_string(h.status)); }},
+      {"load_factor", "1", "what all loads are multiplied by",
+       [](const HistoryEntry& h) { return number(h.load_factor); }},
+      {"energy", "J", "stored energy, 1/2 a(U, U)",
+       [](const HistoryEntry& h) { return number(h.summary.energy.total()); }},
+      {"load_work", "J", "l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},
+      {"max_displacement", "m", "largest |u| at a node",
+       [](const HistoryEntry& h) { return number(h.summary.max_displacement); }},
+      {"contact_area", "m^2", "mid-surface area of the touching nodes",
+       [](const HistoryEntry& h) { return number(h.summary.contact_area); }},
+      {"max_pressure", "Pa", "largest eta at a node",
+       [](const HistoryEntry& h) { return number(h.summary.max_pressure); }},
+      {"min_gap", "m", "smallest gap at a node", [](const HistoryEntry& h) { return number(h.level.min_gap); }},
+      {"support_force", "N", "resultant of the supports' reactions on the shell",
+       [](const HistoryEntry& h) { return triple(h.summary.support_reaction.force); }},
+      {"iterations", "1", "active-set iterations", [](const HistoryEntry& h) { return Json(h.level.iterations); }},
+      {"factorisations", "1", "numeric factorisations",
+       [](const HistoryEntry& h) { return Json(h.level.factorisations); }},
   };
   return all;
 }

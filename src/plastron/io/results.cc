@@ -53,6 +53,18 @@ Json level_json(const computation::Level& level) {
   return json;
 }
 
+Json probes_json(const std::vector<computation::ProbeValue>& probes, const computation::Result& result) {
+  Json json = Json::object();
+  for (const computation::ProbeValue& p : probes) json[p.name] = probe_json(p.values, result);
+  return json;
+}
+
+Json obstacles_json(const certificate::Summary& summary) {
+  Json list = Json::array();
+  for (const auto& contact : summary.obstacles) list.push_back(record_json(obstacle_quantities(), contact));
+  return list;
+}
+
 std::string compiler() {
 #ifdef __clang__
   return __VERSION__;  // "Clang 14.0.6"
@@ -85,6 +97,8 @@ Json units_json() {
   add_units(units, "point_supports/*/", point_support_quantities());
   add_units(units, "contact/", contact_quantities());
   add_units(units, "obstacles/*/", obstacle_quantities());
+  add_units(units, "history/*/", history_quantities());
+  add_units(units, "history/*/obstacles/*/", obstacle_quantities());
   for (const Field& field : fields()) units["probes/*/" + std::string(field.key)] = field.unit;
   add_units(units, "certificate/", certificate_quantities());
   add_units(units, "levels/*/", level_quantities());
@@ -103,17 +117,25 @@ Json fields_json(const computation::Result& result) {
 
 }  // namespace
 
+Json history_json(const computation::Result& result) {
+  Json list = Json::array();
+  for (const computation::HistoryEntry& entry : result.history) {
+    list.push_back(record_json(history_quantities(), entry));
+    list.back()["obstacles"] = obstacles_json(entry.summary);
+    list.back()["probes"] = probes_json(entry.probes, result);
+  }
+  return list;
+}
+
 Json results_json(const computation::Result& result, const Provenance& provenance) {
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
   json["point_supports"] = point_supports_json(result);
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
-  json["obstacles"] = Json::array();
-  for (const auto& contact : result.summary.obstacles)
-    json["obstacles"].push_back(record_json(obstacle_quantities(), contact));
-  json["probes"] = Json::object();
-  for (const computation::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
+  json["obstacles"] = obstacles_json(result.summary);
+  json["probes"] = probes_json(result.probes, result);
+  json["history"] = history_json(result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
   json["certificate_limits"] = limits_json(result);
   json["levels"] = Json::array();

@@ -22,6 +22,8 @@ struct Provenance {
 
 inline constexpr std::string_view results_name = "results.json";
 
+/// One record for each instant, with its obstacles and probes; empty without steps.
+Json history_json(const computation::Result& result);
 Json results_json(const computation::Result& result, const Provenance& provenance);
 
 /// Adds directory/results.json to the files (collective; the text is rank 0's). Throws std::runtime_error.

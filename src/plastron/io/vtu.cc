@@ -93,21 +93,17 @@ dealii::DataOutBase::VtkFlags flags_of(const std::vector<Field>& present) {
   return flags;
 }
 
-std::string pvd_text(const std::string& vtu_name) {
-  return fmt::format(R"(<?xml version="1.0"?>
-<VTKFile type="Collection" version="0.1">
-  <Collection>
-    <DataSet timestep="0" part="0" file="{}"/>
-  </Collection>
-</VTKFile>
-)",
-                     vtu_name);
+std::string pvd_text(const std::vector<DataSet>& sets) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+  for (const DataSet& set : sets)
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", set.time, set.file_name);
+  return text + "  </Collection>\n</VTKFile>\n";
 }
 
 }  // namespace
 
-std::vector<std::string> add_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
-                                 const std::string& base_name, AtomicFiles& files, double displacement_scale) {
+void add_vtu(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files,
+             double displacement_scale) {
   const MPI_Comm comm = files.comm();
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
@@ -115,23 +111,28 @@ std::vector<std::string> add_vtu(const computation::Solution& solution, const st
   const std::vector<Field> present = fields_of(!solution.discrete->obstacles.empty(),
                                                solution.discrete->tangency.formulation == element::Formulation::mixed);
   const auto flags = flags_of(present);
-  std::vector<std::string> names{base_name + ".vtu", base_name + ".pvd"};
-  const auto vtu_piece = [&] {
+  const auto piece = [&] {
     std::ostringstream out;
     if (rank == 0) dealii::DataOutBase::write_vtu_header(out, flags);
     write_piece(solution, displacement_scale, flags, present, out);
     if (rank == ranks - 1) dealii::DataOutBase::write_vtu_footer(out);
     return std::move(out).str();
   };
-  files.add(directory / names[0], vtu_piece);
-  files.add(directory / names[1], [&] { return rank == 0 ? pvd_text(names[0]) : std::string(); });
-  return names;
+  files.add(path, piece);
+}
+
+void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path, AtomicFiles& files) {
+  int rank = 0;
+  MPI_Comm_rank(files.comm(), &rank);
+  files.add(path, [&] { return rank == 0 ? pvd_text(sets) : std::string(); });
 }
 
 std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
                                    const std::string& base_name, double displacement_scale) {
   AtomicFiles files(solution.discrete->space().layout->comm);
-  auto names = add_vtu(solution, directory, base_name, files, displacement_scale);
+  std::vector<std::string> names{base_name + ".vtu", base_name + ".pvd"};
+  add_vtu(solution, directory / names[0], files, displacement_scale);
+  add_pvd({{0, names[0]}}, directory / names[1], files);
   files.commit();
   return names;
 }

@@ -9,11 +9,20 @@
 
 namespace plastron::io {
 
-/// Adds base_name.vtu, whose points are phi + displacement_scale u, and base_name.pvd, which names it (collective). Each cell has its own points, equidistant in its parameters, because resultants jump between cells;
-/// coordinates and values are rounded to single precision. Returns the names of the files. Throws std::runtime_error.
-std::vector<std::string> add_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
-                                 const std::string& base_name, AtomicFiles& files, double displacement_scale = 1);
-/// Writes them alone.
+/// Adds a .vtu file, whose points are phi + displacement_scale u (collective). Each cell has its own points, equidistant in its parameters, because resultants jump between cells;
+/// coordinates and values are rounded to single precision. Throws std::runtime_error.
+void add_vtu(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files,
+             double displacement_scale = 1);
+
+/// A .vtu file of a time series, beside the .pvd file.
+struct DataSet {
+  double time = 0;
+  std::string file_name;
+};
+/// Adds a .pvd file that names them (collective). Throws std::runtime_error.
+void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path, AtomicFiles& files);
+
+/// Writes base_name.vtu and base_name.pvd alone and returns their names.
 std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
                                    const std::string& base_name, double displacement_scale = 1);
 

@@ -1,4 +1,5 @@
-// A rigid obstacle as a value: a shape in space, how it moves from step to step, and the face of the shell that it meets.
+// A rigid obstacle as a value: a shape in space, how it moves from step to step or what presses it, and the face of the shell that it
+// meets.
 #pragma once
 #include <plastron/obstacle/ball.hpp>
 #include <plastron/obstacle/box.hpp>
@@ -7,7 +8,7 @@
 #include <plastron/obstacle/distance_field.hpp>
 #include <plastron/obstacle/half_space.hpp>
 #include <plastron/obstacle/height_field.hpp>
-#include <plastron/obstacle/placement.hpp>
+#include <plastron/obstacle/motion.hpp>
 #include <plastron/obstacle/torus.hpp>
 #include <plastron/obstacle/triangle_surface.hpp>
 
@@ -25,15 +26,26 @@ using Shape = std::variant<HalfSpace, Ball, Cylinder, Box, Torus, Cone, HeightFi
 struct Obstacle {
   std::string name{};  ///< no two obstacles of a problem share one; may be empty where there is one obstacle only
   Shape shape = HalfSpace{};
-  Face face = Face::nearer;                 ///< of the shell, the one that may touch
-  Vector3d translation = Vector3d::Zero();  ///< of the whole body from time 0 to time 1 [m]
-  Placement placement{};                    ///< where the shape stands at time 0
+  Face face = Face::nearer;           ///< of the shell, the one that may touch
+  Placement placement{};              ///< where the shape stands, at time 0 if it moves
+  std::vector<Motion> motions{};      ///< by step
+  Vector3d force = Vector3d::Zero();  ///< that presses it along its direction, where it is not held [N]
 
   /// Its gap is linear in the displacements: nothing is to be linearised again.
   bool is_plane() const { return std::holds_alternative<HalfSpace>(shape); }
-  /// Distance, normal and curvature at X when the body stands where it does at `time`, which runs linearly through the steps.
-  Nearest nearest(const Vector3d& X, double time) const {
-    const Vector3d in_body = placement.to_body(X - time * translation);
+  /// A force presses it: how far it has come along that is found and not given.
+  bool is_pressed() const { return !force.isZero(0); }
+  /// The same body at rest where it stands at `time`, having come `position` [m] along its force.
+  Obstacle standing(double time, double position = 0) const {
+    Obstacle result = *this;
+    result.motions.clear();
+    result.placement = moved(placement, motions, time);
+    if (position != 0) result.placement.translation += position * force.normalized();
+    return result;
+  }
+  /// Distance, normal and curvature at X of the body where its shape is placed.
+  Nearest nearest(const Vector3d& X) const {
+    const Vector3d in_body = placement.to_body(X);
     return placement.to_space(std::visit([&](const auto& body) { return body.nearest(in_body); }, shape));
   }
 };

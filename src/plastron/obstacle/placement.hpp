@@ -17,6 +17,11 @@ struct Placement {
   }
 };
 
+/// First `first`, then `then`.
+inline Placement operator*(const Placement& then, const Placement& first) {
+  return {then.rotation * first.rotation, then.to_space(first.translation)};
+}
+
 /// Turned by `angle` [rad] about the line through `about` along the unit vector `axis`, by the right hand, then shifted by `translation`.
 inline Placement placed(const Vector3d& axis, double angle, const Vector3d& about, const Vector3d& translation) {
   const Matrix3d rotation =

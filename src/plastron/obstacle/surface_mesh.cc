@@ -163,9 +163,8 @@ void cut(TriangleMesh& mesh, const Extent& extent) {
 
 }  // namespace
 
-TriangleMesh surface_mesh(const Obstacle& obstacle, const Extent& extent, int intervals, double time) {
-  Placement now = obstacle.placement;
-  now.translation += time * obstacle.translation;
+TriangleMesh surface_mesh(const Obstacle& obstacle, const Extent& extent, int intervals) {
+  const Placement& now = obstacle.placement;
   const Extent of_body = in_body(extent, now);
   const auto* plane = std::get_if<HalfSpace>(&obstacle.shape);
   const auto* surface = std::get_if<TriangleSurface>(&obstacle.shape);

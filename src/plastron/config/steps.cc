@@ -1,0 +1,92 @@
+// [[step]] and [[step.move]].
+#include <plastron/config/nearest.hpp>
+#include <plastron/config/obstacle_shapes.hpp>
+#include <plastron/config/sections.hpp>
+
+#include <algorithm>
+
+namespace plastron::config {
+
+namespace {
+
+/// All instants together: each is a solve and a file.
+constexpr int most_parts = 5000;
+
+std::string read_step_name(Table& table, const computation::Problem& problem) {
+  std::string name = fmt::format("step-{}", problem.steps.size() + 1);
+  if (table.has("name")) name = table.text("name").value_or(name);
+  table.effective["name"] = name;
+  if (name.empty()) table.report("name", "a step's name is empty", "", "leave the key out or give a name");
+  if (std::ranges::count(problem.steps, name, &computation::Step::name) > 0)
+    table.report("name", fmt::format("two steps are named \"{}\"", name), "", "choose another name");
+  return name;
+}
+
+std::vector<std::string> obstacle_names(const Table& root) {
+  std::vector<std::string> names;
+  for (const auto& obstacle : root.effective["obstacle"]) names.push_back(obstacle["name"]);
+  return names;
+}
+
+/// The places of the obstacle that the table moves; empty if there is a mistake.
+std::vector<std::size_t> moved_obstacles(Table& table, const computation::Problem& problem,
+                                         const std::vector<std::string>& known, std::vector<std::string>& seen) {
+  const auto name = table.text("obstacle");
+  if (!name) return {};
+  auto found = obstacles_named(problem, *name);
+  if (found.empty())
+    table.report("obstacle", fmt::format("there is no obstacle \"{}\"", *name), joined(known),
+                 did_you_mean(*name, known));
+  if (std::ranges::count(seen, *name) > 0) {
+    table.report("obstacle", fmt::format("the step moves the obstacle \"{}\" twice", *name), "",
+                 "write all of its motion in one [[step.move]]");
+    return {};
+  }
+  seen.push_back(*name);
+  return found;
+}
+
+void read_force(Table& table, const computation::Problem& problem, std::size_t k, computation::Step& step) {
+  if (!table.has("force")) return;
+  const auto factor = table.number("force");
+  if (!problem.obstacles[k].is_pressed())
+    table.report("force", fmt::format("no force presses the obstacle \"{}\"", problem.obstacles[k].name), "",
+                 "give the obstacle a force");
+  if (factor) step.force_factors[k] = *factor;
+}
+
+void read_moves(Table& table, const std::vector<std::string>& known, computation::Problem& problem,
+                computation::Step& step) {
+  for (obstacle::Obstacle& o : problem.obstacles) o.motions.emplace_back();
+  auto& effective = table.effective["move"] = nlohmann::json::array();
+  std::vector<std::string> seen;
+  for (Table& move : table.tables("move")) {
+    const auto motion = read_motion(move);
+    for (const std::size_t k : moved_obstacles(move, problem, known, seen)) {
+      if (motion) problem.obstacles[k].motions.back() = *motion;
+      read_force(move, problem, k, step);
+    }
+    effective.push_back(move.effective);
+  }
+}
+
+}  // namespace
+
+void read_steps(Table& root, computation::Problem& problem) {
+  auto& effective = root.effective["step"] = nlohmann::json::array();
+  computation::Step step{.force_factors = std::vector<double>(problem.obstacles.size(), 1)};
+  int parts = 0;
+  for (Table& table : root.tables("step")) {
+    step.name = read_step_name(table, problem);
+    if (table.has("loads")) step.load_factor = table.number("loads").value_or(1);
+    table.effective["loads"] = step.load_factor;
+    step.parts = table.integer("parts").value_or(1);
+    if (step.parts > 0 && (parts += step.parts) > most_parts)
+      table.report("parts", fmt::format("the steps have more than {} parts in all", most_parts));
+    read_moves(table, obstacle_names(root), problem, step);
+    problem.steps.push_back(step);
+    effective.push_back(table.effective);
+  }
+}
+
+}  // namespace plastron::config

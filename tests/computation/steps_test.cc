@@ -1,0 +1,107 @@
+// Steps: loads and obstacles that change, each instant from the one before.
+#include <gtest/gtest.h>
+#include <plastron/computation/instants.hpp>
+#include <plastron/computation/solve.hpp>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using namespace test;
+
+/// A clamped square plate, 0.007 above a table that its load presses it on, and beside its middle a ball 0.005 above it.
+Problem plate() {
+  Problem p;
+  p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
+  p.charts = {{"", Chart({"x", "y", "0"}, {})}};
+  p.sections.common.thickness = Expression(0.05);
+  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  p.area_loads = {force(0, 0, -1.2e-4)};
+  p.obstacles = {{.name = "table", .shape = obstacle::HalfSpace{.point = {0, 0, -0.032}}},
+                 {.name = "ball", .shape = obstacle::Ball{.centre = {0.25, 0, 0.33}, .radius = 0.3}}};
+  p.discretisation = {.degree = 2, .refinements = 2};
+  return p;
+}
+
+obstacle::Motion down(double way) { return {.translation = {0, 0, -way}}; }
+
+TEST(Instants, GoInEqualPartsFromWhatWasToWhatTheStepSays) {
+  Problem p = plate();
+  EXPECT_EQ(instants(p).size(), 1U);
+  EXPECT_EQ(instants(p)[0].time, 0);
+  EXPECT_EQ(instants(p)[0].load_factor, 1);
+  p.steps = {{.name = "a", .load_factor = 1, .parts = 2}, {.name = "b", .load_factor = 4, .parts = 3}};
+  const auto all = instants(p);
+  ASSERT_EQ(all.size(), 5U);
+  const std::vector<double> times{0.5, 1, 1 + 1.0 / 3, 1 + 2.0 / 3, 2}, factors{0.5, 1, 2, 3, 4};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(all[i].time, times[i], 1e-15);
+    EXPECT_NEAR(all[i].load_factor, factors[i], 1e-15);
+  }
+}
+
+TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
+  Problem many = plate(), one = plate();
+  many.steps = {{.name = "weight", .load_factor = 1, .parts = 2}, {.name = "press", .load_factor = 1, .parts = 3}};
+  many.obstacles[0].motions = {obstacle::Motion{}, obstacle::Motion{}};
+  many.obstacles[1].motions = {obstacle::Motion{}, down(0.0115)};
+  one.obstacles[1].placement.translation = {0, 0, -0.0115};
+  const Result a = solve(many, MPI_COMM_WORLD), b = solve(one, MPI_COMM_WORLD);
+  ASSERT_EQ(a.status, contact::Status::solved);
+  ASSERT_EQ(a.history.size(), 5U);
+  EXPECT_TRUE(b.history.empty());
+  EXPECT_NEAR(a.summary.energy.total() / b.summary.energy.total(), 1, 1e-9);
+  for (int k : {0, 1}) {
+    const auto &x = a.summary.obstacles.at(k), &y = b.summary.obstacles.at(k);
+    EXPECT_NEAR(x.reaction.force[2], y.reaction.force[2], 1e-8 * b.summary.reaction.force.norm());  // re-linearised to this
+    EXPECT_EQ(x.nodes, y.nodes);
+  }
+  EXPECT_GT(a.summary.obstacles.at(1).nodes, 0);
+  EXPECT_NEAR(a.summary.obstacles.at(1).translation[2], -0.0115, 1e-15);
+  EXPECT_EQ(a.history.back().step, "press");
+  EXPECT_EQ(a.history.back().time, 2);
+  EXPECT_EQ(a.history[0].load_factor, 0.5);
+  EXPECT_NEAR(a.history[0].summary.loads.force[2], -0.6e-4, 1e-16);
+}
+
+TEST(ForceOverWay, IsMonotoneAndComesBackTheSameWay) {
+  Problem p = plate();
+  p.area_loads.clear();
+  p.obstacles.erase(p.obstacles.begin());
+  p.steps = {{.name = "press", .parts = 4}, {.name = "release", .parts = 4}};
+  p.obstacles[0].motions = {down(0.012), down(-0.012)};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved);
+  ASSERT_EQ(r.history.size(), 8U);
+  const auto force = [&](std::size_t i) { return r.history[i].summary.obstacles.at(0).reaction.force.norm(); };
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_GT(force(i), force(i - 1));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(force(6 - i), force(i), 1e-8 * force(3));  // no friction, no memory
+  EXPECT_EQ(force(7), 0);
+}
+
+TEST(TheObserver, HearsOfEveryInstantWithItsSolution) {
+  Problem p = plate();
+  p.steps = {{.name = "press", .parts = 3}};
+  std::vector<double> times;
+  const Result r = solve(p, MPI_COMM_WORLD, {.instant = [&](const HistoryEntry& entry, const Solution& solution) {
+                           times.push_back(entry.time);
+                           EXPECT_EQ(solution.discrete->state.time, entry.time);
+                         }});
+  ASSERT_EQ(times.size(), 3U);
+  EXPECT_EQ(times.back(), 1);
+}
+
+TEST(Steps, EndWhereOneIsNotSolved) {
+  Problem p = plate();
+  p.steps = {{.name = "press", .parts = 1}, {.name = "through the rim", .parts = 2}};
+  p.obstacles[0].motions = {obstacle::Motion{}, down(-0.01)};  // the table enters the clamped edge
+  const Result r = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(r.status, contact::Status::infeasible);
+  EXPECT_EQ(r.history.size(), 3U);
+  EXPECT_EQ(r.history[1].status, contact::Status::solved);
+}
+
+}  // namespace
+}  // namespace plastron::computation
