@@ -49,16 +49,17 @@ std::optional<SubproblemPoint> PressedSubproblem::solve_first(std::span<const Ac
 
 std::optional<SubproblemPoint> PressedSubproblem::solve(const ActiveSet& set) {
   const bool is_pressed = !problem_.pressing.empty();
+  border_ = {};
   auto point = is_pressed ? subproblems_.solve_anew(set) : subproblems_.solve(set);
   failure_ = subproblems_.failure();
   if (!point || !is_pressed) return point;
   const auto answers = responses(set);
   failure_ = subproblems_.failure();
   if (!answers) return {};
-  const auto small = border(*answers);
+  border_ = border_of(*answers);
   failure_ = Status::singular;
-  if (!small) return {};
-  point = settle(set, *answers, *small, std::move(*point));
+  if (!border_.free_motion().empty()) return {};
+  point = settle(set, *answers, std::move(*point));
   if (point) finish(set, *point);
   return point;
 }
@@ -77,7 +78,7 @@ std::optional<std::vector<PressedSubproblem::Response>> PressedSubproblem::respo
   return all;
 }
 
-std::optional<Border> PressedSubproblem::border(const std::vector<Response>& responses) const {
+Border PressedSubproblem::border_of(const std::vector<Response>& responses) const {
   const std::size_t m = responses.size();
   SmallMatrix stiffness(m), factor_stiffness(m), scale(m);
   Vector forces(problem_.load.layout(), problem_.load.block());
@@ -96,7 +97,7 @@ std::optional<Border> PressedSubproblem::border(const std::vector<Response>& res
 
 /// Steps of the border until the reactions are the forces: the second mends the rounding of the first.
 std::optional<SubproblemPoint> PressedSubproblem::settle(const ActiveSet& set, const std::vector<Response>& responses,
-                                                         const Border& border, SubproblemPoint point) {
+                                                         SubproblemPoint point) {
   constexpr int most_steps = 4;
   for (int step = 0; step < most_steps && !responses.empty(); ++step) {
     const auto all_reactions = reactions(problem_, point.multiplier, set);
@@ -107,7 +108,7 @@ std::optional<SubproblemPoint> PressedSubproblem::settle(const ActiveSet& set, c
       sizes.push_back(all_sizes[response.force]);
     }
     if (is_balanced(misfit, sizes)) break;
-    const auto by = border.solve(misfit);
+    const auto by = border_.solve(misfit);
     Vector z = std::move(point.z);
     for (std::size_t l = 0; l < responses.size(); ++l) {
       positions_[responses[l].force] += by[l];

@@ -32,6 +32,8 @@ class PressedSubproblem {
   /// The problem with its bounds where the positions are.
   const BoxProblem& box() const { return box_; }
   SubproblemSolver& subproblems() { return subproblems_; }
+  /// K of the forces that the last set met; of none where it had no point without them either.
+  const Border& border() const { return border_; }
 
  private:
   /// z_k and A z_k of a force that is met.
@@ -40,15 +42,16 @@ class PressedSubproblem {
     algebra::Vector z, forces;
   };
   std::optional<std::vector<Response>> responses(const ActiveSet& set);
-  std::optional<Border> border(const std::vector<Response>& responses) const;
+  Border border_of(const std::vector<Response>& responses) const;
   std::optional<SubproblemPoint> settle(const ActiveSet& set, const std::vector<Response>& responses,
-                                        const Border& border, SubproblemPoint point);
+                                        SubproblemPoint point);
   void finish(const ActiveSet& set, SubproblemPoint& point);
 
   const BoxProblem& problem_;
   BoxProblem box_;
   std::vector<double> positions_;
   SubproblemSolver subproblems_;
+  Border border_{};
   Status failure_ = Status::singular;
 };
 

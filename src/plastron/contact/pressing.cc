@@ -55,6 +55,14 @@ std::vector<Meeting> meetings_here(const BoxProblem& problem, const BoxProblem& 
   return meetings;
 }
 
+/// How fast the bounds of an owned unknown approach each other with each position.
+std::vector<double> closing_of(const BoxProblem& problem, std::size_t i) {
+  std::vector<double> closing;
+  for (const PressingForce& pressing : problem.pressing)
+    closing.push_back(pressing.lower_shape.owned()[i] - pressing.upper_shape.owned()[i]);
+  return closing;
+}
+
 template <class Term>
 std::vector<double> sums_over_active(const BoxProblem& problem, const ActiveSet& set, const Term& term) {
   std::vector<double> sums;
@@ -172,18 +180,32 @@ std::vector<Touch> touch(const BoxProblem& problem, std::size_t k, const algebra
   return touched;
 }
 
-double largest_step(const BoxProblem& problem, std::span<const double> positions, std::span<const double> direction) {
+std::optional<Wedge> first_wedge(const BoxProblem& problem, std::span<const double> positions,
+                                 std::span<const double> direction) {
   const BoxProblem box = at_positions(problem, positions);
-  double largest = never;
+  const MPI_Comm comm = ranks_of(problem);
+  const auto first = static_cast<double>(problem.load.layout()->first) * problem.load.block();
+  double nearest = never;
+  Wedge wedge;
+  double unknown = never;
   for (std::size_t i = 0; i < box.lower.owned().size(); ++i) {
-    double closing = 0;
-    for (std::size_t k = 0; k < direction.size(); ++k)
-      closing += direction[k] *
-                 (problem.pressing[k].lower_shape.owned()[i] - problem.pressing[k].upper_shape.owned()[i]);
-    const double width = box.upper.owned()[i] - box.lower.owned()[i];
-    if (closing > 0 && std::isfinite(width)) largest = std::min(largest, std::max(0.0, width) / closing);
+    const double width = std::max(0.0, box.upper.owned()[i] - box.lower.owned()[i]);
+    if (!std::isfinite(width)) continue;
+    const std::vector<double> closing = closing_of(problem, i);
+    double speed = 0;
+    for (std::size_t k = 0; k < direction.size(); ++k) speed += direction[k] * closing[k];
+    if (!(speed > 0 && width <= speed && width < nearest * speed)) continue;
+    nearest = width / speed;
+    wedge = {.closing = closing, .width = width};
+    unknown = first + static_cast<double>(i);
   }
-  return algebra::min_over_ranks(largest, ranks_of(problem));
+  const double soonest = algebra::min_over_ranks(nearest, comm);
+  if (std::isinf(soonest)) return {};
+  const double owner = algebra::min_over_ranks(nearest == soonest ? unknown : never, comm);
+  if (unknown != owner) wedge = {.closing = std::vector<double>(direction.size(), 0.0), .width = 0};
+  for (double& closing : wedge.closing) closing = algebra::sum_over_ranks(closing, comm);
+  wedge.width = algebra::sum_over_ranks(wedge.width, comm);
+  return wedge;
 }
 
 }  // namespace plastron::contact

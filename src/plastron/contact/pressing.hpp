@@ -6,6 +6,7 @@
 #include <plastron/contact/subproblem_point.hpp>
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,7 +48,13 @@ bool every_force_can_be_carried(const BoxProblem& problem);
 std::vector<Touch> touch(const BoxProblem& problem, std::size_t k, const algebra::Vector& z,
                          const std::function<double(std::size_t)>& noise, std::vector<double>& positions);
 
-/// The largest t for which no bounds cross at positions + t direction; infinity if they never do. (collective)
-double largest_step(const BoxProblem& problem, std::span<const double> positions, std::span<const double> direction);
+/// Positions at which the two bounds of some unknown are `width` apart, falling by closing_k for each unit of position k.
+struct Wedge {
+  std::vector<double> closing{};
+  double width = 0;
+};
+/// The first bounds to cross on the way to positions + direction, such as are no wider than 0 there; nothing if none do. (collective)
+std::optional<Wedge> first_wedge(const BoxProblem& problem, std::span<const double> positions,
+                                 std::span<const double> direction);
 
 }  // namespace plastron::contact

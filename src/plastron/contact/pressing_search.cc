@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace plastron::contact {
 namespace {
@@ -20,6 +21,10 @@ struct PressedState {
   ActiveSet set{};
   BoxSolution inner{};
 };
+
+/// Of the width between two bounds that a step may take away, and how many such steps in a row show that nothing is between them.
+constexpr double part_of_the_way = 0.9;
+constexpr int most_in_a_row = 8;
 
 struct Direction {
   Positions by{};
@@ -54,6 +59,16 @@ Positions scaled_excess(const BoxProblem& problem, const PressedState& here, con
     direction[k] = scale > 0 ? direction[k] / scale : 0;
   }
   return direction;
+}
+
+/// Along the motion that costs nothing on the set, of the length of `ascent`; nothing if the forces hardly drive it, or it is none of theirs.
+std::optional<Positions> along_free_motion(const Positions& excess, const Positions& motion, const Positions& ascent) {
+  constexpr double hardly = 1e-8;
+  if (motion.size() != excess.size()) return {};
+  const auto size = [](const Positions& v) { return std::sqrt(std::max(0.0, -slope_along(v, v))); };
+  const double drive = -slope_along(motion, excess);
+  if (!(std::abs(drive) > hardly * size(motion) * size(excess))) return {};
+  return moved(Positions(motion.size(), 0.0), (drive > 0 ? 1 : -1) * size(ascent) / size(motion), motion);
 }
 
 class PressingSearch {
@@ -176,8 +191,11 @@ class PressingSearch {
       subproblem_.subproblems().start_multipliers_from(here.inner.equation_multiplier);
     auto point = subproblem_.solve(here.set);
     if (!point && subproblem_.failure() != Status::singular) return no_more(subproblem_.failure());
-    if (!point)
-      return Direction{.by = scaled_excess(problem_, here, subproblem_.subproblems().diagonal()), .is_newtons = false};
+    if (!point) {
+      const auto ascent = scaled_excess(problem_, here, subproblem_.subproblems().diagonal());
+      const auto free = along_free_motion(here.excess, subproblem_.border().free_motion(), ascent);
+      return Direction{.by = free.value_or(ascent), .is_newtons = false};
+    }
     Direction direction{.by = moved(point->positions, -1, here.positions)};
     take(std::move(*point), here.set);
     if (has_ended_) return {};
@@ -185,27 +203,45 @@ class PressingSearch {
   }
 
   /// Step 3.
-  std::optional<PressedState> descend(const PressedState& here, const Direction& direction) {
+  std::optional<PressedState> descend(const PressedState& here, Direction direction) {
+    keep_bounds_apart(here, direction);
     const double slope = slope_along(direction.by, here.excess);
-    if (!(slope < 0)) return no_more(std::isfinite(slope) ? Status::cycling : Status::not_finite);
-    const double reach = largest_step(problem_, here.positions, direction.by);
+    if (stopped_in_a_row_ > most_in_a_row) return no_more(Status::infeasible);
+    if (!std::isfinite(slope)) return no_more(Status::not_finite);
+    if (!(slope < 0)) return no_more(stopped_in_a_row_ > 0 ? Status::infeasible : Status::cycling);
     length_ = 1;
-    if (stops_before(reach)) return no_more(Status::infeasible);
     auto next = first_fall(here, direction.by, slope);
-    if (next && !direction.is_newtons) next = lengthened(here, direction.by, slope, reach, std::move(*next));
+    if (next && !direction.is_newtons) next = lengthened(here, direction.by, slope, std::move(*next));
     return next;
   }
 
-  /// Shortens the step if bounds would cross on the way. Whether that has happened so often that they are as good as at each other.
-  bool stops_before(double reach) {
-    constexpr double part_of_the_way = 0.9;
-    constexpr int most_in_a_row = 14;
-    if (reach > length_) {
-      stopped_in_a_row_ = 0;
-      return false;
+  /// Where bounds would cross on the way, the direction becomes that to the minimiser with their width, of the border's quadratic function,
+  /// a tenth of the present one: that falls, too. So often in a row and phi is least where they are at each other.
+  void keep_bounds_apart(const PressedState& here, Direction& direction) {
+    const Positions newtons = direction.by;
+    std::vector<Positions> rows;
+    Positions values;
+    while (const auto wedge = first_wedge(problem_, here.positions, direction.by)) {
+      rows.push_back(wedge->closing);
+      values.push_back(part_of_the_way * wedge->width);
+      const auto nearest = direction.is_newtons && rows.size() <= newtons.size()
+                               ? subproblem_.border().nearest(newtons, rows, values)
+                               : std::nullopt;
+      if (!nearest || std::ranges::any_of(nearest->multipliers, [](double mu) { return mu < 0; })) {
+        direction.by = shortened(here, newtons);
+        break;
+      }
+      direction.by = nearest->x;
     }
-    length_ = part_of_the_way * reach;
-    return !(length_ > 0) || ++stopped_in_a_row_ > most_in_a_row;
+    stopped_in_a_row_ = rows.empty() ? 0 : stopped_in_a_row_ + 1;
+  }
+
+  Positions shortened(const PressedState& here, Positions direction) const {
+    const auto wedge = first_wedge(problem_, here.positions, direction);
+    if (!wedge) return direction;
+    const double speed = -slope_along(direction, wedge->closing);
+    for (double& by : direction) by *= part_of_the_way * wedge->width / speed;
+    return direction;
   }
 
   std::optional<PressedState> first_fall(const PressedState& here, const Positions& direction, double slope) {
@@ -223,22 +259,23 @@ class PressingSearch {
       if (still_falls || next->value - here.value <= fraction_of_slope * length_ * slope) return next;
       failure.reset();
     }
-    return no_more(failure.value_or(Status::cycling));
+    return no_more(stopped_in_a_row_ > 0 ? Status::infeasible : failure.value_or(Status::cycling));
   }
 
   // A direction without a length: doubled as long as the slope has not halved.
   std::optional<PressedState> lengthened(const PressedState& here, const Positions& direction, double slope,
-                                         double reach, PressedState next) {
-    constexpr int most_doublings = 60;
+                                         PressedState next) {
+    constexpr int most_doublings = 40;
     for (int k = 0; k < most_doublings; ++k) {
-      if (!(slope_along(direction, next.excess) < 0.5 * slope) || 2 * length_ >= reach) return next;
+      if (!(slope_along(direction, next.excess) < 0.5 * slope)) return next;
       length_ *= 2;
+      if (first_wedge(problem_, here.positions, moved(Positions(direction.size(), 0.0), length_, direction))) return next;
       auto further = evaluate(moved(here.positions, length_, direction), next.set);
       if (has_ended_) return {};
       if (!further || !(slope_along(direction, further->excess) <= 0)) return next;
       next = std::move(*further);
     }
-    return no_more(Status::not_held);  // phi falls without end
+    return no_more(Status::not_carried);  // phi falls without end
   }
 
   const BoxProblem& problem_;

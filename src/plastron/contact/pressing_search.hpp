@@ -7,8 +7,9 @@
 //      falls on the way, and z stays.
 //   2. delta* of the subproblem of S with its border. If its z keeps all bounds and signs, it is the solution.
 //   3. delta := delta + t (delta* - delta) with the first t of 1, 1/2, ... for which phi falls: its slope is still not positive, or it is
-//      lower by a fraction of the slope; go to 1. Steps end before bounds cross. Where the border is singular on S the direction is
-//      F - R over the border's scale instead, and t doubles as long as the slope stays.
+//      lower by a fraction of the slope; go to 1. Where bounds would cross on the way, delta* is the minimiser of S with
+//      a tenth of their width left. Where the border is singular on S the direction is
+//      the free motion, if the forces drive it, or F - R over a scale, and t doubles as long as the slope stays.
 // Newton's method for a piecewise quadratic convex function, made safe by that function: phi falls at every step. The proof is in
 // docs/methods/pressing-obstacles.md. Source: Sun, On the structure of convex piecewise quadratic functions (1992); Qi and Sun, A nonsmooth
 // version of Newton's method (1993).
@@ -18,8 +19,8 @@
 namespace plastron::contact {
 
 /// Starts from the bordered subproblem of `initial`. The iterations of `box_solver` are those of the solution, and each subproblem of step
-/// 2 is one; max_iterations limits their sum. Status infeasible where the forces press bounds against each other, not_held where phi falls
-/// without end. Equations are left to `box_solver` and the subproblem. (collective)
+/// 2 is one; max_iterations limits their sum. Status infeasible where the forces press bounds against each other, not_carried where phi
+/// falls without end. Equations are left to `box_solver` and the subproblem. (collective)
 BoxSolution solve_by_pressing_search(const BoxProblem& problem, std::span<const Activity> initial,
                                      algebra::Preconditioner& preconditioner, const Settings& settings,
                                      const Observer& observer, SolverFunction& box_solver);

@@ -57,8 +57,8 @@ std::string_view explain(Status status) {
              "to "
              "contact.";
     case Status::not_carried:
-      return "Nothing carries the force that presses an obstacle: it moves away from the structure for ever; turn its "
-             "direction round, or place the obstacle where it meets the structure.";
+      return "Nothing carries the force that presses an obstacle: it moves away for ever, alone or with the "
+             "structure; turn its direction round, place the obstacle where it meets the structure, or support that.";
     case Status::linear_solver_stalled:
       return "The linear systems are too ill-conditioned for double precision; use a thicker shell, a coarser mesh or "
              "higher degree.";
