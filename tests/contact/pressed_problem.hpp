@@ -5,6 +5,8 @@
 
 namespace plastron::test {
 
+inline constexpr double no_bound = std::numeric_limits<double>::infinity();
+
 struct PressedDense {
   DenseProblem box;
   Eigen::MatrixXd lower_shape, upper_shape;  ///< a column for each force
@@ -109,7 +111,8 @@ inline std::optional<PressedSolution> brute_force(const PressedDense& dense) {
   }
 }
 
-/// random_problem() with forces on some of its bounds: lower ones mostly rise with delta, upper ones mostly fall.
+/// random_problem() with forces on some of its bounds: lower ones mostly rise with delta, upper ones mostly fall. One unknown is each force's
+/// own and carries it. Unknowns with two bounds come between a moving and a resting one.
 inline PressedDense random_pressed(Eigen::Index n, Eigen::Index forces, unsigned seed) {
   PressedDense dense{.box = random_problem(n, seed),
                      .lower_shape = Eigen::MatrixXd::Zero(n, forces),
@@ -121,12 +124,17 @@ inline PressedDense random_pressed(Eigen::Index n, Eigen::Index forces, unsigned
   const auto shape = [&] { return (one_in_eight(random) == 0 ? -1 : 1) * size(random); };
   for (Eigen::Index k = 0; k < forces; ++k) {
     dense.force(k) = 2 * size(random);
-    for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index i = forces; i < n; ++i) {
       if (dense.box.lower(i) == dense.box.upper(i)) continue;
       if (forces > 1 && i % forces != k && one_in_eight(random) != 0) continue;  // few unknowns meet two of them
-      if (std::isfinite(dense.box.lower(i))) dense.lower_shape(i, k) = shape();
-      if (std::isfinite(dense.box.upper(i)) && !std::isfinite(dense.box.lower(i))) dense.upper_shape(i, k) = -shape();
+      if (std::isfinite(dense.box.lower(i)))
+        dense.lower_shape(i, k) = shape();
+      else if (std::isfinite(dense.box.upper(i)))
+        dense.upper_shape(i, k) = -shape();
     }
+    dense.box.lower(k) = -size(random);
+    dense.box.upper(k) = no_bound;
+    dense.lower_shape(k, k) = size(random);
   }
   return dense;
 }
