@@ -2,6 +2,7 @@
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/hash.hpp>
 #include <plastron/contact/activity.hpp>
+#include <plastron/contact/pressing.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -33,12 +34,14 @@ void assert_fits_together([[maybe_unused]] const BoxProblem& problem) {
   PLASTRON_ASSERT(problem.lower.owned().size() == problem.load.owned().size() &&
                       problem.upper.owned().size() == problem.load.owned().size(),
                   problem.load.owned().size(), problem.lower.owned().size(), problem.upper.owned().size());
+  assert_pressing_fits(problem);
 }
 
 bool bounds_are_consistent(const BoxProblem& problem) {
   std::int64_t contradictions = 0;
   for (std::size_t i = 0; i < problem.lower.owned().size(); ++i)
-    if (!(problem.lower.owned()[i] <= problem.upper.owned()[i])) ++contradictions;
+    if (!(problem.lower.owned()[i] <= problem.upper.owned()[i]) && !moves_apart_or_together(problem, i))
+      ++contradictions;
   return count_over_ranks(problem, contradictions) == 0;
 }
 
@@ -94,6 +97,7 @@ BoxSolution unsolved(const BoxProblem& problem, Status status) {
           .z = zero,
           .multiplier = zero,
           .activity = starting_set(problem, {}),
+          .positions = std::vector<double>(problem.pressing.size(), 0.0),
           .iterations = {},
           .linear_residual = 0};
 }

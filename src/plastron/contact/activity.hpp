@@ -14,7 +14,8 @@ using ActiveSet = std::vector<Activity>;
 /// Asserts that load and bounds fit the matrix: layout, block, sizes. What they say is another matter (bounds_are_consistent).
 void assert_fits_together(const BoxProblem& problem);
 
-/// lower <= upper everywhere, on all ranks, and no bound is NaN.
+/// lower <= upper everywhere, on all ranks, and no bound is NaN. Bounds that pressing forces move against each other are left out:
+/// whether they cross is a matter of the positions (at_positions).
 bool bounds_are_consistent(const BoxProblem& problem);
 
 /// `initial` where it makes sense, that is where the bound exists; prescribed unknowns marked. Empty: nothing active.

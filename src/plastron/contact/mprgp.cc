@@ -2,6 +2,7 @@
 #include <plastron/contact/dual_ascent.hpp>
 #include <plastron/contact/face_preconditioner.hpp>
 #include <plastron/contact/mprgp.hpp>
+#include <plastron/contact/pressing_search.hpp>
 #include <plastron/contact/scaled_unknowns.hpp>
 #include <plastron/contact/split_gradient.hpp>
 #include <plastron/contact/subproblem.hpp>
@@ -271,6 +272,8 @@ algebra::CgResult first_minimiser(const BoxProblem& problem, const FacePrecondit
 
 BoxSolution solve_mprgp(const BoxProblem& problem, std::span<const Activity> initial,
                         algebra::Preconditioner& preconditioner, const Settings& settings, const Observer& observer) {
+  if (!problem.pressing.empty())
+    return solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_mprgp);
   if (problem.equations) return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_mprgp);
   BoxSolution solution = unsolved(problem, Status::infeasible);
   if (!bounds_are_consistent(problem)) return solution;

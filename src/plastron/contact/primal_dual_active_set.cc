@@ -1,7 +1,9 @@
 #include <plastron/contact/dual_ascent.hpp>
+#include <plastron/contact/pressed_subproblem.hpp>
+#include <plastron/contact/pressing.hpp>
+#include <plastron/contact/pressing_search.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 #include <plastron/contact/projected_search.hpp>
-#include <plastron/contact/subproblem.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -30,22 +32,37 @@ class Progress {
   int since_fewer_changes_ = 0;
 };
 
+/// The searches that cannot cycle: projections onto the box keep neither equations nor the balance of pressing forces.
+void continue_safely(const BoxProblem& problem, PressedSubproblem& subproblems, algebra::Preconditioner& preconditioner,
+                     const Settings& settings, const Observer& observer, BoxSolution& so_far) {
+  if (!problem.pressing.empty())
+    continue_pressing_search(problem, preconditioner, settings, observer, solve_primal_dual_active_set, so_far);
+  else if (problem.equations)
+    continue_dual_ascent(problem, preconditioner, settings, observer, solve_projected_search, so_far);
+  else
+    continue_projected_search(problem, subproblems.subproblems(), settings, observer, so_far);
+}
+
 }  // namespace
 
 BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<const Activity> initial,
                                          algebra::Preconditioner& preconditioner, const Settings& settings,
                                          const Observer& observer) {
+  if (problem.equations && !problem.pressing.empty())
+    return solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_primal_dual_active_set);
   BoxSolution solution = unsolved(problem, Status::iteration_limit);
   if (!bounds_are_consistent(problem)) return unsolved(problem, Status::infeasible);
-  SubproblemSolver subproblems(problem, preconditioner, settings);
+  if (!every_force_can_be_carried(problem)) return unsolved(problem, Status::not_carried);
+  PressedSubproblem subproblems(problem, preconditioner, settings);
   Progress progress;
-  ActiveSet set = starting_set(problem, initial);
-  auto point = subproblems.solve(set);
-  if (!point) point = subproblems.solve(set = everything_active(problem));
+  ActiveSet set;
+  auto point = subproblems.solve_first(initial, set);
   progress.is_lost(fingerprint(problem, set), std::numeric_limits<std::int64_t>::max());
   while (point) {
-    const Verdict verdict = judge(problem, *point, set);
+    const Verdict verdict = judge(subproblems.box(), *point, set);
+    const bool crossed = bounds_cross(subproblems.box(), point->gap_noise);
     const std::int64_t changes = record(problem, std::move(*point), set, verdict, observer, solution);
+    if (changes == 0 && crossed) break;
     if (changes == 0) {
       solution.status = Status::solved;
       return solution;
@@ -61,10 +78,8 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   }
   if (solution.iterations.empty())
     solution.status = subproblems.failure();
-  else if (problem.equations)  // projections onto the box leave the equations
-    continue_dual_ascent(problem, preconditioner, settings, observer, solve_projected_search, solution);
   else
-    continue_projected_search(problem, subproblems, settings, observer, solution);
+    continue_safely(problem, subproblems, preconditioner, settings, observer, solution);
   return solution;
 }
 

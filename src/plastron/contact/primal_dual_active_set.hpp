@@ -8,7 +8,8 @@
 //
 // Every set seen is remembered by its fingerprint. When one comes back, or when the number of changes has not fallen
 // for long, the projected search (projected_search.hpp) takes over, which cannot cycle; with equations, the dual ascent
-// (dual_ascent.hpp) with the projected search inside.
+// (dual_ascent.hpp) with the projected search inside. Pressing forces: the subproblems have a border (pressed_subproblem.hpp), and the
+// safeguard is the pressing search (pressing_search.hpp) with this method inside; with equations it is that search from the start.
 #pragma once
 #include <plastron/algebra/preconditioner.hpp>
 #include <plastron/contact/problem.hpp>

@@ -16,6 +16,8 @@ std::string_view to_string(Status status) {
       return "singular";
     case Status::not_held:
       return "not_held";
+    case Status::not_carried:
+      return "not_carried";
     case Status::linear_solver_stalled:
       return "linear_solver_stalled";
     case Status::not_finite:
@@ -44,7 +46,8 @@ std::string_view explain(Status status) {
              "of gap and multiplier, or start from a coarser mesh.";
     case Status::infeasible:
       return "Some unknown has a lower bound above its upper bound; look for a support that presses the structure into "
-             "an obstacle, or for obstacles too close to each other.";
+             "an obstacle, for obstacles too close to each other, or for a force that presses one obstacle through the "
+             "structure onto another.";
     case Status::singular:
       return "A motion costs no energy and no bound stops it; add a support that holds the structure.";
     case Status::not_held:
@@ -53,6 +56,9 @@ std::string_view explain(Status status) {
              "search let go of too much, or the loads pull it off; add a support against that motion, or start closer "
              "to "
              "contact.";
+    case Status::not_carried:
+      return "Nothing carries the force that presses an obstacle: it moves away for ever, alone or with the "
+             "structure; turn its direction round, place the obstacle where it meets the structure, or support that.";
     case Status::linear_solver_stalled:
       return "The linear systems are too ill-conditioned for double precision; use a thicker shell, a coarser mesh or "
              "higher degree.";

@@ -1,5 +1,7 @@
 // The box-constrained quadratic program that contact becomes in nodal coordinates, and its solution:
 //   minimise 1/2 z' A z - b' z   subject to   lower <= z <= upper   and, if there are any, equations B z = 0.
+// Given forces may move bounds along (docs/methods/pressing-obstacles.md): then their positions delta_k are unknowns, too,
+//   minimise 1/2 z' A z - b' z - sum_k F_k delta_k   subject to   lower(delta) <= z <= upper(delta),   both affine in delta.
 // Nothing here knows of shells: unknowns, bounds, multipliers.
 #pragma once
 #include <plastron/algebra/matrix.hpp>
@@ -24,6 +26,13 @@ struct EqualityConstraints {
   Operator precondition;  ///< roughly a multiple of (B A^{-1} B')^{-1}, symmetric and definite; zero on empty rows
 };
 
+/// A force F that moves bounds along: lower_i(delta) = lower_i + sum_k delta_k lower_shape_ki, upper_i alike. Shapes are finite, zero on
+/// unknowns that it does not bound and on prescribed ones. Its position delta has the unit of z over that of the shapes.
+struct PressingForce {
+  algebra::Vector lower_shape, upper_shape;
+  double force;  ///< F > 0: towards larger delta
+};
+
 struct BoxProblem {
   const algebra::Matrix& matrix;  ///< A as assembled: factorised, used as preconditioner
   Operator apply;                 ///< A z as exactly as can be had (through strains): defines residuals and multipliers
@@ -31,6 +40,7 @@ struct BoxProblem {
   algebra::Vector lower;          ///< -infinity where there is no bound
   algebra::Vector upper;          ///< +infinity where there is none; lower == upper prescribes the unknown
   std::optional<EqualityConstraints> equations{};
+  std::vector<PressingForce> pressing{};  ///< with these, lower and upper are the bounds at delta = 0
 };
 
 /// Where an unknown stands. Prescribed unknowns never leave; at_lower and at_upper make the active set.
@@ -40,9 +50,10 @@ enum class Status {
   solved,
   iteration_limit,        ///< max_iterations reached
   cycling,                ///< the active set came back and the safeguarded search could not go on either
-  infeasible,             ///< some lower > upper, or equations that cannot hold within the bounds
+  infeasible,             ///< some lower > upper (or forces press them there), or equations that cannot hold within the bounds
   singular,               ///< A is not positive definite even with every bound active: a motion is left free
   not_held,               ///< a motion is free on the active set that came up, though more active bounds would hold it
+  not_carried,            ///< a pressing force moves its bounds on for ever
   linear_solver_stalled,  ///< the preconditioned iteration missed its tolerance by far
   not_finite,             ///< numbers overflowed or are no numbers
   interrupted,            ///< somebody asked to stop
@@ -56,7 +67,7 @@ std::string_view explain(Status status);
 struct Iteration {
   std::int64_t active = 0;      ///< unknowns at a bound (prescribed ones not counted)
   std::int64_t changes = 0;     ///< unknowns that changed sides after this solve
-  double energy = 0;            ///< 1/2 z' A z - b' z
+  double energy = 0;            ///< 1/2 z' A z - b' z - sum_k F_k delta_k
   double worst_violation = 0;   ///< largest violation of a bound before projection
   double worst_multiplier = 0;  ///< most negative multiplier (0 if none)
   int linear_steps = 0;         ///< conjugate-gradient steps
@@ -84,6 +95,7 @@ struct BoxSolution {
   algebra::Vector multiplier{};
   algebra::Vector equation_multiplier{};  ///< q, with ghosts; empty without equations
   std::vector<Activity> activity{};       ///< of the owned unknowns
+  std::vector<double> positions{};        ///< delta_k of the pressing forces, the same on all ranks
   std::vector<Iteration> iterations{};
   double linear_residual = 0;  ///< reached by the last linear solve, relative
   Tolerances tolerances{};     ///< of the last iteration

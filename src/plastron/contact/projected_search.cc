@@ -1,4 +1,5 @@
 #include <plastron/contact/dual_ascent.hpp>
+#include <plastron/contact/pressing_search.hpp>
 #include <plastron/contact/projected_search.hpp>
 
 #include <algorithm>
@@ -184,6 +185,8 @@ void continue_projected_search(const BoxProblem& problem, SubproblemSolver& subp
 BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Activity> initial,
                                    algebra::Preconditioner& preconditioner, const Settings& settings,
                                    const Observer& observer) {
+  if (!problem.pressing.empty())
+    return solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_projected_search);
   if (problem.equations)
     return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_projected_search);
   BoxSolution solution = unsolved(problem, Status::infeasible);

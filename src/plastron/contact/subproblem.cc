@@ -54,14 +54,36 @@ std::optional<SubproblemPoint> SubproblemSolver::solve_first(std::span<const Act
 std::optional<SubproblemPoint> SubproblemSolver::solve(const ActiveSet& set) {
   PLASTRON_ASSERT(set.size() == problem_.load.owned().size(), set.size(), problem_.load.owned().size());
   if (auto point = solve_with_kept_factor(set)) return point;
+  return solve_anew(set);
+}
+
+std::optional<SubproblemPoint> SubproblemSolver::solve_anew(const ActiveSet& set) {
   if (!pin(set)) return {};
-  algebra::Vector z(problem_.load.layout(), problem_.load.block());
-  const auto linear = problem_.equations
-                          ? solve_with_equations(set, z)
-                          : solve_linear(set, problem_.load, linear_settings(settings_, preconditioner_), z);
-  failure_ = std::isfinite(linear.relative_residual) ? Status::linear_solver_stalled : Status::not_finite;
-  if (!linear.converged && !(linear.relative_residual <= usable_residual)) return {};
+  return refine(set, algebra::Vector(problem_.load.layout(), problem_.load.block()));
+}
+
+std::optional<SubproblemPoint> SubproblemSolver::refine(const ActiveSet& set, algebra::Vector z) {
+  hold(set, z);
+  const auto linear = solve_pinned(set, problem_.load, q_, z);
+  if (!is_usable(linear)) return {};
   return complete(std::move(z), linear, set);
+}
+
+std::optional<algebra::CgResult> SubproblemSolver::response(const ActiveSet& set, const algebra::Vector& values,
+                                                            algebra::Vector& z) {
+  const algebra::Vector no_load(problem_.load.layout(), problem_.load.block());
+  algebra::Vector q = problem_.equations ? problem_.equations->multipliers : algebra::Vector();
+  z = no_load;
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if (set[i] != Activity::free) z.owned()[i] = values.owned()[i];
+  auto linear = solve_pinned(set, no_load, q, z);
+  if (!is_usable(linear)) return {};
+  return linear;
+}
+
+bool SubproblemSolver::is_usable(const algebra::CgResult& linear) {
+  failure_ = std::isfinite(linear.relative_residual) ? Status::linear_solver_stalled : Status::not_finite;
+  return linear.converged || linear.relative_residual <= usable_residual;
 }
 
 bool SubproblemSolver::pin(const ActiveSet& set) {
@@ -88,6 +110,7 @@ std::optional<SubproblemPoint> SubproblemSolver::solve_with_kept_factor(const Ac
       steps_to_try(settings_.kept_factor, preconditioner_.price(), unknowns, count_changes(problem_, *pinned_, set));
   if (steps == 0) return {};
   algebra::Vector z = nearby_;
+  hold(set, z);
   const auto linear =
       solve_linear(set, problem_.load,
                    {.tolerance = sharper * settings_.linear_tolerance, .max_steps = steps, .patience = steps}, z);
@@ -95,18 +118,29 @@ std::optional<SubproblemPoint> SubproblemSolver::solve_with_kept_factor(const Ac
   return complete(std::move(z), linear, set);
 }
 
-algebra::CgResult SubproblemSolver::solve_linear(const ActiveSet& set, const algebra::Vector& load,
-                                                 const algebra::CgSettings& settings, algebra::Vector& z) const {
+void SubproblemSolver::hold(const ActiveSet& set, algebra::Vector& z) const {
   for (std::size_t i = 0; i < set.size(); ++i)
     if (set[i] != Activity::free) z.owned()[i] = held_at(problem_, i, set[i]);
+}
+
+/// z comes with the values of what is held.
+algebra::CgResult SubproblemSolver::solve_linear(const ActiveSet& set, const algebra::Vector& load,
+                                                 const algebra::CgSettings& settings, algebra::Vector& z) const {
   const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { preconditioner_.apply(r, x); };
   return algebra::conjugate_gradients(problem_.apply, precondition, load, held(set), diagonal_, z, settings);
+}
+
+algebra::CgResult SubproblemSolver::solve_pinned(const ActiveSet& set, const algebra::Vector& load, algebra::Vector& q,
+                                                 algebra::Vector& z) const {
+  return problem_.equations ? solve_with_equations(set, load, q, z)
+                            : solve_linear(set, load, linear_settings(settings_, preconditioner_), z);
 }
 
 /// The saddle point  A z + B' q = b,  B z = 0  on a subproblem. For given q, z is a linear solve; then q is corrected by the Schur
 /// complement with the preconditioner in place of A (defect correction), which leaves an error of that one's relative error.
 /// Ends when the correction has no more energy than rounding has.
-algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, algebra::Vector& z) {
+algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, const algebra::Vector& right,
+                                                         algebra::Vector& q, algebra::Vector& z) const {
   constexpr int most_corrections = 30;
   constexpr double negligible = 1e-11;  // of an energy norm
   constexpr double hopeless = 0.1;
@@ -116,9 +150,9 @@ algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, a
   double last_gain = std::numeric_limits<double>::infinity();
   int steps = 0;
   for (int correction = 0;; ++correction) {
-    q_.update_ghosts();
-    equations.apply_transposed(q_, force);
-    algebra::Vector load = problem_.load;
+    q.update_ghosts();
+    equations.apply_transposed(q, force);
+    algebra::Vector load = right;
     algebra::axpy(-1, force, load);
     auto linear = solve_linear(set, load, linear_settings(settings_, preconditioner_), z);
     steps += linear.steps;
@@ -138,7 +172,7 @@ algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, a
       return linear;
     }
     last_gain = gain;
-    algebra::axpy(1, step, q_);
+    algebra::axpy(1, step, q);
   }
 }
 
@@ -148,8 +182,7 @@ bool SubproblemSolver::solve_increment(const ActiveSet& set, const algebra::Vect
   const auto precondition = [&](const algebra::Vector& from, algebra::Vector& to) { preconditioner_.apply(from, to); };
   const auto linear = algebra::conjugate_gradients(problem_.apply, precondition, r, held(set), diagonal_, s,
                                                    linear_settings(settings_, preconditioner_));
-  failure_ = std::isfinite(linear.relative_residual) ? Status::linear_solver_stalled : Status::not_finite;
-  return linear.converged || linear.relative_residual <= usable_residual;
+  return is_usable(linear);
 }
 
 /// z = A^{-1} force where nothing is fixed, exact but for rounding only if the preconditioner is. `force` is zero where fixed.

@@ -18,6 +18,13 @@ class SubproblemSolver {
 
   /// Nothing if the subproblem has no unique minimiser or it cannot be computed; failure() then tells which. (collective)
   std::optional<SubproblemPoint> solve(const ActiveSet& set);
+  /// The same with a factor of this very set, which stays at hand for refine() and response(). (collective)
+  std::optional<SubproblemPoint> solve_anew(const ActiveSet& set);
+  /// The point of the set that solve_anew() factorised, from a z nearby: after the bounds have moved. (collective)
+  std::optional<SubproblemPoint> refine(const ActiveSet& set, algebra::Vector z);
+  /// z with (A z)_i = 0 where `set` is free and z_i = values_i where it holds; with equations A z + B' q = 0, B z = 0. The residual is
+  /// - A z (- A z - B' q). Nothing if it cannot be computed. After solve_anew(). (collective)
+  std::optional<algebra::CgResult> response(const ActiveSet& set, const algebra::Vector& values, algebra::Vector& z);
   /// The point on `initial` or, where that leaves a motion free, with every bound active: where solvers begin. (collective)
   std::optional<SubproblemPoint> solve_first(std::span<const Activity> initial);
   Status failure() const { return failure_; }
@@ -38,9 +45,14 @@ class SubproblemSolver {
  private:
   bool pin(const ActiveSet& set);
   std::optional<SubproblemPoint> solve_with_kept_factor(const ActiveSet& set);
+  void hold(const ActiveSet& set, algebra::Vector& z) const;
   algebra::CgResult solve_linear(const ActiveSet& set, const algebra::Vector& load, const algebra::CgSettings& settings,
                                  algebra::Vector& z) const;
-  algebra::CgResult solve_with_equations(const ActiveSet& set, algebra::Vector& z);
+  algebra::CgResult solve_pinned(const ActiveSet& set, const algebra::Vector& load, algebra::Vector& q,
+                                 algebra::Vector& z) const;
+  algebra::CgResult solve_with_equations(const ActiveSet& set, const algebra::Vector& right, algebra::Vector& q,
+                                         algebra::Vector& z) const;
+  bool is_usable(const algebra::CgResult& linear);
   void solve_roughly(std::span<const char> fixed, const algebra::Vector& force, algebra::Vector& z) const;
   SubproblemPoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set);
   algebra::CgResult multiplier_step(const ActiveSet& set, const algebra::Vector& violation,

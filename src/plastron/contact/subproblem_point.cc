@@ -11,7 +11,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 bool is_bounded(const BoxProblem& problem, std::size_t i) {
   const double lower = problem.lower.owned()[i], upper = problem.upper.owned()[i];
-  return lower < upper && (std::isfinite(lower) || std::isfinite(upper));
+  return lower != upper && (std::isfinite(lower) || std::isfinite(upper));
 }
 
 // The larger of the tolerance asked for, a multiple of the largest unknown that has a bound, and of what rounding leaves of
@@ -120,6 +120,7 @@ Verdict judge(const BoxProblem& problem, const SubproblemPoint& point, const Act
       if (multiplier < -point.multiplier_noise.owned()[i]) verdict.next[i] = Activity::free;
     }
   }
+  for (const Touch& touch : point.touched) verdict.next[touch.unknown] = touch.activity;
   const MPI_Comm comm = problem.load.layout()->comm;
   verdict.is_feasible = algebra::sum_over_ranks(violations, comm) == 0;
   verdict.worst_violation = algebra::max_over_ranks(verdict.worst_violation, comm);
@@ -139,6 +140,7 @@ std::int64_t record(const BoxProblem& problem, SubproblemPoint point, const Acti
   solution.multiplier = std::move(point.multiplier);
   solution.equation_multiplier = std::move(point.equation_multiplier);
   solution.activity = set;
+  solution.positions = std::move(point.positions);
   solution.linear_residual = point.linear_residual;
   solution.tolerances = point.tolerances;
   if (observer.iteration) observer.iteration(solution.iterations.back());

@@ -8,10 +8,18 @@
 
 namespace plastron::contact {
 
+/// An unknown that stands at a bound, though its set calls it free.
+struct Touch {
+  std::size_t unknown;
+  Activity activity;
+};
+
 struct SubproblemPoint {
   algebra::Vector z{};
   algebra::Vector multiplier{};           ///< A z - b, with equations A z + B' q - b
   algebra::Vector equation_multiplier{};  ///< q; empty without equations
+  std::vector<double> positions{};        ///< of the pressing forces
+  std::vector<Touch> touched{};           ///< what carries a pressing force from here on; to become active
   algebra::Vector multiplier_noise{};     ///< what rounding makes of each multiplier, at least
   double energy = 0;
   algebra::Vector gap_noise{};  ///< violations up to here are no violations
@@ -33,7 +41,8 @@ struct Verdict {
   double worst_violation = 0;   ///< of a bound by a free unknown
   double worst_multiplier = 0;  ///< most negative, the sign turned at upper bounds; 0 if none is negative
 };
-/// Free unknowns beyond a bound become active, active ones with multipliers of the wrong sign free. (collective)
+/// Free unknowns beyond a bound become active, and so do those that were touched; active ones with multipliers of the wrong sign become
+/// free. `problem` has its bounds where the point's positions put them. (collective)
 Verdict judge(const BoxProblem& problem, const SubproblemPoint& point, const ActiveSet& set);
 
 /// The point becomes the solution so far and an iteration of it, which the observer is told. Returns the number of unknowns that
