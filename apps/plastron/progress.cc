@@ -121,7 +121,7 @@ void print_summary(const computation::Result& result) {
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
   for (const auto& p : s.point_reactions)
-    print("  at {:<13}{} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
+    print("  at {:<12} {} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
   if (result.has_obstacle) {
     for (const auto& o : s.obstacles)
       print("{:<17} {} N\n", s.obstacles.size() == 1 ? "obstacle" : o.name, vector_text(o.reaction.force));

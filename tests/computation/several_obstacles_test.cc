@@ -76,5 +76,45 @@ TEST(Between, PlatesThatAreMirrorImagesTheReactionsAreToo) {
   EXPECT_EQ(obstacles[0].nodes, obstacles[1].nodes);
 }
 
+/// A plate on rollers along y; its load presses it on them.
+Problem plate_on_rollers(const std::vector<double>& places, double radius) {
+  Problem p;
+  p.domain = fem::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
+  p.charts = {{"", Chart({"x", "y", "0"}, {})}};
+  p.sections.common.thickness = Expression(e);
+  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.supports = {held("left", {Direction::x, Direction::y}), in_plane("bottom"), in_plane("top")};
+  p.area_loads = {force(0, 0, -1e-5)};
+  for (const double x : places)
+    p.obstacles.push_back(
+        {.name = "roller at " + std::to_string(x),
+         .shape = obstacle::Cylinder{.point = {x, 0, -radius - e / 2}, .axis = {0, 1, 0}, .radius = radius}});
+  p.discretisation = {.degree = 2, .refinements = 2};
+  return p;
+}
+
+TEST(ThreeRollers, WhoseNormalsLieInOnePlaneCarryAPlateAtThreePlaces) {
+  const Problem p = plate_on_rollers({-0.75, 0, 0.75}, 0.05);
+  const Result r = solve(p, MPI_COMM_SELF);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  const auto force = [&](std::size_t k) { return r.summary.obstacles.at(k).reaction.force[2]; };
+  EXPECT_NEAR(force(0) + force(1) + force(2), 1e-5 * 2 * 0.25, 1e-11);
+  EXPECT_NEAR(force(0), force(2), 1e-6 * force(0));
+  EXPECT_GT(force(1), 0);
+  EXPECT_GE(r.certificate.min_gap_nodes, -1e-12);
+}
+
+TEST(AFarRoller, ChangesNothing) {
+  const Result two = solve(plate_on_rollers({-0.75, 0.75}, 0.05), MPI_COMM_SELF);
+  Problem p = plate_on_rollers({-0.75, 0.75}, 0.05);
+  p.obstacles.push_back({.name = "far",
+                         .shape = obstacle::Cylinder{.point = {0.1, 0, -3}, .axis = {0, 1, 0}, .radius = 0.5}});
+  const Result three = solve(p, MPI_COMM_SELF);
+  ASSERT_EQ(two.status, contact::Status::solved);
+  ASSERT_EQ(three.status, contact::Status::solved);
+  EXPECT_NEAR(three.summary.energy.total() / two.summary.energy.total(), 1, 1e-9);
+  EXPECT_EQ(three.summary.obstacles.at(2).nodes, 0);
+}
+
 }  // namespace
 }  // namespace plastron::computation

@@ -55,7 +55,8 @@ TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
   EXPECT_NEAR(a.summary.energy.total() / b.summary.energy.total(), 1, 1e-9);
   for (int k : {0, 1}) {
     const auto &x = a.summary.obstacles.at(k), &y = b.summary.obstacles.at(k);
-    EXPECT_NEAR(x.reaction.force[2], y.reaction.force[2], 1e-8 * b.summary.reaction.force.norm());  // re-linearised to this
+    EXPECT_NEAR(x.reaction.force[2], y.reaction.force[2],
+                1e-8 * b.summary.reaction.force.norm());  // re-linearised to this
     EXPECT_EQ(x.nodes, y.nodes);
   }
   EXPECT_GT(a.summary.obstacles.at(1).nodes, 0);

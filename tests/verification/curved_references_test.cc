@@ -98,6 +98,42 @@ TEST_P(IndentedShell, HasTheEnergyTheReactionAndTheDeflectionOfTheReference) {
   EXPECT_LT(r.certificate.force_balance, 1e-8);
 }
 
+// ---- by force -----------------------------------------------------------------------------------------------------------
+
+struct Pressed {
+  std::string name;
+  double thickness, radius, force;
+  bool dome, once;
+};
+
+class PressedShell : public testing::TestWithParam<Pressed> {};
+INSTANTIATE_TEST_SUITE_P(All, PressedShell,
+                         testing::Values(Pressed{"C2plate_e0.1_F5e-4_aff", 0.1, 2, 5e-4, false, true},
+                                         Pressed{"C2dome_e0.05_F6e-4_true", 0.05, 0.5, 6e-4, true, false}),
+                         [](const auto& p) { return p.param.dome ? "Dome" : "Plate"; });
+
+TEST_P(PressedShell, CarriesTheForceAtTheDepthOfTheReference) {
+  const Pressed& p = GetParam();
+  auto problem = problem_of({p.name, p.thickness, p.radius, 0, p.dome, p.once});
+  problem.obstacles[0].force = {0, 0, -p.force};
+  const computation::Result r = computation::solve(problem, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  EXPECT_LE(r.levels.back().unknowns, 60'000);
+  const double depth = -r.summary.obstacles.at(0).translation[2];
+  EXPECT_NEAR(depth / scalar(p.name, "delta"), 1, 1e-3);
+  EXPECT_NEAR(r.summary.energy.total() / scalar(p.name, "E_total"), 1, 1e-3);
+  EXPECT_NEAR(r.probes.at(0).values.u[2] / scalar(p.name, "uz_axis"), 1, 1e-3);
+  EXPECT_NEAR(r.summary.reaction.force[2] / -p.force, 1, 1e-8);
+  EXPECT_LT(r.certificate.force_balance, 1e-8);
+  for (const computation::Level& level : r.levels) EXPECT_LE(level.iterations, level.linearisations * 8);
+  if (p.once) return;
+  // The same by displacement.
+  auto moved = problem_of({p.name, p.thickness, p.radius, depth, p.dome, p.once});
+  const computation::Result other = computation::solve(moved, MPI_COMM_WORLD);
+  EXPECT_NEAR(other.summary.energy.total() / r.summary.energy.total(), 1, 1e-7);
+  EXPECT_NEAR(other.summary.reaction.force[2] / -p.force, 1, 1e-7);
+}
+
 // ---- plane problems ----------------------------------------------------------------------------------------------------
 
 struct Strip {

@@ -109,7 +109,7 @@ std::vector<ContactColumn> around_gaps(const GapRows& rows, const MatrixXd& F) {
   return result;
 }
 
-/// Which gaps become coordinates, and where the others stand. Nothing where one depends on several.
+/// Which gaps become coordinates, and where the others stand.
 struct Choice {
   std::vector<Index> coordinates{};
   std::vector<ContactPlace> places{};
@@ -125,23 +125,26 @@ std::optional<ContactPlace> parallel_place(const GapRows& rows, Index row, const
   return {};
 }
 
-std::optional<Choice> choose(const GapRows& rows) {
+Choice choose(const GapRows& rows, std::span<const std::size_t> order) {
   Choice choice;
+  choice.places.resize(order.size());
   MatrixXd span(0, rows.all.cols());  // orthonormal rows
-  for (Index i = 0; i < rows.all.rows(); ++i) {
+  for (const std::size_t next : order) {
+    const auto i = static_cast<Index>(next);
+    ContactPlace& place = choice.places[next];
     const Eigen::RowVectorXd row = rows.all.row(i);
-    if (!(row.norm() > negligible)) {
-      choice.places.push_back({});
-    } else if (const auto place = parallel_place(rows, i, choice.coordinates)) {
-      choice.places.push_back(*place);
-    } else {
-      const Eigen::RowVectorXd rest = row - row * span.transpose() * span;
-      if (!(rest.norm() > negligible * row.norm())) return {};
-      span.conservativeResize(span.rows() + 1, Eigen::NoChange);
-      span.bottomRows(1) = rest.normalized();
-      choice.places.push_back({static_cast<int>(choice.coordinates.size()), 1});
-      choice.coordinates.push_back(i);
+    if (!(row.norm() > negligible)) continue;
+    if (const auto parallel = parallel_place(rows, i, choice.coordinates)) {
+      place = *parallel;
+      continue;
     }
+    const Eigen::RowVectorXd rest = row - row * span.transpose() * span;
+    place.is_left_out = !(rest.norm() > negligible * row.norm());
+    if (place.is_left_out) continue;
+    span.conservativeResize(span.rows() + 1, Eigen::NoChange);
+    span.bottomRows(1) = rest.normalized();
+    place.coordinate = static_cast<int>(choice.coordinates.size());
+    choice.coordinates.push_back(i);
   }
   return choice;
 }
@@ -164,22 +167,21 @@ std::array<Vector3d, 2> across(const Vector3d& n) {
   return {first, n.cross(first)};
 }
 
-std::optional<ContactCoordinates> contact_coordinates(std::span<const obstacle::Gap> gaps,
-                                                      const std::vector<Vector3d>& u, const std::vector<Vector3d>& r) {
+ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std::span<const std::size_t> order,
+                                       const std::vector<Vector3d>& u, const std::vector<Vector3d>& r) {
   ContactCoordinates result;
   if (gaps.size() == 1) {
     const auto columns = around_one_gap(gaps[0], u, r);
     return ContactCoordinates{columns ? *columns : without_gaps(u, r), {columns ? ContactPlace{0, 1} : ContactPlace{}}};
   }
   const GapRows rows(gaps, u, r);
-  auto choice = choose(rows);
-  if (!choice) return {};
-  result.places = std::move(choice->places);
-  if (choice->coordinates.empty()) {
+  const Choice choice = choose(rows, order);
+  result.places = choice.places;
+  if (choice.coordinates.empty()) {
     result.columns = without_gaps(u, r);
   } else {
-    MatrixXd F(static_cast<Index>(choice->coordinates.size()), rows.all.cols());
-    for (Index k = 0; k < F.rows(); ++k) F.row(k) = rows.all.row(choice->coordinates[static_cast<std::size_t>(k)]);
+    MatrixXd F(static_cast<Index>(choice.coordinates.size()), rows.all.cols());
+    for (Index k = 0; k < F.rows(); ++k) F.row(k) = rows.all.row(choice.coordinates[static_cast<std::size_t>(k)]);
     result.columns = around_gaps(rows, F);
   }
   return result;

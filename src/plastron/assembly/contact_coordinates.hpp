@@ -3,7 +3,6 @@
 #include <plastron/obstacle/gap.hpp>
 
 #include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,8 +16,9 @@ struct ContactColumn {
 
 /// Where an obstacle's gap stands among the coordinates: its change is scale times that of the coordinate.
 struct ContactPlace {
-  int coordinate = -1;  ///< -1: the free directions do not change it
+  int coordinate = -1;  ///< -1: the free directions do not change it, or it is left out
   double scale = 1;
+  bool is_left_out = false;  ///< it depends on several gaps that are nearer: no coordinates have bounds for all of them
 };
 
 struct ContactCoordinates {
@@ -29,9 +29,9 @@ struct ContactCoordinates {
 /// Two unit vectors that make an orthonormal basis with the unit vector n.
 std::array<Vector3d, 2> across(const Vector3d& n);
 
-/// `u`, `r`: orthonormal bases of the displacements and rotations that supports leave free. Nothing where a gap depends on
-/// several others: no coordinates have bounds for all of them.
-std::optional<ContactCoordinates> contact_coordinates(std::span<const obstacle::Gap> gaps,
-                                                      const std::vector<Vector3d>& u, const std::vector<Vector3d>& r);
+/// `u`, `r`: orthonormal bases of the displacements and rotations that supports leave free; `order`: of the gaps, the one that matters
+/// most first.
+ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std::span<const std::size_t> order,
+                                       const std::vector<Vector3d>& u, const std::vector<Vector3d>& r);
 
 }  // namespace plastron::assembly

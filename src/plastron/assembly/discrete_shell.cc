@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/multiplier.hpp>
+#include <plastron/assembly/pressing.hpp>
 #include <plastron/assembly/stiffness.hpp>
 
 #include <algorithm>
@@ -45,6 +46,14 @@ std::vector<Eigen::Vector2d> DiscreteShell::support_points() const {
   for (const Support& support : supports)
     if (support.point && std::ranges::find(held, *support.point) == held.end()) held.push_back(*support.point);
   return held;
+}
+
+std::vector<double> DiscreteShell::positions() const {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < obstacles.all.size(); ++k)
+    all.push_back(state.position(k) +
+                  (obstacles.all[k].is_pressed() ? obstacles.way(k).dot(obstacles.all[k].force.normalized()) : 0.0));
+  return all;
 }
 
 double DiscreteShell::tangency_factor() const {
@@ -121,6 +130,7 @@ contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Ma
                               .load = std::move(load),
                               .lower = discrete.coordinates.lower,
                               .upper = discrete.coordinates.upper};
+  problem.pressing = pressing_forces(discrete);
   if (discrete.tangency.formulation == element::Formulation::mixed) problem.equations = tangency_constraints(discrete);
   return problem;
 }

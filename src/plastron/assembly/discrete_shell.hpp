@@ -20,7 +20,7 @@ struct DiscreteShell {
 
   // Of the state:
   State state{};
-  RigidObstacles obstacles{};  ///< where they stand
+  RigidObstacles obstacles{};
   NodalCoordinates coordinates{};
   algebra::Vector load{};  ///< load factor times full_load
 
@@ -33,6 +33,8 @@ struct DiscreteShell {
   void residual(const algebra::Vector& y, algebra::Vector& f) const;
   /// (M16) at a point that the state has moved, against obstacle k.
   obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }
+  /// How far forces have pressed the obstacles, from where they stood at the start [m].
+  std::vector<double> positions() const;
   /// (u, r) of the state at points of a local cell, a row each.
   element::CellField state_values(std::size_t cell, const element::BasisAt& at) const;
   /// Where supports hold points of Omega, each once.

@@ -91,7 +91,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
       const NodeSupport& s = node_support[i];
       for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] = coordinates.gaps[k][i];
       const NodeCoordinates node =
-          coordinates.tied[i] ? tied_node(gaps.size()) : node_coordinates(points[i], s, gaps, size);
+          coordinates.tied[i] ? tied_node(gaps.size()) : node_coordinates(points[i], s, gaps, state.at(i), size);
       pack(node, !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
       for (ContactRow row : node.rows) {
         row.node = i;

@@ -17,20 +17,30 @@ namespace plastron::assembly {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The obstacles as the shell meets them, at rest.
+/// The obstacles as the shell meets them.
 struct RigidObstacles {
-  std::vector<obstacle::Obstacle> all{};
+  std::vector<obstacle::Obstacle> all{};  ///< where their gaps are linearised
+  std::vector<Vector3d> moved{};          ///< how far forces have pressed each on from there; empty: nowhere [m]
   double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 
   bool empty() const { return all.empty(); }
-  /// (M16) against obstacle k.
+  Vector3d way(std::size_t k) const { return moved.empty() ? Vector3d(0, 0, 0) : moved[k]; }
+  /// (M16) against obstacle k, with the normals of where it was linearised.
   obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at) const {
     at.thickness *= face_scale;
-    return obstacle::gap_at(all[k], at);
+    obstacle::Gap gap = obstacle::gap_at(all[k], at);
+    gap.initial -= gap.normal.dot(way(k));
+    return gap;
+  }
+  /// Obstacle k where it stands now.
+  obstacle::Obstacle now(std::size_t k) const {
+    obstacle::Obstacle result = all[k];
+    result.placement.translation += way(k);
+    return result;
   }
   /// The same standing where they do in the state.
   RigidObstacles standing(const State& state) const {
-    RigidObstacles result{.face_scale = face_scale};
+    RigidObstacles result{.moved = std::vector<Vector3d>(all.size(), Vector3d::Zero()), .face_scale = face_scale};
     for (std::size_t k = 0; k < all.size(); ++k) result.all.push_back(all[k].standing(state.time, state.position(k)));
     return result;
   }

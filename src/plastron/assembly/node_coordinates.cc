@@ -1,11 +1,13 @@
 #include <plastron/assembly/node_coordinates.hpp>
 
 #include <plastron/assembly/contact_coordinates.hpp>
+#include <plastron/geometry/frame.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace plastron::assembly {
 
@@ -110,31 +112,36 @@ void bound(NodeCoordinates& node) {
   }
 }
 
+/// The gaps by their size where (u, r) = at.
+std::vector<std::size_t> nearest_first(std::span<const obstacle::Gap> gaps, const Vector3d& a3,
+                                       const Eigen::Matrix<double, 6, 1>& at) {
+  std::vector<std::size_t> order(gaps.size());
+  std::iota(order.begin(), order.end(), 0);
+  const Vector3d u = at.head<3>(), r = geometry::tangential(at.tail<3>(), a3);
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return gaps[k](u, r); });
+  return order;
+}
+
 }  // namespace
 
 NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& support,
-                                 std::span<const obstacle::Gap> gaps, double size) {
+                                 std::span<const obstacle::Gap> gaps, const Eigen::Matrix<double, 6, 1>& at,
+                                 double size) {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const Split u = split(support.displacement, {}, point.x, {support.displacement_scale, rounding * size}),
               r = split(support.rotation, {point.a3}, point.x, {support.rotation_scale, rounding});
   NodeCoordinates node;
   // Vertices of triangles of degree 2 carry no weight in (M21), hence no bound.
-  const auto contact = contact_coordinates(point.weight > 0 ? gaps : gaps.first(0), u.free, r.free);
-  if (!contact)
-    throw ObstacleError(
-        fmt::format("three or more obstacles meet the shell at x = {:g}, y = {:g} in one plane of directions: two of "
-                    "them already say "
-                    "which way it can go there, and no bounds of a node's coordinates say it for all; leave one out, "
-                    "or let one body "
-                    "stand for those that meet",
-                    point.x[0], point.x[1]));
-  prescribe(u, r, contact->columns, node);
+  const auto counted = point.weight > 0 ? gaps : gaps.first(0);
+  const ContactCoordinates contact = contact_coordinates(counted, nearest_first(counted, point.a3, at), u.free, r.free);
+  prescribe(u, r, contact.columns, node);
   for (std::size_t k = 0; k < gaps.size(); ++k) {
-    const auto place = k < contact->places.size() ? contact->places[k] : ContactPlace{};
+    const auto place = k < contact.places.size() ? contact.places[k] : ContactPlace{};
     node.rows.push_back(
         {.obstacle = static_cast<int>(k),
          .coordinate = place.coordinate,
          .scale = place.scale,
+         .is_left_out = place.is_left_out,
          .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) : std::numeric_limits<double>::quiet_NaN()});
   }
   bound(node);

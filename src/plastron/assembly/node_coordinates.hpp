@@ -26,11 +26,6 @@ struct SupportError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Obstacles that meet at a node in a way that bounds of coordinates cannot say.
-struct ObstacleError : SupportError {
-  using SupportError::SupportError;
-};
-
 /// Rows of one node's supports: the directions in which u and r are prescribed, and the values.
 struct NodeSupport {
   std::vector<std::pair<Vector3d, double>> displacement, rotation;
@@ -45,7 +40,8 @@ struct ContactRow {
   int coordinate = -1;   ///< -1: supports leave this gap no freedom, or the node's weight is 0
   double scale = 1;      ///< negative where the row bounds its coordinate from above
   double bound_gap = 0;  ///< gap at z_coordinate = 0, prescribed values included; NaN where the nodal weight is 0 [m]
-  bool binds = false;    ///< the tightest on its side of its coordinate: the only one that can be in contact
+  bool is_left_out = false;  ///< it depends on several gaps that are nearer and bounds nothing
+  bool binds = false;        ///< the tightest on its side of its coordinate: the only one that can be in contact
 
   bool is_touchable() const { return coordinate >= 0; }
 };
@@ -56,8 +52,10 @@ struct NodeCoordinates {
   std::vector<ContactRow> rows{};  ///< one for each gap, `node` not set
 };
 
-/// `gaps`: one for each obstacle, `size`: of the shell [m]. Throws SupportError, ObstacleError.
+/// `gaps`: one for each obstacle, `at`: (u, r) of the state, where the nearest obstacles matter most, `size`: of the shell [m]. Throws
+/// SupportError.
 NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& support,
-                                 std::span<const obstacle::Gap> gaps, double size);
+                                 std::span<const obstacle::Gap> gaps, const Eigen::Matrix<double, 6, 1>& at,
+                                 double size);
 
 }  // namespace plastron::assembly

@@ -125,7 +125,7 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution
   const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
   const assembly::NodalPoint& point = discrete.points[row.node];
   const double g = gap(y.head<3>(), geometry::tangential(y.tail<3>(), point.a3));
-  if (row.is_touchable()) sums.min_gap = std::min(sums.min_gap, g);
+  if (row.is_touchable() || row.is_left_out) sums.min_gap = std::min(sums.min_gap, g);
   const std::size_t at = row.node * discrete.coordinates.gaps.size() + k;
   if (solution.touching.local()[at] == 0) return Vector6::Zero();
   const double pressure = solution.pressure.local()[at];
@@ -317,7 +317,7 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   Sums sums;
   for (const auto& [support, node] : point_nodes(discrete)) sums.at_points.emplace(node, Vector3d::Zero());
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
-    sums.obstacles.push_back(untouched(discrete.obstacles_at_start.all[k], discrete.obstacles.all[k]));
+    sums.obstacles.push_back(untouched(discrete.obstacles_at_start.all[k], discrete.obstacles.now(k)));
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     add_node(discrete, solution, i, block6(r, i), sums);
     sums.strain_scale.add(discrete.points[i], block6(solution.y, i), size);

@@ -16,7 +16,7 @@ inline assembly::RigidObstacles rigid_obstacles(const Problem& problem) {
 /// rounding, whatever the unit of length.
 inline bool is_held_inside(const assembly::NodalCoordinates& coordinates, const assembly::NodalPoint& point,
                            const assembly::ContactRow& row) {
-  if (row.is_touchable()) return false;
+  if (row.is_touchable() || row.is_left_out) return false;
   const double initial = coordinates.gaps[static_cast<std::size_t>(row.obstacle)][row.node].initial;
   return row.bound_gap < -1e-12 * (point.phi.norm() + point.thickness + std::abs(initial));
 }

@@ -1,6 +1,7 @@
 #include <plastron/computation/level.hpp>
 
 #include <plastron/algebra/factorisation.hpp>
+#include <plastron/assembly/pressing.hpp>
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/computation/relinearisation.hpp>
@@ -81,6 +82,7 @@ class LevelRun {
     contact::Settings settings = task_.settings;
     settings.detect_free_motions = settings.detect_free_motions && detect_free_motions;
     contact::BoxSolution z = contact::solve(box, guess, F, settings, follow);
+    if (!z.positions.empty()) press(*discrete_, z.positions);
     if (held_inside_obstacle(*discrete_)) z.status = contact::Status::infeasible;
     seconds.factorisation += F.seconds_numeric();
     seconds.iteration += watch.lap() - F.seconds_numeric();

@@ -18,17 +18,23 @@ Vector6 block6(const algebra::Vector& y, std::size_t node) {
   return Eigen::Map<const Vector6>(y.local().data() + 6 * node);
 }
 
-bool is_curved(const assembly::RigidObstacles& obstacles) {
-  return std::ranges::any_of(obstacles.all, [](const obstacle::Obstacle& o) { return !o.is_plane(); });
+/// Whether there is anything to linearise again for: curved obstacles, or rows that are left out and may come to matter.
+bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
+  const bool is_curved =
+      std::ranges::any_of(discrete.obstacles.all, [](const obstacle::Obstacle& o) { return !o.is_plane(); });
+  return is_curved ||
+         algebra::sum_over_ranks(
+             std::int64_t{std::ranges::any_of(discrete.coordinates.rows, &assembly::ContactRow::is_left_out)},
+             discrete.space().layout->comm) > 0;
 }
 
-/// Calls check(row, touches) for the contact rows of curved obstacles at owned nodes.
+/// Calls check(row, obstacle, touches) for the contact rows of curved obstacles at owned nodes, and for those that are left out.
 template <class Check>
 void for_rows(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution, const Check& check) {
   const auto obstacles = discrete.obstacles.all.size();
   for (const assembly::ContactRow& row : discrete.coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
-    if (!row.is_touchable() || discrete.obstacles.all[k].is_plane()) continue;
+    if (!row.is_left_out && (!row.is_touchable() || discrete.obstacles.all[k].is_plane())) continue;
     check(row, k, solution.touching.local()[row.node * obstacles + k] != 0);
   }
 }
@@ -40,14 +46,15 @@ double largest_displacement(const algebra::Vector& y) {
   return algebra::max_over_ranks(largest, y.layout()->comm);
 }
 
-/// How far the faces in contact are from where the state has them.
+/// How far the faces in contact are, seen from their obstacles, from where the state has them.
 double distance_from_state(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
   double farthest = 0;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     if (!touches) return;
     const Vector6 way = block6(solution.y, row.node) - discrete.state.at(row.node);
     const Vector3d r = geometry::tangential(way.tail<3>(), discrete.points[row.node].a3);
-    farthest = std::max(farthest, (way.head<3>() + discrete.coordinates.gaps[k][row.node].z * r).norm());
+    const double z = discrete.coordinates.gaps[k][row.node].z;
+    farthest = std::max(farthest, (way.head<3>() + z * r - discrete.obstacles.way(k)).norm());
   });
   return algebra::max_over_ranks(farthest, discrete.space().layout->comm);
 }
@@ -60,7 +67,7 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const certifica
     const Vector6 y = block6(solution.y, row.node);
     const obstacle::ShellPoint moved = assembly::shell_point(p.phi, p.a3, p.thickness, y);
     const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
-    const double distance = obstacle::true_gap(discrete.obstacles.all[k], gap, moved);
+    const double distance = obstacle::true_gap(discrete.obstacles.now(k), gap, moved);
     if (touches) error.at_contact = std::max(error.at_contact, std::abs(distance - gap(moved.u, moved.r)));
     error.depth = std::max(error.depth, -distance);
   });
@@ -80,7 +87,7 @@ Relinearisation::Relinearisation(const Linearisation& settings, const assembly::
     : settings_(settings), discrete_(discrete) {}
 
 std::optional<assembly::State> Relinearisation::next(const certificate::NodalSolution& solution) {
-  if (settings_.once || !is_curved(discrete_.obstacles)) return {};
+  if (settings_.once || !has_rows_to_meet(discrete_)) return {};
   const double distance = distance_from_state(discrete_, solution);
   const double depth = gap_error(discrete_, solution).depth;
   const double negligible = settings_.tolerance * largest_displacement(solution.y);
@@ -91,10 +98,15 @@ std::optional<assembly::State> Relinearisation::next(const certificate::NodalSol
   ++steps_;
   assembly::State state = discrete_.state;
   state.displacement = solution.y;
+  state.positions = discrete_.positions();
   if (part_ < 1 && discrete_.state.is_deformed()) {
     const auto before = discrete_.state.displacement.local();
     const auto values = state.displacement.local();
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = before[i] + part_ * (values[i] - before[i]);
+    for (std::size_t k = 0; k < state.positions.size(); ++k) {
+      const double at = discrete_.state.position(k);
+      state.positions[k] = at + part_ * (state.positions[k] - at);
+    }
   }
   return state;
 }

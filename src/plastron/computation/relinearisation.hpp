@@ -1,5 +1,6 @@
 // The outer loop over linearised gaps (M16): solve, linearise at the faces that have moved, until the linearised gap is the distance of
-// the deformed faces from the obstacles. Planes need none of it: their gap is linear.
+// the deformed faces from the obstacles. Planes need none of it: their gap is linear. An
+// obstacle that is left out at a node, for others are nearer, is taken in where the shell has come closer to it.
 #pragma once
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/computation/problem.hpp>

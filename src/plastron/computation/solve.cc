@@ -81,6 +81,11 @@ class Computation {
     return {.time = instant.time, .load_factor = instant.load_factor, .force_factors = instant.force_factors};
   }
 
+  /// Where pressed obstacles have come to, to linearise there; at the start if that is to be where gaps are linearised.
+  std::vector<double> positions() const {
+    return problem_.linearisation.once ? std::vector<double>{} : result_.solution->discrete->positions();
+  }
+
   /// The first instant on the next mesh, whose first guess and state come from the mesh before. Whether the computation goes on.
   bool mesh(int number) {
     result_.status = contact::Status::interrupted;
@@ -106,7 +111,7 @@ class Computation {
     std::array fields{result_.solution->nodal.touching, result_.solution->nodal.y};
     const assembly::State& before = result_.solution->discrete->state;
     const bool was_deformed = before.is_deformed();
-    start.positions = before.positions;
+    start.positions = positions();
     if (!observer_.stop) result_.solution.reset();  // one mesh at a time in memory, unless this may be the last one
     meshes_.refine(std::span(fields).first(was_deformed ? 2 : 1));
     task.touched = std::move(fields[0]);
@@ -129,9 +134,9 @@ class Computation {
                    .linearisation = problem_.linearisation,
                    .touched = std::move(result_.solution->nodal.touching)};
     if (supports_hold(result_.levels.front(), problem_.contact.solver)) task.settings.detect_free_motions = false;
-    auto discrete = std::move(result_.solution->discrete);
     assembly::State start = state_at(instant);
-    start.positions = discrete->state.positions;
+    start.positions = positions();
+    auto discrete = std::move(result_.solution->discrete);
     if (discrete->state.is_deformed()) start.displacement = std::move(result_.solution->nodal.y);
     result_.solution.reset();
     linearise(*discrete, std::move(start));

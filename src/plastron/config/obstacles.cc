@@ -11,15 +11,33 @@ namespace {
 // An obstacle that both faces may touch counts as two.
 constexpr const char *of_lower_face = ", lower face", *of_upper_face = ", upper face";
 
-/// "obstacle-1", "obstacle-2", ... where the case gives none.
-std::string read_obstacle_name(Table& table, const computation::Problem& problem) {
-  std::string name = fmt::format("obstacle-{}", problem.obstacles.size() + 1);
-  if (table.has("name")) name = table.text("name").value_or(name);
+}  // namespace
+
+std::vector<std::size_t> obstacles_named(const computation::Problem& problem, const std::string& name) {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < problem.obstacles.size(); ++k) {
+    const std::string& its = problem.obstacles[k].name;
+    if (its == name || its == name + of_lower_face || its == name + of_upper_face) found.push_back(k);
+  }
+  return found;
+}
+
+namespace {
+
+/// The one that the case gives, otherwise "obstacle-1", "obstacle-2", ... by the obstacle's place.
+std::string read_obstacle_name(Table& table, const computation::Problem& problem, std::size_t place) {
+  std::string name = fmt::format("obstacle-{}", place);
+  const bool is_given = table.has("name");
+  if (is_given) name = table.text("name").value_or(name);
   table.effective["name"] = name;
   if (name.empty()) table.report("name", "an obstacle's name is empty", "", "leave the key out or give a name");
-  if (std::ranges::any_of(problem.obstacles,
-                          [&](const auto& o) { return o.name == name || o.name == name + of_lower_face; }))
-    table.report("name", fmt::format("two obstacles are named \"{}\"", name), "", "choose another name");
+  if (!obstacles_named(problem, name).empty()) {
+    const std::string what = fmt::format("two obstacles are named \"{}\"", name);
+    if (is_given)
+      table.report("name", what, "", "choose another name");
+    else
+      table.reading().report(table.place(), what, "", "give this one a name, it has none of its own");
+  }
   return name;
 }
 
@@ -27,6 +45,7 @@ std::string read_obstacle_name(Table& table, const computation::Problem& problem
 void add_faces(obstacle::Obstacle body, const std::string& face, computation::Problem& problem) {
   using obstacle::Face;
   if (face == "both") {
+    body.is_for_both = true;
     obstacle::Obstacle other = body;
     body.name += of_lower_face;
     other.name += of_upper_face;
@@ -42,19 +61,11 @@ void add_faces(obstacle::Obstacle body, const std::string& face, computation::Pr
 
 }  // namespace
 
-std::vector<std::size_t> obstacles_named(const computation::Problem& problem, const std::string& name) {
-  std::vector<std::size_t> found;
-  for (std::size_t k = 0; k < problem.obstacles.size(); ++k) {
-    const std::string& its = problem.obstacles[k].name;
-    if (its == name || its == name + of_lower_face || its == name + of_upper_face) found.push_back(k);
-  }
-  return found;
-}
-
 void read_obstacles(Table& root, computation::Problem& problem) {
   auto& effective = root.effective["obstacle"] = nlohmann::json::array();
   for (Table& table : root.tables("obstacle")) {
-    obstacle::Obstacle result{.name = read_obstacle_name(table, problem)};
+    obstacle::Obstacle result;
+    result.name = read_obstacle_name(table, problem, effective.size() + 1);
     if (auto shape = read_shape(table)) result.shape = std::move(*shape);
     result.placement = read_motion(table).value_or(obstacle::Motion{}).after(1);
     result.force = table.vector("force").value_or(Eigen::Vector3d::Zero());

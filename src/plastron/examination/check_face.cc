@@ -65,6 +65,7 @@ void note_faces(Examined& examined, const ExaminedNodes& nodes, std::size_t obst
 void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
   constexpr double alike = 0.1;  // within 6 degrees of upright, the faces are equally near but for a tenth of e
   const Face face = examined.problem.obstacles[obstacle].face;
+  if (examined.problem.obstacles[obstacle].is_for_both) return;  // what the one cannot touch is for the other
   if (face == Face::nearer) return note_faces(examined, nodes, obstacle);
   const Nearest near = nearest(nodes, obstacle, face);
   const auto& point = nodes.points[near.node];
