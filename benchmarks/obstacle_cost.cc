@@ -137,15 +137,15 @@ void report() {
       "expression X^2+Y^2+Z^2-1",
       obstacle::DistanceField(std::make_shared<const geometry::SpaceFunction>("X^2+Y^2+Z^2-1", geometry::Constants{})),
       one);
-  report_shape("height field of a raster", raster(), one);
-  report_shape("height field of a formula", formula("0.1*cos(6*X)*cos(6*Y)"), one);
-  report_shape("height field with steep waves", formula("0.1*cos(40*X)*cos(30*Y)"), one);
   std::optional<obstacle::TriangleSurface> surface;
   const obstacle::TriangleMesh mesh = sphere(316);
   const double seconds = time([&] { surface.emplace(mesh); });
   fmt::print("checks and tree of {} triangles: {:.2f} s, {:.2f} factorisations\n", surface->mesh().triangles.size(),
              seconds, seconds / one);
   report_shape("triangles", *surface, one);
+  report_shape("height field of a raster", raster(), one);
+  report_shape("height field of a formula", formula("0.1*cos(6*X)*cos(6*Y)"), one);
+  report_shape("height field with steep waves", formula("0.1*cos(40*X)*cos(30*Y)"), one);
 }
 
 }  // namespace
