@@ -138,7 +138,7 @@ void report() {
       obstacle::DistanceField(std::make_shared<const geometry::SpaceFunction>("X^2+Y^2+Z^2-1", geometry::Constants{})),
       one);
   std::optional<obstacle::TriangleSurface> surface;
-  const obstacle::TriangleMesh mesh = sphere(316);
+  const obstacle::TriangleMesh mesh = sphere(224);
   const double seconds = time([&] { surface.emplace(mesh); });
   fmt::print("checks and tree of {} triangles: {:.2f} s, {:.2f} factorisations\n", surface->mesh().triangles.size(),
              seconds, seconds / one);

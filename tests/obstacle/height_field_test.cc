@@ -166,6 +166,20 @@ TEST(ARaster, HasExactDerivatives) {
                                  test::random_points(100, 0.15), 1, 3);
 }
 
+// Points found by chance, 2e-5 off the graph, where the squared distance cannot be seen to fall for the rounding of heights.
+TEST(ARaster, KnowsTheDistanceOfPointsCloseToIt) {
+  Eigen::MatrixXd h(401, 401);
+  for (int i = 0; i < 401; ++i)
+    for (int j = 0; j < 401; ++j) h(i, j) = 0.1 * std::cos(0.06 * (i - 200)) * std::cos(0.06 * (j - 200));
+  const HeightField field(std::make_shared<const Raster>(h, Eigen::Vector2d(-2, -2), 0.01));
+  const Vector3d first(-0.27086811295634622, -0.035068643330694801, -0.0053433813265125751),
+      second(0.97453879960632162, 0.0054416807977087107, 0.090573547411082256),
+      third(1.0635559555741823, 0.76951810699658729, -0.0094480753413151985);
+  EXPECT_NEAR(field.nearest(first).distance, -2.13788e-05, 1e-10);
+  EXPECT_NEAR(field.nearest(second).distance, -2.41909e-05, 1e-10);
+  EXPECT_NEAR(field.nearest(third).distance, 1.69859e-05, 1e-10);
+}
+
 TEST(ARaster, SaysWhereItDoesNotReach) {
   const HeightField raster(std::make_shared<const Raster>(wave_raster(5)));
   EXPECT_THROW(raster.nearest({0.6, 0, 0}), ObstacleError);

@@ -23,6 +23,11 @@ using Heights = std::variant<std::shared_ptr<const geometry::SpaceFunction>, std
 /// So much of the reach that h'' leaves the distance convex within it.
 constexpr double surely_convex = 0.3;
 
+/// What rounding is relative to.
+double length_of_coordinates(const Vector3d& X, const Vector2d& p, const HeightJet& h) {
+  return X.norm() + (p - X.head<2>()).norm() + (1 + h.gradient.norm()) * std::abs(X[2]);
+}
+
 HeightJet jet_of(const Heights& heights, const Vector2d& p) {
   if (const auto* raster = std::get_if<std::shared_ptr<const Raster>>(&heights)) return (**raster)(p);
   const auto jet = (*std::get<0>(heights))({p[0], p[1], 0});
@@ -77,17 +82,17 @@ HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
       const HeightJet there = height(trial);
       const GraphObjective next = graph_objective(X, trial, there);
       const bool descends = next.value < f.value + 1e-4 * share * f.gradient.dot(full);
-      // Beyond the rounding of its value the objective falls unseen, but its gradient is still seen to.
-      const bool polishes =
-          newton && next.value <= f.value * (1 + 1e-14) && next.gradient.norm() < f.gradient.norm() / 2;
+      // Beyond the rounding of its value, which is that of a height times the distance, the objective falls unseen, but its gradient
+      // is still seen to.
+      const double unseen = 1e-14 * f.value + 1e-15 * std::sqrt(2 * f.value) * length_of_coordinates(X, trial, there);
+      const bool polishes = newton && next.value <= f.value + unseen && next.gradient.norm() < f.gradient.norm() / 2;
       if (!descends && !polishes) continue;
       p = trial, h = there, f = next, moved = true;
     }
     if (!moved) break;
   }
-  const double size = (p - X.head<2>()).norm() + std::abs(X[2]) + h.gradient.norm() * std::abs(X[2]);
-  const double distance = std::sqrt(2 * f.value), rounding = 1e-9 * (size + X.norm());
-  return {p, h, f.value, f.gradient.norm() <= 1e-6 * std::max(distance, rounding)};
+  const double rounding = 1e-9 * length_of_coordinates(X, p, h);
+  return {p, h, f.value, f.gradient.norm() <= 1e-6 * std::max(std::sqrt(2 * f.value), rounding)};
 }
 
 /// No sample of the graph on two rings is nearer, and it bends too little within the distance to have another foot there.
