@@ -130,6 +130,12 @@ TEST(AHeightField, KnowsTheDistanceOfPointsOnIt) {
     }
 }
 
+/// Two feet close to each other, and a ridge between them.
+TEST(AHeightField, KnowsTheDistanceJustBeyondACentreOfCurvature) {
+  const Vector3d X(-0.86393802365193673, -0.20919910848202378, -0.093718156500470551);
+  EXPECT_NEAR(height("0.1*cos(40*X)*cos(30*Y)").nearest(X).distance, 0.00627585, 1e-7);
+}
+
 TEST(AHeightField, IsTheSameInMicrometresAndInMegametres) {
   for (const double m : {1e-6, 1e6}) {
     const HeightField one = height("0.05*cos(4*X)"), other = height("m*0.05*cos(4*X/m)", {{"m", m}});

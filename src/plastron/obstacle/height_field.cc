@@ -6,6 +6,7 @@
 #include <plastron/obstacle/offset_surface.hpp>
 
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,15 @@ using Heights = std::variant<std::shared_ptr<const geometry::SpaceFunction>, std
 
 /// So much of the reach that h'' leaves the distance convex within it.
 constexpr double surely_convex = 0.3;
+
+/// Newton's step with the sizes of the Hessian's eigenvalues: leaves a point between two feet that are close to each other, as they are
+/// for an X just beyond a centre of curvature, where steps by the convex part creep.
+Vector2d away_from_ridge(const GraphObjective& f) {
+  constexpr double least = 1e-6;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(f.hessian);
+  const Vector2d sizes = eigen.eigenvalues().cwiseAbs().cwiseMax(least);
+  return -eigen.eigenvectors() * (eigen.eigenvectors().transpose() * f.gradient).cwiseQuotient(sizes);
+}
 
 /// What rounding is relative to.
 double length_of_coordinates(const Vector3d& X, const Vector2d& p, const HeightJet& h) {
@@ -74,7 +84,10 @@ HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
   GraphObjective f = graph_objective(X, p, h);
   for (int step = 0; step < most_steps && !f.gradient.isZero(0); ++step) {
     const bool newton = is_positive(f.hessian);
-    const Vector2d full = -(newton ? f.hessian : f.convex_part).inverse() * f.gradient;
+    const bool is_slow = step >= 20;
+    const Vector2d full = newton    ? Vector2d(-f.hessian.inverse() * f.gradient)
+                          : is_slow ? away_from_ridge(f)
+                                    : Vector2d(-f.convex_part.inverse() * f.gradient);
     bool moved = false;
     for (double share = 1; share > 1e-9 && !moved; share /= 2) {
       const Vector2d trial = p + share * full;
