@@ -1,5 +1,5 @@
-// Samples of a graph z = h on grids that halve their spacing from level to level. They are kept, for neighbouring points ask for the same
-// ones; where they lie depends on nothing that was asked before, and so no answer does.
+// Samples of a graph z = h on grids that halve their spacing from level to level. They are kept, for neighbouring
+// points ask for the same ones; where they lie depends on nothing that was asked before, and so no answer does.
 #pragma once
 #include <plastron/obstacle/raster.hpp>
 
@@ -15,8 +15,8 @@ class GraphSamples {
  public:
   static constexpr int side = 8;
 
-  /// side x side samples in the middles of cells. Bounds of the height in all of these cells are estimates: from slopes and second
-  /// derivatives of samples.
+  /// side x side samples in the middles of cells. Bounds of the height in all of these cells are estimates: from slopes
+  /// and second derivatives of samples.
   struct Block {
     std::array<HeightJet, side * side> jets;  // not finite where there is no height
     double low, high, bend;                   // greatest |h''|

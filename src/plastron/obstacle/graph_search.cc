@@ -14,7 +14,8 @@ using Eigen::Vector2d;
 using Index = GraphSamples::Index;
 using Block = GraphSamples::Block;
 
-/// Blocks are left out whose bounds say that they are farther than the nearest sample, and divided where samples are too sparse to know.
+/// Blocks are left out whose bounds say that they are farther than the nearest sample, and divided where samples are
+/// too sparse to know.
 class GraphSearch {
  public:
   GraphSearch(double reach, const Vector3d& X, GraphSamples& samples)

@@ -24,8 +24,8 @@ using Heights = std::variant<std::shared_ptr<const geometry::SpaceFunction>, std
 /// So much of the reach that h'' leaves the distance convex within it.
 constexpr double surely_convex = 0.3;
 
-/// Newton's step with the sizes of the Hessian's eigenvalues: leaves a point between two feet that are close to each other, as they are
-/// for an X just beyond a centre of curvature, where steps by the convex part creep.
+/// Newton's step with the sizes of the Hessian's eigenvalues: leaves a point between two feet that are close to each
+/// other, as they are for an X just beyond a centre of curvature, where steps by the convex part creep.
 Vector2d away_from_ridge(const GraphObjective& f) {
   constexpr double least = 1e-6;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(f.hessian);
@@ -77,7 +77,8 @@ void HeightField::refuse(const Vector3d& X, const char* what) const {
                                   X[1], X[2], range));
 }
 
-// Newton's method where the objective is convex, else without the part of the Hessian that is not; steps are halved until they help.
+// Newton's method where the objective is convex, else without the part of the Hessian that is not; steps are halved
+// until they help.
 HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
   constexpr int most_steps = 100;
   HeightJet h = height(p);
@@ -95,8 +96,8 @@ HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
       const HeightJet there = height(trial);
       const GraphObjective next = graph_objective(X, trial, there);
       const bool descends = next.value < f.value + 1e-4 * share * f.gradient.dot(full);
-      // Beyond the rounding of its value, which is that of a height times the distance, the objective falls unseen, but its gradient
-      // is still seen to.
+      // Beyond the rounding of its value, which is that of a height times the distance, the objective falls unseen, but
+      // its gradient is still seen to.
       const double unseen = 1e-14 * f.value + 1e-15 * std::sqrt(2 * f.value) * length_of_coordinates(X, trial, there);
       const bool polishes = newton && next.value <= f.value + unseen && next.gradient.norm() < f.gradient.norm() / 2;
       if (!descends && !polishes) continue;
@@ -108,7 +109,8 @@ HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
   return {p, h, f.value, f.gradient.norm() <= 1e-6 * std::max(std::sqrt(2 * f.value), rounding)};
 }
 
-/// No sample of the graph on two rings is nearer, and it bends too little within the distance to have another foot there.
+/// No sample of the graph on two rings is nearer, and it bends too little within the distance to have another foot
+/// there.
 bool HeightField::is_surely_nearest(const Vector3d& X, const Foot& foot) const {
   const double reach = std::sqrt(2 * foot.value);
   constexpr int rings = 2;

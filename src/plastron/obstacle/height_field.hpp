@@ -1,5 +1,5 @@
-// All that lies below a graph z = h(x, y), given by an expression or by a raster. Its distance is that to the graph, not the height above
-// it.
+// All that lies below a graph z = h(x, y), given by an expression or by a raster. Its distance is that to the graph,
+// not the height above it.
 #pragma once
 #include <plastron/geometry/space_function.hpp>
 #include <plastron/obstacle/nearest.hpp>
@@ -18,10 +18,10 @@ class HeightField {
   explicit HeightField(std::shared_ptr<const geometry::SpaceFunction> expression);
   explicit HeightField(std::shared_ptr<const Raster> raster);
 
-  /// The foot is the point (p, h(p)) of the graph where |X - foot| is least: Newton's method on p with a descent that cannot fail, from
-  /// below X and from wherever samples of the graph say that a nearer foot may be. Samples are kept in memory that copies share: not for
-  /// several threads at once. What it gives does not depend on what was asked before. Throws ObstacleError where the foot is not inside of
-  /// the raster.
+  /// The foot is the point (p, h(p)) of the graph where |X - foot| is least: Newton's method on p with a descent that
+  /// cannot fail, from below X and from wherever samples of the graph say that a nearer foot may be. Samples are kept
+  /// in memory that copies share: not for several threads at once. What it gives does not depend on what was asked
+  /// before. Throws ObstacleError where the foot is not inside of the raster.
   Nearest nearest(const Vector3d& X) const;
 
   /// z - h(x, y): zero on the graph, positive above; NaN outside of the raster.

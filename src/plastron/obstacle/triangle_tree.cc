@@ -24,7 +24,8 @@ Vector3d three_centroids(const TriangleMesh& mesh, int triangle) {
   return a + b + c;
 }
 
-/// In rows: the mean normal last, the long way of the triangles first. Those of space where the triangles look everywhere.
+/// In rows: the mean normal last, the long way of the triangles first. Those of space where the triangles look
+/// everywhere.
 Matrix3d axes_along(const Vector3d& normal, double area, const Vector3d& extent) {
   constexpr double looks_everywhere = 0.3;
   if (normal.norm() < looks_everywhere * area) return Matrix3d::Identity();

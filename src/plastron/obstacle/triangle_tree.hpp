@@ -1,5 +1,6 @@
-// Which triangle is nearest: a tree of boxes, each turned along the triangles it holds. On a curved surface such a box is thin, where one
-// along the axes is as deep as it is wide and nearer to X than what it holds (docs/performance.md, "Obstacles").
+// Which triangle is nearest: a tree of boxes, each turned along the triangles it holds. On a curved surface such a box
+// is thin, where one along the axes is as deep as it is wide and nearer to X than what it holds (docs/performance.md,
+// "Obstacles").
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 #include <plastron/obstacle/triangle_mesh.hpp>
@@ -13,7 +14,8 @@ class TriangleTree {
   /// `normals` are the triangles' unit normals. Keeps no reference.
   TriangleTree(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
 
-  /// With the mesh and the normals it was made from. Of triangles at one distance always the same, whatever was asked before.
+  /// With the mesh and the normals it was made from. Of triangles at one distance always the same, whatever was asked
+  /// before.
   int nearest(const TriangleMesh& mesh, const std::vector<Vector3d>& normals, const Vector3d& X) const;
 
  private:
