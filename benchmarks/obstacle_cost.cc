@@ -1,4 +1,5 @@
-// What the distance of 100 000 points costs by shape of the obstacle, beside one factorisation of a shell with about as many nodes.
+// What the distance of 100 000 points costs by shape of the obstacle, beside one factorisation of a shell with about as many nodes: points
+// within 0.05 of the surface, as a shell's nodes are, and points anywhere in a box around it.
 #include "cap.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
@@ -14,6 +15,7 @@
 #include <array>
 #include <ctime>
 #include <functional>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -72,31 +74,78 @@ double factorisation(int refinements, std::int64_t& nodes) {
   return time([&] { F.factorise(held); });
 }
 
-void report() {
-  std::mt19937 random(1);
+using Points = std::vector<Vector3d>;
+
+Points anywhere() {
+  std::mt19937 random(1);  // NOLINT: the same points in every run
   std::uniform_real_distribution<double> coordinate(-1.2, 1.2);
-  std::vector<Vector3d> points(100000);
+  Points points(100000);
   for (Vector3d& X : points) X = {coordinate(random), coordinate(random), coordinate(random)};
-  const std::vector<std::pair<const char*, obstacle::Shape>> shapes{
-      {"half space", obstacle::HalfSpace{}},
-      {"ball", obstacle::Ball{}},
-      {"box", obstacle::Box{}},
-      {"height field of a formula", obstacle::HeightField(std::make_shared<const geometry::SpaceFunction>(
-                                        "0.1*cos(6*X)*cos(6*Y)", geometry::Constants{}))},
-      {"199 396 triangles", obstacle::TriangleSurface(sphere(316))}};
-  std::int64_t nodes = 0;
-  const double one = factorisation(6, nodes);
-  fmt::print("one factorisation, {} nodes: {:.2f} s\n", nodes, one);
-  for (const auto& [name, shape] : shapes) {
-    const obstacle::Obstacle body{.shape = shape};
+  return points;
+}
+
+/// Within 0.05 of the surface, on both sides of it.
+Points near(const obstacle::Obstacle& body, Points points) {
+  std::mt19937 random(2);  // NOLINT: the same points in every run
+  std::uniform_real_distribution<double> off(-0.05, 0.05);
+  for (Vector3d& X : points) {
+    const obstacle::Nearest at = body.nearest(X, 0);
+    X += (off(random) - at.distance) * at.normal;
+  }
+  return points;
+}
+
+obstacle::HeightField formula(const char* text) {
+  return obstacle::HeightField(std::make_shared<const geometry::SpaceFunction>(text, geometry::Constants{}));
+}
+
+obstacle::HeightField raster() {
+  constexpr int n = 401;
+  Eigen::MatrixXd heights(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) heights(i, j) = 0.1 * std::cos(0.06 * (i - 200)) * std::cos(0.06 * (j - 200));
+  return obstacle::HeightField(std::make_shared<const obstacle::Raster>(heights, Eigen::Vector2d(-2, -2), 0.01));
+}
+
+/// Mean distances are printed so that a change of what is computed shows.
+void report_shape(const char* name, const obstacle::Shape& shape, double factorisation) {
+  const obstacle::Obstacle body{.shape = shape};
+  const Points box = anywhere();
+  const std::array<Points, 2> sets{near(body, box), box};
+  fmt::print("{:<36}", name);
+  for (const Points& points : sets) {
     double sum = 0;
     const double seconds = time([&] {
       for (const Vector3d& X : points) sum += body.nearest(X, 0).distance;
     });
-    fmt::print("{:<28} {:8.4f} s, {:6.4f} factorisations, mean distance {:.4f}\n", name, seconds, seconds / one,
+    fmt::print(" {:8.4f} s {:7.4f} factorisations (mean {:+.6f})", seconds, seconds / factorisation,
                sum / static_cast<double>(points.size()));
-    std::fflush(stdout);
   }
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
+void report() {
+  std::int64_t nodes = 0;
+  const double one = factorisation(6, nodes);
+  fmt::print("one factorisation, {} nodes: {:.2f} s\n{:<36} points near the surface, points anywhere\n", nodes, one,
+             "");
+  report_shape("half space", obstacle::HalfSpace{}, one);
+  report_shape("ball", obstacle::Ball{}, one);
+  report_shape("box", obstacle::Box{}, one);
+  report_shape(
+      "expression X^2+Y^2+Z^2-1",
+      obstacle::DistanceField(std::make_shared<const geometry::SpaceFunction>("X^2+Y^2+Z^2-1", geometry::Constants{})),
+      one);
+  std::optional<obstacle::TriangleSurface> surface;
+  const obstacle::TriangleMesh mesh = sphere(224);
+  const double seconds = time([&] { surface.emplace(mesh); });
+  fmt::print("checks and tree of {} triangles: {:.2f} s, {:.2f} factorisations\n", surface->mesh().triangles.size(),
+             seconds, seconds / one);
+  report_shape("triangles", *surface, one);
+  report_shape("height field of a raster", raster(), one);
+  report_shape("height field of a formula", formula("0.1*cos(6*X)*cos(6*Y)"), one);
+  report_shape("height field with steep waves", formula("0.1*cos(40*X)*cos(30*Y)"), one);
 }
 
 }  // namespace

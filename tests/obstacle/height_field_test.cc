@@ -52,6 +52,90 @@ TEST(AWavyFloor, IsAsFarAsBruteForceSays) {
   }
 }
 
+struct Waves {
+  const char* text;
+  double (*height)(double, double);
+  double low, high;  // of the points looked from
+};
+
+/// The least distance to 250 x 250 points of the graph as far as it can be, then by steps of half the length.
+double brute_force(const Waves& waves, const Vector3d& X) {
+  const double reach = std::abs(waves.height(X[0], X[1]) - X[2]);
+  const auto distance = [&](const Eigen::Vector2d& p) {
+    return std::hypot(p[0] - X[0], p[1] - X[1], waves.height(p[0], p[1]) - X[2]);
+  };
+  Eigen::Vector2d best = X.head<2>();
+  double least = reach;
+  const auto look_at = [&](const Eigen::Vector2d& p) {
+    const double d = distance(p);
+    if (d < least) least = d, best = p;
+    return best == p;
+  };
+  constexpr int count = 125;
+  for (int i = -count; i <= count; ++i)
+    for (int j = -count; j <= count; ++j) look_at(X.head<2>() + reach / count * Eigen::Vector2d(i, j));
+  for (double step = reach / count; step > 1e-9; step /= 2)
+    for (int i = 0; i < 8; ++i)
+      if (look_at(best + step * Eigen::Vector2d(std::cos(i * 0.7854), std::sin(i * 0.7854)))) i = -1;
+  return least;
+}
+
+// The foot is on the graph, so that no distance can be too small.
+TEST(WavesOfAllKinds, HaveNoPointThatIsNearerThanTheFoot) {
+  using std::cos, std::sin, std::exp;
+  const std::array<Waves, 6> all{
+      {{"0.02*cos(40*X)*cos(30*Y)", [](double x, double y) { return 0.02 * cos(40 * x) * cos(30 * y); }, -1, 1},
+       {"0.05*cos(60*X)*cos(50*Y)", [](double x, double y) { return 0.05 * cos(60 * x) * cos(50 * y); }, 1, 2},
+       {"0.3*cos(20*X)*cos(15*Y)", [](double x, double y) { return 0.3 * cos(20 * x) * cos(15 * y); }, -0.6, 0.6},
+       {"0.1*cos(9*X)*cos(8*Y)+0.05*sin(17*X-15*Y)+0.4*X",
+        [](double x, double y) { return 0.1 * cos(9 * x) * cos(8 * y) + 0.05 * sin(17 * x - 15 * y) + 0.4 * x; }, -1,
+        1},
+       {"0.4*exp(-30*(X^2+Y^2))", [](double x, double y) { return 0.4 * exp(-30 * (x * x + y * y)); }, -0.5, 1},
+       {"0.2*cos(6.283185307179586*16*X)", [](double x, double) { return 0.2 * cos(6.283185307179586 * 16 * x); }, -0.5,
+        0.5}}};
+  for (const Waves& waves : all) {
+    const HeightField field = height(waves.text);
+    for (Vector3d X : test::random_points(40, 0.7)) {
+      X[2] = waves.low + (waves.high - waves.low) * (X[2] / 1.4 + 0.5);
+      const Nearest at = field.nearest(X);
+      const Vector3d foot = X - at.distance * at.normal;
+      EXPECT_NEAR(foot[2], waves.height(foot[0], foot[1]), 1e-12) << waves.text << " at " << X.transpose();
+      EXPECT_LT(std::abs(at.distance), brute_force(waves, X) + 1e-9) << waves.text << " at " << X.transpose();
+      EXPECT_EQ(at.distance < 0, field.level(X) < 0);
+    }
+  }
+}
+
+TEST(AHeightField, AnswersTheSameInWhateverOrderItIsAsked) {
+  const char* text = "0.1*cos(9*X)*cos(8*Y)+0.05*sin(17*X-15*Y)";
+  const auto points = test::random_points(300, 1);
+  const HeightField forward = height(text), backward = height(text);
+  std::vector<Nearest> first;
+  for (const Vector3d& X : points) first.push_back(forward.nearest(X));
+  for (std::size_t i = points.size(); i-- > 0;) {
+    const Nearest again = backward.nearest(points[i]);
+    EXPECT_EQ(again.distance, first[i].distance);
+    EXPECT_EQ(again.normal, first[i].normal);
+    EXPECT_EQ(again.curvature, first[i].curvature);
+  }
+}
+
+/// Where the foot is X itself up to rounding, it is not missed for rounding.
+TEST(AHeightField, KnowsTheDistanceOfPointsOnIt) {
+  const HeightField field = height("0.1*cos(6*X)*cos(6*Y)");
+  for (Vector3d X : test::random_points(2000, 1))
+    for (const double off : {0.0, 1e-16, 1e-13, 1e-10, 1e-8}) {
+      X[2] = 0.1 * std::cos(6 * X[0]) * std::cos(6 * X[1]) + off;
+      EXPECT_NEAR(field.nearest(X).distance, off, 1e-15 + 0.2 * off);
+    }
+}
+
+/// Two feet close to each other, and a ridge between them.
+TEST(AHeightField, KnowsTheDistanceJustBeyondACentreOfCurvature) {
+  const Vector3d X(-0.86393802365193673, -0.20919910848202378, -0.093718156500470551);
+  EXPECT_NEAR(height("0.1*cos(40*X)*cos(30*Y)").nearest(X).distance, 0.00627585, 1e-7);
+}
+
 TEST(AHeightField, IsTheSameInMicrometresAndInMegametres) {
   for (const double m : {1e-6, 1e6}) {
     const HeightField one = height("0.05*cos(4*X)"), other = height("m*0.05*cos(4*X/m)", {{"m", m}});
@@ -86,6 +170,20 @@ TEST(ARaster, ApproachesTheExpressionItWasMadeFrom) {
 TEST(ARaster, HasExactDerivatives) {
   test::expect_exact_derivatives(HeightField(std::make_shared<const Raster>(wave_raster(11))),
                                  test::random_points(100, 0.15), 1, 3);
+}
+
+// Points found by chance, 2e-5 off the graph, where the squared distance cannot be seen to fall for the rounding of heights.
+TEST(ARaster, KnowsTheDistanceOfPointsCloseToIt) {
+  Eigen::MatrixXd h(401, 401);
+  for (int i = 0; i < 401; ++i)
+    for (int j = 0; j < 401; ++j) h(i, j) = 0.1 * std::cos(0.06 * (i - 200)) * std::cos(0.06 * (j - 200));
+  const HeightField field(std::make_shared<const Raster>(h, Eigen::Vector2d(-2, -2), 0.01));
+  const Vector3d first(-0.27086811295634622, -0.035068643330694801, -0.0053433813265125751),
+      second(0.97453879960632162, 0.0054416807977087107, 0.090573547411082256),
+      third(1.0635559555741823, 0.76951810699658729, -0.0094480753413151985);
+  EXPECT_NEAR(field.nearest(first).distance, -2.13788e-05, 1e-10);
+  EXPECT_NEAR(field.nearest(second).distance, -2.41909e-05, 1e-10);
+  EXPECT_NEAR(field.nearest(third).distance, 1.69859e-05, 1e-10);
 }
 
 TEST(ARaster, SaysWhereItDoesNotReach) {

@@ -1,41 +1,60 @@
 #include <plastron/obstacle/error.hpp>
+#include <plastron/obstacle/graph_objective.hpp>
+#include <plastron/obstacle/graph_samples.hpp>
+#include <plastron/obstacle/graph_search.hpp>
 #include <plastron/obstacle/height_field.hpp>
 #include <plastron/obstacle/offset_surface.hpp>
 
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace plastron::obstacle {
 
 namespace {
 
-using Eigen::Matrix2d;
 using Eigen::Vector2d;
+using Heights = std::variant<std::shared_ptr<const geometry::SpaceFunction>, std::shared_ptr<const Raster>>;
 
-/// Half the squared distance of X from the graph's point at p, with its derivatives.
-struct Objective {
-  double value;
-  Vector2d gradient;
-  Matrix2d hessian, convex_part;
-};
+/// So much of the reach that h'' leaves the distance convex within it.
+constexpr double surely_convex = 0.3;
 
-Objective objective(const Vector3d& X, const Vector2d& p, const HeightJet& h) {
-  const Vector2d across = p - X.head<2>();
-  const double up = h.value - X[2];
-  const Matrix2d convex = Matrix2d::Identity() + h.gradient * h.gradient.transpose();
-  return {(across.squaredNorm() + up * up) / 2, across + up * h.gradient, convex + up * h.hessian, convex};
+/// Newton's step with the sizes of the Hessian's eigenvalues: leaves a point between two feet that are close to each
+/// other, as they are for an X just beyond a centre of curvature, where steps by the convex part creep.
+Vector2d away_from_ridge(const GraphObjective& f) {
+  constexpr double least = 1e-6;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(f.hessian);
+  const Vector2d sizes = eigen.eigenvalues().cwiseAbs().cwiseMax(least);
+  return -eigen.eigenvectors() * (eigen.eigenvectors().transpose() * f.gradient).cwiseQuotient(sizes);
 }
 
-bool is_positive(const Matrix2d& m) { return m(0, 0) > 0 && m.determinant() > 0; }
+/// What rounding is relative to.
+double length_of_coordinates(const Vector3d& X, const Vector2d& p, const HeightJet& h) {
+  return X.norm() + (p - X.head<2>()).norm() + (1 + h.gradient.norm()) * std::abs(X[2]);
+}
+
+HeightJet jet_of(const Heights& heights, const Vector2d& p) {
+  if (const auto* raster = std::get_if<std::shared_ptr<const Raster>>(&heights)) return (**raster)(p);
+  const auto jet = (*std::get<0>(heights))({p[0], p[1], 0});
+  return {jet.value, jet.gradient.head<2>(), jet.hessian.topLeftCorner<2, 2>()};
+}
 
 }  // namespace
 
 HeightField::HeightField(std::shared_ptr<const geometry::SpaceFunction> expression) : heights_(expression) {
   if (expression->depends_on(2)) throw ObstacleError("a height is an expression of X and Y, not of Z");
+  samples_ = std::make_shared<GraphSamples>([heights = heights_](const Vector2d& p) { return jet_of(heights, p); });
+}
+
+HeightField::HeightField(std::shared_ptr<const Raster> raster) : heights_(raster) {
+  samples_ = std::make_shared<GraphSamples>([raster](const Vector2d& p) {
+    return raster->covers(p) ? (*raster)(p) : HeightJet{.value = std::numeric_limits<double>::quiet_NaN()};
+  });
 }
 
 bool HeightField::covers(const Vector2d& p) const {
@@ -43,11 +62,7 @@ bool HeightField::covers(const Vector2d& p) const {
   return !raster || (*raster)->covers(p);
 }
 
-HeightJet HeightField::height(const Vector2d& p) const {
-  if (const auto* raster = std::get_if<std::shared_ptr<const Raster>>(&heights_)) return (**raster)(p);
-  const auto jet = (*std::get<0>(heights_))({p[0], p[1], 0});
-  return {jet.value, jet.gradient.head<2>(), jet.hessian.topLeftCorner<2, 2>()};
-}
+HeightJet HeightField::height(const Vector2d& p) const { return jet_of(heights_, p); }
 
 double HeightField::level(const Vector3d& X) const {
   return covers(X.head<2>()) ? X[2] - height(X.head<2>()).value : std::numeric_limits<double>::quiet_NaN();
@@ -62,70 +77,87 @@ void HeightField::refuse(const Vector3d& X, const char* what) const {
                                   X[1], X[2], range));
 }
 
-// Newton's method where the objective is convex, else without the part of the Hessian that is not; steps are halved until they help.
-Vector2d HeightField::descend(const Vector3d& X, Vector2d p) const {
+// Newton's method where the objective is convex, else without the part of the Hessian that is not; steps are halved
+// until they help.
+HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
   constexpr int most_steps = 100;
-  Objective f = objective(X, p, height(p));
+  HeightJet h = height(p);
+  GraphObjective f = graph_objective(X, p, h);
   for (int step = 0; step < most_steps && !f.gradient.isZero(0); ++step) {
     const bool newton = is_positive(f.hessian);
-    const Vector2d full = -(newton ? f.hessian : f.convex_part).inverse() * f.gradient;
+    const bool is_slow = step >= 20;
+    const Vector2d full = newton    ? Vector2d(-f.hessian.inverse() * f.gradient)
+                          : is_slow ? away_from_ridge(f)
+                                    : Vector2d(-f.convex_part.inverse() * f.gradient);
     bool moved = false;
     for (double share = 1; share > 1e-9 && !moved; share /= 2) {
       const Vector2d trial = p + share * full;
       if (!covers(trial) || trial == p) continue;
-      const Objective next = objective(X, trial, height(trial));
+      const HeightJet there = height(trial);
+      const GraphObjective next = graph_objective(X, trial, there);
       const bool descends = next.value < f.value + 1e-4 * share * f.gradient.dot(full);
-      // Beyond the rounding of its value the objective falls unseen, but its gradient is still seen to.
-      const bool polishes =
-          newton && next.value <= f.value * (1 + 1e-14) && next.gradient.norm() < f.gradient.norm() / 2;
+      // Beyond the rounding of its value, which is that of a height times the distance, the objective falls unseen, but
+      // its gradient is still seen to.
+      const double unseen = 1e-14 * f.value + 1e-15 * std::sqrt(2 * f.value) * length_of_coordinates(X, trial, there);
+      const bool polishes = newton && next.value <= f.value + unseen && next.gradient.norm() < f.gradient.norm() / 2;
       if (!descends && !polishes) continue;
-      p = trial;
-      f = next;
-      moved = true;
+      p = trial, h = there, f = next, moved = true;
     }
     if (!moved) break;
   }
-  const double size = (p - X.head<2>()).norm() + std::abs(X[2]) + height(p).gradient.norm() * std::abs(X[2]);
-  if (!std::isfinite(f.value)) refuse(X, "is not finite near");
-  if (f.gradient.norm() > 1e-6 * std::max(std::sqrt(2 * f.value), 1e-9 * (size + X.norm())))
-    refuse(X, "has no nearest point, or one at the edge, for");
-  return p;
+  const double rounding = 1e-9 * length_of_coordinates(X, p, h);
+  return {p, h, f.value, f.gradient.norm() <= 1e-6 * std::max(std::sqrt(2 * f.value), rounding)};
 }
 
-/// The graph is sampled within the distance of the foot found, the denser the more it bends there.
-bool HeightField::leave_for_nearer_sample(const Vector3d& X, Vector2d& p) const {
-  const Objective found = objective(X, p, height(p));
-  const double reach = std::sqrt(2 * found.value);
-  double best = found.value * (1 - 1e-9), bend = 0;
-  Vector2d nearer = p;
-  for (const int rings : {2, 16}) {
-    for (int ring = 1; ring <= rings; ++ring)
-      for (int k = 0; k < 4 * (ring + 1); ++k) {
-        const double turn = 2 * std::numbers::pi * (k + 0.5 * (ring % 2)) / (4 * (ring + 1));
-        const Vector2d at = X.head<2>() + reach * ring / rings * Vector2d(std::cos(turn), std::sin(turn));
-        if (!covers(at)) continue;
-        const HeightJet h = height(at);
-        bend = std::max(bend, h.hessian.norm() * reach);
-        if (const double value = objective(X, at, h).value; value < best) best = value, nearer = at;
-      }
-    constexpr double surely_convex = 0.3;
-    if (bend < surely_convex || nearer != p) break;
+/// No sample of the graph on two rings is nearer, and it bends too little within the distance to have another foot
+/// there.
+bool HeightField::is_surely_nearest(const Vector3d& X, const Foot& foot) const {
+  const double reach = std::sqrt(2 * foot.value);
+  constexpr int rings = 2;
+  for (int ring = 1; ring <= rings; ++ring)
+    for (int k = 0; k < 4 * (ring + 1); ++k) {
+      const double turn = 2 * std::numbers::pi * (k + 0.5 * (ring % 2)) / (4 * (ring + 1));
+      const Vector2d at = X.head<2>() + reach * ring / rings * Vector2d(std::cos(turn), std::sin(turn));
+      if (!covers(at)) continue;
+      const HeightJet h = height(at);
+      if (!(h.hessian.norm() * reach < surely_convex)) return false;
+      if (graph_objective(X, at, h).value < foot.value * (1 - 1e-9)) return false;
+    }
+  return true;
+}
+
+/// The nearest foot of all descents worth a try.
+HeightField::Foot HeightField::nearer_foot(const Vector3d& X, const Foot& known) const {
+  constexpr std::size_t most_descents = 100;
+  Foot best = known;
+  std::vector<Vector2d> feet{known.p};
+  for (const GraphStart& start : starts_nearer_than(std::sqrt(2 * known.value), X, *samples_)) {
+    if (!(start.least < best.value) || feet.size() > most_descents) break;
+    const auto is_near = [&](const Vector2d& p) { return (start.p - p).norm() < start.spacing; };
+    if (!covers(start.p) || std::ranges::any_of(feet, is_near)) continue;
+    const Foot foot = descend(X, start.p);
+    feet.push_back(foot.p);
+    if (foot.value < best.value) best = foot;
   }
-  const bool leaves = nearer != p;
-  p = nearer;
-  return leaves;
+  return best;
 }
 
 Nearest HeightField::nearest(const Vector3d& X) const {
-  Vector2d p = X.head<2>();
-  if (!covers(p)) refuse(X, "has no height at");
-  constexpr int most_restarts = 20;
-  p = descend(X, p);
-  for (int restart = 0; restart < most_restarts && leave_for_nearer_sample(X, p); ++restart) p = descend(X, p);
-  const HeightJet h = height(p);
+  if (!covers(X.head<2>())) refuse(X, "has no height at");
+  samples_->forget_if_many();
+  Foot foot = descend(X, X.head<2>());
+  // A much nearer foot is worth a search with samples as much denser.
+  for (double before = 0; before != foot.value && !is_surely_nearest(X, foot);) {
+    before = foot.value;
+    foot = nearer_foot(X, foot);
+    if (foot.value > before / 4) break;
+  }
+  if (!std::isfinite(foot.value)) refuse(X, "is not finite near");
+  if (!foot.is_stationary) refuse(X, "has no nearest point, or one at the edge, for");
+  const HeightJet& h = foot.h;
   const double slope = std::sqrt(1 + h.gradient.squaredNorm());
   const Vector3d n = Vector3d(-h.gradient[0], -h.gradient[1], 1) / slope;
-  const double distance = (X - Vector3d(p[0], p[1], h.value)).dot(n);
+  const double distance = (X - Vector3d(foot.p[0], foot.p[1], h.value)).dot(n);
   Matrix3d bent = Matrix3d::Zero();
   bent.topLeftCorner<2, 2>() = -h.hessian;
   return {distance, n, offset_curvature(surface_curvature(n, slope, bent), distance)};

@@ -1,5 +1,5 @@
-// All that lies below a graph z = h(x, y), given by an expression or by a raster. Its distance is that to the graph, not the height above
-// it.
+// All that lies below a graph z = h(x, y), given by an expression or by a raster. Its distance is that to the graph,
+// not the height above it.
 #pragma once
 #include <plastron/geometry/space_function.hpp>
 #include <plastron/obstacle/nearest.hpp>
@@ -10,29 +10,41 @@
 
 namespace plastron::obstacle {
 
+class GraphSamples;
+
 class HeightField {
  public:
   /// Throws ObstacleError if the expression depends on Z.
   explicit HeightField(std::shared_ptr<const geometry::SpaceFunction> expression);
-  explicit HeightField(std::shared_ptr<const Raster> raster) : heights_(std::move(raster)) {}
+  explicit HeightField(std::shared_ptr<const Raster> raster);
 
-  /// The foot is the point (p, h(p)) of the graph where |X - foot| is least: Newton's method on p with a descent that cannot fail, from
-  /// below X
-  /// and from samples of the graph wherever one of them is nearer than the foot found. Throws ObstacleError where the foot is not inside
-  /// of the raster.
+  /// The foot is the point (p, h(p)) of the graph where |X - foot| is least: Newton's method on p with a descent that
+  /// cannot fail, from below X and from wherever samples of the graph say that a nearer foot may be. Samples are kept
+  /// in memory that copies share: not for several threads at once. What it gives does not depend on what was asked
+  /// before. Throws ObstacleError where the foot is not inside of the raster.
   Nearest nearest(const Vector3d& X) const;
 
   /// z - h(x, y): zero on the graph, positive above; NaN outside of the raster.
   double level(const Vector3d& X) const;
 
  private:
+  /// Where a descent ended, half its squared distance, and whether that is least around it.
+  struct Foot {
+    Eigen::Vector2d p;
+    HeightJet h;
+    double value;
+    bool is_stationary;
+  };
+
   bool covers(const Eigen::Vector2d& p) const;
   HeightJet height(const Eigen::Vector2d& p) const;
-  Eigen::Vector2d descend(const Vector3d& X, Eigen::Vector2d p) const;
-  bool leave_for_nearer_sample(const Vector3d& X, Eigen::Vector2d& p) const;
+  Foot descend(const Vector3d& X, Eigen::Vector2d p) const;
+  bool is_surely_nearest(const Vector3d& X, const Foot& foot) const;
+  Foot nearer_foot(const Vector3d& X, const Foot& known) const;
   [[noreturn]] void refuse(const Vector3d& X, const char* what) const;
 
   std::variant<std::shared_ptr<const geometry::SpaceFunction>, std::shared_ptr<const Raster>> heights_;
+  std::shared_ptr<GraphSamples> samples_;
 };
 
 }  // namespace plastron::obstacle

@@ -1,4 +1,5 @@
 #include <plastron/obstacle/triangle_features.hpp>
+#include <plastron/obstacle/triangle_foot.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,36 +14,6 @@ constexpr double equal_normals = 1e-9;
 
 std::uint64_t directed(int from, int to) {
   return (static_cast<std::uint64_t>(from) << 32) | static_cast<std::uint32_t>(to);
-}
-
-/// The nearest point of a triangle as foot = a + s (b - a) + t (c - a), and where it lies: 0 to 2 a corner, 3 to 5 the sides ab, bc, ca,
-/// 6 inside.
-struct Foot {
-  Vector3d at;
-  int place;
-};
-
-Foot on_side(const Vector3d& X, const Vector3d& p, const Vector3d& q, int side) {
-  const Vector3d along = q - p;
-  const double s = (X - p).dot(along) / along.squaredNorm();
-  if (s <= 0) return {p, side};
-  if (s >= 1) return {q, (side + 1) % 3};
-  return {p + s * along, 3 + side};
-}
-
-/// X projects into the triangle, or the nearest of the sides it projects beyond has the foot.
-Foot foot_of(const Vector3d& X, const std::array<Vector3d, 3>& p, const Vector3d& normal) {
-  Foot best{Vector3d::Zero(), 6};
-  double least = -1;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3d &from = p[k], &to = p[(k + 1) % 3];
-    if (normal.cross(to - from).dot(X - from) > 0) continue;
-    const Foot foot = on_side(X, from, to, k);
-    const double d = (X - foot.at).squaredNorm();
-    if (least < 0 || d < least) least = d, best = foot;
-  }
-  if (best.place == 6) best.at = X - (X - p[0]).dot(normal) * normal;
-  return best;
 }
 
 }  // namespace
@@ -81,7 +52,7 @@ Nearest TriangleFeatures::nearest(const TriangleMesh& mesh, int triangle, const 
   const auto& corner = mesh.triangles[triangle];
   const std::array<Vector3d, 3> p{mesh.points[corner[0]], mesh.points[corner[1]], mesh.points[corner[2]]};
   const Vector3d& face = faces_[triangle];
-  const Foot foot = foot_of(X, p, face);
+  const TriangleFoot foot = foot_on_triangle(X, p, face);
   Nearest over_face{(X - p[0]).dot(face), face, Matrix3d::Zero()};
   if (foot.place == 6) return over_face;
   const bool is_side = foot.place >= 3;

@@ -15,6 +15,9 @@ class TriangleFeatures {
   /// From the point of `triangle` that is nearest to X, which is the nearest of the surface.
   Nearest nearest(const TriangleMesh& mesh, int triangle, const Vector3d& X) const;
 
+  /// The unit normals of the triangles.
+  const std::vector<Vector3d>& faces() const { return faces_; }
+
  private:
   /// Unit mean of the normals; flat where all of them are equal.
   struct Feature {

@@ -56,17 +56,18 @@ void check_sides(const TriangleMesh& mesh, const std::vector<Side>& sides, const
   std::size_t open = 0, first_open = 0;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
-    const std::string place =
-        fmt::format("from {} to {}", shown(mesh.points[sides[i].low]), shown(mesh.points[sides[i].high]));
+    const auto place = [&] {
+      return fmt::format("from {} to {}", shown(mesh.points[sides[i].low]), shown(mesh.points[sides[i].high]));
+    };
     if (end - i == 1 && open++ == 0) first_open = i;
     if (end - i > 2)
       throw ObstacleError(
           fmt::format("{}: {} triangles meet in the side {}; the surface must be that of one body, "
                       "where two do",
-                      name, end - i, place));
+                      name, end - i, place()));
     if (end - i == 2 && sides[i].rises == sides[i + 1].rises)
       throw ObstacleError(fmt::format(
-          "{}: the triangles on the side {} are not turned alike; orient all of them outward", name, place));
+          "{}: the triangles on the side {} are not turned alike; orient all of them outward", name, place()));
   }
   if (open > 0)
     throw ObstacleError(

@@ -2,12 +2,9 @@
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/triangle_features.hpp>
 #include <plastron/obstacle/triangle_surface.hpp>
+#include <plastron/obstacle/triangle_tree.hpp>
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <fmt/format.h>
@@ -19,15 +16,10 @@ namespace plastron::obstacle {
 
 namespace {
 
-/// Whether triangles cross is decided exactly, distances are computed in double precision.
+/// Whether triangles cross is decided exactly.
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Fast = CGAL::Simple_cartesian<double>;
-using FastTriangles = std::vector<Fast::Triangle_3>;
-using BoxTree =
-    CGAL::AABB_tree<CGAL::AABB_traits<Fast, CGAL::AABB_triangle_primitive<Fast, FastTriangles::const_iterator>>>;
 
 Exact::Point_3 exact(const Vector3d& p) { return {p[0], p[1], p[2]}; }
-Fast::Point_3 fast(const Vector3d& p) { return {p[0], p[1], p[2]}; }
 
 /// Triangles that share a side cross if they fold onto each other; those that share a corner if the side across of one meets the other;
 /// all others
@@ -62,8 +54,8 @@ void check_crossings(const TriangleMesh& mesh, const std::string& name) {
   boxes.reserve(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& c = mesh.triangles[i];
-    boxes.emplace_back(fast(mesh.points[c[0]]).bbox() + fast(mesh.points[c[1]]).bbox() + fast(mesh.points[c[2]]).bbox(),
-                       i);
+    boxes.emplace_back(
+        exact(mesh.points[c[0]]).bbox() + exact(mesh.points[c[1]]).bbox() + exact(mesh.points[c[2]]).bbox(), i);
   }
   const auto look = [&](const Box& a, const Box& b) {
     if (cross_each_other(mesh, mesh.triangles[a.info()], mesh.triangles[b.info()])) throw Crossing{a.info(), b.info()};
@@ -79,14 +71,6 @@ void check_crossings(const TriangleMesh& mesh, const std::string& name) {
   }
 }
 
-FastTriangles triangles_of(const TriangleMesh& mesh) {
-  FastTriangles all;
-  all.reserve(mesh.triangles.size());
-  for (const auto& c : mesh.triangles)
-    all.emplace_back(fast(mesh.points[c[0]]), fast(mesh.points[c[1]]), fast(mesh.points[c[2]]));
-  return all;
-}
-
 TriangleMesh checked(TriangleMesh mesh, const std::string& name) {
   check_closed(mesh, name);
   check_crossings(mesh, name);
@@ -98,25 +82,17 @@ TriangleMesh checked(TriangleMesh mesh, const std::string& name) {
 struct TriangleSurface::Tree {
   TriangleMesh mesh;
   TriangleFeatures features;
-  FastTriangles triangles;
-  BoxTree boxes;
+  TriangleTree boxes;
 
-  explicit Tree(TriangleMesh given)
-      : mesh(std::move(given)),
-        features(mesh),
-        triangles(triangles_of(mesh)),
-        boxes(triangles.begin(), triangles.end()) {
-    boxes.build();
-    boxes.accelerate_distance_queries();
-  }
+  explicit Tree(TriangleMesh given) : mesh(std::move(given)), features(mesh), boxes(mesh, features.faces()) {}
 };
 
 TriangleSurface::TriangleSurface(TriangleMesh mesh, const std::string& name)
     : tree_(std::make_shared<const Tree>(checked(std::move(mesh), name))) {}
 
 Nearest TriangleSurface::nearest(const Vector3d& X) const {
-  const auto [at, triangle] = tree_->boxes.closest_point_and_primitive(fast(X));
-  return tree_->features.nearest(tree_->mesh, static_cast<int>(triangle - tree_->triangles.begin()), X);
+  const int triangle = tree_->boxes.nearest(tree_->mesh, tree_->features.faces(), X);
+  return tree_->features.nearest(tree_->mesh, triangle, X);
 }
 
 const TriangleMesh& TriangleSurface::mesh() const { return tree_->mesh; }

@@ -1,4 +1,5 @@
-// A body bounded by triangles, as drawing programs write it. Its nearest point is found in a tree of boxes (CGAL).
+// A body bounded by triangles, as drawing programs write it. Its nearest point is found in a tree of turned boxes; CGAL
+// sees to crossings.
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 #include <plastron/obstacle/triangle_mesh.hpp>

@@ -1,0 +1,61 @@
+#include <plastron/obstacle/graph_samples.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::obstacle {
+
+namespace {
+
+/// The spacing of level 0: no simple fraction, lest samples fall on the same phase of each of a user's waves.
+constexpr double unit_spacing = 0.7320508075688772;
+
+}  // namespace
+
+double GraphSamples::Index::spacing() const { return std::ldexp(unit_spacing, level); }
+
+int GraphSamples::level_of(double most) { return std::ilogb(most / unit_spacing); }
+
+std::size_t GraphSamples::Hash::operator()(const Index& index) const {
+  std::uint64_t h = static_cast<std::uint64_t>(index.level);
+  for (const std::int64_t k : {index.i, index.j})
+    h = (h ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
+  return h;
+}
+
+GraphSamples::Block GraphSamples::sampled(const Index& index) const {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const double spacing = index.spacing();
+  Block block{.jets = {}, .low = inf, .high = -inf, .bend = 0, .change = 0};
+  for (std::size_t k = 0; k < block.jets.size(); ++k) {
+    const HeightJet& h = block.jets[k] = height_(index.place(k));
+    if (!std::isfinite(h.value) || !h.gradient.allFinite() || !h.hessian.allFinite()) continue;
+    const double within = spacing / 2 * h.gradient.lpNorm<1>();
+    block.low = std::min(block.low, h.value - within);
+    block.high = std::max(block.high, h.value + within);
+    block.bend = std::max(block.bend, h.hessian.norm());
+    const auto compare = [&](std::size_t other) {
+      const double change = (h.hessian - block.jets[other].hessian).norm();
+      if (change > block.change) block.change = change;
+    };
+    if (k >= side) compare(k - side);
+    if (k % side > 0) compare(k - 1);
+  }
+  // Twice what second derivatives as great as the greatest sampled would give.
+  block.low -= block.bend * spacing * spacing / 2;
+  block.high += block.bend * spacing * spacing / 2;
+  return block;
+}
+
+const GraphSamples::Block& GraphSamples::block(const Index& index) {
+  if (const auto found = blocks_.find(index); found != blocks_.end()) return found->second;
+  return blocks_.emplace(index, sampled(index)).first->second;
+}
+
+void GraphSamples::forget_if_many() {
+  constexpr std::size_t most_blocks = 40000;  // of 4 kB
+  if (blocks_.size() > most_blocks) blocks_.clear();
+}
+
+}  // namespace plastron::obstacle

@@ -1,0 +1,59 @@
+// Samples of a graph z = h on grids that halve their spacing from level to level. They are kept, for neighbouring
+// points ask for the same ones; where they lie depends on nothing that was asked before, and so no answer does.
+#pragma once
+#include <plastron/obstacle/raster.hpp>
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+
+namespace plastron::obstacle {
+
+class GraphSamples {
+ public:
+  static constexpr int side = 8;
+
+  /// side x side samples in the middles of cells. Bounds of the height in all of these cells are estimates: from slopes
+  /// and second derivatives of samples.
+  struct Block {
+    std::array<HeightJet, side * side> jets;  // not finite where there is no height
+    double low, high, bend;                   // greatest |h''|
+    double change;                            // of h'' from sample to sample, the greatest
+  };
+  /// The square from width (i, j) to width (i + 1, j + 1), and it is four of the next lower level.
+  struct Index {
+    int level;
+    std::int64_t i, j;
+    auto operator<=>(const Index&) const = default;
+
+    double spacing() const;
+    Eigen::Vector2d corner() const { return side * spacing() * Eigen::Vector2d(i, j); }
+    Eigen::Vector2d place(std::size_t sample) const {
+      return corner() + spacing() * Eigen::Vector2d(0.5 + static_cast<double>(sample / side),
+                                                    0.5 + static_cast<double>(sample % side));
+    }
+  };
+
+  /// The finest level whose spacing is at most `most` and more than half of it.
+  static int level_of(double most);
+
+  /// `height` gives what is not finite where there is none.
+  explicit GraphSamples(std::function<HeightJet(const Eigen::Vector2d&)> height) : height_(std::move(height)) {}
+
+  /// Stays where it is until `forget_if_many`.
+  const Block& block(const Index& index);
+  void forget_if_many();
+
+ private:
+  struct Hash {
+    std::size_t operator()(const Index& index) const;
+  };
+  Block sampled(const Index& index) const;
+
+  std::function<HeightJet(const Eigen::Vector2d&)> height_;
+  std::unordered_map<Index, Block, Hash> blocks_;
+};
+
+}  // namespace plastron::obstacle

@@ -1,0 +1,94 @@
+#include <plastron/obstacle/graph_objective.hpp>
+#include <plastron/obstacle/graph_search.hpp>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::obstacle {
+
+namespace {
+
+using Eigen::Vector2d;
+using Index = GraphSamples::Index;
+using Block = GraphSamples::Block;
+
+/// Blocks are left out whose bounds say that they are farther than the nearest sample, and divided where samples are
+/// too sparse to know.
+class GraphSearch {
+ public:
+  GraphSearch(double reach, const Vector3d& X, GraphSamples& samples)
+      : samples_(samples), X_(X), reach_(reach), best_(reach * reach / 2 * (1 - 1e-9)) {}
+
+  std::vector<GraphStart> starts() {
+    constexpr double samples_of_reach = 16;
+    const int level = GraphSamples::level_of(reach_ / samples_of_reach);
+    const double width = GraphSamples::side * Index{level, 0, 0}.spacing();
+    const auto at = [&](double x) { return static_cast<std::int64_t>(std::floor(x / width)); };
+    for (std::int64_t i = at(X_[0] - reach_); i <= at(X_[0] + reach_); ++i)
+      for (std::int64_t j = at(X_[1] - reach_); j <= at(X_[1] + reach_); ++j) visit({level, i, j}, 0);
+    std::erase_if(found_, [&](const GraphStart& start) { return start.least > best_; });
+    std::ranges::stable_sort(found_, {}, &GraphStart::least);
+    return std::move(found_);
+  }
+
+ private:
+  bool is_resolved(const Block& block) const {
+    constexpr double alike = 0.3, share_of_bend = 0.7;
+    return block.change * reach_ < alike || block.change < share_of_bend * block.bend;
+  }
+
+  void visit(const Index& index, int depth) {
+    const double spacing = index.spacing();
+    const Vector2d x = X_.head<2>(), corner = index.corner();
+    const Vector2d opposite = corner.array() + GraphSamples::side * spacing;
+    const double across = (x - x.cwiseMax(corner).cwiseMin(opposite)).squaredNorm();
+    if (across >= 2 * best_) return;
+    const Block& block = samples_.block(index);
+    const double up = std::max({0.0, X_[2] - block.high, block.low - X_[2]});
+    if (across + up * up >= 2 * best_) return;
+    constexpr int most_divisions = 4;
+    if (is_resolved(block) || depth == most_divisions) return scan(index, block);
+    for (const int i : {0, 1})
+      for (const int j : {0, 1}) visit({index.level - 1, 2 * index.i + i, 2 * index.j + j}, depth + 1);
+  }
+
+  void scan(const Index& index, const Block& block) {
+    const double spacing = index.spacing(), radius = spacing / std::sqrt(2.0);
+    for (std::size_t k = 0; k < block.jets.size(); ++k) {
+      const HeightJet& h = block.jets[k];
+      const Vector2d p = index.place(k), across = p - X_.head<2>();
+      const double up = h.value - X_[2], value = (across.squaredNorm() + up * up) / 2;
+      const double curvature = std::max(0.0, std::abs(up) * block.bend - 1);
+      const double least = value - radius * (across + up * h.gradient).norm() - curvature * radius * radius / 2;
+      if (!(least < best_)) continue;
+      if (value < best_) best_ = value;
+      look_at(p, h, least, block.change, spacing);
+    }
+  }
+
+  /// The minimum of the quadratic model, if it is in reach of the sample; what the model may be wrong by is granted.
+  void look_at(const Vector2d& p, const HeightJet& h, double least, double change, double spacing) {
+    const GraphObjective f = graph_objective(X_, p, h);
+    if (!is_positive(f.hessian)) return found_.push_back({least, p, spacing});
+    const Vector2d step = -f.hessian.inverse() * f.gradient;
+    if (step.lpNorm<Eigen::Infinity>() > 1.5 * spacing && f.value > best_) return;
+    const double granted = std::abs(h.value - X_[2]) * change * step.squaredNorm() / 2;
+    const double predicted = f.value + f.gradient.dot(step) / 2 - granted;
+    if (predicted < best_) found_.push_back({predicted, p + step, spacing});
+  }
+
+  GraphSamples& samples_;
+  const Vector3d X_;
+  double reach_, best_;
+  std::vector<GraphStart> found_;
+};
+
+}  // namespace
+
+std::vector<GraphStart> starts_nearer_than(double reach, const Vector3d& X, GraphSamples& samples) {
+  return GraphSearch(reach, X, samples).starts();
+}
+
+}  // namespace plastron::obstacle

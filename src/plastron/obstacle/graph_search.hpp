@@ -1,0 +1,21 @@
+// Where on a graph z = h there may be a point nearer to X than one that is known.
+#pragma once
+#include <plastron/obstacle/graph_samples.hpp>
+#include <plastron/obstacle/nearest.hpp>
+
+#include <vector>
+
+namespace plastron::obstacle {
+
+/// To begin a descent of the distance at.
+struct GraphStart {
+  double least;  ///< what half the squared distance may fall to there
+  Eigen::Vector2d p;
+  double spacing;  ///< of the samples around it: a foot this near is the same one
+};
+
+/// Of all points within `reach` of X; the most promising first. The graph is sampled at least 16 times within the reach
+/// and up to 256 times where it changes its curvature from sample to sample.
+std::vector<GraphStart> starts_nearer_than(double reach, const Vector3d& X, GraphSamples& samples);
+
+}  // namespace plastron::obstacle
