@@ -89,7 +89,7 @@ Points near(const obstacle::Obstacle& body, Points points) {
   std::mt19937 random(2);  // NOLINT: the same points in every run
   std::uniform_real_distribution<double> off(-0.05, 0.05);
   for (Vector3d& X : points) {
-    const obstacle::Nearest at = body.nearest(X, 0);
+    const obstacle::Nearest at = body.nearest(X);
     X += (off(random) - at.distance) * at.normal;
   }
   return points;
@@ -116,7 +116,7 @@ void report_shape(const char* name, const obstacle::Shape& shape, double factori
   for (const Points& points : sets) {
     double sum = 0;
     const double seconds = time([&] {
-      for (const Vector3d& X : points) sum += body.nearest(X, 0).distance;
+      for (const Vector3d& X : points) sum += body.nearest(X).distance;
     });
     fmt::print(" {:8.4f} s {:7.4f} factorisations (mean {:+.6f})", seconds, seconds / factorisation,
                sum / static_cast<double>(points.size()));

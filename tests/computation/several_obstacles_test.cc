@@ -107,8 +107,8 @@ TEST(ThreeRollers, WhoseNormalsLieInOnePlaneCarryAPlateAtThreePlaces) {
 TEST(AFarRoller, ChangesNothing) {
   const Result two = solve(plate_on_rollers({-0.75, 0.75}, 0.05), MPI_COMM_SELF);
   Problem p = plate_on_rollers({-0.75, 0.75}, 0.05);
-  p.obstacles.push_back({.name = "far",
-                         .shape = obstacle::Cylinder{.point = {0.1, 0, -3}, .axis = {0, 1, 0}, .radius = 0.5}});
+  p.obstacles.push_back(
+      {.name = "far", .shape = obstacle::Cylinder{.point = {0.1, 0, -3}, .axis = {0, 1, 0}, .radius = 0.5}});
   const Result three = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(two.status, contact::Status::solved);
   ASSERT_EQ(three.status, contact::Status::solved);

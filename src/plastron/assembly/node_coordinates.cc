@@ -141,8 +141,8 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
         {.obstacle = static_cast<int>(k),
          .coordinate = place.coordinate,
          .scale = place.scale,
-         .is_left_out = place.is_left_out,
-         .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) : std::numeric_limits<double>::quiet_NaN()});
+         .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) : std::numeric_limits<double>::quiet_NaN(),
+         .is_left_out = place.is_left_out});
   }
   bound(node);
   const double most = support.rotation.empty() ? no_bound : 0;

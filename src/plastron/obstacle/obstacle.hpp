@@ -27,7 +27,7 @@ struct Obstacle {
   std::string name{};  ///< no two obstacles of a problem share one; may be empty where there is one obstacle only
   Shape shape = HalfSpace{};
   Face face = Face::nearer;           ///< of the shell, the one that may touch
-  bool is_for_both = false;  ///< another obstacle is the same body for the other face: one of them may be far
+  bool is_for_both = false;           ///< another obstacle is the same body for the other face: one of them may be far
   Placement placement{};              ///< where the shape stands, at time 0 if it moves
   std::vector<Motion> motions{};      ///< by step
   Vector3d force = Vector3d::Zero();  ///< that presses it along its direction, where it is not held [N]
