@@ -22,10 +22,11 @@ struct PunchedBeam {
                 .apply = [this](const Vector& z, Vector& y) { beam.apply(z, y); },
                 .load = Vector(beam.layout, 1),
                 .lower = Vector(beam.layout, 1),
-                .upper = vector_of(beam.layout, 1, [nodes](GlobalIndex i) {
-                  const double x = 2 * static_cast<double>(i) / static_cast<double>(nodes - 1) - 1;
-                  return 0.5 + x * x;
-                })},
+                .upper = vector_of(beam.layout, 1,
+                                   [nodes](GlobalIndex i) {
+                                     const double x = 2 * static_cast<double>(i) / static_cast<double>(nodes - 1) - 1;
+                                     return 0.5 + x * x;
+                                   })},
         factorisation(beam.matrix) {
     contact::PressingForce punch{.lower_shape = Vector(beam.layout, 1),
                                  .upper_shape = Vector(beam.layout, 1),
@@ -89,7 +90,7 @@ TEST(PressingForce, and_its_position_prescribed_give_the_same_solution) {
 }
 
 TEST(EverySolver, presses_a_punch_on_a_beam_alike) {
-  PunchedBeam punched(800);
+  PunchedBeam punched(800, 31);
   const auto plain = punched.solve();
   ASSERT_EQ(plain.status, Status::solved);
   EXPECT_GT(plain.iterations.back().active, 2);

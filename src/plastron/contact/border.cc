@@ -6,8 +6,8 @@ namespace plastron::contact {
 namespace {
 
 /// c' K c of a direction that the earlier ones left of the k-th motion.
-bool costs_nothing(const SmallMatrix& K, const SmallMatrix& factor, const SmallMatrix& scale,
-                   std::span<const double> c, std::size_t k) {
+bool costs_nothing(const SmallMatrix& K, const SmallMatrix& factor, const SmallMatrix& scale, std::span<const double> c,
+                   std::size_t k) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr double nothing_but_rounding = 4 * epsilon, unlike_its_factor = 1e-3;
   constexpr double dependent = 256 * epsilon;  // what is left of K_kk after the others were taken off
@@ -60,8 +60,7 @@ std::vector<double> Border::solve(std::span<const double> r) const {
   return x;
 }
 
-std::optional<Border::Nearest> Border::nearest(std::span<const double> to,
-                                               const std::vector<std::vector<double>>& rows,
+std::optional<Border::Nearest> Border::nearest(std::span<const double> to, const std::vector<std::vector<double>>& rows,
                                                std::span<const double> values) const {
   std::vector<std::vector<double>> answers;
   for (const auto& row : rows) answers.push_back(solve(row));

@@ -137,7 +137,8 @@ void PressedSubproblem::finish(const ActiveSet& set, SubproblemPoint& point) {
   for (std::size_t k = 0; k < positions_.size(); ++k) {
     const PressingForce& pressing = problem_.pressing[k];
     for (std::size_t i = 0; i < set.size(); ++i) {
-      const double shape = std::max(std::abs(pressing.lower_shape.owned()[i]), std::abs(pressing.upper_shape.owned()[i]));
+      const double shape =
+          std::max(std::abs(pressing.lower_shape.owned()[i]), std::abs(pressing.upper_shape.owned()[i]));
       double& value = point.gap_noise.owned()[i];
       value = std::max(value, 4 * rounding_unit * std::abs(positions_[k]) * shape);
     }

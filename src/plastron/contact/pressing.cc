@@ -138,8 +138,7 @@ bool is_met(const PressingForce& pressing, const ActiveSet& set) {
 }
 
 std::vector<double> reactions(const BoxProblem& problem, const algebra::Vector& multiplier, const ActiveSet& set) {
-  return sums_over_active(problem, set,
-                          [&](std::size_t i, double shape) { return multiplier.owned()[i] * shape; });
+  return sums_over_active(problem, set, [&](std::size_t i, double shape) { return multiplier.owned()[i] * shape; });
 }
 
 std::vector<double> reaction_sizes(const BoxProblem& problem, const algebra::Vector& multiplier, const ActiveSet& set) {
@@ -166,8 +165,7 @@ bool every_force_can_be_carried(const BoxProblem& problem) {
 
 std::vector<Touch> touch(const BoxProblem& problem, std::size_t k, const algebra::Vector& z,
                          const std::function<double(std::size_t)>& noise, std::vector<double>& positions) {
-  const auto meetings =
-      meetings_here(problem, at_positions(problem, positions), k, z, noise, positions[k]);
+  const auto meetings = meetings_here(problem, at_positions(problem, positions), k, z, noise, positions[k]);
   Meeting first{.position = never, .noise = 0, .touch = {}};
   for (const Meeting& meeting : meetings)
     if (meeting.position < first.position) first = meeting;

@@ -180,7 +180,8 @@ class PressingSearch {
     const double noise = here.inner.tolerances.gap * largest;
     for (std::size_t k = 0; k < here.positions.size(); ++k)
       if (!is_met(problem_.pressing[k], here.set))
-        for (const Touch& touched : touch(problem_, k, here.inner.z, [&](std::size_t) { return noise; }, here.positions))
+        for (const Touch& touched : touch(
+                 problem_, k, here.inner.z, [&](std::size_t) { return noise; }, here.positions))
           here.set[touched.unknown] = touched.activity;
   }
 
@@ -269,7 +270,8 @@ class PressingSearch {
     for (int k = 0; k < most_doublings; ++k) {
       if (!(slope_along(direction, next.excess) < 0.5 * slope)) return next;
       length_ *= 2;
-      if (first_wedge(problem_, here.positions, moved(Positions(direction.size(), 0.0), length_, direction))) return next;
+      if (first_wedge(problem_, here.positions, moved(Positions(direction.size(), 0.0), length_, direction)))
+        return next;
       auto further = evaluate(moved(here.positions, length_, direction), next.set);
       if (has_ended_) return {};
       if (!further || !(slope_along(direction, further->excess) <= 0)) return next;

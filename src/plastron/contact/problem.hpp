@@ -48,12 +48,12 @@ enum class Activity : char { free = 0, at_lower = 1, at_upper = 2, prescribed = 
 
 enum class Status {
   solved,
-  iteration_limit,        ///< max_iterations reached
-  cycling,                ///< the active set came back and the safeguarded search could not go on either
-  infeasible,             ///< some lower > upper (or forces press them there), or equations that cannot hold within the bounds
-  singular,               ///< A is not positive definite even with every bound active: a motion is left free
-  not_held,               ///< a motion is free on the active set that came up, though more active bounds would hold it
-  not_carried,            ///< a pressing force moves its bounds on for ever
+  iteration_limit,  ///< max_iterations reached
+  cycling,          ///< the active set came back and the safeguarded search could not go on either
+  infeasible,   ///< some lower > upper (or forces press them there), or equations that cannot hold within the bounds
+  singular,     ///< A is not positive definite even with every bound active: a motion is left free
+  not_held,     ///< a motion is free on the active set that came up, though more active bounds would hold it
+  not_carried,  ///< a pressing force moves its bounds on for ever
   linear_solver_stalled,  ///< the preconditioned iteration missed its tolerance by far
   not_finite,             ///< numbers overflowed or are no numbers
   interrupted,            ///< somebody asked to stop
