@@ -1,7 +1,9 @@
 // Linear equations beside the bounds: minimise 1/2 z' A z - b' z with lower <= z <= upper and B z = 0.
+#include <plastron/contact/pressing.hpp>
+
 #include <gtest/gtest.h>
 
-#include "contact/dense_problem.hpp"
+#include "contact/pressed_problem.hpp"
 
 namespace plastron::test {
 namespace {
@@ -112,6 +114,35 @@ TEST(Equations, AnEmptyRowKeepsAZeroMultiplier) {
   EXPECT_NEAR(gathered(solution.z).sum(), 0, 1e-12);
   EXPECT_NEAR(gathered(solution.equation_multiplier)(0), 2.5, 1e-12);
   EXPECT_EQ(gathered(solution.equation_multiplier)(1), 0);
+}
+
+TEST(Equations, HoldTogetherWithForcesThatPressTheBounds) {
+  const unsigned problems = ranks() == 1 ? 40 : 2;
+  for (unsigned seed = 0; seed < problems; ++seed) {
+    PressedDense dense = random_pressed(8, 1 + seed % 2, seed);
+    for (Eigen::Index i = 0; i < 8; ++i)
+      if (std::isfinite(dense.box.lower(i))) dense.box.upper(i) = no_bound;  // leave room for the equations
+    std::mt19937 random(seed + 1000);
+    std::normal_distribution<double> normal;
+    const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(2, 8, [&] { return normal(random); });
+    const DistributedPressed pressed(dense);
+    WithEquations problem(dense.box, B);
+    problem.distributed.box->pressing = pressed.problem().pressing;
+    algebra::Factorisation factorisation(problem.distributed.matrix);
+    std::optional<double> energy;
+    for (const contact::Solver solver : contact::all_solvers) {
+      SCOPED_TRACE(name_of(solver) + ", seed " + std::to_string(seed));
+      const auto solution = solve_with(solver, *problem.distributed.box, factorisation, {},
+                                       {.max_iterations = 2000, .detect_free_motions = false});
+      expect_all_conditions(dense.at(positions_of(solution)), B, solution);
+      const auto answers = contact::reactions(*problem.distributed.box, solution.multiplier, solution.activity);
+      for (Eigen::Index k = 0; k < dense.force.size(); ++k)
+        EXPECT_NEAR(answers[static_cast<std::size_t>(k)], dense.force(k), 1e-9 * dense.force(k));
+      const double found = energy_of(dense, gathered(solution.z), positions_of(solution));
+      EXPECT_NEAR(found, energy.value_or(found), 1e-8 * (1 + std::abs(found)));
+      energy = found;
+    }
+  }
 }
 
 }  // namespace

@@ -163,8 +163,9 @@ TEST(Observer, can_stop_every_solver_after_its_first_iteration) {
 }
 
 TEST(Status, has_a_name_and_an_explanation) {
-  for (const Status status : {Status::solved, Status::iteration_limit, Status::cycling, Status::infeasible,
-                              Status::singular, Status::linear_solver_stalled, Status::interrupted}) {
+  for (const Status status :
+       {Status::solved, Status::iteration_limit, Status::cycling, Status::infeasible, Status::singular,
+        Status::not_held, Status::not_carried, Status::linear_solver_stalled, Status::interrupted}) {
     EXPECT_NE(contact::to_string(status), "unknown");
     EXPECT_GT(contact::explain(status).size(), 20u);
   }
