@@ -116,5 +116,32 @@ TEST(AFarRoller, ChangesNothing) {
   EXPECT_EQ(three.summary.obstacles.at(2).nodes, 0);
 }
 
+TEST(ATubeBetweenPlates, GetsShorterAsARingDoes) {
+  const double pi = 3.141592653589793, length = 0.25, thickness = 0.02, force = 0.01;
+  Problem p;
+  p.domain = fem::Rectangle{.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}};
+  p.joins = {{{"left", "right"}}};
+  p.charts = {{"", Chart({"sin(x)", "y", "1.01 - cos(x)"}, {})}};
+  p.sections.common.thickness = Expression(thickness);
+  p.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
+  p.supports = {in_plane("bottom"), in_plane("top")};
+  for (const double x : {0.0, -pi})
+    p.supports.push_back(
+        {.point = Eigen::Vector2d(x, length / 2), .components = {fixed(Unknown::displacement, Direction::x)}});
+  p.obstacles = {{.name = "floor"},
+                 {.name = "plate",
+                  .shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}},
+                  .force = {0, 0, -force}}};
+  p.discretisation = {.degree = 4, .refinements = 1};
+  const Result r = solve(p, MPI_COMM_SELF);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  const double way = (pi / 4 - 2 / pi) * force / length * 12 * (1 - 0.09) / (1e6 * std::pow(thickness, 3));
+  EXPECT_NEAR(-r.summary.obstacles.at(1).translation[2] / way, 1, 2e-3);  // shear and stretching: (e/R)^2
+  EXPECT_NEAR(r.summary.obstacles.at(0).reaction.force[2], force, 1e-8 * force);
+  EXPECT_NEAR(r.summary.obstacles.at(1).reaction.force[2], -force, 1e-8 * force);
+  EXPECT_NEAR(r.summary.energy.total(), -force * r.summary.obstacles.at(1).translation[2] / 2, 1e-6 * force * way);
+  EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();
+}
+
 }  // namespace
 }  // namespace plastron::computation

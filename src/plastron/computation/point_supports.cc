@@ -36,7 +36,9 @@ std::vector<std::string> point_support_warnings(const Result& result, const std:
   const auto most = std::ranges::max_element(
       s.point_reactions, {}, [](const certificate::PointReaction& reaction) { return reaction.force.norm(); });
   const double force = most->force.norm();
-  if (force <= negligible * s.load_norms) return {};
+  double pressed = 0;  // by obstacles, which may be all that loads the shell
+  for (const certificate::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
+  if (force <= negligible * (s.load_norms + pressed)) return {};
   const std::string what =
       fmt::format("the support at the point ({:.6g}, {:.6g}) carries {:.4g} N", most->at[0], most->at[1], force);
   if (is_isostatic(supports) && in_equilibrium(s))
