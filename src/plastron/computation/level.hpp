@@ -26,6 +26,10 @@ struct LevelResult {
   certificate::Verdict verdict;
 };
 
+/// What a solution itself tells of a level, whoever found it (collective).
+Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
+               const certificate::Verdict& verdict);
+
 /// (collective)
 LevelResult solve_level(LevelTask task, const assembly::ShellDescription& shell,
                         std::shared_ptr<const fem::Surface> surface, const Observer& observer);

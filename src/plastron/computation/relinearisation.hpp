@@ -15,6 +15,20 @@ struct GapError {
 };
 GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution);
 
+bool is_curved(const assembly::RigidObstacles& obstacles);
+
+/// How far a solution is from where its gaps were linearised.
+struct Nearness {
+  double distance = 0;    ///< of the faces in contact from where the state has them, the largest [m]
+  double depth = 0;       ///< as in GapError [m]
+  double negligible = 0;  ///< what either may be [m]
+
+  bool is_met() const { return distance <= negligible && depth <= negligible; }
+};
+/// (collective)
+Nearness nearness(const Linearisation& settings, const assembly::DiscreteShell& discrete,
+                  const certificate::NodalSolution& solution);
+
 /// One mesh's loop. A step moves the state by all of the way to the solution; where the distance to it does not fall, by half of the way
 /// before, so that the loop ends or says that it does not.
 class Relinearisation {

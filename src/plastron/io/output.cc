@@ -1,6 +1,7 @@
 #include <plastron/io/output.hpp>
 
 #include <plastron/io/atomic_file.hpp>
+#include <plastron/io/solution_file.hpp>
 #include <plastron/io/vtu.hpp>
 
 #include <algorithm>
@@ -25,7 +26,19 @@ void write_output(const computation::Result& result, Provenance provenance, cons
   make_directory(directory, comm);
   AtomicFiles files(comm);
   provenance.files.clear();
-  if (can_be_drawn(result, comm)) provenance.files = add_vtu(*result.solution, directory, base_name, files);
+  if (can_be_drawn(result, comm)) {
+    provenance.files = add_vtu(*result.solution, directory, base_name, files);
+    provenance.solution = base_name + ".plastron";
+    provenance.files.push_back(provenance.solution);
+    add_solution(*result.solution, directory / provenance.solution, files);
+  }
+  if (provenance.source) {
+    provenance.case_copy = base_name + ".case.toml";
+    provenance.files.push_back(provenance.case_copy);
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    files.add(directory / provenance.case_copy, [&] { return rank == 0 ? provenance.source->text : std::string(); });
+  }
   add_results(result, provenance, directory, files);
   files.commit();
 }
