@@ -12,7 +12,8 @@ void describe_program(CLI::App& program) {
   program.description("Plastron computes thin elastic shells (Naghdi's model) pressed on a rigid obstacle.");
   program.set_version_flag("--version", std::string(io::version));
   program.require_subcommand(1);
-  program.footer("Exit codes: 0 solved or verified, 2 bad input, 3 not converged, interrupted or not verified, 4 internal error.");
+  program.footer(
+      "Exit codes: 0 solved or verified, 2 bad input, 3 not converged, interrupted or not verified, 4 internal error.");
 }
 
 void add_computing_options(CLI::App& command, bool& quiet, int& threads) {
@@ -93,8 +94,9 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& reply) {
   std::ostringstream out, err;
   const bool good = program.exit(reply, out, err) == 0;
   if (const std::string word = unknown_command(program); !good && !word.empty()) {
-    print_error("there is no command \"{}\"; the commands are run, check, compare, verify, study; plastron --help tells more\n",
-                word);
+    print_error(
+        "there is no command \"{}\"; the commands are run, check, compare, verify, study; plastron --help tells more\n",
+        word);
   } else if (is_first_rank()) {
     print_text(stdout, out.str());
     print_text(stderr, err.str());

@@ -13,9 +13,9 @@ namespace plastron::app {
 struct Options {
   std::filesystem::path case_file;
   std::filesystem::path output;
-  bool quiet = false;    ///< print errors only
-  int threads = 0;       ///< of each process; 0: as many as the work is worth
-  bool solvers = false;  ///< compare: contact solvers in place of formulations
+  bool quiet = false;               ///< print errors only
+  int threads = 0;                  ///< of each process; 0: as many as the work is worth
+  bool solvers = false;             ///< compare: contact solvers in place of formulations
   std::filesystem::path results{};  ///< verify: the directory that run wrote to
   std::filesystem::path files{};    ///< verify: where the files are that the case names; empty: where it was run
 };

@@ -69,7 +69,9 @@ int front(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "study") == 0) return hand_over(argv);
   try {
     program.parse(argc, argv);
-    if (!commands.verify->parsed()) [[maybe_unused]] const config::Case read = config::read_case(options.case_file);
+    if (!commands.verify->parsed()) {  // which has no case file, but results
+      [[maybe_unused]] const config::Case read = config::read_case(options.case_file);
+    }
   } catch (const CLI::ParseError& reply) {
     return answer(program, reply) == solved ? solved : refused();
   } catch (const config::CaseErrors& errors) {

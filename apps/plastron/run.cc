@@ -21,7 +21,8 @@ void add_warnings(const std::vector<examination::Finding>& findings, std::vector
       warnings.push_back(finding.text);
 }
 
-/// The case file and those that it names, as they are before anything is solved. Read by each rank: the same files for all.
+/// The case file and those that it names, as they are before anything is solved. Read by each rank: the same files for
+/// all.
 io::CaseSource source_of(const config::Case& c, const Options& options) {
   std::vector<std::pair<std::string, std::filesystem::path>> files;
   for (const config::InputFile& file : c.files) files.emplace_back(file.name, file.path);

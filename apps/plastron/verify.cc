@@ -36,8 +36,8 @@ const char* verdict(bool holds) { return holds ? "ok" : "NO"; }
 
 /// Rows that have limits: of the certificate, and those that tell whether the solution is of the case's kind.
 void print_row(const certificate::CertificateLimit& row, const std::string& claimed) {
-  print("{:<20} {:>15.6g} {:>15} {:>3}{:>12.3g} {:<5} {}\n", row.row, row.value, claimed, row.is_least ? ">=" : "<=",
-        row.limit, row.unit == "1" ? std::string_view() : row.unit, verdict(row.holds()));
+  print("{:<20} {:>15.6g} {:>15} {:>3}{:>12.3g} {:<5} {}\n", row.row, row.value, claimed,
+        row.is_least ? ">=" : "<=", row.limit, row.unit == "1" ? std::string_view() : row.unit, verdict(row.holds()));
 }
 
 std::string claimed_row(const io::Json& results, std::string_view row) {
@@ -46,7 +46,8 @@ std::string claimed_row(const io::Json& results, std::string_view row) {
   return fmt::format("{:.6g}", results[place].get<double>());
 }
 
-void judge_rows(const computation::Verification& verification, const io::Json& claimed, bool quiet, Failures& failures) {
+void judge_rows(const computation::Verification& verification, const io::Json& claimed, bool quiet,
+                Failures& failures) {
   if (!quiet) print("{:<20} {:>15} {:>15} {:>15}\n", "row", "recomputed", "claimed", "limit");
   for (const auto* rows : {&verification.result.limits, &verification.membership})
     for (const certificate::CertificateLimit& row : *rows) {
@@ -96,7 +97,8 @@ ExitCode conclude(const Failures& failures, bool quiet) {
 /// Another version may discretise otherwise: worth a word where rows fail.
 void print_versions(const io::Json& results, bool quiet) {
   const io::Json::json_pointer place("/versions/plastron");
-  if (quiet || !results.contains(place) || !results[place].is_string() || results[place] == io::Json(io::version)) return;
+  if (quiet || !results.contains(place) || !results[place].is_string() || results[place] == io::Json(io::version))
+    return;
   print("written by version {}, verified by version {}\n", results[place].get<std::string>(), io::version);
 }
 

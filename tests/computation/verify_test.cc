@@ -2,9 +2,9 @@
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/verify.hpp>
 
-#include <computation/problems.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <computation/problems.hpp>
 
 #include <functional>
 
@@ -68,8 +68,7 @@ TEST(Verification, PassesWhatWasSolved) {
     const Verification v = verified(p);
     EXPECT_THAT(failing(v), IsEmpty()) << element::to_string(f);
     EXPECT_EQ(v.result.status, contact::Status::solved);
-    EXPECT_NEAR(v.result.summary.energy.total(), result.summary.energy.total(),
-                1e-12 * result.summary.energy.total());
+    EXPECT_NEAR(v.result.summary.energy.total(), result.summary.energy.total(), 1e-12 * result.summary.energy.total());
     EXPECT_EQ(v.result.levels.back().active, result.levels.back().active);
     EXPECT_GT(v.result.levels.back().active, 0);
   }
@@ -79,11 +78,10 @@ TEST(Verification, PassesTrianglesCovariantComponentsTwoFacesAndCurvedObstacles)
   Problem triangles = pressed_strip(), covariant = pressed_strip(), between = pressed_strip();
   triangles.discretisation.cells = fem::Shape::triangle;
   covariant.discretisation.tangency.formulation = element::Formulation::classical;
-  between.obstacles = {
-      obstacle::Obstacle{.name = "lower", .face = obstacle::Face::lower},
-      obstacle::Obstacle{.name = "upper",
-                         .shape = obstacle::HalfSpace{.point = {0, 0, 0.0601}, .normal = {0, 0, -1}},
-                         .face = obstacle::Face::upper}};
+  between.obstacles = {obstacle::Obstacle{.name = "lower", .face = obstacle::Face::lower},
+                       obstacle::Obstacle{.name = "upper",
+                                          .shape = obstacle::HalfSpace{.point = {0, 0, 0.0601}, .normal = {0, 0, -1}},
+                                          .face = obstacle::Face::upper}};
   Problem once = strip_on_ball();
   once.linearisation.once = true;
   for (const Problem& p : {triangles, covariant, between, strip_on_ball(), once}) {
@@ -94,8 +92,8 @@ TEST(Verification, PassesTrianglesCovariantComponentsTwoFacesAndCurvedObstacles)
 }
 
 TEST(Verification, FailsWhereADisplacementWasChanged) {
-  const Verification v = verified(
-      pressed_strip(), [](StoredSolution& s, const assembly::DiscreteShell&) { nudge(s.nodal.y, 2, 1e-5); });
+  const Verification v =
+      verified(pressed_strip(), [](StoredSolution& s, const assembly::DiscreteShell&) { nudge(s.nodal.y, 2, 1e-5); });
   EXPECT_THAT(failing(v), Contains("stationarity"));
 }
 
@@ -107,8 +105,8 @@ TEST(Verification, FailsWhereAReactionWasChanged) {
 }
 
 TEST(Verification, FailsWhereARotationIsNotTangent) {
-  const Verification v = verified(
-      pressed_strip(), [](StoredSolution& s, const assembly::DiscreteShell&) { nudge(s.nodal.y, 5, 1e-4); });
+  const Verification v =
+      verified(pressed_strip(), [](StoredSolution& s, const assembly::DiscreteShell&) { nudge(s.nodal.y, 5, 1e-4); });
   EXPECT_THAT(failing(v), Contains("space_error"));
 }
 
@@ -154,9 +152,15 @@ TEST(Verification, FailsWhereAnotherProblemIsSolved) {
   const std::vector<std::pair<const char*, std::function<void(Problem&)>>> others{
       {"load", [](Problem& p) { p.area_loads = {force(0, 0, -4.01e-3)}; }},
       {"thickness", [](Problem& p) { p.sections.common.thickness = Expression(0.0501); }},
-      {"supports", [](Problem& p) { p.supports.pop_back(); p.supports.push_back(clamped("top")); }},
-      {"obstacle", [](Problem& p) { p.obstacles.front() = obstacle::Obstacle{.shape = obstacle::HalfSpace{
-                                        .point = {0, 0, 1e-4}, .normal = {0, 0, 1}}}; }}};
+      {"supports",
+       [](Problem& p) {
+         p.supports.pop_back();
+         p.supports.push_back(clamped("top"));
+       }},
+      {"obstacle", [](Problem& p) {
+         p.obstacles.front() =
+             obstacle::Obstacle{.shape = obstacle::HalfSpace{.point = {0, 0, 1e-4}, .normal = {0, 0, 1}}};
+       }}};
   Result result = solve(solved, MPI_COMM_WORLD);
   for (const auto& [what, change] : others) {
     Problem other = solved;

@@ -1,4 +1,5 @@
-// What results.json claims beside what is recomputed: no number that follows from the solution can be changed unnoticed.
+// What results.json claims beside what is recomputed: no number that follows from the solution can be changed
+// unnoticed.
 #include <plastron/io/claims.hpp>
 #include <plastron/io/output.hpp>
 
@@ -59,8 +60,9 @@ TEST(Claims, that_are_changed_are_named) {
         number = 1.001 * number.get<double>() + (number.get<double>() == 0 ? 1e6 : 0);
       // What is rounding may be any rounding.
       const bool is_rounding = before.is_number_float() && std::abs(number.get<double>()) < 1e-7;
-      if (!is_rounding)
+      if (!is_rounding) {
         EXPECT_THAT(disagreeing(compare_numbers(claimed, solved_plate())), ElementsAre(path));
+      }
       changed += is_rounding ? 0 : 1;
       number = before;
     });

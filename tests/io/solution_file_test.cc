@@ -48,8 +48,7 @@ Problem plate(element::Formulation formulation, fem::Shape shape, bool over_ball
 std::vector<Problem> problems() {
   using element::Formulation;
   std::vector<Problem> all;
-  for (const Formulation f :
-       {Formulation::tangent, Formulation::penalised, Formulation::mixed, Formulation::classical})
+  for (const Formulation f : {Formulation::tangent, Formulation::penalised, Formulation::mixed, Formulation::classical})
     all.push_back(plate(f, fem::Shape::quadrilateral));
   all.push_back(plate(Formulation::tangent, fem::Shape::triangle));
   all.push_back(plate(Formulation::tangent, fem::Shape::quadrilateral, true));
@@ -152,7 +151,8 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
       {"cells", [](std::string& t) { put(t, 32, std::int64_t{1} << 60); }},
       {"nodes", [](std::string& t) { put(t, 40, std::int64_t{-1}); }},
       {"no solution has", [](std::string& t) { put(t, 56, std::numeric_limits<double>::quiet_NaN()); }},
-      {"not all cells", [&](std::string& t) { t.replace(header_bytes, record, t.substr(header_bytes + record, record)); }},
+      {"not all cells",
+       [&](std::string& t) { t.replace(header_bytes, record, t.substr(header_bytes + record, record)); }},
       {"not all cells", [](std::string& t) { put(t, header_bytes, std::int32_t{1000}); }},
       {"the mesh is another one", [](std::string& t) { put(t, header_bytes + 16, 0.123); }},
       {"not finite", [&](std::string& t) { put(t, first_node, std::numeric_limits<double>::infinity()); }},
@@ -184,7 +184,8 @@ TEST(SolutionFile, WithTwoValuesAtANodeIsRefused) {
   write(*result.solution, path, MPI_COMM_WORLD);
   const std::string good = text_of(path);
   const std::size_t record = head_bytes + 9 * 64;
-  // One corner of every cell in turn: somewhere it lies inside of the shell and has other cells, whichever ranks they belong to.
+  // One corner of every cell in turn: somewhere it lies inside of the shell and has other cells, whichever ranks they
+  // belong to.
   int refused = 0;
   for (std::size_t cell = 0; cell < 16; ++cell) {
     std::string text = good;

@@ -58,7 +58,8 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
-/// max |b(U, q_i)| over the largest rotation, and the largest |lambda| where it should be 0 over the largest anywhere (M14).
+/// max |b(U, q_i)| over the largest rotation, and the largest |lambda| where it should be 0 over the largest anywhere
+/// (M14).
 double tangency_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
                       double rotation) {
   algebra::Vector q(discrete.space().layout, 1);
@@ -113,8 +114,9 @@ std::vector<CertificateLimit> membership_rows(const Problem& problem, const asse
       {"space_error", "m", space_error(discrete, solution.y), algebraic_part * length, false,
        "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together"}};
   if (discrete.tangency.formulation == element::Formulation::mixed)
-    rows.push_back({"tangency_error", "1", tangency_error(discrete, solution, summary.max_rotation), tangency_part,
-                    false, "b(U, q) = 0 for all multipliers q, and lambda is one: to a part of the rotations that no result shows"});
+    rows.push_back(
+        {"tangency_error", "1", tangency_error(discrete, solution, summary.max_rotation), tangency_part, false,
+         "b(U, q) = 0 for all multipliers q, and lambda is one: to a part of the rotations that no result shows"});
   add_linearisation(problem, discrete, solution, rows);
   return rows;
 }

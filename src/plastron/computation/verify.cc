@@ -16,9 +16,9 @@ FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm) {
 }
 
 Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
-  Solution found{.discrete = assembly::discretise(mesh.space, mesh.surface, shell_description(problem),
-                                                  std::move(solution.state)),
-                 .nodal = std::move(solution.nodal)};
+  Solution found{
+      .discrete = assembly::discretise(mesh.space, mesh.surface, shell_description(problem), std::move(solution.state)),
+      .nodal = std::move(solution.nodal)};
   const certificate::Verdict verdict = certificate::certify(*found.discrete, found.nodal);
   Verification verification{.result = {.summary = verdict.summary,
                                        .certificate = verdict.certificate,

@@ -1,6 +1,6 @@
-// A solution that somebody hands over, judged from the case alone (docs/decisions/0011-verification.md): the finest mesh, the shell
-// linearised where the solution says it was, the certificate (docs/model.md, section 8), and what the certificate takes for granted of
-// our own solvers' results. Nothing is factorised, nothing is solved.
+// A solution that somebody hands over, judged from the case alone (docs/decisions/0011-verification.md): the finest
+// mesh, the shell linearised where the solution says it was, the certificate (docs/model.md, section 8), and what the
+// certificate takes for granted of our own solvers' results. Nothing is factorised, nothing is solved.
 #pragma once
 #include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>

@@ -15,9 +15,9 @@ struct Case {
   std::string title;
   geometry::Constants constants;
   computation::Problem problem;
-  nlohmann::json effective;  ///< all settings, defaults included, in the shape of the case file
-  std::string text{};                ///< of the case file, byte for byte
-  std::vector<InputFile> files{};    ///< that the case names: meshes, rasters, surfaces
+  nlohmann::json effective;        ///< all settings, defaults included, in the shape of the case file
+  std::string text{};              ///< of the case file, byte for byte
+  std::vector<InputFile> files{};  ///< that the case names: meshes, rasters, surfaces
 };
 
 /// Throws CaseErrors.

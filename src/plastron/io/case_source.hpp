@@ -1,5 +1,5 @@
-// From which files a computation was made: what results.json tells of them under "verification", so that `plastron verify` finds them
-// again and notices those that have changed.
+// From which files a computation was made: what results.json tells of them under "verification", so that `plastron
+// verify` finds them again and notices those that have changed.
 #pragma once
 #include <plastron/io/checksum.hpp>
 #include <plastron/io/quantities.hpp>

@@ -1,5 +1,5 @@
-// Size and hash of a file, to notice that it is not the one it was. FNV-1a (Fowler, Noll, Vo 1991) finds accidents, not malice: who
-// changes a file with intent could write another hash as well.
+// Size and hash of a file, to notice that it is not the one it was. FNV-1a (Fowler, Noll, Vo 1991) finds accidents, not
+// malice: who changes a file with intent could write another hash as well.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -17,9 +17,10 @@ std::string text_of_results(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(path.parent_path(), error))
     throw UnusableResults(fmt::format("{}: there is no such directory", path.parent_path().string()));
   if (!std::filesystem::is_regular_file(path, error))
-    throw UnusableResults(fmt::format("{}: there are no results here: no results.json; name the directory that "
-                                      "plastron run wrote to",
-                                      path.parent_path().string()));
+    throw UnusableResults(
+        fmt::format("{}: there are no results here: no results.json; name the directory that "
+                    "plastron run wrote to",
+                    path.parent_path().string()));
   if (std::filesystem::file_size(path, error) > largest_results)
     throw UnusableResults(fmt::format("{}: the file is larger than any results are", path.string()));
   std::ifstream file(path, std::ios::binary);
@@ -115,8 +116,8 @@ void check_sources(const Claims& claims, const std::filesystem::path& folder, MP
   algebra::in_agreement<UnusableResults>(comm, [&] {
     std::string changes = change_of("the copy of the case", claims.case_copy, claims.case_checksum);
     for (const SourceFile& file : claims.files)
-      changes += change_of(fmt::format("the file \"{}\" that the case names", file.name), folder / file.name,
-                           file.checksum);
+      changes +=
+          change_of(fmt::format("the file \"{}\" that the case names", file.name), folder / file.name, file.checksum);
     if (!changes.empty()) changes.pop_back();
     if (!changes.empty()) throw UnusableResults(changes);
   });

@@ -25,8 +25,8 @@ struct Claims {
 /// Throws UnusableResults: no results, no JSON, nothing to verify it with (collective).
 Claims read_claims(const std::filesystem::path& directory, MPI_Comm comm);
 
-/// Throws UnusableResults where the copy of the case, or a file that it names and that lies in `folder`, is not what it was when the
-/// case was run; all of them are named (collective).
+/// Throws UnusableResults where the copy of the case, or a file that it names and that lies in `folder`, is not what it
+/// was when the case was run; all of them are named (collective).
 void check_sources(const Claims& claims, const std::filesystem::path& folder, MPI_Comm comm);
 
 /// One value of results.json beside the one that was recomputed.
@@ -43,8 +43,8 @@ struct Tolerances {
 
   /// Of a quantity of that unit whose components are no larger than `magnitude`.
   double of(const std::string& unit, double magnitude) const;
-  /// Part of the scales: 1e-9, for the order of sums depends on the number of ranks, and thin shells lose digits in strains: ten times
-  /// the stationarity that is left.
+  /// Part of the scales: 1e-9, for the order of sums depends on the number of ranks, and thin shells lose digits in
+  /// strains: ten times the stationarity that is left.
   double rounding = 0;
 
  private:

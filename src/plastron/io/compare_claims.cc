@@ -11,15 +11,13 @@ namespace plastron::io {
 namespace {
 
 /// Parts of results.json that follow from the solution. The others tell how it was found, or by whom.
-constexpr std::array recomputed_parts{
-    "formulation",      "energy", "energy_parts", "load_work",      "loads",   "reaction",
-    "support_reaction", "size",   "tangency",     "point_supports", "contact", "obstacles",
-    "probes",           "certificate"};
+constexpr std::array recomputed_parts{"formulation", "energy",           "energy_parts", "load_work",  "loads",
+                                      "reaction",    "support_reaction", "size",         "tangency",   "point_supports",
+                                      "contact",     "obstacles",        "probes",       "certificate"};
 /// Likewise of the last of its levels.
-constexpr std::array recomputed_of_level{"cells",        "nodes",     "unknowns",     "active",
-                                         "gap_error",    "energy",    "reaction",     "contact_area",
-                                         "min_gap",      "max_rotation", "max_normal_rotation",
-                                         "multiplier_norm"};
+constexpr std::array recomputed_of_level{
+    "cells",    "nodes",        "unknowns", "active",       "gap_error",           "energy",
+    "reaction", "contact_area", "min_gap",  "max_rotation", "max_normal_rotation", "multiplier_norm"};
 
 /// Walks through what was recomputed and looks at what is claimed in its place.
 class Walk {
@@ -148,11 +146,14 @@ std::vector<Comparison> compare_numbers(const Json& claimed, const computation::
   };
   for (const char* part : recomputed_parts) walk.compare(part, part, ours[part], of(claimed, part));
   compare_limits(ours["certificate_limits"], of(claimed, "certificate_limits"), tolerances.rounding, found);
-  const Json levels = of(claimed, "levels");
-  const Json last = levels.is_array() && !levels.empty() ? levels.back() : Json();
+  const auto last = [&of](const Json& json) {
+    const Json levels = of(json, "levels");
+    return levels.is_array() && !levels.empty() ? levels.back() : Json();
+  };
+  const Json our_level = last(ours), their_level = last(claimed);
   for (const char* part : recomputed_of_level)
-    walk.compare(fmt::format("levels[last].{}", part), fmt::format("levels/*/{}", part), ours["levels"][0][part],
-                 of(last, part));
+    walk.compare(fmt::format("levels[last].{}", part), fmt::format("levels/*/{}", part), of(our_level, part),
+                 of(their_level, part));
   return found;
 }
 

@@ -4,9 +4,9 @@
 
 namespace plastron::io {
 
-/// Makes the directory and writes base_name.vtu, .pvd and .plastron (unless there is no finite solution to draw), base_name.case.toml (if
-/// provenance has the case's source) and results.json;
-/// those of an earlier run stay until all are complete, results.json is replaced last; provenance.files and the names of solution and copy are filled here
+/// Makes the directory and writes base_name.vtu, .pvd and .plastron (unless there is no finite solution to draw),
+/// base_name.case.toml (if provenance has the case's source) and results.json; those of an earlier run stay until all
+/// are complete, results.json is replaced last; provenance.files and the names of solution and copy are filled here
 /// (collective). Throws std::runtime_error.
 void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,
                   const std::string& base_name, MPI_Comm comm);

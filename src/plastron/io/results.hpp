@@ -18,8 +18,8 @@ namespace plastron::io {
 /// What results.json tells besides the result itself.
 struct Provenance {
   std::string title;
-  Json settings;                   ///< effective: with every default written out
-  std::vector<std::string> files;  ///< written beside results.json
+  Json settings;                       ///< effective: with every default written out
+  std::vector<std::string> files;      ///< written beside results.json
   std::optional<CaseSource> source{};  ///< the case file and the files that it names
   std::string solution{};              ///< the one of `files` that holds the solution with all its digits
   std::string case_copy{};             ///< the one that is a copy of the case file

@@ -1,5 +1,5 @@
-// The bytes of solution.plastron, for the one who writes them and the one who reads them. Little-endian, as all machines that this
-// program is built for.
+// The bytes of solution.plastron, for the one who writes them and the one who reads them. Little-endian, as all
+// machines that this program is built for.
 #pragma once
 #include <plastron/fem/space.hpp>
 

@@ -37,8 +37,8 @@ SolutionHeader header_of(const computation::Solution& solution) {
           .load_factor = state.load_factor};
 }
 
-/// The vectors that hold a node's values, in the order of the file. Ghosts have their owners' last digit: a node has one value,
-/// whichever rank writes it (collective).
+/// The vectors that hold a node's values, in the order of the file. Ghosts have their owners' last digit: a node has
+/// one value, whichever rank writes it (collective).
 struct NodeFields {
   explicit NodeFields(const computation::Solution& solution) {
     const certificate::NodalSolution& nodal = solution.nodal;
