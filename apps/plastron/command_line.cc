@@ -12,16 +12,21 @@ void describe_program(CLI::App& program) {
   program.description("Plastron computes thin elastic shells (Naghdi's model) pressed on a rigid obstacle.");
   program.set_version_flag("--version", std::string(io::version));
   program.require_subcommand(1);
-  program.footer("Exit codes: 0 solved, 2 bad input, 3 not converged or interrupted, 4 internal error.");
+  program.footer(
+      "Exit codes: 0 solved or verified, 2 bad input, 3 not converged, interrupted or not verified, 4 internal error.");
+}
+
+void add_computing_options(CLI::App& command, bool& quiet, int& threads) {
+  command.add_flag("-q,--quiet", quiet, "Print errors only");
+  command.add_option("--threads", threads, "Threads of each process; 0: as many as the work is worth")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
 }
 
 CLI::Option* add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
                                 bool& quiet, int& threads) {
   CLI::Option* option = command.add_option("-o,--output,--out", output, output_meaning)->required();
-  command.add_flag("-q,--quiet", quiet, "Print errors only");
-  command.add_option("--threads", threads, "Threads of each process; 0: as many as the work is worth")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_computing_options(command, quiet, threads);
   return option;
 }
 
@@ -52,6 +57,17 @@ CLI::App* add_compare(CLI::App& program, Options& options) {
   return compare;
 }
 
+/// `verify` takes results, not a case.
+CLI::App* add_verify(CLI::App& program, Options& options) {
+  CLI::App* verify = program.add_subcommand(
+      "verify", "Recompute the certificate of written results from the case alone: PASSED, or what fails");
+  verify->add_option("DIR", options.results, "Directory that plastron run wrote to")->required();
+  verify->add_option("--files", options.files,
+                     "Folder of the meshes and other files that the case names, if not where the case was run");
+  add_computing_options(*verify, options.quiet, options.threads);
+  return verify;
+}
+
 }  // namespace
 
 CommonCommands add_common_commands(CLI::App& program, Options& options) {
@@ -60,6 +76,7 @@ CommonCommands add_common_commands(CLI::App& program, Options& options) {
                          "Directory for results.json and the .vtu files", options),
       .check = add_command(program, "check", "Examine a case without solving it", "", options),
       .compare = add_compare(program, options),
+      .verify = add_verify(program, options),
   };
 }
 
@@ -77,8 +94,9 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& reply) {
   std::ostringstream out, err;
   const bool good = program.exit(reply, out, err) == 0;
   if (const std::string word = unknown_command(program); !good && !word.empty()) {
-    print_error("there is no command \"{}\"; the commands are run, check, compare, study; plastron --help tells more\n",
-                word);
+    print_error(
+        "there is no command \"{}\"; the commands are run, check, compare, verify, study; plastron --help tells more\n",
+        word);
   } else if (is_first_rank()) {
     print_text(stdout, out.str());
     print_text(stderr, err.str());

@@ -20,6 +20,7 @@ struct StudyCommand {
 
 ExitCode run(const Options& options);
 ExitCode study_case(const StudyCommand& command);
+ExitCode verify(const Options& options);
 ExitCode check(const std::filesystem::path& case_file);
 
 }  // namespace plastron::app

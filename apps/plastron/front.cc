@@ -64,12 +64,14 @@ int front(int argc, char** argv) {
   CLI::App program;
   describe_program(program);
   Options options;
-  add_common_commands(program, options);
+  const CommonCommands commands = add_common_commands(program, options);
   program.add_subcommand("study", study_summary);
   if (argc > 1 && std::strcmp(argv[1], "study") == 0) return hand_over(argv);
   try {
     program.parse(argc, argv);
-    [[maybe_unused]] const config::Case read = config::read_case(options.case_file);
+    if (!commands.verify->parsed()) {  // which has no case file, but results
+      [[maybe_unused]] const config::Case read = config::read_case(options.case_file);
+    }
   } catch (const CLI::ParseError& reply) {
     return answer(program, reply) == solved ? solved : refused();
   } catch (const config::CaseErrors& errors) {

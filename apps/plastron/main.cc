@@ -9,6 +9,7 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/config/mistakes.hpp>
 #include <plastron/fem/domain.hpp>
+#include <plastron/io/unusable_results.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <mpi.h>
@@ -42,6 +43,9 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
     return bad_input;
   } catch (const assembly::LoadError& error) {
     print_error("error: {}\n", error.what());
+    return bad_input;
+  } catch (const io::UnusableResults& error) {
+    if (is_first_rank()) print_text(stderr, fmt::format("error: {}\n", error.what()));
     return bad_input;
   }
   // What follows may have struck one rank alone, so that rank speaks and takes the others down.
@@ -137,6 +141,7 @@ int main(int argc, char** argv) {
                          .case_file = options.case_file,
                          .output = options.output,
                          .quiet = options.quiet});
+    if (commands.verify->parsed()) return verify(options);
     return commands.run->parsed() ? run(options) : check(options.case_file);
   });
 }

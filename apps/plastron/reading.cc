@@ -8,10 +8,12 @@
 
 namespace plastron::app {
 
-config::Case read_case(const std::filesystem::path& path) {
+config::Case read_case(const std::filesystem::path& path) { return read_case(path, path.parent_path()); }
+
+config::Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder) {
   return algebra::in_agreement<RefusedCase>(MPI_COMM_WORLD, [&] {
     try {
-      return config::read_case(path);
+      return config::read_case(path, folder);
     } catch (const config::CaseErrors& errors) {
       throw RefusedCase(errors.format());
     }

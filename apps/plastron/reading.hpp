@@ -17,6 +17,8 @@ struct RefusedCase : std::runtime_error {
 
 /// Throws RefusedCase (collective).
 config::Case read_case(const std::filesystem::path& path);
+/// The files that the case names are searched for in `folder`.
+config::Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// What `examination` finds, which every rank does by itself; throws on all ranks if it throws on one (collective).
 std::vector<examination::Finding> examine_together(

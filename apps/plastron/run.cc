@@ -3,6 +3,7 @@
 #include "progress.hpp"
 #include "reading.hpp"
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/io/output.hpp>
 
 #include <mpi.h>
@@ -20,9 +21,18 @@ void add_warnings(const std::vector<examination::Finding>& findings, std::vector
       warnings.push_back(finding.text);
 }
 
+/// The case file and those that it names, as they are before anything is solved. Read by each rank: the same files for
+/// all.
+io::CaseSource source_of(const config::Case& c, const Options& options) {
+  std::vector<std::pair<std::string, std::filesystem::path>> files;
+  for (const config::InputFile& file : c.files) files.emplace_back(file.name, file.path);
+  return algebra::in_agreement(MPI_COMM_WORLD, [&] { return io::case_source(options.case_file, c.text, files); });
+}
+
 /// Writes the results and tells of them.
-void report(const computation::Result& result, const config::Case& c, const Options& options, io::Output& files) {
-  files.finish(result, {.title = c.title, .settings = c.effective, .files = {}});
+void report(const computation::Result& result, const config::Case& c, io::CaseSource source, const Options& options,
+            io::Output& files) {
+  files.finish(result, {.title = c.title, .settings = c.effective, .files = {}, .source = std::move(source)});
   if (options.quiet) return;
   print_summary(result);
   print("\nresults           {}\n", (options.output / "results.json").string());
@@ -43,6 +53,7 @@ ExitCode run(const Options& options) {
   }
 
   if (!options.quiet) print("{}\n\n", c.title.empty() ? case_file : shortened_title(c.title));
+  io::CaseSource source = source_of(c, options);
   Progress progress(!c.problem.obstacles.empty(), options.quiet);
   computation::Observer observer = progress.observer();
   observer.warning = [&](std::string_view text) {
@@ -69,7 +80,7 @@ ExitCode run(const Options& options) {
     print_error("{}: interrupted before the first mesh was finished: no results\n", case_file);
     return not_converged;
   }
-  report(result, c, options, files);
+  report(result, c, std::move(source), options, files);
   if (result.status == contact::Status::interrupted)
     print_error("{}: interrupted: {}\n", case_file, computation::status_text(result));
   else if (result.status != contact::Status::solved)

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <plastron/config/case.hpp>
 
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <string>
 
@@ -39,6 +41,24 @@ TEST(AnObstacle, IsAnyOfTheShapes) {
   EXPECT_GT(distance("height_field = { file = \"files/hills.asc\" }", {1, 0, 1}), 1);
   EXPECT_NEAR(distance("distance = \"X^2 + Y^2 + Z^2 - R^2\"", {0, 3, 4}), 4.5, 1e-14);
   EXPECT_NEAR(distance("surface = \"files/box.obj\"", {0.5, 0.5, 3}), 2, 1e-15);
+}
+
+TEST(FilesOfACase, AreListedAndMayLieInAnotherFolderThanTheCase) {
+  const std::string text =
+      "\xEF\xBB\xBF[shell]\nE = 1\nnu = 0\nthickness = 1\n[geometry]\ndomain = { disk = { radius = 1 } }\n"
+      "chart = [\"x\", \"y\", 0]\r\n[[obstacle]]\nname = \"hills\"\nheight_field = { file = \"hills.asc\" }\n"
+      "[[obstacle]]\nname = \"box\"\nsurface = \"box.obj\"\n";
+  const auto file = std::filesystem::path(testing::TempDir()) / "plastron-files-of-a-case.toml";
+  std::ofstream(file, std::ios::binary) << text;
+  EXPECT_THROW(read_case(file), CaseErrors);
+  const std::filesystem::path folder = PLASTRON_SOURCE_DIR "/tests/config/files";
+  const Case c = read_case(file, folder);
+  EXPECT_EQ(c.text, text);
+  ASSERT_EQ(c.files.size(), 2u);
+  EXPECT_EQ(c.files[0].name, "hills.asc");
+  EXPECT_EQ(c.files[0].path, folder / "hills.asc");
+  EXPECT_EQ(c.files[1].name, "box.obj");
+  std::filesystem::remove(file);
 }
 
 TEST(AnObstacle, IsTurnedAndThenShifted) {

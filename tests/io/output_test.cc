@@ -18,13 +18,14 @@ namespace {
 
 using testing::UnorderedElementsAre;
 
-TEST(Output, of_a_solved_problem_is_three_files_that_agree) {
+TEST(Output, of_a_solved_problem_is_four_files_that_agree) {
   const ScratchDirectory scratch("output");
   const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), MPI_COMM_WORLD);
   write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
-  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
+  EXPECT_THAT(scratch.names(),
+              UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd", "solution.plastron"));
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
-  EXPECT_EQ(json["files"], Json({"solution.vtu", "solution.pvd"}));
+  EXPECT_EQ(json["files"], Json({"solution.vtu", "solution.pvd", "solution.plastron"}));
   EXPECT_EQ(json["status"], Json("solved"));
   EXPECT_EQ(json["ranks"], Json(world_size()));
   EXPECT_EQ(json["levels"].back()["cells"], Json(read_vtu(scratch.path / "solution.vtu").cells));
@@ -102,7 +103,8 @@ TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
       std::runtime_error);
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_EQ(text_of(scratch.path / "results.json"), before);
-  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
+  EXPECT_THAT(scratch.names(),
+              UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd", "solution.plastron"));
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
@@ -128,7 +130,8 @@ TEST(Output, on_a_disk_that_is_full_keeps_the_results_of_an_earlier_run) {
     MPI_Barrier(MPI_COMM_WORLD);
     EXPECT_EQ(text_of(scratch.path / "results.json"), results);
     EXPECT_EQ(text_of(scratch.path / "solution.vtu"), surface);
-    EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd"));
+    EXPECT_THAT(scratch.names(),
+                UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd", "solution.plastron"));
     MPI_Barrier(MPI_COMM_WORLD);
   }
 }

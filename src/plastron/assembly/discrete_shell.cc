@@ -48,11 +48,14 @@ std::vector<Eigen::Vector2d> DiscreteShell::support_points() const {
   return held;
 }
 
+double DiscreteShell::way_pressed(std::size_t k) const {
+  const obstacle::Obstacle& obstacle = obstacles.all[k];
+  return obstacle.is_pressed() ? obstacles.way(k).dot(obstacle.force.normalized()) : 0;
+}
+
 std::vector<double> DiscreteShell::positions() const {
   std::vector<double> all;
-  for (std::size_t k = 0; k < obstacles.all.size(); ++k)
-    all.push_back(state.position(k) +
-                  (obstacles.all[k].is_pressed() ? obstacles.way(k).dot(obstacles.all[k].force.normalized()) : 0.0));
+  for (std::size_t k = 0; k < obstacles.all.size(); ++k) all.push_back(state.position(k) + way_pressed(k));
   return all;
 }
 

@@ -33,6 +33,8 @@ struct DiscreteShell {
   void residual(const algebra::Vector& y, algebra::Vector& f) const;
   /// (M16) at a point that the state has moved, against obstacle k.
   obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }
+  /// How far its force has pressed obstacle k on from where its gaps are linearised [m].
+  double way_pressed(std::size_t k) const;
   /// How far forces have pressed the obstacles, from where they stood at the start [m].
   std::vector<double> positions() const;
   /// (u, r) of the state at points of a local cell, a row each.

@@ -33,24 +33,12 @@ bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
   return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
 }
 
-Level record_of(const fem::Space& space, const contact::BoxSolution& z, const certificate::Verdict& verdict) {
-  const int width = z.z.block() + (z.equation_multiplier.layout() ? 1 : 0);
-  return {.cells = space.global_cells,
-          .nodes = space.layout->global_size,
-          .unknowns = width * space.layout->global_size,
-          .status = z.status,
-          .active = verdict.summary.touching_nodes,
-          .iterations = static_cast<int>(z.iterations.size()),
-          .energy = verdict.summary.energy.total(),
-          .reaction = verdict.summary.reaction.force.norm(),
-          .contact_area = verdict.summary.contact_area,
-          .max_normal_rotation = verdict.summary.max_normal_rotation,
-          .multiplier_norm = verdict.summary.multiplier_norm,
-          .min_gap = verdict.certificate.min_gap_nodes,
-          .linear_residual = z.linear_residual,
-          .tolerances = z.tolerances,
-          .max_rotation = verdict.summary.max_rotation,
-          .history = z.iterations};
+/// What the solver adds to the measures of a level.
+Level record_of(Level level, const contact::BoxSolution& z) {
+  level.status = z.status;
+  level.linear_residual = z.linear_residual;
+  level.tolerances = z.tolerances;
+  return level;
 }
 
 /// A level on its way: its shell, linearised as far as it has come.
@@ -105,6 +93,24 @@ class LevelRun {
 
 }  // namespace
 
+Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
+               const certificate::Verdict& verdict) {
+  const fem::Space& space = discrete.space();
+  const int width = discrete.coordinates.width + (solution.lambda.layout() ? 1 : 0);
+  return {.cells = space.global_cells,
+          .nodes = space.layout->global_size,
+          .unknowns = width * space.layout->global_size,
+          .active = verdict.summary.touching_nodes,
+          .gap_error = gap_error(discrete, solution).at_contact,
+          .energy = verdict.summary.energy.total(),
+          .reaction = verdict.summary.reaction.force.norm(),
+          .contact_area = verdict.summary.contact_area,
+          .max_normal_rotation = verdict.summary.max_normal_rotation,
+          .multiplier_norm = verdict.summary.multiplier_norm,
+          .min_gap = verdict.certificate.min_gap_nodes,
+          .max_rotation = verdict.summary.max_rotation};
+}
+
 LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete,
                         const Observer& observer) {
   LevelRun run(task, std::move(discrete), observer);
@@ -125,12 +131,11 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   const certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);
   run.seconds.certificate = watch.lap();
 
-  Level record = record_of(run.discrete().space(), z, verdict);
+  Level record = record_of(measured(run.discrete(), nodal, verdict), z);
   record.iterations = static_cast<int>(run.history.size());
   record.history = std::move(run.history);
   record.factorisations = run.factorisations;
   record.linearisations = outer.steps();
-  record.gap_error = gap_error(run.discrete(), nodal).at_contact;
   record.seconds = run.seconds;
   return {std::move(record), {run.take(), std::move(nodal)}, verdict};
 }

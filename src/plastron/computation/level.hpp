@@ -25,6 +25,10 @@ struct LevelResult {
   certificate::Verdict verdict;
 };
 
+/// What a solution itself tells of a level, whoever found it (collective).
+Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
+               const certificate::Verdict& verdict);
+
 /// `discrete` is linearised where the gaps shall be at first; it becomes the solution's (collective).
 LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete,
                         const Observer& observer);

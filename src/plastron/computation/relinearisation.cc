@@ -18,16 +18,6 @@ Vector6 block6(const algebra::Vector& y, std::size_t node) {
   return Eigen::Map<const Vector6>(y.local().data() + 6 * node);
 }
 
-/// Whether there is anything to linearise again for: curved obstacles, or rows that are left out and may come to matter.
-bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
-  const bool is_curved =
-      std::ranges::any_of(discrete.obstacles.all, [](const obstacle::Obstacle& o) { return !o.is_plane(); });
-  return is_curved ||
-         algebra::sum_over_ranks(
-             std::int64_t{std::ranges::any_of(discrete.coordinates.rows, &assembly::ContactRow::is_left_out)},
-             discrete.space().layout->comm) > 0;
-}
-
 /// Calls check(row, obstacle, touches) for the contact rows of curved obstacles at owned nodes, and for those that are left out.
 template <class Check>
 void for_rows(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution, const Check& check) {
@@ -76,6 +66,15 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const certifica
 
 }  // namespace
 
+bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
+  const bool is_curved =
+      std::ranges::any_of(discrete.obstacles.all, [](const obstacle::Obstacle& o) { return !o.is_plane(); });
+  return is_curved ||
+         algebra::sum_over_ranks(
+             std::int64_t{std::ranges::any_of(discrete.coordinates.rows, &assembly::ContactRow::is_left_out)},
+             discrete.space().layout->comm) > 0;
+}
+
 GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const GapError mine =
@@ -83,18 +82,23 @@ GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::N
   return {algebra::max_over_ranks(mine.at_contact, comm), algebra::max_over_ranks(mine.depth, comm)};
 }
 
+Nearness nearness(const Linearisation& settings, const assembly::DiscreteShell& discrete,
+                  const certificate::NodalSolution& solution) {
+  return {.distance = distance_from_state(discrete, solution),
+          .depth = gap_error(discrete, solution).depth,
+          .negligible = settings.tolerance * largest_displacement(solution.y)};
+}
+
 Relinearisation::Relinearisation(const Linearisation& settings, const assembly::DiscreteShell& discrete)
     : settings_(settings), discrete_(discrete) {}
 
 std::optional<assembly::State> Relinearisation::next(const certificate::NodalSolution& solution) {
   if (settings_.once || !has_rows_to_meet(discrete_)) return {};
-  const double distance = distance_from_state(discrete_, solution);
-  const double depth = gap_error(discrete_, solution).depth;
-  const double negligible = settings_.tolerance * largest_displacement(solution.y);
-  is_met_ = distance <= negligible && depth <= negligible;
+  const Nearness near = nearness(settings_, discrete_, solution);
+  is_met_ = near.is_met();
   if (is_met_ || steps_ >= settings_.max_steps) return {};
-  if (steps_ > 1 && !(distance < last_)) part_ /= 2;
-  last_ = distance;
+  if (steps_ > 1 && !(near.distance < last_)) part_ /= 2;
+  last_ = near.distance;
   ++steps_;
   assembly::State state = discrete_.state;
   state.displacement = solution.y;

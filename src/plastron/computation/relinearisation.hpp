@@ -16,6 +16,21 @@ struct GapError {
 };
 GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution);
 
+/// Whether there is anything to linearise again for: curved obstacles, or rows that are left out and may come to matter (collective).
+bool has_rows_to_meet(const assembly::DiscreteShell& discrete);
+
+/// How far a solution is from where its gaps were linearised.
+struct Nearness {
+  double distance = 0;    ///< of the faces in contact from where the state has them, the largest [m]
+  double depth = 0;       ///< as in GapError [m]
+  double negligible = 0;  ///< what either may be [m]
+
+  bool is_met() const { return distance <= negligible && depth <= negligible; }
+};
+/// (collective)
+Nearness nearness(const Linearisation& settings, const assembly::DiscreteShell& discrete,
+                  const certificate::NodalSolution& solution);
+
 /// One mesh's loop. A step moves the state by all of the way to the solution; where the distance to it does not fall, by half of the way
 /// before, so that the loop ends or says that it does not.
 class Relinearisation {

@@ -48,15 +48,12 @@ std::string contents(const std::filesystem::path& path) {
   return text;
 }
 
-}  // namespace
-
-Case read_case(const std::filesystem::path& path) { return parse_case(contents(path), path.string()); }
-
-Case parse_case(std::string text, std::string file_name) {
-  const Source source(std::move(text), std::move(file_name));
-  Reading reading{.source = source};
-  Table root(reading, section(""), parse_toml(source));
+Case parsed(std::string text, std::string file_name, std::filesystem::path folder) {
   Case result;
+  result.text = text;
+  const Source source(std::move(text), std::move(file_name));
+  Reading reading{.source = source, .folder = std::move(folder)};
+  Table root(reading, section(""), parse_toml(source));
   result.title = root.text("title").value_or("");
   read_constants(root);
   read_shell(root, result.problem);
@@ -78,7 +75,21 @@ Case parse_case(std::string text, std::string file_name) {
   if (!reading.mistakes.empty()) throw CaseErrors(std::move(reading.mistakes));
   result.constants = std::move(reading.constants);
   result.effective = std::move(root.effective);
+  result.files = std::move(reading.files);
   return result;
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& path) { return read_case(path, path.parent_path()); }
+
+Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  return parsed(contents(path), path.string(), folder);
+}
+
+Case parse_case(std::string text, std::string file_name) {
+  std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
+  return parsed(std::move(text), std::move(file_name), std::move(folder));
 }
 
 }  // namespace plastron::config

@@ -1,11 +1,13 @@
 // A case file as a computation::Problem. This folder is the only reader of case files; the format is docs/case-file.md.
 #pragma once
 #include <plastron/computation/problem.hpp>
+#include <plastron/config/input_file.hpp>
 #include <plastron/config/mistakes.hpp>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace plastron::config {
 
@@ -13,12 +15,16 @@ struct Case {
   std::string title;
   geometry::Constants constants;
   computation::Problem problem;
-  nlohmann::json effective;  ///< all settings, defaults included, in the shape of the case file
+  nlohmann::json effective;        ///< all settings, defaults included, in the shape of the case file
+  std::string text{};              ///< of the case file, byte for byte
+  std::vector<InputFile> files{};  ///< that the case names: meshes, rasters, surfaces
 };
 
 /// Throws CaseErrors.
 Case read_case(const std::filesystem::path& path);
-/// Mesh files are searched for relative to the folder of `file_name`. Throws CaseErrors.
+/// The files that the case names are searched for in `folder`. Throws CaseErrors.
+Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder);
+/// The files that the case names are searched for in the folder of `file_name`. Throws CaseErrors.
 Case parse_case(std::string text, std::string file_name);
 
 }  // namespace plastron::config

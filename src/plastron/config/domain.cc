@@ -114,8 +114,7 @@ Domain read_mesh_file(Table& domain) {
     domain.report("mesh", name->empty() ? "the path of the mesh file is empty" : "the path has a control character");
     return {};
   }
-  const auto folder = std::filesystem::path(domain.reading().source.file_name()).parent_path();
-  const auto path = folder / *name;
+  const auto path = domain.reading().file(*name);
   std::error_code error;
   if (std::filesystem::is_regular_file(path, error)) return fem::MeshFile{path.string()};
   const bool is_there = std::filesystem::exists(path, error);

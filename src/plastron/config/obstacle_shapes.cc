@@ -118,7 +118,7 @@ std::optional<std::string> read_path(Table& table, const std::string& name) {
                                      : fmt::format("the path of {} has a control character", name));
     return {};
   }
-  return (std::filesystem::path(table.reading().source.file_name()).parent_path() / *path).string();
+  return table.reading().file(*path).string();
 }
 
 /// What `make` makes; if it throws an ObstacleError, that is reported about the key.

@@ -2,6 +2,7 @@
 // nothing, so that reading goes on and all mistakes are found together.
 #pragma once
 #include <fmt/format.h>
+#include <plastron/config/input_file.hpp>
 #include <plastron/config/limits.hpp>
 #include <plastron/config/schema.hpp>
 #include <plastron/config/source.hpp>
@@ -19,6 +20,8 @@ namespace plastron::config {
 
 struct Reading {
   const Source& source;
+  std::filesystem::path folder{};  ///< where files that the case names are searched for
+  std::vector<InputFile> files{};  ///< that it names
   geometry::Constants constants{};
   std::vector<std::string> later_constants{};  ///< those below the one being read
   bool constants_complete =
@@ -26,6 +29,11 @@ struct Reading {
   std::vector<Mistake> mistakes{};
   bool more_mistakes = false;  ///< than most_mistakes: those were not kept
 
+  /// Notes a file that the case names; returns its path.
+  std::filesystem::path file(const std::string& name) {
+    files.push_back({.name = name, .path = folder / name});
+    return files.back().path;
+  }
   void report(Place place, std::string what, std::string allowed = "", std::string advice = "") {
     more_mistakes = mistakes.size() >= most_mistakes;
     if (!more_mistakes)

@@ -5,6 +5,7 @@
 #include <plastron/io/plot.hpp>
 
 #include <fmt/format.h>
+#include <plastron/io/solution_file.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,15 +35,17 @@ void Output::add_instant(const computation::HistoryEntry& entry, const computati
   add_vtu(solution, directory_ / names_.back(), files_);
 }
 
-void Output::add_history(const computation::Result& result) {
+/// Written by the first rank alone.
+void Output::add_text(const std::string& name, const Piece& text) {
   int rank = 0;
   MPI_Comm_rank(files_.comm(), &rank);
-  const auto add = [&](const char* name, const auto& text) {
-    names_.emplace_back(name);
-    files_.add(directory_ / name, [&] { return rank == 0 ? text() : std::string(); });
-  };
-  add("history.csv", [&] { return history_csv(result); });
-  add("history.svg", [&] { return svg_text(history_plot(result)); });
+  names_.push_back(name);
+  files_.add(directory_ / name, [&] { return rank == 0 ? text() : std::string(); });
+}
+
+void Output::add_history(const computation::Result& result) {
+  add_text("history.csv", [&] { return history_csv(result); });
+  add_text("history.svg", [&] { return svg_text(history_plot(result)); });
 }
 
 void Output::finish(const computation::Result& result, Provenance provenance) {
@@ -50,12 +53,19 @@ void Output::finish(const computation::Result& result, Provenance provenance) {
     names_.push_back(base_name_ + ".vtu");
     add_vtu(*result.solution, directory_ / names_.back(), files_);
     if (instants_.empty()) instants_.push_back({0, names_.back()});
+    provenance.solution = base_name_ + ".plastron";
+    names_.push_back(provenance.solution);
+    add_solution(*result.solution, directory_ / provenance.solution, files_);
   }
   if (!instants_.empty()) {
     names_.push_back(base_name_ + ".pvd");
     add_pvd(instants_, directory_ / names_.back(), files_);
   }
   if (!result.history.empty()) add_history(result);
+  if (provenance.source) {
+    provenance.case_copy = base_name_ + ".case.toml";
+    add_text(provenance.case_copy, [&] { return provenance.source->text; });
+  }
   provenance.files = names_;
   add_results(result, provenance, directory_, files_);
   files_.commit();

@@ -14,11 +14,13 @@ class Output {
 
   /// The fields of an instant of the steps (computation::Observer::instant).
   void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
-  /// The fields of the solution, unless there is none that is finite, history.csv and history.svg where there are steps, and
-  /// results.json; then all files get their names. provenance.files is filled here.
+  /// The solution as .vtu and .plastron, unless there is none that is finite, history.csv and history.svg where there are steps,
+  /// base_name.case.toml if provenance has the case's source, and results.json; then all files get their names. provenance.files and the
+  /// names of solution and copy are filled here.
   void finish(const computation::Result& result, Provenance provenance);
 
  private:
+  void add_text(const std::string& name, const Piece& text);
   void add_history(const computation::Result& result);
 
   std::filesystem::path directory_;

@@ -106,6 +106,13 @@ Json units_json() {
   return units;
 }
 
+/// What `plastron verify` reads besides the numbers.
+Json verification_json(const Provenance& provenance) {
+  const auto or_null = [](const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); };
+  return {{"solution", or_null(provenance.solution)},
+          {"case", provenance.source ? case_source_json(*provenance.source, provenance.case_copy) : Json(nullptr)}};
+}
+
 /// The arrays of the .vtu file.
 Json fields_json(const computation::Result& result) {
   Json list = Json::array();
@@ -143,6 +150,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["settings"] = provenance.settings;
   json["versions"] = versions_json();
   json["files"] = provenance.files;
+  json["verification"] = verification_json(provenance);
   json["fields"] = fields_json(result);
   json["units"] = units_json();
   return json;

@@ -2,11 +2,13 @@
 // quantities.cc and fields.cc, and for the reader in docs/results.md.
 #pragma once
 #include <plastron/io/atomic_file.hpp>
+#include <plastron/io/case_source.hpp>
 #include <plastron/io/quantities.hpp>
 
 #include <mpi.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +18,11 @@ namespace plastron::io {
 /// What results.json tells besides the result itself.
 struct Provenance {
   std::string title;
-  Json settings;                   ///< effective: with every default written out
-  std::vector<std::string> files;  ///< written beside results.json
+  Json settings;                       ///< effective: with every default written out
+  std::vector<std::string> files;      ///< written beside results.json
+  std::optional<CaseSource> source{};  ///< the case file and the files that it names
+  std::string solution{};              ///< the one of `files` that holds the solution with all its digits
+  std::string case_copy{};             ///< the one that is a copy of the case file
 };
 
 inline constexpr std::string_view results_name = "results.json";

@@ -1,0 +1,141 @@
+// plastron verify DIR: whether results that somebody hands over solve their case.
+#include "commands.hpp"
+#include "progress.hpp"
+#include "reading.hpp"
+#include "terminal.hpp"
+
+#include <plastron/io/claims.hpp>
+#include <plastron/io/solution_file.hpp>
+#include <plastron/io/version.hpp>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
+
+namespace plastron::app {
+
+namespace {
+
+using Failures = std::vector<std::string>;
+
+/// The parts of results.json that are printed even where they agree.
+bool is_worth_a_line(const std::string& path) {
+  constexpr std::array parts{"energy", "load_work", "contact.area", "contact.max_pressure"};
+  constexpr std::array lists{"reaction.force[", "support_reaction.force["};
+  const bool is_of_probe = path.starts_with("probes.") && path.find(".u[") != std::string::npos;
+  return is_of_probe || std::ranges::any_of(parts, [&](const char* part) { return path == part; }) ||
+         std::ranges::any_of(lists, [&](const char* list) { return path.starts_with(list); });
+}
+
+std::string shown(const io::Json& value) {
+  return value.is_number_float() ? fmt::format("{:.9g}", value.get<double>()) : value.is_null() ? "-" : value.dump();
+}
+
+const char* verdict(bool holds) { return holds ? "ok" : "NO"; }
+
+/// Rows that have limits: of the certificate, and those that tell whether the solution is of the case's kind.
+void print_row(const certificate::CertificateLimit& row, const std::string& claimed) {
+  print("{:<20} {:>15.6g} {:>15} {:>3}{:>12.3g} {:<5} {}\n", row.row, row.value, claimed,
+        row.is_least ? ">=" : "<=", row.limit, row.unit == "1" ? std::string_view() : row.unit, verdict(row.holds()));
+}
+
+std::string claimed_row(const io::Json& results, std::string_view row) {
+  const io::Json::json_pointer place = io::Json::json_pointer("/certificate/" + std::string(row));
+  if (!results.contains(place) || !results[place].is_number()) return "-";
+  return fmt::format("{:.6g}", results[place].get<double>());
+}
+
+void judge_rows(const computation::Verification& verification, const io::Json& claimed, bool quiet,
+                Failures& failures) {
+  if (!quiet) print("{:<20} {:>15} {:>15} {:>15}\n", "row", "recomputed", "claimed", "limit");
+  for (const auto* rows : {&verification.result.limits, &verification.membership})
+    for (const certificate::CertificateLimit& row : *rows) {
+      if (!quiet) print_row(row, rows == &verification.membership ? "" : claimed_row(claimed, row.row));
+      if (!row.holds()) failures.push_back(fmt::format("{} ({})", row.text(), row.reason));
+    }
+}
+
+void judge_numbers(const std::vector<io::Comparison>& numbers, bool quiet, Failures& failures) {
+  if (!quiet) print("\n{:<36} {:>17} {:>17} {:>12}\n", "number", "recomputed", "claimed", "within");
+  std::size_t agreeing = 0;
+  for (const io::Comparison& c : numbers) {
+    if (c.agrees) ++agreeing;
+    if (!quiet && (!c.agrees || is_worth_a_line(c.path)))
+      print("{:<36} {:>17} {:>17} {:>12.2g} {}\n", c.path, shown(c.recomputed), shown(c.claimed), c.tolerance,
+            verdict(c.agrees));
+    if (!c.agrees)
+      failures.push_back(fmt::format("results.json claims {} = {}, recomputed it is {}", c.path, shown(c.claimed),
+                                     shown(c.recomputed)));
+  }
+  if (!quiet) print("{} numbers of results.json recomputed, {} agree\n", numbers.size(), agreeing);
+}
+
+void judge_settings(const std::vector<io::Comparison>& settings, Failures& failures) {
+  for (const io::Comparison& c : settings)
+    failures.push_back(
+        fmt::format("results.json claims {} = {}, the case has {}", c.path, shown(c.claimed), shown(c.recomputed)));
+}
+
+/// The last line, and the exit code.
+ExitCode conclude(const Failures& failures, bool quiet) {
+  constexpr std::size_t most = 5;
+  if (failures.empty()) {
+    if (!quiet) print("\nPASSED\n");
+    return solved;
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, failures.size()); ++i) text += (i > 0 ? "; " : "") + failures[i];
+  if (failures.size() > most) text += fmt::format("; and {} more", failures.size() - most);
+  if (quiet)
+    print_error("FAILED: {}\n", text);
+  else
+    print("\nFAILED: {}\n", text);
+  return not_verified;
+}
+
+/// Another version may discretise otherwise: worth a word where rows fail.
+void print_versions(const io::Json& results, bool quiet) {
+  const io::Json::json_pointer place("/versions/plastron");
+  if (quiet || !results.contains(place) || !results[place].is_string() || results[place] == io::Json(io::version))
+    return;
+  print("written by version {}, verified by version {}\n", results[place].get<std::string>(), io::version);
+}
+
+/// What the case names must be what results.json has checksums of.
+void check_names(const config::Case& c, const io::Claims& claims) {
+  for (const config::InputFile& file : c.files)
+    if (std::ranges::find(claims.files, file.name, &io::SourceFile::name) == claims.files.end())
+      throw io::UnusableResults(
+          fmt::format("the case names the file \"{}\", of which results.json has no checksum", file.name));
+}
+
+}  // namespace
+
+ExitCode verify(const Options& options) {
+  const io::Claims claims = io::read_claims(options.results, MPI_COMM_WORLD);
+  if (claims.status != contact::to_string(contact::Status::solved))
+    return conclude({fmt::format("the status of these results is \"{}\"", claims.status)}, options.quiet);
+  if (claims.solution.empty())
+    throw io::UnusableResults("results.json names no file with the solution: there is nothing to verify");
+  const auto& folder = options.files.empty() ? claims.case_folder : options.files;
+  io::check_sources(claims, folder, MPI_COMM_WORLD);
+  const config::Case c = read_case(claims.case_copy, folder);
+  check_names(c, claims);
+  print_versions(claims.results, options.quiet);
+  if (!options.quiet) print("{}\n\n", c.title.empty() ? claims.case_copy.string() : shortened_title(c.title));
+
+  const computation::FinestMesh mesh = computation::finest_mesh(c.problem, MPI_COMM_WORLD);
+  const bool is_mixed = c.problem.discretisation.tangency.formulation == element::Formulation::mixed;
+  auto solution =
+      io::read_solution(claims.solution, mesh.space,
+                        {.obstacles = static_cast<int>(c.problem.obstacles.size()), .has_multiplier = is_mixed});
+  const computation::Verification verification = computation::verify(c.problem, mesh, std::move(solution));
+  Failures failures;
+  judge_rows(verification, claims.results, options.quiet, failures);
+  judge_numbers(io::compare_numbers(claims.results, verification.result), options.quiet, failures);
+  judge_settings(io::differing_settings(claims.results.value("settings", io::Json()), c.effective), failures);
+  return conclude(failures, options.quiet);
+}
+
+}  // namespace plastron::app

@@ -1,0 +1,141 @@
+#include <plastron/computation/membership.hpp>
+
+#include <plastron/assembly/multiplier.hpp>
+#include <plastron/assembly/pressing.hpp>
+#include <plastron/computation/instants.hpp>
+#include <plastron/computation/relinearisation.hpp>
+#include <plastron/fem/ties.hpp>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::computation {
+
+namespace {
+
+using certificate::CertificateLimit;
+using Node6 = Eigen::Matrix<double, 6, 1>;
+
+/// Of the thickness or of the largest displacement, whichever is more, as the certificate has it for supports.
+constexpr double algebraic_part = 1e-6;
+/// b(U, q) is of the size of the rotations where r . a_3 is; a solver leaves 1e-12 of them.
+constexpr double tangency_part = 1e-8;
+
+Node6 values_at(const algebra::Vector& y, std::size_t node) { return Eigen::Map<const Node6>(&y.local()[6 * node]); }
+
+/// (u, e r), a length.
+Node6 as_length(Node6 y, double thickness) {
+  y.tail<3>() *= thickness;
+  return y;
+}
+
+double length_of(const Node6& y) { return y.head<3>().norm() + y.tail<3>().norm(); }
+
+/// How far (u, e r) is from the combinations of the node's coordinates.
+double distance_from_span(const assembly::NodeBasis& basis, int width, const Node6& y, double thickness) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> span = basis.leftCols(width);
+  span.bottomRows<3>() *= thickness;
+  const Node6 given = as_length(y, thickness);
+  return length_of(given - span * span.colPivHouseholderQr().solve(given));
+}
+
+/// The largest distance of nodal values from the discrete space [m].
+double space_error(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  algebra::Vector spread = y;
+  fem::spread(discrete.space(), spread);
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const double e = discrete.points[i].thickness;
+    const Node6 here = values_at(y, i);
+    double error = 0;
+    if (coordinates.tied[i])
+      error = length_of(as_length(here - values_at(spread, i), e));
+    else if (coordinates.width < 6)
+      error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
+    if (!(error <= most)) most = error;  // a NaN, too
+  }
+  return algebra::max_over_ranks(most, discrete.space().layout->comm);
+}
+
+/// max |b(U, q_i)| over the largest rotation, and the largest |lambda| where it should be 0 over the largest anywhere
+/// (M14).
+double tangency_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
+                      double rotation) {
+  algebra::Vector q(discrete.space().layout, 1);
+  apply_coupling(discrete.shell, solution.y, q);
+  const std::vector<char> zeros = multiplier_zeros(discrete.coordinates, *discrete.space().layout);
+  double outside = 0;
+  for (std::size_t i = 0; i < zeros.size(); ++i) {
+    if (!zeros[i]) continue;
+    q.owned()[i] = 0;
+    if (!discrete.coordinates.tied[i]) outside = std::max(outside, std::abs(solution.lambda.owned()[i]));
+  }
+  const auto part = [](double some, double whole) { return whole > 0 ? some / whole : some; };
+  outside = algebra::max_over_ranks(outside, discrete.space().layout->comm);
+  return std::max(part(algebra::max_abs(q), rotation), part(outside, algebra::max_abs(solution.lambda)));
+}
+
+/// max |u| of the displacement that the gaps were linearised at.
+double moved(const assembly::DiscreteShell& discrete) {
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+    most = std::max(most, discrete.state.at(i).head<3>().norm());
+  return algebra::max_over_ranks(most, discrete.space().layout->comm);
+}
+
+/// |R . d - F| / F, the largest over the obstacles that forces F d press.
+double force_error(const assembly::DiscreteShell& discrete, const certificate::Summary& summary,
+                   const std::vector<std::size_t>& pressed) {
+  double most = 0;
+  for (const std::size_t k : pressed) {
+    const Eigen::Vector3d given = discrete.state.force_factor(k) * discrete.obstacles.all[k].force;
+    const double error = std::abs(summary.obstacles.at(k).reaction.force.dot(given) / given.squaredNorm() - 1);
+    if (!(error <= most)) most = error;
+  }
+  return most;
+}
+
+void add_linearisation(const Problem& problem, const assembly::DiscreteShell& discrete,
+                       const certificate::NodalSolution& solution, std::vector<CertificateLimit>& rows) {
+  if (!has_rows_to_meet(discrete)) return;
+  if (problem.linearisation.once) {
+    rows.push_back({"linearisation_error", "m", moved(discrete), 0, false,
+                    "the case wants the gaps linearised at the undeformed shell"});
+    return;
+  }
+  const Nearness near = nearness(problem.linearisation, discrete, solution);
+  rows.push_back({"linearisation_error", "m", near.distance, near.negligible, false,
+                  "faces in contact lie where their gaps are linearised, to the tolerance of the case"});
+  rows.push_back({"depth_at_nodes", "m", near.depth, near.negligible, false,
+                  "no face at a node is inside of a curved obstacle by its true distance, to the same tolerance"});
+}
+
+}  // namespace
+
+std::vector<CertificateLimit> membership_rows(const Problem& problem, const assembly::DiscreteShell& discrete,
+                                              const certificate::NodalSolution& solution,
+                                              const certificate::Summary& summary) {
+  const Instant at_the_end = instants(problem).back();
+  const double length = std::max(summary.least_thickness, summary.max_displacement);
+  std::vector<CertificateLimit> rows{
+      {"load_error", "1",
+       std::max(std::abs(discrete.state.load_factor - at_the_end.load_factor),
+                std::abs(discrete.state.time - at_the_end.time)),
+       0, false, "the solution is one of the end of the loading that the case describes"},
+      {"space_error", "m", space_error(discrete, solution.y), algebraic_part * length, false,
+       "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together"}};
+  if (discrete.tangency.formulation == element::Formulation::mixed)
+    rows.push_back(
+        {"tangency_error", "1", tangency_error(discrete, solution, summary.max_rotation), tangency_part, false,
+         "b(U, q) = 0 for all multipliers q, and lambda is one: to a part of the rotations that no result shows"});
+  if (const auto pressed = pressed_obstacles(discrete); !pressed.empty())
+    rows.push_back({"force_error", "1", force_error(discrete, summary, pressed), algebraic_part, false,
+                    "the reaction to a pressed obstacle, along its force, is that force"});
+  add_linearisation(problem, discrete, solution, rows);
+  return rows;
+}
+
+}  // namespace plastron::computation

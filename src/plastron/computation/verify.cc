@@ -1,0 +1,43 @@
+#include <plastron/computation/verify.hpp>
+
+#include <plastron/assembly/pressing.hpp>
+#include <plastron/computation/description.hpp>
+#include <plastron/computation/doubts.hpp>
+#include <plastron/computation/instants.hpp>
+#include <plastron/computation/level.hpp>
+#include <plastron/computation/membership.hpp>
+#include <plastron/computation/probes.hpp>
+
+namespace plastron::computation {
+
+FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm) {
+  fem::MeshSequence meshes = mesh_sequence(problem, comm);
+  for (int number = 0; number < problem.discretisation.refinements; ++number) meshes.refine({});
+  return {.space = meshes.space(),
+          .surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts)};
+}
+
+Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
+  solution.state.force_factors = instants(problem).back().force_factors;
+  Solution found{
+      .discrete = assembly::discretise(mesh.space, mesh.surface, shell_description(problem), std::move(solution.state)),
+      .nodal = std::move(solution.nodal)};
+  std::vector<double> ways;
+  for (const std::size_t k : pressed_obstacles(*found.discrete)) ways.push_back(solution.ways.at(k));
+  press(*found.discrete, ways);
+  const certificate::Verdict verdict = certificate::certify(*found.discrete, found.nodal);
+  Verification verification{.result = {.summary = verdict.summary,
+                                       .certificate = verdict.certificate,
+                                       .levels = {measured(*found.discrete, found.nodal, verdict)},
+                                       .has_obstacle = !problem.obstacles.empty(),
+                                       .formulation = problem.discretisation.tangency.formulation}};
+  Result& result = verification.result;
+  MPI_Comm_size(mesh.space->layout->comm, &result.ranks);
+  judge_certificate(result);
+  verification.membership = membership_rows(problem, *found.discrete, found.nodal, verdict.summary);
+  result.probes = probe(found, problem.probes);
+  result.solution = std::move(found);
+  return verification;
+}
+
+}  // namespace plastron::computation

@@ -1,0 +1,13 @@
+// A file that a case names: a mesh, a raster, a surface.
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace plastron::config {
+
+struct InputFile {
+  std::string name;  ///< as the case has it
+  std::filesystem::path path;
+};
+
+}  // namespace plastron::config

@@ -1,0 +1,192 @@
+#include <plastron/algebra/agreement.hpp>
+#include <plastron/fem/kept_nodes.hpp>
+#include <plastron/io/solution_file.hpp>
+#include <plastron/io/solution_record.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <map>
+
+namespace plastron::io {
+
+namespace {
+
+/// The size of a regular file.
+std::uintmax_t size_of_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw UnusableResults(fmt::format("{}: there is no such file", path.string()));
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) throw UnusableResults(fmt::format("{}: {}", path.string(), error.message()));
+  return size;
+}
+
+class SolutionReader {
+ public:
+  SolutionReader(std::filesystem::path path, const fem::Space& space, const SolutionShape& shape)
+      : path_(std::move(path)), space_(space), shape_(shape), file_(path_, std::ios::binary) {
+    const std::uintmax_t size = size_of_file(path_);
+    if (!file_) refuse("the file cannot be read");
+    if (size < sizeof header_) refuse("the file is too short to hold a solution");
+    read(&header_, sizeof header_);
+    check_format();
+    check_problem();
+    const std::uintmax_t wanted =
+        preamble_size(header_) +
+        static_cast<std::uintmax_t>(header_.cells) * record_size(header_, space_.nodes_per_cell());
+    if (size != wanted)
+      refuse(fmt::format("the file has {} bytes where its header makes {}: it is not complete, or not whole", size,
+                         wanted));
+    obstacles_.resize(header_.obstacles);
+    for (ObstacleRecord& record : obstacles_) {
+      read(&record, sizeof record);
+      if (!std::isfinite(record[0]) || !std::isfinite(record[1])) refuse("an obstacle's position is not finite");
+    }
+  }
+
+  const SolutionHeader& header() const { return header_; }
+  const std::vector<ObstacleRecord>& obstacles() const { return obstacles_; }
+
+  /// Calls take(node, values) for each node of each cell that this rank owns.
+  template <class Take>
+  void for_nodes(const Take& take) {
+    std::map<CellPlace, std::size_t> mine;
+    for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) mine.emplace(cell_head(space_, cell).place, cell);
+    const std::size_t per_node = header_.values_per_node();
+    std::vector<double> values(static_cast<std::size_t>(space_.nodes_per_cell()) * per_node);
+    for (std::int64_t record = 0; record < header_.cells; ++record) {
+      CellHead head;
+      read(&head, sizeof head);
+      read(values.data(), values.size() * sizeof(double));
+      const auto found = mine.find(head.place);
+      if (found == mine.end()) continue;
+      check_record(head, found->second, values);
+      const auto nodes = space_.nodes(found->second);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        take(static_cast<std::size_t>(nodes[i]), std::span(values).subspan(i * per_node, per_node));
+      mine.erase(found);
+    }
+    if (!mine.empty()) refuse("the file has not all cells of the case's finest mesh, or some twice");
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw UnusableResults(fmt::format("{}: {}", path_.string(), what));
+  }
+
+ private:
+  void read(void* to, std::size_t bytes) {
+    if (!file_.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes))) refuse("the file cannot be read");
+  }
+  void check_format() const {
+    const SolutionHeader ours;
+    if (header_.magic != ours.magic) refuse("this is no solution of Plastron: the file begins otherwise");
+    if (header_.version != ours.version)
+      refuse(fmt::format("the file has version {} of the format; this program reads version {}", header_.version,
+                         ours.version));
+  }
+  /// The mesh and the problem have to be those of the file. Also what keeps sizes from overflowing.
+  void check_problem() const {
+    const auto same = [this](const char* what, std::int64_t found, std::int64_t wanted) {
+      if (found != wanted) refuse(fmt::format("the file has {} {}, the case makes it {}", found, what, wanted));
+    };
+    same("corners a cell", header_.corners, fem::corner_count(space_.shape()));
+    same("as the degree", header_.degree, space_.degree);
+    same("obstacles", header_.obstacles, shape_.obstacles);
+    same("multipliers a node", header_.has_multiplier, shape_.has_multiplier ? 1 : 0);
+    same("cells", header_.cells, space_.global_cells);
+    same("nodes", header_.nodes, space_.layout->global_size);
+    if (header_.is_deformed > 1 || !std::isfinite(header_.time) || !std::isfinite(header_.load_factor))
+      refuse("the header holds values that no solution has");
+  }
+  void check_record(const CellHead& head, std::size_t cell, const std::vector<double>& values) const {
+    const CellHead ours = cell_head(space_, cell);
+    const double tolerance = fem::point_tolerance(*space_.coarse);
+    for (std::size_t k = 0; k < ours.at.size(); ++k)
+      if (!(std::abs(head.at[k] - ours.at[k]) <= tolerance))
+        refuse(
+            fmt::format("a cell lies at ({:g}, {:g}), on the case's mesh at ({:g}, {:g}): the mesh is another one, "
+                        "or made by another version of the mesh generator",
+                        head.at[0], head.at[1], ours.at[0], ours.at[1]));
+    for (const double value : values)
+      if (!std::isfinite(value))
+        refuse(fmt::format("a value in the cell at ({:g}, {:g}) is not finite", ours.at[0], ours.at[1]));
+  }
+
+  std::filesystem::path path_;
+  const fem::Space& space_;
+  const SolutionShape& shape_;
+  std::ifstream file_;
+  SolutionHeader header_{};
+  std::vector<ObstacleRecord> obstacles_{};
+};
+
+/// The vectors that a node's values go to, in the order of the file.
+std::vector<algebra::Vector*> fields_of_file(const SolutionHeader& header, computation::StoredSolution& solution,
+                                             const std::shared_ptr<const algebra::Layout>& layout) {
+  std::vector<algebra::Vector*> fields;
+  const auto add = [&](algebra::Vector& field, int block, bool is_stored) {
+    field = algebra::Vector(layout, block);
+    if (is_stored) fields.push_back(&field);
+  };
+  certificate::NodalSolution& nodal = solution.nodal;
+  const int obstacles = static_cast<int>(header.obstacles);
+  add(nodal.y, 6, true);
+  if (header.is_deformed) add(solution.state.displacement, 6, true);
+  if (header.has_multiplier) add(nodal.lambda, 1, true);
+  add(nodal.pressure, std::max(1, obstacles), obstacles > 0);
+  add(nodal.touching, std::max(1, obstacles), obstacles > 0);
+  return fields;
+}
+
+constexpr const char* torn =
+    "the values at a node differ from cell to cell: the file is damaged, or was changed by hand";
+
+/// Whether every ghost that a cell of this rank has read is its owner's value (collective).
+void check_ghosts(algebra::Vector& field, const std::vector<char>& is_read, const SolutionReader& reader) {
+  const std::vector<double> before(field.local().begin(), field.local().end());
+  field.update_ghosts();
+  algebra::in_agreement<UnusableResults>(field.layout()->comm, [&] {
+    const auto block = static_cast<std::size_t>(field.block());
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (is_read[k / block] && field.local()[k] != before[k]) reader.refuse(torn);
+  });
+}
+
+}  // namespace
+
+computation::StoredSolution read_solution(const std::filesystem::path& path,
+                                          const std::shared_ptr<const fem::Space>& space, const SolutionShape& shape) {
+  const auto& layout = space->layout;
+  const auto reader = algebra::in_agreement<UnusableResults>(
+      layout->comm, [&] { return std::make_unique<SolutionReader>(path, *space, shape); });
+  computation::StoredSolution solution;
+  solution.state.time = reader->header().time;
+  solution.state.load_factor = reader->header().load_factor;
+  for (const auto& [position, way] : reader->obstacles()) {
+    solution.state.positions.push_back(position);
+    solution.ways.push_back(way);
+  }
+  const auto fields = fields_of_file(reader->header(), solution, layout);
+  std::vector<char> is_read(static_cast<std::size_t>(layout->local_size()), 0);
+  algebra::in_agreement<UnusableResults>(layout->comm, [&] {
+    reader->for_nodes([&](std::size_t node, std::span<const double> values) {
+      std::size_t next = 0;
+      for (algebra::Vector* field : fields) {
+        const auto block = static_cast<std::size_t>(field->block());
+        for (double& value : field->local().subspan(node * block, block)) {
+          if (is_read[node] && value != values[next]) reader->refuse(torn);
+          value = values[next++];
+        }
+      }
+      is_read[node] = 1;
+    });
+  });
+  for (algebra::Vector* field : fields) check_ghosts(*field, is_read, *reader);
+  return solution;
+}
+
+}  // namespace plastron::io

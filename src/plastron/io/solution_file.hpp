@@ -1,0 +1,31 @@
+// solution.plastron: the finest solution with all its digits, for `plastron verify` (docs/results.md describes the
+// bytes).
+//
+// A header, then a record a cell: where the cell lies, and the values at its nodes. Cells are told apart by their place
+// in the coarse mesh, so that neither the number of ranks nor their order matters; a node stands in the record of each
+// of its cells.
+#pragma once
+#include <plastron/computation/verify.hpp>
+#include <plastron/io/atomic_file.hpp>
+#include <plastron/io/unusable_results.hpp>
+
+#include <filesystem>
+
+namespace plastron::io {
+
+/// Adds the file (collective). Throws std::runtime_error.
+void add_solution(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files);
+
+/// What a problem's solutions have besides (u, r).
+struct SolutionShape {
+  int obstacles = 0;
+  bool has_multiplier = false;
+};
+
+/// On the mesh of `space`, whatever ranks wrote it (collective). Throws UnusableResults: no such file, another format
+/// or version, not complete, of another mesh or problem, values that are not finite, or that differ at a node from cell
+/// to cell.
+computation::StoredSolution read_solution(const std::filesystem::path& path,
+                                          const std::shared_ptr<const fem::Space>& space, const SolutionShape& shape);
+
+}  // namespace plastron::io

@@ -1,0 +1,211 @@
+// solution.plastron: every digit comes back, on as many ranks as one likes, and nothing damaged is taken.
+#include <plastron/io/solution_file.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <io/pressed_plate.hpp>
+#include <io/scratch_directory.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+namespace plastron::io {
+
+namespace {
+
+using computation::Problem;
+using computation::Solution;
+using computation::StoredSolution;
+using testing::HasSubstr;
+
+constexpr std::size_t header_bytes = 64 + 16, head_bytes = 64;  // one obstacle
+
+SolutionShape shape_of(const Problem& problem) {
+  return {.obstacles = static_cast<int>(problem.obstacles.size()),
+          .has_multiplier = problem.discretisation.tangency.formulation == element::Formulation::mixed};
+}
+
+StoredSolution read(const std::filesystem::path& path, const Problem& problem, MPI_Comm comm) {
+  return read_solution(path, computation::finest_mesh(problem, comm).space, shape_of(problem));
+}
+
+void write(const Solution& solution, const std::filesystem::path& path, MPI_Comm comm) {
+  AtomicFiles files(comm);
+  add_solution(solution, path, files);
+  files.commit();
+}
+
+/// A plate over a plane, or over a ball, against which its gaps are linearised again.
+Problem plate(element::Formulation formulation, fem::Shape shape, bool over_ball = false) {
+  Problem p = pressed_plate({.shape = shape});
+  p.discretisation.tangency.formulation = formulation;
+  if (over_ball) p.obstacles = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {1, 0.5, -5}, .radius = 5}}};
+  return p;
+}
+
+std::vector<Problem> problems() {
+  using element::Formulation;
+  std::vector<Problem> all;
+  for (const Formulation f : {Formulation::tangent, Formulation::penalised, Formulation::mixed, Formulation::classical})
+    all.push_back(plate(f, fem::Shape::quadrilateral));
+  all.push_back(plate(Formulation::tangent, fem::Shape::triangle));
+  all.push_back(plate(Formulation::tangent, fem::Shape::quadrilateral, true));
+  all.push_back(pressed_plate({.obstacle = false}));
+  return all;
+}
+
+void expect_equal(const algebra::Vector& a, const algebra::Vector& b) {
+  ASSERT_EQ(a.owned().size(), b.owned().size());
+  EXPECT_TRUE(std::equal(a.owned().begin(), a.owned().end(), b.owned().begin()));
+}
+
+TEST(SolutionFile, GivesEveryDigitBack) {
+  const ScratchDirectory scratch("digits");
+  bool some_deformed = false, some_multiplier = false;
+  for (const Problem& problem : problems()) {
+    const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+    const Solution& solution = *result.solution;
+    write(solution, scratch.path / "solution.plastron", MPI_COMM_WORLD);
+    const StoredSolution stored = read(scratch.path / "solution.plastron", problem, MPI_COMM_WORLD);
+    expect_equal(stored.nodal.y, solution.nodal.y);
+    expect_equal(stored.nodal.pressure, solution.nodal.pressure);
+    expect_equal(stored.nodal.touching, solution.nodal.touching);
+    ASSERT_EQ(stored.nodal.lambda.layout() == nullptr, solution.nodal.lambda.layout() == nullptr);
+    if (solution.nodal.lambda.layout()) expect_equal(stored.nodal.lambda, solution.nodal.lambda);
+    const assembly::State& state = solution.discrete->state;
+    ASSERT_EQ(stored.state.is_deformed(), state.is_deformed());
+    if (state.is_deformed()) expect_equal(stored.state.displacement, state.displacement);
+    EXPECT_EQ(stored.state.time, state.time);
+    EXPECT_EQ(stored.state.load_factor, state.load_factor);
+    some_deformed = some_deformed || state.is_deformed();
+    some_multiplier = some_multiplier || solution.nodal.lambda.layout() != nullptr;
+  }
+  EXPECT_TRUE(some_deformed && some_multiplier);
+}
+
+/// The records of a file in an order of their own.
+std::vector<std::string> sorted_records(const std::string& text, std::size_t cells) {
+  const std::size_t size = (text.size() - header_bytes) / cells;
+  std::vector<std::string> records;
+  for (std::size_t c = 0; c < cells; ++c) records.push_back(text.substr(header_bytes + c * size, size));
+  std::ranges::sort(records);
+  return records;
+}
+
+TEST(SolutionFile, IsTheSameWhateverRanksWriteItAndReadIt) {
+  const ScratchDirectory scratch("ranks");
+  const auto one = scratch.path / "one.plastron", many = scratch.path / "many.plastron";
+  for (const Problem& problem : problems()) {
+    const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+    write(*result.solution, many, MPI_COMM_WORLD);
+    // What one rank alone reads of the file of all, and writes again, is the same but for the order of cells.
+    if (world_rank() == 0) {
+      const computation::FinestMesh mesh = computation::finest_mesh(problem, MPI_COMM_SELF);
+      auto alone = computation::verify(problem, mesh, read_solution(many, mesh.space, shape_of(problem)));
+      EXPECT_EQ(alone.result.status, contact::Status::solved);
+      EXPECT_NEAR(alone.result.summary.energy.total() / result.summary.energy.total(), 1, 1e-12);
+      write(*alone.result.solution, one, MPI_COMM_SELF);
+      const auto cells = static_cast<std::size_t>(mesh.space->global_cells);
+      EXPECT_EQ(text_of(one).substr(0, header_bytes), text_of(many).substr(0, header_bytes));
+      EXPECT_EQ(sorted_records(text_of(one), cells), sorted_records(text_of(many), cells));
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    // And what all read of the file of one is what they have.
+    const StoredSolution stored = read(one, problem, MPI_COMM_WORLD);
+    expect_equal(stored.nodal.y, result.solution->nodal.y);
+    expect_equal(stored.nodal.pressure, result.solution->nodal.pressure);
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+}
+
+/// Bytes of a number put into the text.
+template <class Number>
+void put(std::string& text, std::size_t at, Number number) {
+  std::memcpy(text.data() + at, &number, sizeof number);
+}
+
+TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
+  const ScratchDirectory scratch("damaged");
+  const auto path = scratch.path / "solution.plastron";
+  const Problem problem = plate(element::Formulation::tangent, fem::Shape::quadrilateral);
+  const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+  write(*result.solution, path, MPI_COMM_WORLD);
+  const std::string good = text_of(path);
+  const std::size_t per_node = 8 * sizeof(double), first_node = header_bytes + head_bytes;  // u, r, eta, touching
+  const std::size_t record = head_bytes + 9 * per_node;
+  const std::vector<std::pair<const char*, std::function<void(std::string&)>>> damages{
+      {"too short", [](std::string& t) { t.resize(30); }},
+      {"too short", [](std::string& t) { t.clear(); }},
+      {"not complete", [](std::string& t) { t.pop_back(); }},
+      {"not complete", [](std::string& t) { t += '\0'; }},
+      {"begins otherwise", [](std::string& t) { t[0] = 'p'; }},
+      {"version 2", [](std::string& t) { put(t, 8, std::uint32_t{2}); }},
+      {"corners a cell", [](std::string& t) { put(t, 12, std::uint32_t{3}); }},
+      {"degree", [](std::string& t) { put(t, 16, std::uint32_t{4}); }},
+      {"2 obstacles", [](std::string& t) { put(t, 20, std::uint32_t{2}); }},
+      {"multipliers", [](std::string& t) { put(t, 24, std::uint32_t{1}); }},
+      {"not complete", [](std::string& t) { put(t, 28, std::uint32_t{1}); }},
+      {"no solution has", [](std::string& t) { put(t, 28, std::uint32_t{1000}); }},
+      {"cells", [](std::string& t) { put(t, 32, std::int64_t{1} << 60); }},
+      {"nodes", [](std::string& t) { put(t, 40, std::int64_t{-1}); }},
+      {"no solution has", [](std::string& t) { put(t, 56, std::numeric_limits<double>::quiet_NaN()); }},
+      {"not all cells",
+       [&](std::string& t) { t.replace(header_bytes, record, t.substr(header_bytes + record, record)); }},
+      {"not all cells", [](std::string& t) { put(t, header_bytes, std::int32_t{1000}); }},
+      {"the mesh is another one", [](std::string& t) { put(t, header_bytes + 16, 0.123); }},
+      {"not finite", [&](std::string& t) { put(t, first_node, std::numeric_limits<double>::infinity()); }},
+      {"not finite", [&](std::string& t) { put(t, first_node + 40, std::numeric_limits<double>::quiet_NaN()); }},
+  };
+  for (const auto& [words, damage] : damages) {
+    std::string text = good;
+    damage(text);
+    if (world_rank() == 0) std::ofstream(path, std::ios::binary) << text;
+    MPI_Barrier(MPI_COMM_WORLD);
+    try {
+      read(path, problem, MPI_COMM_WORLD);
+      ADD_FAILURE() << "was taken: " << words;
+    } catch (const UnusableResults& error) {
+      EXPECT_THAT(error.what(), HasSubstr(words));
+      EXPECT_THAT(error.what(), HasSubstr("solution.plastron"));
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+  EXPECT_THROW(read(scratch.path / "none.plastron", problem, MPI_COMM_WORLD), UnusableResults);
+  EXPECT_THROW(read(scratch.path, problem, MPI_COMM_WORLD), UnusableResults);
+}
+
+TEST(SolutionFile, WithTwoValuesAtANodeIsRefused) {
+  const ScratchDirectory scratch("torn");
+  const auto path = scratch.path / "solution.plastron";
+  const Problem problem = plate(element::Formulation::tangent, fem::Shape::quadrilateral);
+  const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+  write(*result.solution, path, MPI_COMM_WORLD);
+  const std::string good = text_of(path);
+  const std::size_t record = head_bytes + 9 * 64;
+  // One corner of every cell in turn: somewhere it lies inside of the shell and has other cells, whichever ranks they
+  // belong to.
+  int refused = 0;
+  for (std::size_t cell = 0; cell < 16; ++cell) {
+    std::string text = good;
+    double value = 0;
+    const std::size_t at = header_bytes + cell * record + head_bytes + 16;
+    std::memcpy(&value, text.data() + at, sizeof value);
+    put(text, at, value + 1e-9);
+    if (world_rank() == 0) std::ofstream(path, std::ios::binary) << text;
+    MPI_Barrier(MPI_COMM_WORLD);
+    try {
+      read(path, problem, MPI_COMM_WORLD);
+    } catch (const UnusableResults& error) {
+      EXPECT_THAT(error.what(), HasSubstr("differ from cell to cell"));
+      ++refused;
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+  EXPECT_EQ(refused, 15);  // the corner of the shell has one cell
+}
+
+}  // namespace
+
+}  // namespace plastron::io
