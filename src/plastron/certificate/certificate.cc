@@ -208,8 +208,10 @@ Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution&
   s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
   s.loads = over_ranks(sums.loads, comm);
   for (const ObstacleContact& contact : sums.obstacles) {
-    s.obstacles.push_back({contact.name, over_ranks(contact.reaction, comm),
-                           algebra::sum_over_ranks(contact.area, comm), algebra::sum_over_ranks(contact.nodes, comm)});
+    s.obstacles.push_back({.name = contact.name,
+                           .reaction = over_ranks(contact.reaction, comm),
+                           .area = algebra::sum_over_ranks(contact.area, comm),
+                           .nodes = algebra::sum_over_ranks(contact.nodes, comm)});
     s.reaction.force += s.obstacles.back().reaction.force;
     s.reaction.moment += s.obstacles.back().reaction.moment;
   }

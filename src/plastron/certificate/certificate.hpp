@@ -1,5 +1,6 @@
 // The certificate of a solution (docs/model.md, section 8), recomputed from displacements, strains and bounds alone.
 #pragma once
+#include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/edge_contact.hpp>
 #include <plastron/certificate/point_reactions.hpp>
 
@@ -8,18 +9,13 @@
 
 namespace plastron::certificate {
 
-/// A system of forces: resultant [N] and moment about the origin [N m].
-struct Wrench {
-  Vector3d force = Vector3d::Zero();
-  Vector3d moment = Vector3d::Zero();
-};
-
 /// What one obstacle does to the shell.
 struct ObstacleContact {
   std::string name{};
   Wrench reaction;
   double area = 0;         ///< nodal weight of the nodes that touch it [m^2]
   std::int64_t nodes = 0;  ///< that touch it
+  std::vector<ContactZone> zones{};  ///< see contact_zones(); of the finest mesh, for certify() leaves them out
 };
 
 struct Certificate {

@@ -4,6 +4,7 @@
 // is the first guess, and the finest solution is certified from its strains and bounds.
 #include <plastron/computation/solve.hpp>
 
+#include <plastron/certificate/contact_zones.hpp>
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/doubts.hpp>
 #include <plastron/computation/level.hpp>
@@ -38,6 +39,11 @@ void warn(std::vector<std::string> warnings, const Observer& observer, Result& r
     if (observer.warning) observer.warning(text);
     result.warnings.push_back(std::move(text));
   }
+}
+
+void add_contact_zones(Result& result) {
+  auto zones = certificate::contact_zones(*result.solution->discrete, result.solution->nodal);
+  for (std::size_t k = 0; k < zones.size(); ++k) result.summary.obstacles[k].zones = std::move(zones[k]);
 }
 
 }  // namespace
@@ -93,6 +99,7 @@ Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
     judge_certificate(result);
     warn(contact_warnings(result, problem.contact), observer, result);
     warn(point_support_warnings(result, problem.supports), observer, result);
+    add_contact_zones(result);
     result.probes = probe(*result.solution, problem.probes);
   }
   result.peak_memory = peak_memory(comm);

@@ -1,6 +1,7 @@
 #include <plastron/io/output.hpp>
 
 #include <plastron/io/atomic_file.hpp>
+#include <plastron/io/contact_boundary.hpp>
 #include <plastron/io/vtu.hpp>
 
 #include <algorithm>
@@ -26,8 +27,11 @@ void write_output(const computation::Result& result, Provenance provenance, cons
   AtomicFiles files(comm);
   provenance.files.clear();
   if (can_be_drawn(result, comm)) provenance.files = add_vtu(*result.solution, directory, base_name, files);
+  const auto boundary = add_contact_boundary(result.summary, directory, files);
+  provenance.files.insert(provenance.files.end(), boundary.begin(), boundary.end());
   add_results(result, provenance, directory, files);
   files.commit();
+  if (boundary.empty()) remove_contact_boundary(directory, comm);
 }
 
 }  // namespace plastron::io

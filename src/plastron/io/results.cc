@@ -46,6 +46,14 @@ Json limits_json(const computation::Result& result) {
   return json;
 }
 
+Json obstacle_json(const certificate::ObstacleContact& contact) {
+  Json json = record_json(obstacle_quantities(), contact);
+  json["zones"] = Json::array();
+  for (const certificate::ContactZone& zone : contact.zones)
+    json["zones"].push_back(record_json(zone_quantities(), zone));
+  return json;
+}
+
 Json level_json(const computation::Level& level) {
   Json json = record_json(level_quantities(), level);
   json["history"] = Json::array();
@@ -85,6 +93,7 @@ Json units_json() {
   add_units(units, "point_supports/*/", point_support_quantities());
   add_units(units, "contact/", contact_quantities());
   add_units(units, "obstacles/*/", obstacle_quantities());
+  add_units(units, "obstacles/*/zones/*/", zone_quantities());
   for (const Field& field : fields()) units["probes/*/" + std::string(field.key)] = field.unit;
   add_units(units, "certificate/", certificate_quantities());
   add_units(units, "levels/*/", level_quantities());
@@ -111,7 +120,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
   json["obstacles"] = Json::array();
   for (const auto& contact : result.summary.obstacles)
-    json["obstacles"].push_back(record_json(obstacle_quantities(), contact));
+    json["obstacles"].push_back(obstacle_json(contact));
   json["probes"] = Json::object();
   for (const computation::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
