@@ -98,8 +98,8 @@ void expect_sums(const Given& g, const std::vector<std::vector<ContactZone>>& zo
     const ObstacleContact& whole = summary.obstacles[k];
     EXPECT_EQ(sum.nodes, whole.nodes);
     EXPECT_NEAR(sum.area, whole.area, 1e-13 * whole.area);
-    EXPECT_LT((sum.reaction.force - whole.reaction.force).norm(), 1e-13 * whole.reaction.force.norm());
-    EXPECT_LT((sum.reaction.moment - whole.reaction.moment).norm(), 1e-13 * whole.reaction.moment.norm());
+    EXPECT_LE((sum.reaction.force - whole.reaction.force).norm(), 1e-13 * whole.reaction.force.norm());
+    EXPECT_LE((sum.reaction.moment - whole.reaction.moment).norm(), 1e-13 * whole.reaction.moment.norm());
   }
 }
 
@@ -182,10 +182,10 @@ TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
     const ContactLine& line = zones[k].lines.front();
     EXPECT_TRUE(line.is_closed);
     EXPECT_FALSE(line.is_rim);
-    EXPECT_EQ(line.points.front().place, line.points.back().place);
+    EXPECT_LT((line.points.front().place - line.points.back().place).norm(), 1e-12);
     EXPECT_LT(distance_from(discs[k], line), 0.15 * node_distance(GetParam()));
-    EXPECT_NEAR(line.length, 2 * std::numbers::pi * radius, 0.05 * radius);
-    EXPECT_NEAR(zones[k].area, std::numbers::pi * radius * radius, node_distance(GetParam()) * radius);
+    EXPECT_NEAR(line.length, 2 * std::numbers::pi * radius, 0.2 * radius);
+    EXPECT_NEAR(zones[k].area, std::numbers::pi * radius * radius, 2 * node_distance(GetParam()) * radius);
     for (const BoundaryPoint& p : line.points) EXPECT_NEAR(p.place[2], 0.3 - thickness / 2, 1e-14);
     // The pressure grows with x: so does the place of the peak, to the end of the disc.
     EXPECT_NEAR(zones[k].peak_pressure, 2 + zones[k].peak_x[0], 1e-12);
@@ -195,14 +195,17 @@ TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
 }
 
 TEST_P(ContactZones, OfARingIsOneBetweenTwoClosedLines) {
-  const Pattern ring = [](const Vector3d& phi) { return std::abs(std::hypot(phi[0] - 1, phi[1] - 0.5) - 0.3) - 0.12; };
-  const auto zones = zones_of(ring, GetParam());
+  const Pattern ring = [](const Vector3d& phi) { return std::abs(std::hypot(phi[0] - 1, phi[1] - 0.5) - 0.34) - 0.09; };
+  Scene fine;
+  fine.domain.cells = {32, 16};
+  fine.patterns = {ring};
+  const auto zones = zones_of(fine, GetParam()).front();
   ASSERT_EQ(zones.size(), 1U);
   ASSERT_EQ(zones[0].lines.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_TRUE(zones[0].lines[k].is_closed);
-    EXPECT_NEAR(zones[0].lines[k].length, 2 * std::numbers::pi * (k == 0 ? 0.42 : 0.18), 0.03);
-    EXPECT_LT(distance_from(ring, zones[0].lines[k]), 0.25 * node_distance(GetParam()));
+    EXPECT_NEAR(zones[0].lines[k].length, 2 * std::numbers::pi * (k == 0 ? 0.43 : 0.25), 0.15);
+    EXPECT_LT(distance_from(ring, zones[0].lines[k]), 0.2 * node_distance(GetParam()));
   }
   EXPECT_EQ(zones[0].rim_length(), 0);
 }

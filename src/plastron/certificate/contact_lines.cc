@@ -23,7 +23,7 @@ using Chain = std::vector<Step>;
 
 bool is_closed(const Chain& chain) { return chain.back().end().names == chain.front().start().names; }
 
-/// Takes segments out of a heap and chains them where their ends have the same name.
+/// Chains segments where their ends have the same name.
 class Chaining {
  public:
   explicit Chaining(const std::vector<const Segment*>& segments) {
@@ -85,15 +85,28 @@ Chain in_order(const Chain& chain, double size) {
   return places_of(ways[1], size) < places_of(ways[0], size) ? ways[1] : ways[0];
 }
 
-ContactLine line_of(const Chain& chain) {
+/// Segments that end in a node have no length between them; a line keeps two points all the same.
+void drop_repeated(std::vector<BoundaryPoint>& points, double size) {
+  constexpr double same = 1e-10;
+  const auto is_repeated = [size](const BoundaryPoint& a, const BoundaryPoint& b) {
+    return (a.place - b.place).norm() <= same * size && (a.x - b.x).norm() <= same * (1 + a.x.norm());
+  };
+  const BoundaryPoint last = points.back();
+  points.erase(std::unique(points.begin(), points.end(), is_repeated), points.end());
+  if (points.size() == 1) points.push_back(last);
+}
+
+ContactLine line_of(const Chain& chain, double size) {
   ContactLine line{.is_closed = is_closed(chain), .is_rim = chain.front().segment->is_rim};
   const SegmentEnd* last = nullptr;
   for (const Step& step : chain) {
+    // The same place on the other side of a joined edge.
     if (!last || last->nodes != step.start().nodes) line.points.push_back(step.start().point);
     line.points.push_back(step.end().point);
     line.length += (step.end().point.place - step.start().point.place).norm();
     last = &step.end();
   }
+  drop_repeated(line.points, size);
   return line;
 }
 
@@ -105,7 +118,7 @@ std::vector<ContactLine> contact_lines(const std::vector<Segment>& segments, dou
     std::vector<const Segment*> those;
     for (const Segment& s : segments)
       if (s.is_rim == rim) those.push_back(&s);
-    for (const Chain& chain : Chaining(those).chains()) lines.push_back(line_of(in_order(chain, size)));
+    for (const Chain& chain : Chaining(those).chains()) lines.push_back(line_of(in_order(chain, size), size));
   }
   const auto key = [size](const ContactLine& line) {
     return std::tuple(line.is_rim, -in_units(line.length, size), in_units(line.points.front().place, size));

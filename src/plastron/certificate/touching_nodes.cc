@@ -70,20 +70,30 @@ TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const Noda
   }
   judge_nodes_without_bound(discrete);
   fit_slopes(discrete);
+  continue_roots(discrete);
 }
 
 void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& discrete) {
+  constexpr int block = 3;  // neighbours that touch, free ones, the sum of their roots
+  constexpr double closed = 0.1;
   const fem::Space& space = discrete.space();
   if (space.shape() != fem::Shape::triangle || space.degree != 2) return;
-  algebra::Vector votes(space.layout, 1);
+  const auto has_bound = [&](LocalIndex node) {  // weights of tied nodes have gone to their masters
+    return discrete.points[static_cast<std::size_t>(representative(space, node))].weight > 0;
+  };
+  algebra::Vector sums(space.layout, block);
   for_neighbours(space, [&](LocalIndex a, LocalIndex b) {
-    votes.local()[static_cast<std::size_t>(a)] += (*this)[b] ? 1 : -1;
+    if (has_bound(a) || !has_bound(b)) return;
+    double* s = sums.local().data() + static_cast<std::size_t>(a) * block;
+    s[(*this)[b] ? 0 : 1] += 1;
+    if (!(*this)[b]) s[2] += root_[static_cast<std::size_t>(b)];
   });
-  make_whole(space, votes);
-  // Weights of tied nodes are their masters', so only those of the representatives tell who has a bound.
+  make_whole(space, sums);
   for (std::size_t i = 0; i < inside_.size(); ++i) {
-    const auto master = static_cast<std::size_t>(representative(space, static_cast<LocalIndex>(i)));
-    if (discrete.points[master].weight == 0) inside_[i] = votes.local()[i] > 0 ? 1 : 0;
+    const double* s = sums.local().data() + i * block;
+    if (has_bound(static_cast<LocalIndex>(i))) continue;
+    const bool is_closed = s[0] == s[1] && s[1] * root_[i] <= closed * s[2];
+    inside_[i] = s[0] > s[1] || is_closed ? 1 : 0;
   }
 }
 
@@ -92,8 +102,8 @@ void TouchingNodes::fit_slopes(const assembly::DiscreteShell& discrete) {
   const fem::Space& space = discrete.space();
   algebra::Vector sums(space.layout, block);
   for_neighbours(space, [&](LocalIndex a, LocalIndex b) {
-    if ((*this)[a] || (*this)[b]) return;
     const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    if (inside_[i] || inside_[j]) return;
     const Vector3d d = (place_[j] - place_[i]).normalized();
     const double slope = (root_[j] - root_[i]) / (place_[j] - place_[i]).norm();
     double* s = sums.local().data() + i * block;
@@ -112,10 +122,26 @@ void TouchingNodes::fit_slopes(const assembly::DiscreteShell& discrete) {
   }
 }
 
+void TouchingNodes::continue_roots(const assembly::DiscreteShell& discrete) {
+  constexpr int block = 2;  // free neighbours, the sum of their roots continued
+  const fem::Space& space = discrete.space();
+  algebra::Vector sums(space.layout, block);
+  for_neighbours(space, [&](LocalIndex a, LocalIndex b) {
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    if (!inside_[i] || inside_[j]) return;
+    sums.local()[i * block] += 1;
+    sums.local()[i * block + 1] += root_[j] + slope_[j].dot(place_[i] - place_[j]);
+  });
+  make_whole(space, sums);
+  for (std::size_t i = 0; i < inside_.size(); ++i) {
+    const double* s = sums.local().data() + i * block;
+    if (inside_[i]) root_[i] = s[0] > 0 ? std::min(s[1] / s[0], 0.0) : 0;
+  }
+}
+
 double TouchingNodes::crossing(LocalIndex free, LocalIndex touching) const {
-  const auto i = static_cast<std::size_t>(free), j = static_cast<std::size_t>(touching);
-  const double fall = -slope_[i].dot(place_[j] - place_[i]);
-  return fall > root_[i] ? root_[i] / fall : 1;
+  const double outside = root_[static_cast<std::size_t>(free)], inside = root_[static_cast<std::size_t>(touching)];
+  return outside > inside ? outside / (outside - inside) : 1;
 }
 
 }  // namespace plastron::certificate

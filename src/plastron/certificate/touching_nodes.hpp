@@ -1,11 +1,12 @@
 // Which nodes count as touching one obstacle when zones and their boundaries are drawn, and where between a touching and a free node
 // the gap closes.
 //
-// Vertices of triangles of degree 2 have no bound (M21: their nodal weight is 0): they count as most of their neighbours do.
 // Gap and slope vanish at the edge of a zone and the curvature jumps there (docs/model.md, section 6), so outside the root of the gap
-// is linear in the distance from the edge. A plane through the roots at a free node and its free neighbours is continued into the
-// zone, and its zero is the edge. Where the shell is thin the gap opens like a cube a little farther out; its third root is worse all
-// the same (tests/verification/contact_boundary_test.cc).
+// is linear in the distance from the edge. At a free node a plane is put through the roots of its free neighbours; touching nodes
+// have the mean of the planes of their free neighbours, which is negative, and the edge is where the root is zero. Where the shell is
+// thin the gap opens like a cube a little farther out; its third root is worse all the same
+// (tests/verification/contact_boundary_test.cc). Vertices of triangles of degree 2 have no bound (M21: their nodal weight is 0): they
+// count as touching where most of their neighbours touch.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
 
@@ -32,10 +33,11 @@ class TouchingNodes {
  private:
   void judge_nodes_without_bound(const assembly::DiscreteShell& discrete);
   void fit_slopes(const assembly::DiscreteShell& discrete);
+  void continue_roots(const assembly::DiscreteShell& discrete);
 
   std::vector<char> inside_{};
-  std::vector<double> root_{};     // of the gap [m^1/2]
-  std::vector<Vector3d> slope_{};  // of the root, in space; zero where no free neighbour tells
+  std::vector<double> root_{};     // of the gap, continued with negative values to touching nodes [m^1/2]
+  std::vector<Vector3d> slope_{};  // of the root at free nodes, in space; zero where no free neighbour tells
   std::vector<Vector3d> place_{};  // phi
 };
 
