@@ -25,7 +25,8 @@ constexpr double thickness = 0.1, opening = 0.7;  // gap = opening times distanc
 struct Scene {
   fem::Rectangle domain{.to = {2, 1}, .cells = {16, 8}};
   std::array<std::string, 3> chart{"x", "y", "0.3"};
-  std::vector<obstacle::Obstacle> obstacles{{.name = "table", .shape = obstacle::HalfSpace{}, .face = obstacle::Face::lower}};
+  std::vector<obstacle::Obstacle> obstacles{
+      {.name = "table", .shape = obstacle::HalfSpace{}, .face = obstacle::Face::lower}};
   std::vector<fem::Join> joins{};
   std::vector<Pattern> patterns{};  ///< of each obstacle
   std::function<double(const Vector3d&)> pressure = [](const Vector3d& phi) { return 2 + phi[0]; };
@@ -35,7 +36,9 @@ struct Element {
   fem::Shape shape;
   int degree;
 };
-void PrintTo(const Element& e, std::ostream* out) { *out << fem::corner_count(e.shape) << " corners, degree " << e.degree; }
+void PrintTo(const Element& e, std::ostream* out) {
+  *out << fem::corner_count(e.shape) << " corners, degree " << e.degree;
+}
 
 /// A shell and the solution that the scene gives it.
 struct Given {
@@ -52,9 +55,9 @@ std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, const Elem
     surface = std::make_shared<const fem::Surface>(space->coarse, charts);
     return fem::joined(std::move(space), *surface, scene.joins);
   });
-  return assembly::discretise(meshes.space(), surface,
-                              {.sections = test::steel_of(geometry::Expression(thickness)),
-                               .obstacles = {.all = scene.obstacles}});
+  return assembly::discretise(
+      meshes.space(), surface,
+      {.sections = test::steel_of(geometry::Expression(thickness)), .obstacles = {.all = scene.obstacles}});
 }
 
 Given given(const Scene& scene, const Element& element, MPI_Comm comm) {
@@ -110,7 +113,8 @@ void expect_same_lines(const ContactLine& a, const ContactLine& b) {
   ASSERT_EQ(a.points.size(), b.points.size());
   double difference = 0;
   for (std::size_t i = 0; i < a.points.size(); ++i)
-    difference = test::larger(difference, (a.points[i].x - b.points[i].x).norm() + (a.points[i].place - b.points[i].place).norm() +
+    difference = test::larger(difference, (a.points[i].x - b.points[i].x).norm() +
+                                              (a.points[i].place - b.points[i].place).norm() +
                                               (a.points[i].displacement - b.points[i].displacement).norm());
   EXPECT_LT(difference, 1e-9);
 }

@@ -76,9 +76,9 @@ TEST(ContactBoundary, files_hold_the_lines_of_the_result) {
     for (std::size_t i = 0; i < rows.size(); ++i, ++at) {
       const auto& p = line.points[i];
       EXPECT_NEAR(rows[i][0], p.x[0], 1e-13);
-      EXPECT_NEAR(rows[i][2], 2 * rows[i][0], 1e-13);    // the chart is (2x, y, 0.012)
-      EXPECT_NEAR(rows[i][4], 0.012 - 0.01, 1e-13);      // the lower face
-      EXPECT_NEAR(points.at(3 * at + 2), 0, 1e-4);       // has come down to the plane
+      EXPECT_NEAR(rows[i][2], 2 * rows[i][0], 1e-13);  // the chart is (2x, y, 0.012)
+      EXPECT_NEAR(rows[i][4], 0.012 - 0.01, 1e-13);    // the lower face
+      EXPECT_NEAR(points.at(3 * at + 2), 0, 1e-4);     // has come down to the plane
       EXPECT_EQ(rows[i][5], line.is_rim ? 1 : 0);
     }
     EXPECT_EQ(offsets[l], static_cast<double>(at));

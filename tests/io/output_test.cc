@@ -14,6 +14,7 @@ namespace plastron::io {
 
 namespace {
 
+using testing::UnorderedElementsAre;
 using testing::UnorderedElementsAreArray;
 
 /// What a run with contact leaves.

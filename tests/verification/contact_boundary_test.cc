@@ -39,8 +39,7 @@ BoundaryError boundary_error(const std::string& name, const Mesh& mesh) {
   auto& discretisation = reference.problem.discretisation;
   discretisation.refinements = reference.axisymmetric ? mesh.disk_refinements : mesh.strip_refinements;
   discretisation.cells = mesh.shape;
-  const double node_distance =
-      coarse_size(reference.problem.domain) / (1 << discretisation.refinements) / mesh.degree;
+  const double node_distance = coarse_size(reference.problem.domain) / (1 << discretisation.refinements) / mesh.degree;
   const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved);
   BoundaryError error;

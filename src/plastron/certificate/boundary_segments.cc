@@ -153,7 +153,8 @@ void pack(const Segment& segment, std::vector<double>& numbers) {
     for (const auto& pair : {end.nodes, end.names})
       for (const GlobalIndex i : pair) numbers.push_back(static_cast<double>(i));
     numbers.insert(numbers.end(), end.point.x.begin(), end.point.x.end());
-    for (const Vector3d& v : {end.point.place, end.point.displacement}) numbers.insert(numbers.end(), v.begin(), v.end());
+    for (const Vector3d& v : {end.point.place, end.point.displacement})
+      numbers.insert(numbers.end(), v.begin(), v.end());
   }
 }
 
@@ -174,8 +175,8 @@ Segment unpacked(const double* n) {
 std::vector<Segment> boundary_segments(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                        std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  const std::vector<Segment> mine = algebra::in_agreement(
-      comm, [&] { return Marching(discrete, solution, obstacle, touching, labels)(); });
+  const std::vector<Segment> mine =
+      algebra::in_agreement(comm, [&] { return Marching(discrete, solution, obstacle, touching, labels)(); });
   std::vector<double> numbers;
   numbers.reserve(mine.size() * numbers_per_segment);
   for (const Segment& segment : mine) pack(segment, numbers);

@@ -13,8 +13,8 @@ namespace plastron::certificate {
 struct ObstacleContact {
   std::string name{};
   Wrench reaction;
-  double area = 0;         ///< nodal weight of the nodes that touch it [m^2]
-  std::int64_t nodes = 0;  ///< that touch it
+  double area = 0;                   ///< nodal weight of the nodes that touch it [m^2]
+  std::int64_t nodes = 0;            ///< that touch it
   std::vector<ContactZone> zones{};  ///< see contact_zones(); of the finest mesh, for certify() leaves them out
 };
 

@@ -26,11 +26,11 @@ struct ContactLine {
 };
 
 struct ContactZone {
-  double area = 0;        ///< nodal weight of its nodes [m^2]
+  double area = 0;  ///< nodal weight of its nodes [m^2]
   std::int64_t nodes = 0;
-  Wrench reaction;        ///< on the shell
-  Vector3d centre = Vector3d::Zero();  ///< of pressure; of the area where nothing is carried [m]
-  double peak_pressure = 0;            ///< largest eta at a node [Pa]
+  Wrench reaction;                                   ///< on the shell
+  Vector3d centre = Vector3d::Zero();                ///< of pressure; of the area where nothing is carried [m]
+  double peak_pressure = 0;                          ///< largest eta at a node [Pa]
   Eigen::Vector2d peak_x = Eigen::Vector2d::Zero();  ///< where: parameters in Omega
   Vector3d peak_place = Vector3d::Zero();            ///< where: on the touching face [m]
   std::vector<ContactLine> lines{};                  ///< inside the shell first, then along the rim; long before short

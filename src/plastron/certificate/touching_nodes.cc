@@ -62,8 +62,8 @@ TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const Noda
   for (std::size_t i = 0; i < count; ++i) {
     const double* y = solution.y.local().data() + 6 * i;
     const assembly::NodalPoint& p = discrete.points[i];
-    const double gap = discrete.coordinates.gaps[obstacle][i](
-        Vector3d(y[0], y[1], y[2]), geometry::tangential(Vector3d(y[3], y[4], y[5]), p.a3));
+    const double gap = discrete.coordinates.gaps[obstacle][i](Vector3d(y[0], y[1], y[2]),
+                                                              geometry::tangential(Vector3d(y[3], y[4], y[5]), p.a3));
     inside_.push_back(solution.touching.local()[i * block + obstacle] > 0.5 ? 1 : 0);
     root_.push_back(std::sqrt(std::max(gap, 0.0)));
     place_.push_back(p.phi);

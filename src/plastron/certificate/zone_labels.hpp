@@ -8,7 +8,8 @@ namespace plastron::certificate {
 
 struct ZoneLabels {
   int count = 0;
-  std::vector<int> of_node{};  ///< of local nodes that touch: 0 to count - 1, the same on every rank that sees the node; else -1
+  std::vector<int>
+      of_node{};  ///< of local nodes that touch: 0 to count - 1, the same on every rank that sees the node; else -1
 };
 
 /// (collective)

@@ -74,7 +74,8 @@ std::string line_arrays(const certificate::Summary& summary) {
          lines(R"(type="Int64" Name="obstacle")", [](std::size_t o, auto, auto, const ContactLine&) { return o; }) +
          lines(R"(type="Int64" Name="zone")", [](auto, std::size_t z, auto, const ContactLine&) { return z; }) +
          lines(R"(type="Int64" Name="line")", [](auto, auto, std::size_t l, const ContactLine&) { return l; }) +
-         lines(R"(type="UInt8" Name="rim")", [](auto, auto, auto, const ContactLine& line) { return int{line.is_rim}; }) +
+         lines(R"(type="UInt8" Name="rim")",
+               [](auto, auto, auto, const ContactLine& line) { return int{line.is_rim}; }) +
          "      </CellData>\n";
 }
 
@@ -102,8 +103,8 @@ std::string contact_boundary_vtu(const certificate::Summary& summary) {
       points, lines, point_arrays(summary), line_arrays(summary));
 }
 
-std::vector<std::string> add_contact_boundary(const certificate::Summary& summary, const std::filesystem::path& directory,
-                                              AtomicFiles& files) {
+std::vector<std::string> add_contact_boundary(const certificate::Summary& summary,
+                                              const std::filesystem::path& directory, AtomicFiles& files) {
   if (std::ranges::all_of(summary.obstacles, [](const auto& o) { return o.zones.empty(); })) return {};
   int rank = 0;
   MPI_Comm_rank(files.comm(), &rank);

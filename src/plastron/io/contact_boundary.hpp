@@ -18,8 +18,8 @@ std::string contact_boundary_csv(const certificate::Summary& summary);
 std::string contact_boundary_vtu(const certificate::Summary& summary);
 
 /// Adds both files if there is any contact; returns their names (collective). Throws std::runtime_error.
-std::vector<std::string> add_contact_boundary(const certificate::Summary& summary, const std::filesystem::path& directory,
-                                              AtomicFiles& files);
+std::vector<std::string> add_contact_boundary(const certificate::Summary& summary,
+                                              const std::filesystem::path& directory, AtomicFiles& files);
 /// Removes those of an earlier run, where the present one wrote none (collective).
 void remove_contact_boundary(const std::filesystem::path& directory, MPI_Comm comm);
 

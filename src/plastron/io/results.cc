@@ -119,8 +119,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["point_supports"] = point_supports_json(result);
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
   json["obstacles"] = Json::array();
-  for (const auto& contact : result.summary.obstacles)
-    json["obstacles"].push_back(obstacle_json(contact));
+  for (const auto& contact : result.summary.obstacles) json["obstacles"].push_back(obstacle_json(contact));
   json["probes"] = Json::object();
   for (const computation::ProbeValue& p : result.probes) json["probes"][p.name] = probe_json(p.values, result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
