@@ -26,9 +26,12 @@ void write_output(const computation::Result& result, Provenance provenance, cons
   make_directory(directory, comm);
   AtomicFiles files(comm);
   provenance.files.clear();
-  if (can_be_drawn(result, comm)) provenance.files = add_vtu(*result.solution, directory, base_name, files);
-  const auto boundary = add_contact_boundary(result.summary, directory, files);
-  provenance.files.insert(provenance.files.end(), boundary.begin(), boundary.end());
+  std::vector<std::string> boundary;
+  if (can_be_drawn(result, comm)) {
+    provenance.files = add_vtu(*result.solution, directory, base_name, files);
+    boundary = add_contact_boundary(result.summary, directory, files);
+    provenance.files.insert(provenance.files.end(), boundary.begin(), boundary.end());
+  }
   add_results(result, provenance, directory, files);
   files.commit();
   if (boundary.empty()) remove_contact_boundary(directory, comm);
