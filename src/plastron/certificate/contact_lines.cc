@@ -59,8 +59,8 @@ class Chaining {
 };
 
 Chain reversed(const Chain& chain) {
-  Chain back;
-  for (auto step = chain.rbegin(); step != chain.rend(); ++step) back.push_back(step->reversed());
+  Chain back(chain.rbegin(), chain.rend());
+  for (Step& step : back) step = step.reversed();
   return back;
 }
 
