@@ -107,6 +107,22 @@ namespace {
 
 std::string vector_text(const Eigen::Vector3d& v) { return fmt::format("({:.6e}, {:.6e}, {:.6e})", v[0], v[1], v[2]); }
 
+/// One line a contact zone where there are several, as far as they are few.
+void print_zones(const std::vector<certificate::ObstacleContact>& obstacles) {
+  constexpr std::size_t most = 10;
+  std::size_t all = 0, printed = 0;
+  for (const auto& o : obstacles) all += o.zones.size();
+  if (all < 2) return;
+  for (const auto& o : obstacles)
+    for (std::size_t k = 0; k < o.zones.size() && printed < most; ++k, ++printed) {
+      const auto& zone = o.zones[k];
+      const std::string name = obstacles.size() == 1 ? fmt::format("  zone {}", k) : fmt::format("  {}, {}", o.name, k);
+      print("{:<17} {} nodes, {:.6e} m^2, {:.6e} N at ({:.4g}, {:.4g}, {:.4g}) m\n", name, zone.nodes, zone.area,
+            zone.reaction.force.norm(), zone.centre[0], zone.centre[1], zone.centre[2]);
+    }
+  if (all > most) print("  ... and {} more zones\n", all - most);
+}
+
 }  // namespace
 
 void print_summary(const computation::Result& result) {
@@ -127,6 +143,7 @@ void print_summary(const computation::Result& result) {
       print("{:<17} {} N\n", s.obstacles.size() == 1 ? "obstacle" : o.name, vector_text(o.reaction.force));
     print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area,
           s.edge.is_line() ? s.edge.pressure_inside : s.max_pressure);
+    print_zones(s.obstacles);
     if (s.edge.is_line())
       print("on the edge       {} nodes, {:.6e} N, a line reaction of at most {:.6e} N/m\n", s.edge.nodes, s.edge.force,
             s.edge.max_per_length);

@@ -17,15 +17,20 @@ namespace plastron::io {
 namespace {
 
 using testing::UnorderedElementsAre;
+using testing::UnorderedElementsAreArray;
 
-TEST(Output, of_a_solved_problem_is_four_files_that_agree) {
+/// What a run with contact leaves.
+const std::vector<std::string> all_files{"results.json",      "solution.vtu",         "solution.pvd",
+                                         "solution.plastron", "contact-boundary.csv", "contact-boundary.vtu"};
+
+TEST(Output, of_a_solved_problem_is_five_files_that_agree) {
   const ScratchDirectory scratch("output");
   const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), MPI_COMM_WORLD);
   write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
-  EXPECT_THAT(scratch.names(),
-              UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd", "solution.plastron"));
+  EXPECT_THAT(scratch.names(), UnorderedElementsAreArray(all_files));
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
-  EXPECT_EQ(json["files"], Json({"solution.vtu", "solution.pvd", "solution.plastron"}));
+  EXPECT_EQ(json["files"], Json({"solution.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
+                                 "contact-boundary.vtu"}));
   EXPECT_EQ(json["status"], Json("solved"));
   EXPECT_EQ(json["ranks"], Json(world_size()));
   EXPECT_EQ(json["levels"].back()["cells"], Json(read_vtu(scratch.path / "solution.vtu").cells));
@@ -44,7 +49,8 @@ TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
   output.finish(result, {.title = "plate", .settings = {}, .files = {}});
   EXPECT_THAT(scratch.names(),
               UnorderedElementsAre("results.json", "solution-0001.vtu", "solution-0002.vtu", "solution-0003.vtu",
-                                   "solution.vtu", "solution.pvd", "history.csv", "history.svg"));
+                                   "solution.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
+                                   "contact-boundary.vtu", "history.csv", "history.svg"));
   EXPECT_EQ(text_of(scratch.path / "solution-0003.vtu"), text_of(scratch.path / "solution.vtu"));
   EXPECT_NE(text_of(scratch.path / "solution-0001.vtu"), text_of(scratch.path / "solution.vtu"));
   EXPECT_NE(text_of(scratch.path / "solution.pvd").find("timestep=\"1\" part=\"0\" file=\"solution-0003.vtu\""),
@@ -103,8 +109,7 @@ TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
       std::runtime_error);
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_EQ(text_of(scratch.path / "results.json"), before);
-  EXPECT_THAT(scratch.names(),
-              UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd", "solution.plastron"));
+  EXPECT_THAT(scratch.names(), UnorderedElementsAreArray(all_files));
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
@@ -130,8 +135,7 @@ TEST(Output, on_a_disk_that_is_full_keeps_the_results_of_an_earlier_run) {
     MPI_Barrier(MPI_COMM_WORLD);
     EXPECT_EQ(text_of(scratch.path / "results.json"), results);
     EXPECT_EQ(text_of(scratch.path / "solution.vtu"), surface);
-    EXPECT_THAT(scratch.names(),
-                UnorderedElementsAre("results.json", "solution.vtu", "solution.pvd", "solution.plastron"));
+    EXPECT_THAT(scratch.names(), UnorderedElementsAreArray(all_files));
     MPI_Barrier(MPI_COMM_WORLD);
   }
 }

@@ -31,7 +31,11 @@ computation::Result some_result(bool has_obstacle) {
   computation::Result result{.has_obstacle = has_obstacle, .ranks = 2, .warnings = {"doubtful"}, .peak_memory = 1024};
   result.summary.energy = {.membrane = 1.0 / 3, .bending = 2e-17, .shear = 1e300};
   result.summary.reaction.force = {0, 0, 5};
-  result.summary.obstacles = {{.name = "table", .reaction = result.summary.reaction, .area = 2, .nodes = 7}};
+  result.summary.obstacles = {{.name = "table",
+                               .reaction = result.summary.reaction,
+                               .area = 2,
+                               .nodes = 7,
+                               .zones = std::vector<certificate::ContactZone>(1)}};
   result.certificate.min_gap_between = -1e-5;
   result.summary.point_reactions = {{.at = {0.25, 1}, .force = {1e-9, 0, -2}}};
   result.probes = {{"a point", some_point()}};

@@ -1,5 +1,6 @@
 // The certificate of a solution (docs/model.md, section 8), recomputed from displacements, strains and bounds alone.
 #pragma once
+#include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/edge_contact.hpp>
 #include <plastron/certificate/point_reactions.hpp>
 
@@ -7,12 +8,6 @@
 #include <vector>
 
 namespace plastron::certificate {
-
-/// A system of forces: resultant [N] and moment about the origin [N m].
-struct Wrench {
-  Vector3d force = Vector3d::Zero();
-  Vector3d moment = Vector3d::Zero();
-};
 
 /// What one obstacle does to the shell.
 struct ObstacleContact {
@@ -23,6 +18,7 @@ struct ObstacleContact {
   Vector3d translation =
       Vector3d::Zero();  ///< from where it stood at the start, of the origin of its shape's own coordinates [m]
   Vector3d rotation = Vector3d::Zero();  ///< from how it stood: axis times angle [rad]
+  std::vector<ContactZone> zones{};      ///< see contact_zones(); of the finest mesh, for certify() leaves them out
 };
 
 struct Certificate {

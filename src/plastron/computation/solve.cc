@@ -14,6 +14,7 @@
 #include <plastron/computation/point_supports.hpp>
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/stopwatch.hpp>
+#include <plastron/computation/zones.hpp>
 
 #include <fmt/format.h>
 
@@ -69,6 +70,7 @@ class Computation {
     if (result_.solution) {
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
       warn(point_support_warnings(result_, problem_.supports), observer_, result_);
+      add_contact_zones(result_);
       result_.probes = probe(*result_.solution, problem_.probes);
     }
     adopt_worst_status();

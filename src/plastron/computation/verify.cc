@@ -7,6 +7,7 @@
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/membership.hpp>
 #include <plastron/computation/probes.hpp>
+#include <plastron/computation/zones.hpp>
 
 namespace plastron::computation {
 
@@ -37,6 +38,7 @@ Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSoluti
   verification.membership = membership_rows(problem, *found.discrete, found.nodal, verdict.summary);
   result.probes = probe(found, problem.probes);
   result.solution = std::move(found);
+  add_contact_zones(result);
   return verification;
 }
 

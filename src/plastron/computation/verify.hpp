@@ -15,7 +15,7 @@ namespace plastron::computation {
 
 /// What a solution on the finest mesh is, apart from all that follows from the case.
 struct StoredSolution {
-  assembly::State state{};  ///< where its gaps are linearised
+  assembly::State state{};     ///< where its gaps are linearised
   std::vector<double> ways{};  ///< how far forces have pressed each obstacle on from there [m]
   certificate::NodalSolution nodal{};
 };

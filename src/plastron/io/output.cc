@@ -5,6 +5,7 @@
 #include <plastron/io/plot.hpp>
 
 #include <fmt/format.h>
+#include <plastron/io/contact_boundary.hpp>
 #include <plastron/io/solution_file.hpp>
 
 #include <algorithm>
@@ -61,6 +62,9 @@ void Output::finish(const computation::Result& result, Provenance provenance) {
     names_.push_back(base_name_ + ".pvd");
     add_pvd(instants_, directory_ / names_.back(), files_);
   }
+  std::vector<std::string> boundary;
+  if (result.solution) boundary = add_contact_boundary(result.summary, directory_, files_);
+  names_.insert(names_.end(), boundary.begin(), boundary.end());
   if (!result.history.empty()) add_history(result);
   if (provenance.source) {
     provenance.case_copy = base_name_ + ".case.toml";
@@ -69,6 +73,7 @@ void Output::finish(const computation::Result& result, Provenance provenance) {
   provenance.files = names_;
   add_results(result, provenance, directory_, files_);
   files_.commit();
+  if (boundary.empty()) remove_contact_boundary(directory_, files_.comm());
 }
 
 void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,

@@ -14,7 +14,8 @@ class Output {
 
   /// The fields of an instant of the steps (computation::Observer::instant).
   void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
-  /// The solution as .vtu and .plastron, unless there is none that is finite, history.csv and history.svg where there are steps,
+  /// The solution as .vtu and .plastron, unless there is none that is finite, contact-boundary.csv and .vtu where there is contact
+  /// (those of an earlier run are removed where there is none), history.csv and history.svg where there are steps,
   /// base_name.case.toml if provenance has the case's source, and results.json; then all files get their names. provenance.files and the
   /// names of solution and copy are filled here.
   void finish(const computation::Result& result, Provenance provenance);

@@ -221,6 +221,36 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
   return all;
 }
 
+std::span<const Quantity<certificate::ContactZone>> zone_quantities() {
+  using certificate::ContactZone;
+  static const std::vector<Quantity<ContactZone>> all{
+      {"area", "m^2", "mid-surface area of its nodes", [](const ContactZone& z) { return number(z.area); }},
+      {"nodes", "1", "nodes that touch", [](const ContactZone& z) { return Json(z.nodes); }},
+      {"reaction/force", "N", "resultant of the reaction in the zone on the shell",
+       [](const ContactZone& z) { return triple(z.reaction.force); }},
+      {"reaction/moment", "N m", "its moment about the origin",
+       [](const ContactZone& z) { return triple(z.reaction.moment); }},
+      {"centre_of_pressure", "m", "mean place of the reaction on the touching face of the undeformed shell",
+       [](const ContactZone& z) { return triple(z.centre); }},
+      {"peak/pressure", "Pa", "largest eta at a node; where an edge carries a line reaction it depends on the mesh",
+       [](const ContactZone& z) { return number(z.peak_pressure); }},
+      {"peak/x", "the chart's", "parameters in Omega of that node",
+       [](const ContactZone& z) {
+         return Json::array({number(z.peak_x[0]), number(z.peak_x[1])});
+       }},
+      {"peak/position", "m", "its place on the touching face of the undeformed shell",
+       [](const ContactZone& z) { return triple(z.peak_place); }},
+      {"boundary/lines", "1", "polylines of its boundary, see contact-boundary.csv",
+       [](const ContactZone& z) { return Json(z.lines.size()); }},
+      {"boundary/points", "1", "their points", [](const ContactZone& z) { return Json(z.line_points()); }},
+      {"boundary/length", "m", "length of the boundary inside the shell, where the gap opens",
+       [](const ContactZone& z) { return number(z.line_length()); }},
+      {"boundary/rim_length", "m", "length of the shell's rim in the zone",
+       [](const ContactZone& z) { return number(z.rim_length()); }},
+  };
+  return all;
+}
+
 std::span<const Quantity<contact::Iteration>> iteration_quantities() {
   using contact::Iteration;
   static const std::vector<Quantity<Iteration>> all{

@@ -32,6 +32,8 @@ std::span<const Quantity<computation::Result>> contact_quantities();
 std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities();
 /// Paths inside "history[]".
 std::span<const Quantity<computation::HistoryEntry>> history_quantities();
+/// Paths inside "obstacles[]/zones[]".
+std::span<const Quantity<certificate::ContactZone>> zone_quantities();
 /// Paths inside "certificate".
 std::span<const Quantity<certificate::Certificate>> certificate_quantities();
 /// Paths inside "levels[]".

@@ -35,9 +35,8 @@ class SolutionReader {
     read(&header_, sizeof header_);
     check_format();
     check_problem();
-    const std::uintmax_t wanted =
-        preamble_size(header_) +
-        static_cast<std::uintmax_t>(header_.cells) * record_size(header_, space_.nodes_per_cell());
+    const std::uintmax_t wanted = preamble_size(header_) + static_cast<std::uintmax_t>(header_.cells) *
+                                                               record_size(header_, space_.nodes_per_cell());
     if (size != wanted)
       refuse(fmt::format("the file has {} bytes where its header makes {}: it is not complete, or not whole", size,
                          wanted));

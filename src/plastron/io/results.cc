@@ -46,6 +46,14 @@ Json limits_json(const computation::Result& result) {
   return json;
 }
 
+Json obstacle_json(const certificate::ObstacleContact& contact) {
+  Json json = record_json(obstacle_quantities(), contact);
+  json["zones"] = Json::array();
+  for (const certificate::ContactZone& zone : contact.zones)
+    json["zones"].push_back(record_json(zone_quantities(), zone));
+  return json;
+}
+
 Json level_json(const computation::Level& level) {
   Json json = record_json(level_quantities(), level);
   json["history"] = Json::array();
@@ -57,12 +65,6 @@ Json probes_json(const std::vector<computation::ProbeValue>& probes, const compu
   Json json = Json::object();
   for (const computation::ProbeValue& p : probes) json[p.name] = probe_json(p.values, result);
   return json;
-}
-
-Json obstacles_json(const certificate::Summary& summary) {
-  Json list = Json::array();
-  for (const auto& contact : summary.obstacles) list.push_back(record_json(obstacle_quantities(), contact));
-  return list;
 }
 
 std::string compiler() {
@@ -99,6 +101,7 @@ Json units_json() {
   add_units(units, "obstacles/*/", obstacle_quantities());
   add_units(units, "history/*/", history_quantities());
   add_units(units, "history/*/obstacles/*/", obstacle_quantities());
+  add_units(units, "obstacles/*/zones/*/", zone_quantities());
   for (const Field& field : fields()) units["probes/*/" + std::string(field.key)] = field.unit;
   add_units(units, "certificate/", certificate_quantities());
   add_units(units, "levels/*/", level_quantities());
@@ -128,7 +131,9 @@ Json history_json(const computation::Result& result) {
   Json list = Json::array();
   for (const computation::HistoryEntry& entry : result.history) {
     list.push_back(record_json(history_quantities(), entry));
-    list.back()["obstacles"] = obstacles_json(entry.summary);
+    list.back()["obstacles"] = Json::array();
+    for (const auto& contact : entry.summary.obstacles)
+      list.back()["obstacles"].push_back(record_json(obstacle_quantities(), contact));
     list.back()["probes"] = probes_json(entry.probes, result);
   }
   return list;
@@ -140,7 +145,8 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["warnings"] = result.warnings;
   json["point_supports"] = point_supports_json(result);
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
-  json["obstacles"] = obstacles_json(result.summary);
+  json["obstacles"] = Json::array();
+  for (const auto& contact : result.summary.obstacles) json["obstacles"].push_back(obstacle_json(contact));
   json["probes"] = probes_json(result.probes, result);
   json["history"] = history_json(result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);

@@ -1,0 +1,190 @@
+#include <plastron/certificate/boundary_segments.hpp>
+
+#include <plastron/algebra/agreement.hpp>
+#include <plastron/certificate/certificate.hpp>
+#include <plastron/certificate/sub_cells.hpp>
+#include <plastron/geometry/frame.hpp>
+
+#include <algorithm>
+
+namespace plastron::certificate {
+
+namespace {
+
+using algebra::GlobalIndex, algebra::LocalIndex;
+
+/// Two nodes of a cell, the first in contact; the point of the boundary between them, or the node itself where they are equal.
+struct CellEnd {
+  int touching, other;
+};
+
+/// The segments of this rank's cells.
+class Marching {
+ public:
+  Marching(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t obstacle,
+           const TouchingNodes& touching, const ZoneLabels& labels)
+      : discrete_(discrete),
+        space_(discrete.space()),
+        solution_(solution),
+        gaps_(discrete.coordinates.gaps[obstacle]),
+        touching_(touching),
+        labels_(labels) {}
+
+  std::vector<Segment> operator()() {
+    const auto subs = sub_cells(space_.shape(), space_.degree);
+    for (std::size_t c = 0; c < space_.owned_cells; ++c) {
+      cell_ = c;
+      for (const SubCell& sub : subs) march(sub);
+      place_new_ends();
+    }
+    const fem::BoundarySide* last = nullptr;
+    for (const fem::BoundarySide& side : space_.sides) {
+      const bool is_seen = last && last->cell == side.cell && last->side == side.side;  // a side with several names
+      last = &side;
+      if (is_seen || side.is_inner || side.cell >= space_.owned_cells) continue;
+      cell_ = side.cell;
+      follow_rim(side.side);
+      place_new_ends();
+    }
+    return std::move(segments_);
+  }
+
+ private:
+  LocalIndex node(int i) const { return space_.nodes(cell_)[static_cast<std::size_t>(i)]; }
+  bool touches(int i) const { return touching_[node(i)]; }
+
+  /// Cuts off each run of free corners, so that touching corners stay together: they are of one zone.
+  void march(const SubCell& sub) {
+    const std::size_t n = sub.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!touches(sub[i]) || touches(sub[(i + 1) % n])) continue;
+      std::size_t j = i + 1;
+      while (!touches(sub[(j + 1) % n])) ++j;
+      add({sub[i], sub[(i + 1) % n]}, {sub[(j + 1) % n], sub[j % n]}, false);
+    }
+  }
+
+  void follow_rim(int side) {
+    const auto nodes = fem::side_nodes(space_.shape(), space_.degree, side);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+      const int a = nodes[i], b = nodes[i + 1];
+      if (touches(a) && touches(b))
+        add({a, a}, {b, b}, true);
+      else if (touches(a))
+        add({a, a}, {a, b}, true);
+      else if (touches(b))
+        add({b, a}, {b, b}, true);
+    }
+  }
+
+  void add(const CellEnd& from, const CellEnd& to, bool is_rim) {
+    segments_.push_back({.zone = labels_.of_node[static_cast<std::size_t>(node(from.touching))],
+                         .is_rim = is_rim,
+                         .ends = {named(from), named(to)}});
+    new_ends_.insert(new_ends_.end(), {from, to});
+  }
+
+  SegmentEnd named(const CellEnd& end) const {
+    const auto sorted = [](GlobalIndex a, GlobalIndex b) { return std::array{std::min(a, b), std::max(a, b)}; };
+    const LocalIndex a = node(end.touching), b = node(end.other);
+    const algebra::Layout& layout = *space_.layout;
+    return {.nodes = sorted(layout.global(a), layout.global(b)),
+            .names = sorted(layout.global(representative(space_, a)), layout.global(representative(space_, b))),
+            .point = {}};
+  }
+
+  /// How far from the touching node towards the other the end lies.
+  double share(const CellEnd& end) const {
+    return end.touching == end.other ? 0 : 1 - touching_.crossing(node(end.other), node(end.touching));
+  }
+
+  /// Height of the touching face over the mid-surface there.
+  double height(const CellEnd& end) const {
+    const double z = gaps_[static_cast<std::size_t>(node(end.touching))].z,
+                 other = gaps_[static_cast<std::size_t>(node(end.other))].z;
+    return z * other > 0 ? z + share(end) * (other - z) : z;
+  }
+
+  /// Evaluates shell and displacement at the ends of the segments that the present cell has added.
+  void place_new_ends() {
+    if (new_ends_.empty()) return;
+    const fem::Cell& cell = space_.cells[cell_];
+    std::vector<Eigen::Vector2d> xi;
+    for (const CellEnd& end : new_ends_) {
+      const auto& nodes = discrete_.shell.tables().nodes;
+      const Eigen::Vector2d &a = nodes[static_cast<std::size_t>(end.touching)],
+                            &b = nodes[static_cast<std::size_t>(end.other)];
+      xi.emplace_back(a + share(end) * (b - a));
+    }
+    std::vector<geometry::SurfaceJet> jets(xi.size());
+    std::vector<double> x(xi.size()), y(xi.size());
+    discrete_.shell.surface().jets(cell, xi, jets, false);
+    discrete_.shell.surface().positions(cell, xi, x, y);
+    const element::CellField moved = discrete_.shell.interpolation().values(
+        cell_, element::basis_at(space_.shape(), space_.degree, xi), discrete_.shell.gather(cell_, solution_.y));
+    const std::size_t first = segments_.size() - new_ends_.size() / 2;
+    for (std::size_t i = 0; i < new_ends_.size(); ++i) {
+      const auto row = moved.row(static_cast<Eigen::Index>(i));
+      const double z = height(new_ends_[i]);
+      segments_[first + i / 2].ends[i % 2].point = {
+          .x = {x[i], y[i]},
+          .place = jets[i].value + z * geometry::unit_normal(jets[i]),
+          .displacement = row.head<3>().transpose() + z * row.tail<3>().transpose()};
+    }
+    new_ends_.clear();
+  }
+
+  const assembly::DiscreteShell& discrete_;
+  const fem::Space& space_;
+  const NodalSolution& solution_;
+  const std::vector<obstacle::Gap>& gaps_;
+  const TouchingNodes& touching_;
+  const ZoneLabels& labels_;
+  std::size_t cell_ = 0;
+  std::vector<Segment> segments_{};
+  std::vector<CellEnd> new_ends_{};  // of the last segments, two each
+};
+
+constexpr std::size_t numbers_per_end = 12, numbers_per_segment = 2 + 2 * numbers_per_end;
+
+void pack(const Segment& segment, std::vector<double>& numbers) {
+  numbers.insert(numbers.end(), {static_cast<double>(segment.zone), segment.is_rim ? 1.0 : 0.0});
+  for (const SegmentEnd& end : segment.ends) {
+    for (const auto& pair : {end.nodes, end.names})
+      for (const GlobalIndex i : pair) numbers.push_back(static_cast<double>(i));
+    numbers.insert(numbers.end(), end.point.x.begin(), end.point.x.end());
+    for (const Vector3d& v : {end.point.place, end.point.displacement})
+      numbers.insert(numbers.end(), v.begin(), v.end());
+  }
+}
+
+Segment unpacked(const double* n) {
+  Segment segment{.zone = static_cast<int>(n[0]), .is_rim = n[1] != 0, .ends = {}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double* e = n + 2 + k * numbers_per_end;
+    const auto index = [e](int i) { return static_cast<GlobalIndex>(e[i]); };
+    segment.ends[k] = {.nodes = {index(0), index(1)},
+                       .names = {index(2), index(3)},
+                       .point = {.x = {e[4], e[5]}, .place = {e[6], e[7], e[8]}, .displacement = {e[9], e[10], e[11]}}};
+  }
+  return segment;
+}
+
+}  // namespace
+
+std::vector<Segment> boundary_segments(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                                       std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  const std::vector<Segment> mine =
+      algebra::in_agreement(comm, [&] { return Marching(discrete, solution, obstacle, touching, labels)(); });
+  std::vector<double> numbers;
+  numbers.reserve(mine.size() * numbers_per_segment);
+  for (const Segment& segment : mine) pack(segment, numbers);
+  const std::vector<double> all = algebra::gather_over_ranks(numbers, comm);
+  std::vector<Segment> segments;
+  segments.reserve(all.size() / numbers_per_segment);
+  for (std::size_t i = 0; i < all.size(); i += numbers_per_segment) segments.push_back(unpacked(all.data() + i));
+  return segments;
+}
+
+}  // namespace plastron::certificate

@@ -1,0 +1,28 @@
+// The boundary of the zones as each sub-cell sees it: straight segments between the points where the gap closes on its sides
+// (marching squares and triangles), and the parts of the shell's rim that zones reach.
+#pragma once
+#include <plastron/certificate/contact_zone.hpp>
+#include <plastron/certificate/zone_labels.hpp>
+
+#include <array>
+#include <vector>
+
+namespace plastron::certificate {
+
+struct SegmentEnd {
+  std::array<algebra::GlobalIndex, 2> nodes{};  ///< between which it lies; equal at a node
+  std::array<algebra::GlobalIndex, 2> names{};  ///< the same with nodes that are one across joined edges by one number
+  BoundaryPoint point{};
+};
+
+struct Segment {
+  int zone = 0;
+  bool is_rim = false;
+  std::array<SegmentEnd, 2> ends{};
+};
+
+/// Of one obstacle's zones, of all ranks on every rank; their order depends on the ranks (collective). Throws what the chart throws.
+std::vector<Segment> boundary_segments(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                                       std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels);
+
+}  // namespace plastron::certificate

@@ -1,0 +1,147 @@
+#include <plastron/certificate/touching_nodes.hpp>
+
+#include <plastron/certificate/certificate.hpp>
+#include <plastron/certificate/sub_cells.hpp>
+#include <plastron/fem/ties.hpp>
+#include <plastron/geometry/frame.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::certificate {
+
+namespace {
+
+using algebra::LocalIndex;
+
+/// Calls visit(a, b) for the sides of all sub-cells of owned cells, in both directions.
+template <class Visit>
+void for_neighbours(const fem::Space& space, Visit&& visit) {
+  const auto subs = sub_cells(space.shape(), space.degree);
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    const auto nodes = space.nodes(c);
+    for (const SubCell& sub : subs)
+      for (std::size_t i = 0; i < sub.size(); ++i)
+        for (std::size_t j = 0; j < sub.size(); ++j)
+          if (i != j) visit(nodes[static_cast<std::size_t>(sub[i])], nodes[static_cast<std::size_t>(sub[j])]);
+  }
+}
+
+/// Sums of all ranks at every local node.
+void make_whole(const fem::Space& space, algebra::Vector& sums) {
+  sums.accumulate_ghosts();
+  fem::collect(space, sums);
+  sums.update_ghosts();
+  fem::spread(space, sums);
+}
+
+/// The solution of A x = b in the directions that A knows: neighbours lie on a surface, some on a line.
+Vector3d least_solution(const Eigen::Matrix3d& A, const Vector3d& b) {
+  constexpr double known = 1e-3;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(A);
+  Vector3d x = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (modes.eigenvalues()[k] > known * modes.eigenvalues()[2])
+      x += modes.eigenvectors().col(k).dot(b) / modes.eigenvalues()[k] * modes.eigenvectors().col(k);
+  return x;
+}
+
+}  // namespace
+
+LocalIndex representative(const fem::Space& space, LocalIndex node) {
+  const auto tie = std::ranges::lower_bound(space.ties, node, {}, &fem::Tie::node);
+  if (tie == space.ties.end() || tie->node != node) return node;
+  return tie->masters.size() == 1 ? tie->masters.front().first : node;
+}
+
+TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                             std::size_t obstacle) {
+  const auto count = discrete.points.size(), block = static_cast<std::size_t>(solution.touching.block());
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* y = solution.y.local().data() + 6 * i;
+    const assembly::NodalPoint& p = discrete.points[i];
+    const double gap = discrete.coordinates.gaps[obstacle][i](Vector3d(y[0], y[1], y[2]),
+                                                              geometry::tangential(Vector3d(y[3], y[4], y[5]), p.a3));
+    inside_.push_back(solution.touching.local()[i * block + obstacle] > 0.5 ? 1 : 0);
+    root_.push_back(std::sqrt(std::max(gap, 0.0)));
+    place_.push_back(p.phi);
+  }
+  judge_nodes_without_bound(discrete);
+  fit_slopes(discrete);
+  continue_roots(discrete);
+}
+
+void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& discrete) {
+  constexpr int block = 3;  // neighbours that touch, free ones, the sum of their roots
+  constexpr double closed = 0.1;
+  const fem::Space& space = discrete.space();
+  if (space.shape() != fem::Shape::triangle || space.degree != 2) return;
+  const auto has_bound = [&](LocalIndex node) {  // weights of tied nodes have gone to their masters
+    return discrete.points[static_cast<std::size_t>(representative(space, node))].weight > 0;
+  };
+  algebra::Vector sums(space.layout, block);
+  for_neighbours(space, [&](LocalIndex a, LocalIndex b) {
+    if (has_bound(a) || !has_bound(b)) return;
+    double* s = sums.local().data() + static_cast<std::size_t>(a) * block;
+    s[(*this)[b] ? 0 : 1] += 1;
+    if (!(*this)[b]) s[2] += root_[static_cast<std::size_t>(b)];
+  });
+  make_whole(space, sums);
+  for (std::size_t i = 0; i < inside_.size(); ++i) {
+    const double* s = sums.local().data() + i * block;
+    if (has_bound(static_cast<LocalIndex>(i))) continue;
+    const bool is_closed = s[0] == s[1] && s[1] * root_[i] <= closed * s[2];
+    inside_[i] = s[0] > s[1] || is_closed ? 1 : 0;
+  }
+}
+
+void TouchingNodes::fit_slopes(const assembly::DiscreteShell& discrete) {
+  constexpr int block = 9;  // A (11 12 13 22 23 33), b
+  const fem::Space& space = discrete.space();
+  algebra::Vector sums(space.layout, block);
+  for_neighbours(space, [&](LocalIndex a, LocalIndex b) {
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    if (inside_[i] || inside_[j]) return;
+    const Vector3d d = (place_[j] - place_[i]).normalized();
+    const double slope = (root_[j] - root_[i]) / (place_[j] - place_[i]).norm();
+    double* s = sums.local().data() + i * block;
+    int at = 0;
+    for (int k = 0; k < 3; ++k)
+      for (int l = k; l < 3; ++l) s[at++] += d[k] * d[l];
+    for (int k = 0; k < 3; ++k) s[6 + k] += slope * d[k];
+  });
+  make_whole(space, sums);
+  slope_.reserve(inside_.size());
+  for (std::size_t i = 0; i < inside_.size(); ++i) {
+    const double* s = sums.local().data() + i * block;
+    Eigen::Matrix3d A;
+    A << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+    slope_.push_back(s[0] + s[3] + s[5] > 0 ? least_solution(A, {s[6], s[7], s[8]}) : Vector3d::Zero());
+  }
+}
+
+void TouchingNodes::continue_roots(const assembly::DiscreteShell& discrete) {
+  constexpr int block = 2;  // free neighbours, the sum of their roots continued
+  const fem::Space& space = discrete.space();
+  algebra::Vector sums(space.layout, block);
+  for_neighbours(space, [&](LocalIndex a, LocalIndex b) {
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    if (!inside_[i] || inside_[j]) return;
+    sums.local()[i * block] += 1;
+    sums.local()[i * block + 1] += root_[j] + slope_[j].dot(place_[i] - place_[j]);
+  });
+  make_whole(space, sums);
+  for (std::size_t i = 0; i < inside_.size(); ++i) {
+    const double* s = sums.local().data() + i * block;
+    if (inside_[i]) root_[i] = s[0] > 0 ? std::min(s[1] / s[0], 0.0) : 0;
+  }
+}
+
+double TouchingNodes::crossing(LocalIndex free, LocalIndex touching) const {
+  const double outside = root_[static_cast<std::size_t>(free)], inside = root_[static_cast<std::size_t>(touching)];
+  return outside > inside ? outside / (outside - inside) : 1;
+}
+
+}  // namespace plastron::certificate

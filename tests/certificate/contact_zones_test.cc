@@ -1,0 +1,309 @@
+// The contact report of patterns that are given: nodes touch where a function of the place is negative, and the gap opens with its
+// square elsewhere. Zones, their sums and their boundaries are known then. What all ranks find together is what one finds alone.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <plastron/certificate/certificate.hpp>
+#include <plastron/certificate/contact_zones.hpp>
+#include <plastron/fem/join.hpp>
+#include <plastron/fem/ties.hpp>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "assembly/sample_shells.hpp"
+#include "larger.hpp"
+
+namespace plastron::certificate {
+namespace {
+
+using testing::ElementsAre;
+using Pattern = std::function<double(const Vector3d&)>;  ///< of phi: negative where the obstacle is touched [m]
+
+constexpr double thickness = 0.1, opening = 0.7;  // gap = opening times distance^2 [1/m]
+
+struct Scene {
+  fem::Rectangle domain{.to = {2, 1}, .cells = {16, 8}};
+  std::array<std::string, 3> chart{"x", "y", "0.3"};
+  std::vector<obstacle::Obstacle> obstacles{
+      {.name = "table", .shape = obstacle::HalfSpace{}, .face = obstacle::Face::lower}};
+  std::vector<fem::Join> joins{};
+  std::vector<Pattern> patterns{};  ///< of each obstacle
+  std::function<double(const Vector3d&)> pressure = [](const Vector3d& phi) { return 2 + phi[0]; };
+};
+
+struct Element {
+  fem::Shape shape;
+  int degree;
+};
+void PrintTo(const Element& e, std::ostream* out) {
+  *out << fem::corner_count(e.shape) << " corners, degree " << e.degree;
+}
+
+/// A shell and the solution that the scene gives it.
+struct Given {
+  std::unique_ptr<assembly::DiscreteShell> discrete;
+  NodalSolution nodal;
+};
+
+std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, const Element& element, MPI_Comm comm) {
+  const auto coarse = fem::coarse_mesh(scene.domain, element.shape);
+  std::map<std::string, geometry::Chart> charts;
+  charts.emplace("", geometry::Chart(scene.chart, {}));
+  std::shared_ptr<const fem::Surface> surface;
+  fem::MeshSequence meshes(coarse, element.degree, comm, [&](std::shared_ptr<const fem::Space> space) {
+    surface = std::make_shared<const fem::Surface>(space->coarse, charts);
+    return fem::joined(std::move(space), *surface, scene.joins);
+  });
+  return assembly::discretise(
+      meshes.space(), surface,
+      {.sections = test::steel_of(geometry::Expression(thickness)), .obstacles = {.all = scene.obstacles}});
+}
+
+Given given(const Scene& scene, const Element& element, MPI_Comm comm) {
+  Given g{.discrete = shell_of(scene, element, comm), .nodal = {}};
+  const auto& layout = g.discrete->space().layout;
+  const auto block = scene.obstacles.size();
+  g.nodal = {.y = algebra::Vector(layout, 6),
+             .pressure = algebra::Vector(layout, static_cast<int>(block)),
+             .touching = algebra::Vector(layout, static_cast<int>(block))};
+  for (std::size_t i = 0; i < g.discrete->points.size(); ++i) {
+    const assembly::NodalPoint& p = g.discrete->points[i];
+    Vector3d u = Vector3d::Zero();
+    for (std::size_t k = 0; k < block; ++k) {
+      const obstacle::Gap& gap = g.discrete->coordinates.gaps[k][i];
+      const double distance = scene.patterns[k](p.phi);
+      if (k == 0) u = gap.normal * (opening * std::pow(std::max(distance, 0.0), 2) - gap.initial);
+      if (distance > 0 || p.weight == 0) continue;  // triangles of degree 2 have no bound at their vertices
+      g.nodal.touching.local()[block * i + k] = 1;
+      g.nodal.pressure.local()[block * i + k] = scene.pressure(p.phi);
+    }
+    std::copy(u.begin(), u.end(), g.nodal.y.local().begin() + static_cast<std::ptrdiff_t>(6 * i));
+  }
+  for (algebra::Vector* v : {&g.nodal.y, &g.nodal.pressure, &g.nodal.touching}) fem::spread(g.discrete->space(), *v);
+  return g;
+}
+
+void expect_sums(const Given& g, const std::vector<std::vector<ContactZone>>& zones) {
+  const Summary summary = certify(*g.discrete, g.nodal).summary;
+  ASSERT_EQ(zones.size(), summary.obstacles.size());
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    ContactZone sum;
+    for (const ContactZone& zone : zones[k]) {
+      sum.area += zone.area;
+      sum.nodes += zone.nodes;
+      sum.reaction.force += zone.reaction.force;
+      sum.reaction.moment += zone.reaction.moment;
+      EXPECT_GT(zone.nodes, 0);
+      EXPECT_LT((zone.centre.cross(zone.reaction.force) - zone.reaction.moment).norm(),
+                1e-12 * zone.reaction.moment.norm());  // forces are parallel: one force in the centre
+    }
+    const ObstacleContact& whole = summary.obstacles[k];
+    EXPECT_EQ(sum.nodes, whole.nodes);
+    EXPECT_NEAR(sum.area, whole.area, 1e-13 * whole.area);
+    EXPECT_LE((sum.reaction.force - whole.reaction.force).norm(), 1e-13 * whole.reaction.force.norm());
+    EXPECT_LE((sum.reaction.moment - whole.reaction.moment).norm(), 1e-13 * whole.reaction.moment.norm());
+  }
+}
+
+void expect_same_lines(const ContactLine& a, const ContactLine& b) {
+  EXPECT_EQ(a.is_closed, b.is_closed);
+  EXPECT_EQ(a.is_rim, b.is_rim);
+  EXPECT_NEAR(a.length, b.length, 1e-9);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  double difference = 0;
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+    difference = test::larger(difference, (a.points[i].x - b.points[i].x).norm() +
+                                              (a.points[i].place - b.points[i].place).norm() +
+                                              (a.points[i].displacement - b.points[i].displacement).norm());
+  EXPECT_LT(difference, 1e-9);
+}
+
+void expect_same_zones(const ContactZone& a, const ContactZone& b) {
+  EXPECT_NEAR(a.area, b.area, 1e-12);
+  EXPECT_EQ(a.nodes, b.nodes);
+  EXPECT_LT((a.reaction.force - b.reaction.force).norm(), 1e-12);
+  EXPECT_LT((a.reaction.moment - b.reaction.moment).norm(), 1e-12);
+  EXPECT_LT((a.centre - b.centre).norm(), 1e-12);
+  EXPECT_NEAR(a.peak_pressure, b.peak_pressure, 1e-12);
+  EXPECT_LT((a.peak_place - b.peak_place).norm() + (a.peak_x - b.peak_x).norm(), 1e-12);
+  ASSERT_EQ(a.lines.size(), b.lines.size());
+  for (std::size_t l = 0; l < a.lines.size(); ++l) expect_same_lines(a.lines[l], b.lines[l]);
+}
+
+/// Of all obstacles, the same on all ranks together and on each alone.
+std::vector<std::vector<ContactZone>> zones_of(const Scene& scene, const Element& element) {
+  const Given together = given(scene, element, MPI_COMM_WORLD), alone = given(scene, element, MPI_COMM_SELF);
+  auto zones = contact_zones(*together.discrete, together.nodal);
+  const auto expected = contact_zones(*alone.discrete, alone.nodal);
+  expect_sums(together, zones);
+  EXPECT_EQ(zones.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_EQ(zones[k].size(), expected[k].size());
+    for (std::size_t z = 0; z < std::min(zones[k].size(), expected[k].size()); ++z)
+      expect_same_zones(zones[k][z], expected[k][z]);
+  }
+  return zones;
+}
+
+std::vector<ContactZone> zones_of(const Pattern& pattern, const Element& element) {
+  Scene scene;
+  scene.patterns = {pattern};
+  return zones_of(scene, element).front();
+}
+
+Pattern disc(double x, double y, double radius) {
+  return [=](const Vector3d& phi) { return std::hypot(phi[0] - x, phi[1] - y) - radius; };
+}
+Pattern either(const Pattern& a, const Pattern& b) {
+  return [=](const Vector3d& phi) { return std::min(a(phi), b(phi)); };
+}
+
+/// Distance of nodes, the largest in a cell.
+double node_distance(const Element& element) { return 0.125 / std::max(1, element.degree - 1); }
+
+/// Largest distance of a line's points from where the pattern changes sign.
+double distance_from(const Pattern& pattern, const ContactLine& line) {
+  double worst = 0;
+  for (const BoundaryPoint& p : line.points) worst = test::larger(worst, std::abs(pattern(p.place)));
+  return worst;
+}
+
+class ContactZones : public testing::TestWithParam<Element> {};
+INSTANTIATE_TEST_SUITE_P(Each, ContactZones,
+                         testing::Values(Element{fem::Shape::quadrilateral, 1}, Element{fem::Shape::quadrilateral, 2},
+                                         Element{fem::Shape::quadrilateral, 4}, Element{fem::Shape::triangle, 1},
+                                         Element{fem::Shape::triangle, 2}));
+
+TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
+  const std::array discs{disc(0.5, 0.5, 0.31), disc(1.5, 0.5, 0.21)};
+  const auto zones = zones_of(either(discs[0], discs[1]), GetParam());
+  ASSERT_EQ(zones.size(), 2U);
+  EXPECT_GT(zones[0].area, zones[1].area);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double radius = k == 0 ? 0.31 : 0.21;
+    ASSERT_EQ(zones[k].lines.size(), 1U);
+    const ContactLine& line = zones[k].lines.front();
+    EXPECT_TRUE(line.is_closed);
+    EXPECT_FALSE(line.is_rim);
+    EXPECT_LT((line.points.front().place - line.points.back().place).norm(), 1e-12);
+    EXPECT_LT(distance_from(discs[k], line), 0.15 * node_distance(GetParam()));
+    EXPECT_NEAR(line.length, 2 * std::numbers::pi * radius, 0.2 * radius);
+    EXPECT_NEAR(zones[k].area, std::numbers::pi * radius * radius, 2 * node_distance(GetParam()) * radius);
+    for (const BoundaryPoint& p : line.points) EXPECT_NEAR(p.place[2], 0.3 - thickness / 2, 1e-14);
+    // The pressure grows with x: so does the place of the peak, to the end of the disc.
+    EXPECT_NEAR(zones[k].peak_pressure, 2 + zones[k].peak_x[0], 1e-12);
+    EXPECT_NEAR(zones[k].peak_x[0], 0.5 + static_cast<double>(k) + radius, node_distance(GetParam()));
+    EXPECT_GT(zones[k].centre[0], 0.5 + static_cast<double>(k));
+  }
+}
+
+TEST_P(ContactZones, OfARingIsOneBetweenTwoClosedLines) {
+  const Pattern ring = [](const Vector3d& phi) { return std::abs(std::hypot(phi[0] - 1, phi[1] - 0.5) - 0.34) - 0.09; };
+  Scene fine;
+  fine.domain.cells = {32, 16};
+  fine.patterns = {ring};
+  const auto zones = zones_of(fine, GetParam()).front();
+  ASSERT_EQ(zones.size(), 1U);
+  ASSERT_EQ(zones[0].lines.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_TRUE(zones[0].lines[k].is_closed);
+    EXPECT_NEAR(zones[0].lines[k].length, 2 * std::numbers::pi * (k == 0 ? 0.43 : 0.25), 0.15);
+    EXPECT_LT(distance_from(ring, zones[0].lines[k]), 0.2 * node_distance(GetParam()));
+  }
+  EXPECT_EQ(zones[0].rim_length(), 0);
+}
+
+TEST_P(ContactZones, OfAWholePlateIsOneWithTheRimAroundIt) {
+  const auto zones = zones_of([](const Vector3d&) { return -1.0; }, GetParam());
+  ASSERT_EQ(zones.size(), 1U);
+  EXPECT_NEAR(zones[0].area, 2, 1e-12);
+  ASSERT_EQ(zones[0].lines.size(), 1U);
+  EXPECT_TRUE(zones[0].lines[0].is_rim);
+  EXPECT_TRUE(zones[0].lines[0].is_closed);
+  EXPECT_NEAR(zones[0].rim_length(), 6, 1e-12);
+  EXPECT_EQ(zones[0].line_length(), 0);
+  EXPECT_EQ(zones[0].peak_x[0], 2);
+}
+
+TEST_P(ContactZones, ThatReachTheRimHaveALineAcrossTheShellAndOneAlongTheRim) {
+  const double edge = 0.83;
+  const auto zones = zones_of([=](const Vector3d& phi) { return phi[0] - edge; }, GetParam());
+  ASSERT_EQ(zones.size(), 1U);
+  ASSERT_EQ(zones[0].lines.size(), 2U);
+  const ContactLine &across = zones[0].lines[0], &rim = zones[0].lines[1];
+  EXPECT_FALSE(across.is_rim || across.is_closed || rim.is_closed);
+  EXPECT_TRUE(rim.is_rim);
+  for (const BoundaryPoint& p : across.points) EXPECT_NEAR(p.x[0], edge, 1e-10);  // a straight edge is found exactly
+  EXPECT_NEAR(across.length, 1, 1e-10);
+  EXPECT_NEAR(rim.length, 1 + 2 * edge, 1e-10);
+  EXPECT_LT((across.points.front().x - rim.points.front().x).norm(), 1e-10);
+  EXPECT_LT((across.points.back().x - rim.points.back().x).norm(), 1e-10);
+}
+
+TEST_P(ContactZones, OfASingleNodeHasALineAroundIt) {
+  // The middle of a side of a cell, where triangles of degree 2 have a bound, or a corner.
+  const Vector3d node = GetParam().degree % 2 == 0 ? Vector3d(0.75 + 0.0625, 0.5, 0.3) : Vector3d(0.75, 0.5, 0.3);
+  const auto zones = zones_of([=](const Vector3d& phi) { return (phi - node).norm() - 1e-3; }, GetParam());
+  ASSERT_EQ(zones.size(), 1U);
+  EXPECT_EQ(zones[0].nodes, 1);
+  ASSERT_EQ(zones[0].lines.size(), 1U);
+  EXPECT_TRUE(zones[0].lines[0].is_closed);
+  EXPECT_LT((zones[0].centre - (node - Vector3d(0, 0, thickness / 2))).norm(), 1e-12);
+  for (const BoundaryPoint& p : zones[0].lines[0].points)
+    EXPECT_LT((p.place - zones[0].centre).norm(), 2 * node_distance(GetParam()));
+}
+
+TEST_P(ContactZones, OfSeveralObstaclesAreApart) {
+  Scene scene;
+  scene.chart[2] = "0.05";
+  scene.obstacles.push_back({.name = "ceiling",
+                             .shape = obstacle::HalfSpace{.point = {0, 0, 0.1}, .normal = {0, 0, -1}},
+                             .face = obstacle::Face::upper});
+  scene.patterns = {either(disc(0.5, 0.5, 0.3), disc(1.5, 0.5, 0.2)), disc(0.5, 0.5, 0.4)};
+  const auto zones = zones_of(scene, GetParam());
+  ASSERT_EQ(zones.size(), 2U);
+  EXPECT_EQ(zones[0].size(), 2U);
+  ASSERT_EQ(zones[1].size(), 1U);
+  EXPECT_LT(zones[1][0].reaction.force[2], 0);
+  EXPECT_NEAR(zones[1][0].centre[2], 0.1, 1e-14);
+}
+
+/// A tube of radius 1 whose seam lies where a ceiling touches it.
+Scene tube(const Pattern& pattern) {
+  Scene scene;
+  scene.domain = {.to = {2 * std::numbers::pi, 2}, .cells = {40, 16}};
+  scene.chart = {"sin(x)", "y", "cos(x)"};
+  scene.obstacles = {{.name = "ceiling",
+                      .shape = obstacle::HalfSpace{.point = {0, 0, 1.05}, .normal = {0, 0, -1}},
+                      .face = obstacle::Face::upper}};
+  scene.joins = {{{"left", "right"}}};
+  scene.patterns = {pattern};
+  return scene;
+}
+
+TEST_P(ContactZones, GoOnAcrossAJoinedEdge) {
+  const auto arc = [](const Vector3d& phi) { return std::hypot(std::atan2(phi[0], phi[2]), phi[1] - 1) - 0.4; };
+  const auto zones = zones_of(tube(arc), GetParam()).front();
+  ASSERT_EQ(zones.size(), 1U);
+  ASSERT_EQ(zones[0].lines.size(), 1U);
+  const ContactLine& line = zones[0].lines[0];
+  EXPECT_TRUE(line.is_closed);
+  EXPECT_NEAR(zones[0].centre[1], 1, 1e-2);
+  EXPECT_LT(distance_from(arc, line), 0.25 * node_distance(GetParam()));
+  int crossings = 0;
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+    EXPECT_LT((line.points[i + 1].place - line.points[i].place).norm(), 0.25);  // whole in space
+    if (std::abs(line.points[i + 1].x[0] - line.points[i].x[0]) < 6) continue;
+    ++crossings;
+    EXPECT_LT((line.points[i + 1].place - line.points[i].place).norm(), 1e-12);
+  }
+  EXPECT_EQ(crossings, 2);
+}
+
+TEST(ContactZone, OfNothingIsNone) {
+  EXPECT_THAT(zones_of([](const Vector3d&) { return 1.0; }, {fem::Shape::quadrilateral, 2}), testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace plastron::certificate
