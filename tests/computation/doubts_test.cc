@@ -54,6 +54,34 @@ TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
   }
 }
 
+/// A dome under a box with sharp edges whose lowest side lies `depth` below the apex.
+Problem dome_under_box(double depth) {
+  Problem p = with_chart(free_plate(), {"x", "y", "-1.025 + sqrt(1 - x^2 - y^2)"}, {});
+  p.domain = fem::Disk{.radius = std::sin(0.5)};
+  p.sections.common.thickness = Expression(0.05);
+  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.supports = {clamped("rim")};
+  p.area_loads.clear();
+  p.obstacles = {obstacle::Obstacle{
+      .name = "box", .shape = obstacle::Box{.centre = {0.03, 0.02, 0.15 - depth}, .size = {0.2, 0.3, 0.3}}}};
+  p.discretisation = {.degree = 2, .refinements = 1};
+  return p;
+}
+
+TEST(ABoxThatBeginsDeepInside, PushesNodesOutThroughItsWallsWhichIsTold) {
+  EXPECT_THAT(solve(dome_under_box(0.03), MPI_COMM_SELF).warnings,
+              Contains(AllOf(HasSubstr("deep inside of \"box\""), HasSubstr("[[step]]"))));
+  EXPECT_THAT(solve(dome_under_box(0.01), MPI_COMM_SELF).warnings, Not(Contains(HasSubstr("sideways"))));
+  // The same depth by steps: no sideways force.
+  Problem slowly = dome_under_box(0);
+  slowly.steps = {{.name = "down", .parts = 6}};
+  slowly.obstacles[0].motions = {{.translation = {0, 0, -0.03}}};
+  const Result r = solve(slowly, MPI_COMM_SELF);
+  EXPECT_THAT(r.warnings, Not(Contains(HasSubstr("sideways"))));
+  const auto force = r.summary.reaction.force;
+  EXPECT_LT(force.head<2>().norm(), 0.1 * std::abs(force[2]));
+}
+
 TEST(Penetration, between_nodes_is_told_where_the_mesh_is_too_coarse) {
   const Result coarse = solve(bumpy_plate(2, 0.12), MPI_COMM_SELF);
   EXPECT_THAT(coarse.warnings, Contains(HasSubstr("between its nodes")));

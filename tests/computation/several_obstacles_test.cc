@@ -127,7 +127,7 @@ TEST(ATubeBetweenPlates, GetsShorterAsARingDoes) {
   p.supports = {in_plane("bottom"), in_plane("top")};
   for (const double x : {0.0, -pi})
     p.supports.push_back(
-        {.point = Eigen::Vector2d(x, length / 2), .components = {fixed(Unknown::displacement, Direction::x)}});
+        {.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(x, length / 2)});
   p.obstacles = {{.name = "floor"},
                  {.name = "plate",
                   .shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}},

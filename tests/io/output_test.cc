@@ -20,8 +20,9 @@ using testing::UnorderedElementsAre;
 using testing::UnorderedElementsAreArray;
 
 /// What a run with contact leaves.
-const std::vector<std::string> all_files{"results.json",      "solution.vtu",         "solution.pvd",
-                                         "solution.plastron", "contact-boundary.csv", "contact-boundary.vtu"};
+const std::vector<std::string> all_files{"results.json",        "solution.vtu",      "obstacles.vtu",
+                                         "solution.pvd",        "solution.plastron", "contact-boundary.csv",
+                                         "contact-boundary.vtu"};
 
 TEST(Output, of_a_solved_problem_is_five_files_that_agree) {
   const ScratchDirectory scratch("output");
@@ -29,13 +30,17 @@ TEST(Output, of_a_solved_problem_is_five_files_that_agree) {
   write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
   EXPECT_THAT(scratch.names(), UnorderedElementsAreArray(all_files));
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
-  EXPECT_EQ(json["files"], Json({"solution.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
-                                 "contact-boundary.vtu"}));
+  EXPECT_EQ(json["files"], Json({"solution.vtu", "obstacles.vtu", "solution.plastron", "solution.pvd",
+                                 "contact-boundary.csv", "contact-boundary.vtu"}));
   EXPECT_EQ(json["status"], Json("solved"));
   EXPECT_EQ(json["ranks"], Json(world_size()));
   EXPECT_EQ(json["levels"].back()["cells"], Json(read_vtu(scratch.path / "solution.vtu").cells));
   for (const Json& file : json["files"]) EXPECT_TRUE(std::filesystem::exists(scratch.path / file.get<std::string>()));
-  EXPECT_NE(text_of(scratch.path / "solution.pvd").find("file=\"solution.vtu\""), std::string::npos);
+  const std::string series = text_of(scratch.path / "solution.pvd");
+  EXPECT_NE(series.find("part=\"0\" file=\"solution.vtu\""), std::string::npos);
+  EXPECT_NE(series.find("part=\"1\" file=\"obstacles.vtu\""), std::string::npos);
+  const std::string table = text_of(scratch.path / "obstacles.vtu");  // a half-space is a rectangle
+  EXPECT_NE(table.find("NumberOfPoints=\"4\" NumberOfCells=\"2\""), std::string::npos);
 }
 
 TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
@@ -49,6 +54,7 @@ TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
   output.finish(result, {.title = "plate", .settings = {}, .files = {}});
   EXPECT_THAT(scratch.names(),
               UnorderedElementsAre("results.json", "solution-0001.vtu", "solution-0002.vtu", "solution-0003.vtu",
+                                   "obstacles-0001.vtu", "obstacles-0002.vtu", "obstacles-0003.vtu", "obstacles.vtu",
                                    "solution.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
                                    "contact-boundary.vtu", "history.csv", "history.svg"));
   EXPECT_EQ(text_of(scratch.path / "solution-0003.vtu"), text_of(scratch.path / "solution.vtu"));

@@ -39,14 +39,14 @@ TEST(Obstacle, answers_with_the_derivatives_of_its_distance) {
   const Vector3d X(0.7, -0.4, 1.1);
   for (const Shape& shape : {Shape(slope()), Shape(Ball{.centre = {0.1, 0.2, -0.3}, .radius = 0.5}),
                              Shape(Ball{.centre = {0.1, 0.2, -0.3}, .radius = 4, .inside = true})}) {
-    const Obstacle body{.shape = shape, .translation = {0.2, 0.1, -0.3}};
-    const Nearest at = body.nearest(X, 0.5);
+    const Obstacle body{.shape = shape, .placement = {.translation = {0.1, 0.05, -0.15}}};
+    const Nearest at = body.nearest(X);
     EXPECT_GT(at.distance, 0);
     EXPECT_NEAR(at.normal.norm(), 1, 1e-15);
     constexpr double h = 1e-5;
     for (int k = 0; k < 3; ++k) {
       const Vector3d step = h * Vector3d::Unit(k);
-      const Nearest ahead = body.nearest(X + step, 0.5), behind = body.nearest(X - step, 0.5);
+      const Nearest ahead = body.nearest(X + step), behind = body.nearest(X - step);
       EXPECT_NEAR((ahead.distance - behind.distance) / (2 * h), at.normal[k], 1e-9);
       EXPECT_LT(((ahead.normal - behind.normal) / (2 * h) - at.curvature.col(k)).norm(), 1e-8);
     }
@@ -54,11 +54,11 @@ TEST(Obstacle, answers_with_the_derivatives_of_its_distance) {
 }
 
 TEST(Obstacle, goes_its_way_in_proportion_to_time) {
-  const Obstacle body{.shape = slope(), .translation = {0.2, 0.1, -0.3}};
-  const Vector3d X(0.7, -0.4, 1.1);
+  const Vector3d way(0.2, 0.1, -0.3), X(0.7, -0.4, 1.1);
+  const Obstacle body{.shape = slope(), .motions = {{.translation = way}}};
   for (const double time : {0.0, 0.25, 1.0})
-    EXPECT_NEAR(body.nearest(X + time * body.translation, time).distance, slope().nearest(X).distance, 1e-15);
-  EXPECT_GT(std::abs(body.nearest(X, 1).distance - body.nearest(X, 0).distance), 0.1);
+    EXPECT_NEAR(body.standing(time).nearest(X + time * way).distance, slope().nearest(X).distance, 1e-15);
+  EXPECT_GT(std::abs(body.standing(1).nearest(X).distance - body.standing(0).nearest(X).distance), 0.1);
 }
 
 TEST(Gap, of_a_plate_over_a_table_is_the_height_of_its_face) {

@@ -12,6 +12,10 @@ namespace plastron::computation {
 /// Rotations or displacements so large that strains linear in them are wrong.
 std::vector<std::string> linear_model_warnings(const certificate::Summary& summary);
 
+/// Nodes that were deep inside of an obstacle and were pushed out of it along the shell and not across it: their nearest surface at the
+/// start may have been the wrong one (collective).
+std::vector<std::string> sideways_warnings(const Solution& solution);
+
 /// Sets the limits of the result's certificate. A row beyond its limit makes a solved result inaccurate, and is named.
 void judge_certificate(Result& result);
 

@@ -69,6 +69,7 @@ class Computation {
     if (result_.solution && problem_.steps.empty()) judge_certificate(result_);
     if (result_.solution) {
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
+      warn(sideways_warnings(*result_.solution), observer_, result_);
       warn(point_support_warnings(result_, problem_.supports), observer_, result_);
       add_contact_zones(result_);
       result_.probes = probe(*result_.solution, problem_.probes);
@@ -168,7 +169,7 @@ class Computation {
     result_.certificate = level.verdict.certificate;
     latest_ = std::move(level.record);
     result_.solution = std::move(level.solution);
-    if (is_beyond_linear_) return;
+    if (is_beyond_linear_ || result_.status != contact::Status::solved) return;  // what is no solution says nothing
     auto warnings = linear_model_warnings(result_.summary);
     is_beyond_linear_ = !warnings.empty();
     warn(std::move(warnings), observer_, result_);

@@ -1,12 +1,13 @@
 #include <plastron/io/output.hpp>
 
 #include <plastron/io/atomic_file.hpp>
+#include <plastron/io/contact_boundary.hpp>
 #include <plastron/io/history.hpp>
+#include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/plot.hpp>
+#include <plastron/io/solution_file.hpp>
 
 #include <fmt/format.h>
-#include <plastron/io/contact_boundary.hpp>
-#include <plastron/io/solution_file.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +31,20 @@ Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm 
 }
 
 void Output::add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution) {
-  if (!can_be_drawn(solution, files_.comm())) return;
-  instants_.push_back({entry.time, fmt::format("{}-{:04}.vtu", base_name_, instants_.size() + 1)});
-  names_.push_back(instants_.back().file_name);
-  add_vtu(solution, directory_ / names_.back(), files_);
+  if (can_be_drawn(solution, files_.comm())) add_fields(solution, entry.time, fmt::format("-{:04}", ++instants_), true);
+}
+
+/// The shell and the obstacles, as parts of the time series if they are for that.
+void Output::add_fields(const computation::Solution& solution, double time, const std::string& suffix,
+                        bool is_in_series) {
+  const auto keep = [&](const std::string& name, int part) {
+    names_.push_back(name);
+    if (is_in_series) series_.push_back({time, name, part});
+  };
+  const std::string shell = base_name_ + suffix + ".vtu", obstacles = "obstacles" + suffix + ".vtu";
+  add_vtu(solution, directory_ / shell, files_);
+  keep(shell, 0);
+  if (add_obstacle_surfaces(solution, directory_ / obstacles, files_)) keep(obstacles, 1);
 }
 
 /// Written by the first rank alone.
@@ -51,16 +62,14 @@ void Output::add_history(const computation::Result& result) {
 
 void Output::finish(const computation::Result& result, Provenance provenance) {
   if (result.solution && can_be_drawn(*result.solution, files_.comm())) {
-    names_.push_back(base_name_ + ".vtu");
-    add_vtu(*result.solution, directory_ / names_.back(), files_);
-    if (instants_.empty()) instants_.push_back({0, names_.back()});
+    add_fields(*result.solution, 0, "", series_.empty());
     provenance.solution = base_name_ + ".plastron";
     names_.push_back(provenance.solution);
     add_solution(*result.solution, directory_ / provenance.solution, files_);
   }
-  if (!instants_.empty()) {
+  if (!series_.empty()) {
     names_.push_back(base_name_ + ".pvd");
-    add_pvd(instants_, directory_ / names_.back(), files_);
+    add_pvd(series_, directory_ / names_.back(), files_);
   }
   std::vector<std::string> boundary;
   if (result.solution) boundary = add_contact_boundary(result.summary, directory_, files_);

@@ -9,7 +9,8 @@ namespace plastron::io {
 /// collective and throw std::runtime_error.
 class Output {
  public:
-  /// Makes the directory. Files of fields are base_name.vtu, .pvd and, of instants, base_name-0001.vtu and so on.
+  /// Makes the directory. Files of fields are base_name.vtu, obstacles.vtu, base_name.pvd that names both, and of instants
+  /// base_name-0001.vtu and so on.
   Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm);
 
   /// The fields of an instant of the steps (computation::Observer::instant).
@@ -21,13 +22,15 @@ class Output {
   void finish(const computation::Result& result, Provenance provenance);
 
  private:
+  void add_fields(const computation::Solution& solution, double time, const std::string& suffix, bool is_in_series);
   void add_text(const std::string& name, const Piece& text);
   void add_history(const computation::Result& result);
 
   std::filesystem::path directory_;
   std::string base_name_;
   AtomicFiles files_;
-  std::vector<DataSet> instants_{};
+  std::vector<DataSet> series_{};
+  int instants_ = 0;
   std::vector<std::string> names_{};
 };
 

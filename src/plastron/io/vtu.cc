@@ -96,7 +96,7 @@ dealii::DataOutBase::VtkFlags flags_of(const std::vector<Field>& present) {
 std::string pvd_text(const std::vector<DataSet>& sets) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   for (const DataSet& set : sets)
-    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", set.time, set.file_name);
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", set.time, set.part, set.file_name);
   return text + "  </Collection>\n</VTKFile>\n";
 }
 

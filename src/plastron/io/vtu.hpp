@@ -18,6 +18,7 @@ void add_vtu(const computation::Solution& solution, const std::filesystem::path&
 struct DataSet {
   double time = 0;
   std::string file_name;
+  int part = 0;  ///< 0 the shell, 1 the obstacles
 };
 /// Adds a .pvd file that names them (collective). Throws std::runtime_error.
 void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path, AtomicFiles& files);

@@ -1,0 +1,84 @@
+#include <plastron/io/obstacle_surfaces.hpp>
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace plastron::io {
+
+namespace {
+
+using Eigen::Vector3d;
+
+std::string data_array(std::string_view attributes, const std::string& values) {
+  return fmt::format("        <DataArray {} format=\"ascii\">\n{}        </DataArray>\n", attributes, values);
+}
+
+/// The arrays of a file, obstacle after obstacle.
+struct Triangles {
+  std::string points{}, corners{}, ends{}, types{}, owners{};
+  std::size_t point_count = 0, count = 0;
+
+  void add(const obstacle::TriangleMesh& mesh, std::size_t owner) {
+    constexpr int vtk_triangle = 5;
+    for (const Vector3d& p : mesh.points) points += fmt::format("{:.9g} {:.9g} {:.9g}\n", p[0], p[1], p[2]);
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto first = static_cast<long long>(point_count);
+      corners += fmt::format("{} {} {}\n", first + a, first + b, first + c);
+      ends += fmt::format("{}\n", 3 * ++count);
+      types += fmt::format("{}\n", vtk_triangle);
+      owners += fmt::format("{}\n", owner);
+    }
+    point_count += mesh.points.size();
+  }
+};
+
+}  // namespace
+
+obstacle::Extent surroundings(const computation::Solution& solution) {
+  const assembly::DiscreteShell& discrete = *solution.discrete;
+  const MPI_Comm comm = discrete.space().layout->comm;
+  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (std::size_t i = 0; i < discrete.points.size(); ++i) {
+    const Vector3d at = discrete.points[i].phi + Eigen::Map<const Vector3d>(&solution.nodal.y.local()[6 * i]);
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+  }
+  for (int k = 0; k < 3; ++k) {
+    low[k] = algebra::min_over_ranks(low[k], comm);
+    high[k] = algebra::max_over_ranks(high[k], comm);
+  }
+  const Vector3d margin = Vector3d::Constant((high - low).norm() / 2);
+  return {low - margin, high + margin};
+}
+
+std::string obstacle_surfaces_vtu(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent) {
+  Triangles all;
+  for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
+    const bool is_drawn = obstacles.all[k].is_for_both && obstacles.all[k].face == obstacle::Face::upper;
+    if (!is_drawn) all.add(obstacle::surface_mesh(obstacles.now(k), extent), k);
+  }
+  return fmt::format(
+             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\n  <UnstructuredGrid>\n"
+             "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+             all.point_count, all.count) +
+         "      <Points>\n" + data_array(R"(type="Float64" NumberOfComponents="3")", all.points) +
+         "      </Points>\n      <Cells>\n" + data_array(R"(type="Int64" Name="connectivity")", all.corners) +
+         data_array(R"(type="Int64" Name="offsets")", all.ends) +
+         data_array(R"(type="UInt8" Name="types")", all.types) + "      </Cells>\n      <CellData>\n" +
+         data_array(R"(type="Int64" Name="obstacle")", all.owners) +
+         "      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
+}
+
+bool add_obstacle_surfaces(const computation::Solution& solution, const std::filesystem::path& path,
+                           AtomicFiles& files) {
+  if (solution.discrete->obstacles.empty()) return false;
+  int rank = 0;
+  MPI_Comm_rank(files.comm(), &rank);
+  const obstacle::Extent extent = surroundings(solution);
+  files.add(path,
+            [&] { return rank == 0 ? obstacle_surfaces_vtu(solution.discrete->obstacles, extent) : std::string(); });
+  return true;
+}
+
+}  // namespace plastron::io
