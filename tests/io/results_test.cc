@@ -41,6 +41,8 @@ computation::Result some_result(bool has_obstacle) {
   result.probes = {{"a point", some_point()}};
   result.levels.push_back(
       {.cells = 3'000'000'000, .history = {{.active = 7, .safeguarded = true}}, .seconds = {.mesh = 2, .assembly = 3}});
+  result.history.push_back(
+      {.step = "press", .time = 1, .level = result.levels.back(), .summary = result.summary, .probes = result.probes});
   return result;
 }
 
@@ -132,11 +134,11 @@ TEST(Results, penetration_is_the_negative_part_of_the_gap_between_nodes) {
 /// '*'.
 void collect(const Json& json, const std::string& path, std::map<std::string, bool>& paths) {
   if (json.is_object())
-    for (const auto& [key, value] : json.items()) collect(value, path + "/" + (path == "/probes" ? "*" : key), paths);
+    for (const auto& [key, value] : json.items()) collect(value, path + "/" + (path.ends_with("/probes") ? "*" : key), paths);
   else if (json.is_array() && !json.empty() && json[0].is_object())
     for (const Json& value : json) collect(value, path + "/*", paths);
   else
-    paths[path.substr(1)] = json.is_number() || (json.is_array() && json[0].is_number());
+    paths[path.substr(1)] = json.is_number() || (json.is_array() && !json.empty() && json[0].is_number());
 }
 
 TEST(Results, state_a_unit_for_every_number) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace plastron::assembly {
 
@@ -175,7 +176,10 @@ ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std:
     return ContactCoordinates{columns ? *columns : without_gaps(u, r), {columns ? ContactPlace{0, 1} : ContactPlace{}}};
   }
   const GapRows rows(gaps, u, r);
-  const Choice choice = choose(rows, order);
+  std::vector<std::size_t> as_given(gaps.size());
+  std::iota(as_given.begin(), as_given.end(), 0);
+  Choice choice = choose(rows, as_given);
+  if (std::ranges::any_of(choice.places, &ContactPlace::is_left_out)) choice = choose(rows, order);
   result.places = choice.places;
   if (choice.coordinates.empty()) {
     result.columns = without_gaps(u, r);

@@ -30,7 +30,7 @@ struct ContactCoordinates {
 std::array<Vector3d, 2> across(const Vector3d& n);
 
 /// `u`, `r`: orthonormal bases of the displacements and rotations that supports leave free; `order`: of the gaps, the one that matters
-/// most first.
+/// most first. It decides only where some must be left out: elsewhere the gaps' own order does.
 ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std::span<const std::size_t> order,
                                        const std::vector<Vector3d>& u, const std::vector<Vector3d>& r);
 

@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/ties.hpp>
 #include <plastron/obstacle/error.hpp>
@@ -29,20 +30,6 @@ void pack(const NodeCoordinates& node, bool supported, double* out) {
     out[42 + k] = node.upper[k];
   }
   out[48] = supported;
-}
-
-/// The largest extent of the shell along an axis [m] (collective).
-double extent(const std::vector<NodalPoint>& points, MPI_Comm comm) {
-  double largest = 0;
-  for (int k = 0; k < 3; ++k) {
-    double low = infinity, high = -infinity;
-    for (const NodalPoint& p : points) {
-      low = std::min(low, p.phi[k]);
-      high = std::max(high, p.phi[k]);
-    }
-    largest = std::max(largest, algebra::max_over_ranks(high, comm) - algebra::min_over_ranks(low, comm));
-  }
-  return largest;
 }
 
 /// No coordinates of its own: columns of zeros, held at zero.
@@ -77,7 +64,9 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   for (const fem::Tie& tie : space.ties) coordinates.tied[static_cast<std::size_t>(tie.node)] = 1;
   auto node_support = node_supports(space, surface, points, supports);
   hand_to_masters(space, node_support);
-  const double size = extent(points, space.layout->comm);
+  const double size = bounding_box(
+                          points.size(), [&](std::size_t i) { return points[i].phi; }, space.layout->comm)
+                          .longest_side();
   algebra::Vector packed(space.layout, packed_size);
   std::vector<obstacle::Gap> gaps(obstacles.all.size());
   algebra::in_agreement<SupportError, obstacle::ObstacleError>(space.layout->comm, [&] {

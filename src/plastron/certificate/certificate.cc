@@ -1,5 +1,6 @@
 #include <plastron/certificate/certificate.hpp>
 
+#include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/fem/ties.hpp>
@@ -61,17 +62,8 @@ struct StrainScale {
 
 /// Half the diagonal of the box that holds the nodes of all ranks.
 double size_of(const assembly::DiscreteShell& discrete) {
-  const MPI_Comm comm = discrete.space().layout->comm;
-  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const assembly::NodalPoint& p : discrete.points) {
-    low = low.cwiseMin(p.phi);
-    high = high.cwiseMax(p.phi);
-  }
-  for (int k = 0; k < 3; ++k) {
-    low[k] = algebra::min_over_ranks(low[k], comm);
-    high[k] = algebra::max_over_ranks(high[k], comm);
-  }
-  return (high - low).norm() / 2;
+  const auto place = [&](std::size_t i) { return discrete.points[i].phi; };
+  return assembly::bounding_box(discrete.points.size(), place, discrete.space().layout->comm).half_diagonal();
 }
 
 /// Sums over the owned nodes of one rank.

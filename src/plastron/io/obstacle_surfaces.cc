@@ -1,8 +1,8 @@
 #include <plastron/io/obstacle_surfaces.hpp>
 
-#include <fmt/format.h>
+#include <plastron/assembly/bounding_box.hpp>
 
-#include <limits>
+#include <fmt/format.h>
 
 namespace plastron::io {
 
@@ -37,17 +37,10 @@ struct Triangles {
 
 obstacle::Extent surroundings(const computation::Solution& solution) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
-  const MPI_Comm comm = discrete.space().layout->comm;
-  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (std::size_t i = 0; i < discrete.points.size(); ++i) {
-    const Vector3d at = discrete.points[i].phi + Eigen::Map<const Vector3d>(&solution.nodal.y.local()[6 * i]);
-    low = low.cwiseMin(at);
-    high = high.cwiseMax(at);
-  }
-  for (int k = 0; k < 3; ++k) {
-    low[k] = algebra::min_over_ranks(low[k], comm);
-    high[k] = algebra::max_over_ranks(high[k], comm);
-  }
+  const auto place = [&](std::size_t i) -> Vector3d {
+    return discrete.points[i].phi + Eigen::Map<const Vector3d>(&solution.nodal.y.local()[6 * i]);
+  };
+  const auto [low, high] = assembly::bounding_box(discrete.points.size(), place, discrete.space().layout->comm);
   const Vector3d margin = Vector3d::Constant((high - low).norm() / 2);
   return {low - margin, high + margin};
 }

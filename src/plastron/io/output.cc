@@ -61,7 +61,8 @@ void Output::add_history(const computation::Result& result) {
 }
 
 void Output::finish(const computation::Result& result, Provenance provenance) {
-  if (result.solution && can_be_drawn(*result.solution, files_.comm())) {
+  const bool is_drawn = result.solution && can_be_drawn(*result.solution, files_.comm());
+  if (is_drawn) {
     add_fields(*result.solution, 0, "", series_.empty());
     provenance.solution = base_name_ + ".plastron";
     names_.push_back(provenance.solution);
@@ -72,7 +73,7 @@ void Output::finish(const computation::Result& result, Provenance provenance) {
     add_pvd(series_, directory_ / names_.back(), files_);
   }
   std::vector<std::string> boundary;
-  if (result.solution) boundary = add_contact_boundary(result.summary, directory_, files_);
+  if (is_drawn) boundary = add_contact_boundary(result.summary, directory_, files_);
   names_.insert(names_.end(), boundary.begin(), boundary.end());
   if (!result.history.empty()) add_history(result);
   if (provenance.source) {

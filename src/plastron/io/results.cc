@@ -102,7 +102,8 @@ Json units_json() {
   add_units(units, "history/*/", history_quantities());
   add_units(units, "history/*/obstacles/*/", obstacle_quantities());
   add_units(units, "obstacles/*/zones/*/", zone_quantities());
-  for (const Field& field : fields()) units["probes/*/" + std::string(field.key)] = field.unit;
+  for (const char* of : {"probes/*/", "history/*/probes/*/"})
+    for (const Field& field : fields()) units[std::string(of).append(field.key)] = field.unit;
   add_units(units, "certificate/", certificate_quantities());
   add_units(units, "levels/*/", level_quantities());
   add_units(units, "levels/*/history/*/", iteration_quantities());
