@@ -137,6 +137,26 @@ TEST(Verify, PassesEveryFormulationTrianglesAndCurvedObstacles) {
   expect_passed(Ran(plate + mesh("")));
 }
 
+TEST(Verify, PassesStepsAndPressedObstaclesAndSeesAnotherWay) {
+  const std::string pressed_ball =
+      "[[obstacle]]\nname = \"ball\"\nball = { centre = [0.5, 0.5, 0.6], radius = 0.5 }\nforce = [0, 0, -2e-6]\n";
+  const std::string steps =
+      "[[step]]\nparts = 2\n[[step.move]]\nobstacle = \"post\"\ntranslate = [0, 0, 0.001]\n[[step]]\nloads = 0.5\n";
+  const std::string post = "[[obstacle]]\nname = \"post\"\nball = { centre = [0.2, 0.5, -0.5], radius = 0.5 }\n";
+  expect_passed(Ran(plate + pressed_ball + mesh("")));
+  const Ran ran(plate + post + pressed_ball + steps + mesh(""));
+  expect_passed(ran);
+  // How far the ball has come stands after the header and the post's two numbers.
+  std::string solution = text_of(ran.file("solution.plastron"));
+  double way[2] = {};
+  std::memcpy(way, solution.data() + 64 + 16, sizeof way);
+  EXPECT_GT(std::abs(way[0] + way[1]), 1e-3);
+  way[1] += 1e-3;
+  std::memcpy(solution.data() + 64 + 16, way, sizeof way);
+  write_bytes(ran.file("solution.plastron"), solution);
+  expect_failed(ran, "");
+}
+
 TEST(Verify, SaysNothingWhenQuietButWhatFails) {
   const Ran ran(plate + plane + mesh(""));
   const Outcome good = ran.verify({"--quiet", "--threads", "1"});

@@ -134,7 +134,8 @@ TEST(Results, penetration_is_the_negative_part_of_the_gap_between_nodes) {
 /// '*'.
 void collect(const Json& json, const std::string& path, std::map<std::string, bool>& paths) {
   if (json.is_object())
-    for (const auto& [key, value] : json.items()) collect(value, path + "/" + (path.ends_with("/probes") ? "*" : key), paths);
+    for (const auto& [key, value] : json.items())
+      collect(value, path + "/" + (path.ends_with("/probes") ? "*" : key), paths);
   else if (json.is_array() && !json.empty() && json[0].is_object())
     for (const Json& value : json) collect(value, path + "/*", paths);
   else

@@ -38,6 +38,16 @@ Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSoluti
   verification.membership = membership_rows(problem, *found.discrete, found.nodal, verdict.summary);
   result.probes = probe(found, problem.probes);
   result.solution = std::move(found);
+  if (!problem.steps.empty()) {
+    const Instant end = instants(problem).back();
+    result.history.push_back({.step = problem.steps.back().name,
+                              .time = end.time,
+                              .load_factor = end.load_factor,
+                              .status = result.status,
+                              .level = result.levels.back(),
+                              .summary = result.summary,
+                              .probes = result.probes});
+  }
   add_contact_zones(result);
   return verification;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace plastron::io {
 
@@ -18,6 +19,11 @@ constexpr std::array recomputed_parts{"formulation", "energy",           "energy
 constexpr std::array recomputed_of_level{
     "cells",    "nodes",        "unknowns", "active",       "gap_error",           "energy",
     "reaction", "contact_area", "min_gap",  "max_rotation", "max_normal_rotation", "multiplier_norm"};
+
+/// Of the last level where there are steps: its solution is that of the first instant.
+constexpr std::array recomputed_of_mesh{"cells", "nodes", "unknowns"};
+/// What an entry of the history tells of how it was found.
+constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations"};
 
 /// Walks through what was recomputed and looks at what is claimed in its place.
 class Walk {
@@ -40,7 +46,7 @@ class Walk {
 
   void compare_object(const std::string& path, const std::string& pattern, const Json& recomputed,
                       const Json& claimed) {
-    const bool are_probes = pattern == "probes";
+    const bool are_probes = pattern.ends_with("probes");
     for (const auto& [name, value] : recomputed.items())
       compare(path + "." + name, pattern + "/" + (are_probes ? "*" : name), value,
               claimed.is_object() && claimed.contains(name) ? claimed[name] : Json());
@@ -146,14 +152,20 @@ std::vector<Comparison> compare_numbers(const Json& claimed, const computation::
   };
   for (const char* part : recomputed_parts) walk.compare(part, part, ours[part], of(claimed, part));
   compare_limits(ours["certificate_limits"], of(claimed, "certificate_limits"), tolerances.rounding, found);
-  const auto last = [&of](const Json& json) {
-    const Json levels = of(json, "levels");
-    return levels.is_array() && !levels.empty() ? levels.back() : Json();
+  const auto last = [&of](const Json& json, const char* name) {
+    const Json list = of(json, name);
+    return list.is_array() && !list.empty() ? list.back() : Json();
   };
-  const Json our_level = last(ours), their_level = last(claimed);
-  for (const char* part : recomputed_of_level)
+  const Json our_level = last(ours, "levels"), their_level = last(claimed, "levels");
+  const bool has_steps = !recomputed.history.empty();
+  for (const char* part : has_steps ? std::span<const char* const>(recomputed_of_mesh) : recomputed_of_level)
     walk.compare(fmt::format("levels[last].{}", part), fmt::format("levels/*/{}", part), of(our_level, part),
                  of(their_level, part));
+  if (has_steps) {
+    Json instant = last(ours, "history");
+    for (const char* part : not_recomputed_of_instant) instant.erase(part);
+    walk.compare("history[last]", "history/*", instant, last(claimed, "history"));
+  }
   return found;
 }
 

@@ -11,7 +11,7 @@ namespace plastron::io {
 /// obstacle's or probe's name in place of its number, components of vectors as _x, _y, _z. Values that are not finite are empty.
 std::string history_csv(const computation::Result& result);
 
-/// The force of each obstacle on the shell over the way that it has come; over the time where none has moved.
+/// The force of each obstacle on the shell over the longest way that one has come; over the time where none has moved.
 study::Plot history_plot(const computation::Result& result);
 
 }  // namespace plastron::io
