@@ -63,6 +63,7 @@ std::vector<double> Border::solve(std::span<const double> r) const {
 std::optional<Border::Nearest> Border::nearest(std::span<const double> to, const std::vector<std::vector<double>>& rows,
                                                std::span<const double> values) const {
   std::vector<std::vector<double>> answers;
+  answers.reserve(rows.size());
   for (const auto& row : rows) answers.push_back(solve(row));
   SmallMatrix compliance(rows.size());
   std::vector<double> excess;

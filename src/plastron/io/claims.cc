@@ -54,7 +54,7 @@ class Entries {
   }
   /// The name of a file beside results.json.
   std::string file_name(const char* name) const {
-    const std::string file = text(name);
+    std::string file = text(name);
     if (file.empty() || std::filesystem::path(file).filename() != file) refuse(name);
     return file;
   }

@@ -48,7 +48,7 @@ class Walk {
                       const Json& claimed) {
     const bool are_probes = pattern.ends_with("probes");
     for (const auto& [name, value] : recomputed.items())
-      compare(path + "." + name, pattern + "/" + (are_probes ? "*" : name), value,
+      compare(fmt::format("{}.{}", path, name), fmt::format("{}/{}", pattern, are_probes ? "*" : name), value,
               claimed.is_object() && claimed.contains(name) ? claimed[name] : Json());
   }
 
@@ -106,7 +106,7 @@ void compare_settings(const std::string& path, const Json& claimed, const Json& 
                       std::vector<Comparison>& found) {
   if (claimed.is_object() && of_case.is_object()) {
     for (const auto& [name, value] : of_case.items())
-      if (claimed.contains(name)) compare_settings(path + "." + name, claimed[name], value, found);
+      if (claimed.contains(name)) compare_settings(fmt::format("{}.{}", path, name), claimed[name], value, found);
   } else if (claimed.is_array() && of_case.is_array() && claimed.size() == of_case.size()) {
     for (std::size_t i = 0; i < of_case.size(); ++i)
       compare_settings(fmt::format("{}[{}]", path, i), claimed[i], of_case[i], found);

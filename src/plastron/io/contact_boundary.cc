@@ -9,6 +9,7 @@ namespace plastron::io {
 
 namespace {
 
+constexpr int poly_line = 4;  // VTK_POLY_LINE
 constexpr std::array names{"contact-boundary.csv", "contact-boundary.vtu"};
 
 /// Calls visit(obstacle, zone, line number, line) for every line.
@@ -63,7 +64,6 @@ std::string line_arrays(const certificate::Summary& summary) {
                       });
   };
   std::size_t end = 0, next = 0;
-  constexpr int poly_line = 4;  // VTK_POLY_LINE
   return "      <Cells>\n" +
          data_array(summary, R"(type="Int64" Name="connectivity")", true,
                     [&](auto, auto, auto, const ContactLine&, auto) { return fmt::format("{}", next++); }) +

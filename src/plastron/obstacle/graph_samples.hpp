@@ -31,8 +31,8 @@ class GraphSamples {
     double spacing() const;
     Eigen::Vector2d corner() const { return side * spacing() * Eigen::Vector2d(i, j); }
     Eigen::Vector2d place(std::size_t sample) const {
-      return corner() + spacing() * Eigen::Vector2d(0.5 + static_cast<double>(sample / side),
-                                                    0.5 + static_cast<double>(sample % side));
+      const std::size_t row = sample / side, column = sample % side;
+      return corner() + spacing() * Eigen::Vector2d(0.5 + static_cast<double>(row), 0.5 + static_cast<double>(column));
     }
   };
 
