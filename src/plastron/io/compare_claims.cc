@@ -12,9 +12,10 @@ namespace plastron::io {
 namespace {
 
 /// Parts of results.json that follow from the solution. The others tell how it was found, or by whom.
-constexpr std::array recomputed_parts{"formulation", "energy",           "energy_parts", "load_work",  "loads",
-                                      "reaction",    "support_reaction", "size",         "tangency",   "point_supports",
-                                      "contact",     "obstacles",        "probes",       "certificate"};
+constexpr std::array recomputed_parts{"formulation", "energy",         "energy_parts",     "load_work",
+                                      "loads",       "reaction",       "support_reaction", "size",
+                                      "tangency",    "point_supports", "contact",          "obstacles",
+                                      "probes",      "certificate",    "stress",           "supports"};
 /// Likewise of the last of its levels.
 constexpr std::array recomputed_of_level{
     "cells",    "nodes",        "unknowns", "active",       "gap_error",           "energy",
