@@ -1,21 +1,42 @@
 #include <plastron/computation/stress_peak.hpp>
 
-#include <array>
-#include <cstring>
-#include <tuple>
+#include <plastron/assembly/bounding_box.hpp>
+#include <plastron/certificate/place_order.hpp>
 
 namespace plastron::computation {
 
 namespace {
 
-/// Whether a is to be preferred: larger, or equal and first.
-bool is_beyond(const StressPeak& a, const StressPeak& b) {
-  return std::tuple(-a.von_mises, a.x[0], a.x[1]) < std::tuple(-b.von_mises, b.x[0], b.x[1]);
-}
+/// Stresses in this part of the largest one are equal up to rounding.
+constexpr double same = 1 - 1e-9;
 
 StressPeak peak_of(const recovery::PointValues& point) {
   const auto largest = shell::largest_von_mises(recovery::section_forces(point));
   return {.von_mises = largest.stress, .height = largest.height, .x = point.x, .position = point.phi};
+}
+
+/// The largest ones of this rank, equal up to rounding.
+std::vector<StressPeak> local_peaks(const Solution& solution) {
+  const fem::Space& space = solution.discrete->space();
+  const recovery::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(space.shape(), space.degree),
+                                    solution.recovery);
+  std::vector<StressPeak> peaks;
+  double most = 0;
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+    for (const recovery::PointValues& point : recovery(cell)) {
+      const StressPeak here = peak_of(point);
+      if (!(here.von_mises > 0) || here.von_mises < same * most) continue;
+      most = std::max(most, here.von_mises);
+      peaks.push_back(here);
+    }
+  std::erase_if(peaks, [&](const StressPeak& peak) { return peak.von_mises < same * most; });
+  return peaks;
+}
+
+/// Whether a's place comes first; of one place, the upper face.
+bool is_before(const StressPeak& a, const StressPeak& b, double size) {
+  const auto first = certificate::in_units(a.position, size), second = certificate::in_units(b.position, size);
+  return first != second ? first < second : a.height > b.height;
 }
 
 }  // namespace
@@ -28,24 +49,24 @@ void choose_recovery(const Output& output, Solution& solution) {
 }
 
 StressPeak stress_peak(const Solution& solution) {
-  const fem::Space& space = solution.discrete->space();
+  const assembly::DiscreteShell& discrete = *solution.discrete;
+  const MPI_Comm comm = discrete.space().layout->comm;
+  constexpr std::size_t entries = 7;  // stress, height, x, position
+  std::vector<double> mine;
+  for (const StressPeak& p : local_peaks(solution)) {
+    mine.insert(mine.end(), {p.von_mises, p.height, p.x[0], p.x[1]});
+    mine.insert(mine.end(), p.position.begin(), p.position.end());
+  }
+  const std::vector<double> all = algebra::gather_over_ranks(mine, comm);
+  double most = 0;
+  for (std::size_t at = 0; at < all.size(); at += entries) most = std::max(most, all[at]);
+  const auto place = [&](std::size_t i) { return discrete.points[i].phi; };
+  const double size = assembly::bounding_box(discrete.points.size(), place, comm).half_diagonal();
   StressPeak peak;
-  const recovery::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(space.shape(), space.degree),
-                                    solution.recovery);
-  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
-    for (const recovery::PointValues& point : recovery(cell)) {
-      const StressPeak here = peak_of(point);
-      if (here.von_mises > 0 && is_beyond(here, peak)) peak = here;
-    }
-  constexpr std::size_t size = sizeof(StressPeak) / sizeof(double);
-  static_assert(sizeof(StressPeak) % sizeof(double) == 0);
-  std::array<double, size> mine{};
-  std::memcpy(mine.data(), &peak, sizeof peak);
-  const std::vector<double> all = algebra::gather_over_ranks(mine, space.layout->comm);
-  for (std::size_t rank = 0; rank < all.size() / size; ++rank) {
-    StressPeak other;
-    std::memcpy(static_cast<void*>(&other), all.data() + rank * size, sizeof other);
-    if (other.von_mises > 0 && is_beyond(other, peak)) peak = other;
+  for (std::size_t at = 0; at < all.size(); at += entries) {
+    const double* v = all.data() + at;
+    const StressPeak here{.von_mises = v[0], .height = v[1], .x = {v[2], v[3]}, .position = {v[4], v[5], v[6]}};
+    if (here.von_mises >= same * most && (peak.von_mises == 0 || is_before(here, peak, size))) peak = here;
   }
   return peak;
 }

@@ -44,8 +44,6 @@ double von_mises(const PointValues& p, double side) {
   return shell::von_mises_at(section_forces(p), side * p.thickness / 2);
 }
 
-shell::EnergyDensity density(const PointValues& p) { return shell::energy_density(p.material, section_forces(p)); }
-
 /// `touching` is 0 or 1 at nodes; its interpolation overshoots between them.
 double contact_between(double touching) { return std::clamp(touching, 0.0, 1.0); }
 
@@ -285,30 +283,17 @@ const std::vector<Field>& table() {
        2,
        Presence::always,
        [](const PointValues& p) { return two(1.5 * p.Q[0] / p.thickness, 1.5 * p.Q[1] / p.thickness); }},
-      {"energy_density_membrane",
-       {"energy_density_membrane"},
+      {"energy_density",
+       {"energy_density_membrane", "energy_density_bending", "energy_density_shear"},
        "-",
        "J/m^2",
-       "stored energy per mid-surface area, membrane part",
-       1,
+       "stored energy per mid-surface area: membrane, bending, shear",
+       3,
        Presence::always,
-       [](const PointValues& p) { return one(density(p).membrane); }},
-      {"energy_density_bending",
-       {"energy_density_bending"},
-       "-",
-       "J/m^2",
-       "stored energy per mid-surface area, bending part",
-       1,
-       Presence::always,
-       [](const PointValues& p) { return one(density(p).bending); }},
-      {"energy_density_shear",
-       {"energy_density_shear"},
-       "-",
-       "J/m^2",
-       "stored energy per mid-surface area, shear part",
-       1,
-       Presence::always,
-       [](const PointValues& p) { return one(density(p).shear); }},
+       [](const PointValues& p) {
+         const auto density = shell::energy_density(p.material, section_forces(p));
+         return Values{density.membrane, density.bending, density.shear};
+       }},
       {"lambda",
        {"lambda"},
        "lambda",
