@@ -134,8 +134,13 @@ void print_summary(const computation::Result& result) {
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);
   print("largest           |u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad\n", s.max_displacement,
         s.max_relative_displacement, s.max_rotation);
+  print("                  von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) m, z = {:.3g} m\n",
+        result.peak.von_mises, result.peak.position[0], result.peak.position[1], result.peak.position[2],
+        result.peak.height);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
+  for (const auto& r : s.support_reactions)
+    if (s.support_reactions.size() > 1) print("  {:<16}{} N\n", r.boundary, vector_text(r.reaction.force));
   for (const auto& p : s.point_reactions)
     print("  at {:<12} {} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
   if (result.has_obstacle) {

@@ -32,7 +32,8 @@ io::CaseSource source_of(const config::Case& c, const Options& options) {
 /// Writes the results and tells of them.
 void report(const computation::Result& result, const config::Case& c, io::CaseSource source, const Options& options,
             io::Output& files) {
-  files.finish(result, {.title = c.title, .settings = c.effective, .files = {}, .source = std::move(source)});
+  files.finish(result, {.title = c.title, .settings = c.effective, .files = {}, .source = std::move(source)},
+               c.problem.lines);
   if (options.quiet) return;
   print_summary(result);
   print("\nresults           {}\n", (options.output / "results.json").string());

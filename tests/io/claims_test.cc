@@ -51,8 +51,9 @@ TEST(Claims, that_are_changed_are_named) {
   Json claimed = results_json(solved_plate(), {});
   int changed = 0;
   for (const char* part : {"energy", "energy_parts", "load_work", "loads", "reaction", "support_reaction", "size",
-                           "tangency", "contact", "obstacles", "probes", "certificate"})
+                           "tangency", "contact", "obstacles", "probes", "certificate", "stress", "supports"})
     for_numbers(claimed[part], part, [&](const std::string& path, Json& number) {
+      if (path.find("_direction") != std::string::npos) return;  // without an error bound
       const Json before = number;
       if (number.is_number_integer())
         number = number.get<int>() + 1;

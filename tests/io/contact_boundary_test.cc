@@ -1,5 +1,5 @@
-// contact-boundary.csv and .vtu, read back.
-#include <plastron/io/contact_boundary.hpp>
+// contact-boundary.csv and .vtu, contact-forces.csv, read back.
+#include <plastron/io/contact_report.hpp>
 #include <plastron/io/output.hpp>
 
 #include <gmock/gmock.h>
@@ -97,6 +97,40 @@ TEST(ContactBoundary, length_and_sums_stand_in_results_json) {
   EXPECT_EQ(json["units"]["obstacles/*/zones/*/boundary/length"], "m");
 }
 
+TEST(ContactForces, add_up_to_the_reaction) {
+  const ScratchDirectory scratch("forces");
+  const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), MPI_COMM_WORLD);
+  write_output(result, {}, scratch.path, "solution", MPI_COMM_WORLD);
+  std::istringstream text(text_of(scratch.path / "contact-forces.csv"));
+  std::string row;
+  std::getline(text, row);
+  EXPECT_EQ(row, "obstacle,x,y,X,Y,Z,u_X,u_Y,u_Z,F_X,F_Y,F_Z,eta,area");
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
+  double area = 0;
+  std::int64_t rows = 0;
+  std::array<double, 2> before{-1, -1};
+  for (; std::getline(text, row); ++rows) {
+    std::ranges::replace(row, ',', ' ');
+    std::istringstream numbers(row);
+    std::array<double, 14> v{};
+    for (double& value : v) numbers >> value;
+    EXPECT_TRUE(numbers) << row;
+    EXPECT_LT(before, (std::array{v[1], v[2]}));
+    before = {v[1], v[2]};
+    const Eigen::Vector3d place(v[3], v[4], v[5]), f(v[9], v[10], v[11]);
+    force += f;
+    moment += place.cross(f);
+    area += v[13];
+    EXPECT_NEAR(f.norm(), v[12] * v[13], 1e-13 * v[12]);
+    EXPECT_NEAR(v[5] + v[8], 0, 1e-13);  // the lower face stands on the plane
+  }
+  const certificate::ObstacleContact& whole = result.summary.obstacles.at(0);
+  EXPECT_EQ(rows, whole.nodes);
+  EXPECT_NEAR(area, whole.area, 1e-14);
+  EXPECT_LT((force - whole.reaction.force).norm(), 1e-11 * force.norm());
+  EXPECT_LT((moment - whole.reaction.moment).norm(), 1e-11 * moment.norm());
+}
+
 TEST(ContactBoundary, files_are_there_only_where_there_is_contact) {
   const ScratchDirectory scratch("no-boundary");
   const auto write = [&](bool obstacle) {
@@ -106,11 +140,12 @@ TEST(ContactBoundary, files_are_there_only_where_there_is_contact) {
     MPI_Barrier(MPI_COMM_WORLD);
     return scratch.names();
   };
-  EXPECT_THAT(write(true), IsSupersetOf({"contact-boundary.csv", "contact-boundary.vtu"}));
+  EXPECT_THAT(write(true), IsSupersetOf({"contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv"}));
   MPI_Barrier(MPI_COMM_WORLD);
   const auto names = write(false);
   EXPECT_THAT(names, Not(testing::Contains("contact-boundary.csv")));
   EXPECT_THAT(names, Not(testing::Contains("contact-boundary.vtu")));
+  EXPECT_THAT(names, Not(testing::Contains("contact-forces.csv")));
   MPI_Barrier(MPI_COMM_WORLD);
 }
 

@@ -73,7 +73,7 @@ TEST(Fields, keep_contact_between_nodes_within_0_and_1) {
   for (const Field& field : fields())
     if (field.key == "contact") {
       is_there = true;
-      certificate::PointValues p{};
+      recovery::PointValues p{};
       p.touching = 1.125;
       EXPECT_EQ(field.take(p)[0], 1);
       p.touching = -0.125;

@@ -15,8 +15,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-certificate::PointValues some_point() {
-  certificate::PointValues p{};
+recovery::PointValues some_point() {
+  recovery::PointValues p{};
   p.x = {0.25, 0.5};
   p.u = {1, 2, 3};
   p.N = {4, 5, 6};
@@ -37,6 +37,7 @@ computation::Result some_result(bool has_obstacle) {
                                .nodes = 7,
                                .zones = std::vector<certificate::ContactZone>(1)}};
   result.certificate.min_gap_between = -1e-5;
+  result.summary.support_reactions = {{.boundary = "rim", .reaction = {.force = {0, 0, 2}}, .nodes = 3}};
   result.summary.point_reactions = {{.at = {0.25, 1}, .force = {1e-9, 0, -2}}};
   result.probes = {{"a point", some_point()}};
   result.levels.push_back(
@@ -53,10 +54,10 @@ Json some_json(bool has_obstacle = true) {
 
 TEST(Results, have_every_key_that_the_documentation_promises) {
   const Json json = some_json();
-  for (const char* key : {"title",    "status",   "status_text",      "energy",         "energy_parts", "load_work",
-                          "loads",    "reaction", "support_reaction", "contact",        "probes",       "certificate",
-                          "levels",   "memory",   "obstacles",        "point_supports", "ranks",        "settings",
-                          "versions", "files",    "fields",           "units"})
+  for (const char* key : {"title",  "status",   "status_text",      "energy",  "energy_parts", "load_work",
+                          "loads",  "reaction", "support_reaction", "contact", "probes",       "certificate",
+                          "levels", "memory",   "supports",         "stress",  "obstacles",    "point_supports",
+                          "ranks",  "settings", "versions",         "files",   "fields",       "units"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["point_supports"], Json::parse(R"([{"at": [0.25, 1.0], "force": [1e-9, 0.0, -2.0]}])"));
   for (const char* key : {"area", "nodes", "min_gap", "max_penetration_between_nodes", "max_pressure"})

@@ -79,6 +79,7 @@ struct Sums {
   StrainScale strain_scale;
   double min_pressure = std::numeric_limits<double>::infinity(), min_gap = std::numeric_limits<double>::infinity();
   std::int64_t touching = 0;
+  std::vector<NodalSupportForce> at_supports{};
   std::map<std::size_t, Vector3d> at_points{};  // forces of the supports at nodes that a support holds as a point
 };
 
@@ -156,6 +157,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
   if (coordinates.tied[i]) return;
   const Vector6 contact = add_contacts(discrete, solution, i, y, sums);
   const Vector6 rest = r - contact;
+  Vector6 support = Vector6::Zero();
   for (int k = 0; k < coordinates.width; ++k) {
     const Vector6 direction = coordinates.basis[i].col(k);
     const double component = direction.dot(rest);
@@ -163,6 +165,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
     sums.all_forces += per_force * (std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2));
     if (coordinates.is_prescribed(i, k)) {
       add(sums.supports, discrete.points[i], component * direction, sums);
+      support += component * direction;
       if (const auto at = sums.at_points.find(i); at != sums.at_points.end())
         at->second += component * direction.head<3>();
       sums.support_work += component * direction.dot(y);
@@ -174,6 +177,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
       sums.free_residual += per_force * component * component;
     }
   }
+  if (!support.isZero(0)) sums.at_supports.push_back({i, support});
 }
 
 double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
@@ -322,6 +326,7 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   const bool is_unstrained = a < rounding_of_energy * scale.energy;
   verdict.summary.is_unstrained = is_unstrained;
   verdict.summary.load_norms = load_norms(discrete, size);
+  verdict.summary.support_reactions = support_reactions(discrete, sums.at_supports);
   verdict.summary.point_reactions = point_reactions(discrete, sums.at_points);
   verdict.certificate =
       certificate_of(discrete, solution, sums, verdict.summary, is_unstrained ? scale : StrainScale{});

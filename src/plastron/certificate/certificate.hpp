@@ -3,6 +3,7 @@
 #include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/edge_contact.hpp>
 #include <plastron/certificate/point_reactions.hpp>
+#include <plastron/certificate/support_reactions.hpp>
 
 #include <string>
 #include <vector>
@@ -51,11 +52,12 @@ struct Summary {
   double tangency_energy = 0;            ///< energy of the penalty or stabilisation [J]
   double multiplier_norm = 0;            ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
-  double load_norms = 0;                         ///< sum of |nodal load|, couples over the shell's size [N]
-  bool is_unstrained = false;                    ///< displacements strain the shell no more than rounding does
-  std::vector<PointReaction> point_reactions{};  ///< of the points that supports hold
-  std::vector<ObstacleContact> obstacles{};      ///< one by one, in the problem's order
-  EdgeContact edge;                              ///< what of the contact lies on edges of the shell
+  double load_norms = 0;                             ///< sum of |nodal load|, couples over the shell's size [N]
+  bool is_unstrained = false;                        ///< displacements strain the shell no more than rounding does
+  std::vector<SupportReaction> support_reactions{};  ///< boundary by boundary
+  std::vector<PointReaction> point_reactions{};      ///< of the points that supports hold
+  std::vector<ObstacleContact> obstacles{};          ///< one by one, in the problem's order
+  EdgeContact edge;                                  ///< what of the contact lies on edges of the shell
 };
 
 /// Nodal results of a solution, per local node with valid ghosts.

@@ -10,36 +10,62 @@ namespace plastron::computation {
 
 namespace {
 
+using recovery::PointValues;
+
 /// The values on this rank, if one of its cells holds the point.
-std::optional<certificate::PointValues> local_values(const Solution& solution, const fem::Location& location) {
+std::optional<PointValues> local_values(const Solution& solution, const fem::Location& location) {
   const fem::Space& space = solution.discrete->space();
   for (std::size_t c = 0; c < space.owned_cells; ++c)
     if (const auto xi = fem::local_coordinates(space.shape(), space.cells[c], location))
-      return certificate::Recovery(*solution.discrete, solution.nodal, {*xi})(c).front();
+      return recovery::Recovery(*solution.discrete, solution.nodal, {*xi}, solution.recovery)(c).front();
   return std::nullopt;
+}
+
+std::vector<fem::Location> located(const fem::CoarseMesh& coarse, const std::vector<Eigen::Vector2d>& points,
+                                   std::string_view what) {
+  std::vector<fem::Location> locations;
+  for (const Eigen::Vector2d& point : points) {
+    const auto location = fem::locate(coarse, point);
+    if (!location)
+      throw fem::DomainError(fmt::format("{} at ({:g}, {:g}) lies outside of the domain", what, point[0], point[1]));
+    locations.push_back(*location);
+  }
+  return locations;
 }
 
 }  // namespace
 
-std::vector<ProbeValue> probe(const Solution& solution, const std::vector<Probe>& probes) {
+std::vector<PointValues> values_at(const Solution& solution, const std::vector<Eigen::Vector2d>& points,
+                                   std::string_view what) {
   const fem::Space& space = solution.discrete->space();
   const MPI_Comm comm = space.layout->comm;
+  const auto locations = located(*space.coarse, points, what);
+  const auto found = algebra::in_agreement(comm, [&] {
+    std::vector<std::optional<PointValues>> mine;
+    for (const fem::Location& location : locations) mine.push_back(local_values(solution, location));
+    return mine;
+  });
+  // The lowest rank that holds a point tells the others. PointValues is all doubles.
+  constexpr std::size_t size = sizeof(PointValues) / sizeof(double);
+  static_assert(sizeof(PointValues) % sizeof(double) == 0);
+  std::vector<PointValues> values;
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
-  std::vector<ProbeValue> values;
-  for (const Probe& p : probes) {
-    const auto location = fem::locate(*space.coarse, p.at);
-    if (!location)
-      throw fem::DomainError(
-          fmt::format("the probe \"{}\" at ({:g}, {:g}) lies outside of the domain", p.name, p.at[0], p.at[1]));
-    auto found = algebra::in_agreement(comm, [&] { return local_values(solution, *location); });
-    // The lowest rank that holds the point tells the others. PointValues is all doubles.
-    int owner = found ? rank : std::numeric_limits<int>::max();
-    MPI_Allreduce(MPI_IN_PLACE, &owner, 1, MPI_INT, MPI_MIN, comm);
-    certificate::PointValues shared = found.value_or(certificate::PointValues{});
-    MPI_Bcast(&shared, sizeof shared / sizeof(double), MPI_DOUBLE, owner, comm);
-    values.push_back({p.name, shared});
+  std::vector<int> owners;
+  for (const auto& point : found) owners.push_back(point ? rank : std::numeric_limits<int>::max());
+  MPI_Allreduce(MPI_IN_PLACE, owners.data(), static_cast<int>(owners.size()), MPI_INT, MPI_MIN, comm);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    PointValues shared = found[i].value_or(PointValues{});
+    MPI_Bcast(&shared, static_cast<int>(size), MPI_DOUBLE, owners[i], comm);
+    values.push_back(shared);
   }
+  return values;
+}
+
+std::vector<ProbeValue> probe(const Solution& solution, const std::vector<Probe>& probes) {
+  std::vector<ProbeValue> values;
+  for (const Probe& p : probes)
+    values.push_back({p.name, values_at(solution, {p.at}, fmt::format("the probe \"{}\"", p.name)).front()});
   return values;
 }
 

@@ -12,6 +12,7 @@
 #include <plastron/obstacle/gap.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,18 @@ struct Step {
   std::vector<double> force_factors{};  ///< of the forces on obstacles, one by one, at the step's end; empty: 1
 };
 
+/// Points of Omega along which results are written as a table.
+struct Line {
+  std::string name;
+  std::vector<Eigen::Vector2d> points{};
+};
+
+/// How stress resultants and stresses are given.
+struct Output {
+  std::optional<Eigen::Vector3d> axis{};  ///< that t1 follows, projected on the surface; empty: d phi/dx
+  bool smooth = true;                     ///< recovered over patches of cells; else of each cell alone
+};
+
 struct Problem {
   fem::Domain domain = fem::Rectangle{};
   std::vector<fem::Join> joins{};                 ///< edges that are joined
@@ -59,9 +72,11 @@ struct Problem {
   std::vector<obstacle::Obstacle> obstacles{};
   std::vector<Step> steps{};  ///< obstacles have a motion for each, or none; without steps all is where it is
   std::vector<Probe> probes{};
+  std::vector<Line> lines{};
   Discretisation discretisation{};
   contact::Settings contact{};
   Linearisation linearisation{};
+  Output output{};
   double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 };
 

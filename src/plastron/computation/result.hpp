@@ -1,8 +1,8 @@
 // What a computation returns: status, summary, certificate, the story of its levels and steps, and the last solution itself.
 #pragma once
 #include <plastron/certificate/certificate_limits.hpp>
-#include <plastron/certificate/recovery.hpp>
 #include <plastron/contact/problem.hpp>
+#include <plastron/recovery/recovery.hpp>
 
 #include <map>
 #include <memory>
@@ -49,13 +49,22 @@ struct Level {
 /// Displacements, resultants, reaction at a named point.
 struct ProbeValue {
   std::string name;
-  certificate::PointValues values;
+  recovery::PointValues values;
 };
 
 /// The finest solution, kept for output and further work.
 struct Solution {
   std::unique_ptr<assembly::DiscreteShell> discrete;
   certificate::NodalSolution nodal;
+  recovery::Choice recovery{};  ///< of the fields; see choose_recovery()
+};
+
+/// Where the shell is strained most.
+struct StressPeak {
+  double von_mises = 0;                                ///< largest equivalent stress at a point of output [Pa]
+  double height = 0;                                   ///< z of it, from the mid-surface along a_3 [m]
+  Eigen::Vector2d x = Eigen::Vector2d::Zero();         ///< parameters in Omega
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the point of the undeformed mid-surface [m]
 };
 
 /// The solution at the end of a step, or of a part of one.
@@ -77,6 +86,7 @@ struct Result {
   certificate::Certificate certificate{};
   std::vector<certificate::CertificateLimit> limits{};  ///< of its rows
   std::vector<ProbeValue> probes{};                     ///< the same on every rank
+  StressPeak peak{};                                    ///< of the last solution
   std::vector<Level> levels{};                          ///< of the first instant, where there are steps
   std::vector<HistoryEntry> history{};  ///< on the finest mesh, instant after instant; empty without steps
   bool has_obstacle = false;

@@ -14,6 +14,7 @@
 #include <plastron/computation/point_supports.hpp>
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/stopwatch.hpp>
+#include <plastron/computation/stress_peak.hpp>
 #include <plastron/computation/zones.hpp>
 
 #include <fmt/format.h>
@@ -72,7 +73,9 @@ class Computation {
       warn(sideways_warnings(*result_.solution), observer_, result_);
       warn(point_support_warnings(result_, problem_.supports), observer_, result_);
       add_contact_zones(result_);
+      choose_recovery(problem_.output, *result_.solution);
       result_.probes = probe(*result_.solution, problem_.probes);
+      result_.peak = stress_peak(*result_.solution);
     }
     adopt_worst_status();
     result_.peak_memory = peak_memory(comm_);
@@ -178,6 +181,7 @@ class Computation {
   /// The present solution becomes an entry of the history.
   void note(const Instant& instant) {
     judge_certificate(result_);
+    choose_recovery(problem_.output, *result_.solution);
     result_.probes = probe(*result_.solution, problem_.probes);
     result_.history.push_back({.step = problem_.steps[static_cast<std::size_t>(instant.step)].name,
                                .time = instant.time,

@@ -7,6 +7,7 @@
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/membership.hpp>
 #include <plastron/computation/probes.hpp>
+#include <plastron/computation/stress_peak.hpp>
 #include <plastron/computation/zones.hpp>
 
 namespace plastron::computation {
@@ -36,6 +37,8 @@ Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSoluti
   MPI_Comm_size(mesh.space->layout->comm, &result.ranks);
   judge_certificate(result);
   verification.membership = membership_rows(problem, *found.discrete, found.nodal, verdict.summary);
+  choose_recovery(problem.output, found);
+  result.peak = stress_peak(found);
   result.probes = probe(found, problem.probes);
   result.solution = std::move(found);
   if (!problem.steps.empty()) {

@@ -67,6 +67,8 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_obstacles(root, result.problem);
   read_steps(root, result.problem);
   read_probes(root, domain, result.problem);
+  read_lines(root, domain, result.problem);
+  read_output(root, result.problem);
   read_contact(root, result.problem);
   read_solver(root, result.problem);
   if (reading.more_mistakes)

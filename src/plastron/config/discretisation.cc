@@ -1,4 +1,4 @@
-// [mesh], [contact] and [solver].
+// [mesh], [output], [contact] and [solver].
 #include <plastron/config/sections.hpp>
 
 namespace plastron::config {
@@ -29,6 +29,20 @@ void read_mesh(Table& root, computation::Problem& problem) {
   d.refinements = mesh->integer("refinements").value_or(d.refinements);
   if (d.cells == fem::Shape::triangle) check_triangles(*mesh, d);
   root.effective["mesh"] = mesh->effective;
+}
+
+void read_output(Table& root, computation::Problem& problem) {
+  auto output = root.table("output");
+  if (!output) return;
+  if (const auto axis = output->vector("axis")) {
+    if (axis->norm() > 0)
+      problem.output.axis = *axis;
+    else
+      output->report("axis", "this vector has no direction", "a vector other than [0, 0, 0]",
+                     "write the direction that t1 shall follow");
+  }
+  problem.output.smooth = output->text("resultants").value_or("smooth") == "smooth";
+  root.effective["output"] = output->effective;
 }
 
 void read_contact(Table& root, computation::Problem& problem) {

@@ -78,19 +78,4 @@ void read_obstacles(Table& root, computation::Problem& problem) {
   }
 }
 
-void read_probes(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
-  auto& effective = root.effective["probe"] = nlohmann::json::array();
-  for (Table& table : root.tables("probe")) {
-    const auto name = table.text("name");
-    const auto at = table.point("at");
-    if (name && name->empty()) table.report("name", "a probe needs a name");
-    if (name && std::ranges::count(problem.probes, *name, &computation::Probe::name) > 0)
-      table.report("name", fmt::format("two probes are named \"{}\"", *name), "", "choose another name");
-    if (at && domain && !may_contain(*domain, *at))
-      table.report("at", fmt::format("the probe at [{}, {}] is outside the domain", (*at)[0], (*at)[1]));
-    problem.probes.push_back({name.value_or(""), at.value_or(Eigen::Vector2d::Zero())});
-    effective.push_back(table.effective);
-  }
-}
-
 }  // namespace plastron::config

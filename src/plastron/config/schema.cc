@@ -34,6 +34,8 @@ Section file_section() {
        {.name = "obstacle", .kind = Kind::tables, .fallback = "[]", .meaning = "rigid obstacles"},
        {.name = "step", .kind = Kind::tables, .fallback = "[]", .meaning = "loads and obstacles that change in steps"},
        {.name = "probe", .kind = Kind::tables, .fallback = "[]", .meaning = "points where results are wanted"},
+       {.name = "line", .kind = Kind::tables, .fallback = "[]", .meaning = "lines along which results are tabulated"},
+       {.name = "output", .kind = Kind::table, .fallback = "{}", .meaning = "how results are given"},
        {.name = "contact", .kind = Kind::table, .fallback = "{}", .meaning = "the contact solver"},
        {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"}}};
 }
@@ -170,6 +172,56 @@ Section probe_section() {
        {.name = "at", .kind = Kind::point, .required = true, .meaning = "a point of the domain", .example = "[0, 0]"}}};
 }
 
+Section line_section() {
+  return {"line",
+          "[[line]]",
+          "Points of the domain along which every field is written, a row a point, to line-NAME.csv.",
+          {{.name = "name",
+            .kind = Kind::name,
+            .required = true,
+            .meaning = "a name no other line has, of letters, digits, - and _",
+            .example = "\"meridian\""},
+           {.name = "through", .kind = Kind::points, .meaning = "two points or more, joined by straight pieces"},
+           {.name = "arc", .kind = Kind::table, .meaning = "an arc of a circle instead"},
+           {.name = "points",
+            .kind = Kind::integer,
+            .fallback = "101",
+            .range = between(2, 10000),
+            .meaning = "equidistant in the domain, the ends included"}}};
+}
+
+Section arc_section() {
+  return {"line.arc",
+          "arc",
+          "An arc in the parameter plane.",
+          {{.name = "centre", .kind = Kind::point, .fallback = "[0, 0]", .meaning = "its centre"},
+           {.name = "radius",
+            .required = true,
+            .range = Range::above_to(0, std::numeric_limits<double>::infinity()),
+            .meaning = "its radius",
+            .example = "0.5"},
+           {.name = "from", .unit = "degrees", .fallback = "0", .meaning = "angle from the x axis where it begins"},
+           {.name = "to", .unit = "degrees", .fallback = "360", .meaning = "angle where it ends"}}};
+}
+
+Section output_section() {
+  return {"output",
+          "[output]",
+          "How results are given.",
+          {{.name = "axis",
+            .kind = Kind::vector,
+            .unit = "1",
+            .meaning =
+                "t1, the first axis of N, M, Q and stresses, is this direction projected on the surface; without it, "
+                "or where it is normal to the surface, the tangent d phi/dx"},
+           {.name = "resultants",
+            .kind = Kind::word,
+            .fallback = "\"smooth\"",
+            .words = {{"smooth"}, {"by-cell"}},
+            .meaning = "N, M, Q and stresses recovered over the cells round each vertex, or of each cell alone, as the "
+                       "elements have them"}}};
+}
+
 Section contact_section() {
   return {"contact",
           "[contact]",
@@ -218,7 +270,7 @@ std::vector<Section> all_sections() {
   append({mesh_section(), join_section(), support_section(), load_section()});
   append(obstacle_sections());
   append(step_sections());
-  append({probe_section(), contact_section(), solver_section()});
+  append({probe_section(), line_section(), arc_section(), output_section(), contact_section(), solver_section()});
   return all;
 }
 

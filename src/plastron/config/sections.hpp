@@ -21,6 +21,7 @@ std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& prob
 std::optional<fem::Domain> read_domain(Table& geometry);
 void read_charts(Table& geometry, const fem::Domain& domain, computation::Problem& problem);
 void read_mesh(Table& root, computation::Problem& problem);
+void read_output(Table& root, computation::Problem& problem);
 void read_contact(Table& root, computation::Problem& problem);
 void read_solver(Table& root, computation::Problem& problem);
 void read_joins(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
@@ -31,6 +32,7 @@ void read_obstacles(Table& root, computation::Problem& problem);
 std::vector<std::size_t> obstacles_named(const computation::Problem& problem, const std::string& name);
 /// After the obstacles.
 void read_steps(Table& root, computation::Problem& problem);
+void read_lines(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_probes(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 
 /// The names under "boundary", those of the domain if its names are known.

@@ -133,6 +133,15 @@ std::optional<Eigen::Vector3d> Table::vector(const std::string& name) {
   return Eigen::Vector3d((*list)[0], (*list)[1], (*list)[2]);
 }
 
+std::optional<std::vector<Eigen::Vector2d>> Table::points(const std::string& name) {
+  const auto read_one = [](Reading& reading, const Item& item) -> std::optional<Eigen::Vector2d> {
+    const auto list = read_list(reading, item, Kind::point, 2, read_number);
+    if (!list) return {};
+    return Eigen::Vector2d((*list)[0], (*list)[1]);
+  };
+  return read(name, list_reader(Kind::points, 0, read_one));
+}
+
 std::optional<std::vector<Eigen::Vector3d>> Table::vectors(const std::string& name) {
   const auto read_one = [](Reading& reading, const Item& item) -> std::optional<Eigen::Vector3d> {
     const auto list = read_list(reading, item, Kind::vector, 3, read_number);

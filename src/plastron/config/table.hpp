@@ -30,6 +30,7 @@ class Table {
   std::optional<std::vector<double>> numbers(const std::string& name);
   std::optional<Eigen::Vector2d> point(const std::string& name);
   std::optional<Eigen::Vector3d> vector(const std::string& name);
+  std::optional<std::vector<Eigen::Vector2d>> points(const std::string& name);
   std::optional<std::vector<Eigen::Vector3d>> vectors(const std::string& name);
   std::optional<std::array<int, 2>> cell_counts(const std::string& name);
   /// A text; where words are declared, one of them that this version can do.

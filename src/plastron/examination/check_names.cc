@@ -44,6 +44,16 @@ void check_names(Examined& examined) {
   for (const auto& l : examined.problem.edge_loads) check(l.boundary, mesh.boundaries, "a load names the boundary");
 }
 
+void check_lines(Examined& examined) {
+  for (const computation::Line& line : examined.problem.lines) {
+    const auto outside = std::ranges::find_if(
+        line.points, [&](const Eigen::Vector2d& p) { return !fem::locate(*examined.space->coarse, p); });
+    if (outside != line.points.end())
+      examined.add(Severity::error, "the line \"{}\" leaves the domain at ({:g}, {:g})", line.name, (*outside)[0],
+                   (*outside)[1]);
+  }
+}
+
 void check_probes(Examined& examined) {
   for (const computation::Probe& p : examined.problem.probes)
     if (!fem::locate(*examined.space->coarse, p.at))

@@ -70,6 +70,7 @@ void check_precision(Examined& examined);
 /// What rounding spoils of forces and energy where a shell bends, relative: the order of magnitude.
 double rounding_residual(const computation::Problem& problem);
 /// Probes lie in the domain.
+void check_lines(Examined& examined);
 void check_probes(Examined& examined);
 /// A symmetry edge lies in one plane that the shell meets at a right angle. Throws assembly::SupportError.
 void check_symmetry(Examined& examined);

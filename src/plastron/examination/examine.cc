@@ -49,7 +49,8 @@ std::vector<Finding> findings_of(const computation::Problem& problem) {
     check(examined);
     if (has_errors(examined.findings)) return examined.findings;
   }
-  for (const auto check : {check_normals, check_seams, check_finite, check_locking, check_precision, check_probes})
+  for (const auto check :
+       {check_normals, check_seams, check_finite, check_locking, check_precision, check_probes, check_lines})
     check(examined);
   // Values that are not finite would be found again, in other words.
   if (!has_errors(examined.findings)) check_inside_cells(examined);

@@ -12,9 +12,10 @@ namespace plastron::io {
 namespace {
 
 /// Parts of results.json that follow from the solution. The others tell how it was found, or by whom.
-constexpr std::array recomputed_parts{"formulation", "energy",           "energy_parts", "load_work",  "loads",
-                                      "reaction",    "support_reaction", "size",         "tangency",   "point_supports",
-                                      "contact",     "obstacles",        "probes",       "certificate"};
+constexpr std::array recomputed_parts{"formulation", "energy",         "energy_parts",     "load_work",
+                                      "loads",       "reaction",       "support_reaction", "size",
+                                      "tangency",    "point_supports", "contact",          "obstacles",
+                                      "probes",      "certificate",    "stress",           "supports"};
 /// Likewise of the last of its levels.
 constexpr std::array recomputed_of_level{
     "cells",    "nodes",        "unknowns", "active",       "gap_error",           "energy",
@@ -25,6 +26,9 @@ constexpr std::array recomputed_of_mesh{"cells", "nodes", "unknowns"};
 /// What an entry of the history tells of how it was found.
 constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations"};
 
+/// Directions have no error bound: where both principal values are nearly the same, rounding turns them.
+bool is_direction(const std::string& pattern) { return pattern.ends_with("_direction"); }
+
 /// Walks through what was recomputed and looks at what is claimed in its place.
 class Walk {
  public:
@@ -33,6 +37,7 @@ class Walk {
 
   /// `pattern` is the path as `units` has it.
   void compare(const std::string& path, const std::string& pattern, const Json& recomputed, const Json& claimed) {
+    if (is_direction(pattern)) return;
     if (recomputed.is_object())
       compare_object(path, pattern, recomputed, claimed);
     else if (recomputed.is_array())

@@ -1,15 +1,48 @@
 #include <plastron/io/fields.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plastron::io {
 
 namespace {
 
-using certificate::PointValues;
+using Eigen::Vector3d;
+using recovery::PointValues;
 using Values = std::array<double, 3>;
 
+constexpr double lower = -1, middle = 0, upper = 1;  // heights as multiples of e/2
+
 Values three(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+Values two(double first, double second) { return {first, second, 0}; }
+Values one(double value) { return {value, 0, 0}; }
+
+/// A point of the deformed shell at the height z, a multiple of e/2.
+Vector3d deformed(const PointValues& p, double side) { return p.phi + p.u + side * p.thickness / 2 * (p.a3 + p.r); }
+
+Values stress(const PointValues& p, double side) {
+  return three(shell::in_plane_stress(section_forces(p), side * p.thickness / 2));
+}
+
+Values principal_values(const Vector3d& tensor) {
+  const auto principal = shell::principal(tensor);
+  return two(principal.first, principal.second);
+}
+
+Values principal_stress(const PointValues& p, double side) {
+  return principal_values(shell::in_plane_stress(section_forces(p), side * p.thickness / 2));
+}
+
+/// The tangent along which the first principal value acts.
+Values principal_direction(const PointValues& p, const Vector3d& tensor) {
+  const double angle = shell::principal(tensor).angle;
+  return three(std::cos(angle) * p.t1 + std::sin(angle) * p.t2);
+}
+
+double von_mises(const PointValues& p, double side) {
+  return shell::von_mises_at(section_forces(p), side * p.thickness / 2);
+}
 
 /// `touching` is 0 or 1 at nodes; its interpolation overshoots between them.
 double contact_between(double touching) { return std::clamp(touching, 0.0, 1.0); }
@@ -50,6 +83,22 @@ const std::vector<Field>& table() {
        3,
        Presence::always,
        [](const PointValues& p) { return three(p.r); }},
+      {"lower_face",
+       {"lower face"},
+       "-",
+       "m",
+       "deformed lower face, phi + u - e/2 (a_3 + r)",
+       3,
+       Presence::always,
+       [](const PointValues& p) { return three(deformed(p, lower)); }},
+      {"upper_face",
+       {"upper face"},
+       "-",
+       "m",
+       "deformed upper face, phi + u + e/2 (a_3 + r)",
+       3,
+       Presence::always,
+       [](const PointValues& p) { return three(deformed(p, upper)); }},
       {"gap",
        {"gap"},
        "g",
@@ -106,6 +155,145 @@ const std::vector<Field>& table() {
        [](const PointValues& p) {
          return Values{p.Q[0], p.Q[1], 0};
        }},
+      {"N_principal",
+       {"N_I", "N_II"},
+       "N_I, N_II",
+       "N/m",
+       "principal membrane forces, the larger first",
+       2,
+       Presence::always,
+       [](const PointValues& p) { return principal_values(p.N); }},
+      {"N_direction",
+       {"N direction"},
+       "-",
+       "1",
+       "unit tangent along which N_I acts",
+       3,
+       Presence::always,
+       [](const PointValues& p) { return principal_direction(p, p.N); }},
+      {"M_principal",
+       {"M_I", "M_II"},
+       "M_I, M_II",
+       "N",
+       "principal bending moments, the larger first",
+       2,
+       Presence::always,
+       [](const PointValues& p) { return principal_values(p.M); }},
+      {"M_direction",
+       {"M direction"},
+       "-",
+       "1",
+       "unit tangent along which M_I acts",
+       3,
+       Presence::always,
+       [](const PointValues& p) { return principal_direction(p, p.M); }},
+      {"stress_lower",
+       {"stress_11_lower", "stress_22_lower", "stress_12_lower"},
+       "sigma^ab",
+       "Pa",
+       "stresses in the axes t1, t2 at the lower face, z = -e/2",
+       3,
+       Presence::always,
+       [](const PointValues& p) { return stress(p, lower); }},
+      {"principal_stress_lower",
+       {"stress_I_lower", "stress_II_lower"},
+       "sigma_I, sigma_II",
+       "Pa",
+       "principal stresses at the lower face, z = -e/2, the larger first",
+       2,
+       Presence::always,
+       [](const PointValues& p) { return principal_stress(p, lower); }},
+      {"von_mises_lower",
+       {"von_mises_lower"},
+       "-",
+       "Pa",
+       "equivalent stress of von Mises at the lower face, z = -e/2",
+       1,
+       Presence::always,
+       [](const PointValues& p) { return one(von_mises(p, lower)); }},
+      {"stress_middle",
+       {"stress_11_middle", "stress_22_middle", "stress_12_middle"},
+       "sigma^ab",
+       "Pa",
+       "stresses in the axes t1, t2 at the mid-surface",
+       3,
+       Presence::always,
+       [](const PointValues& p) { return stress(p, middle); }},
+      {"principal_stress_middle",
+       {"stress_I_middle", "stress_II_middle"},
+       "sigma_I, sigma_II",
+       "Pa",
+       "principal stresses at the mid-surface, the larger first",
+       2,
+       Presence::always,
+       [](const PointValues& p) { return principal_stress(p, middle); }},
+      {"von_mises_middle",
+       {"von_mises_middle"},
+       "-",
+       "Pa",
+       "equivalent stress of von Mises at the mid-surface",
+       1,
+       Presence::always,
+       [](const PointValues& p) { return one(von_mises(p, middle)); }},
+      {"stress_upper",
+       {"stress_11_upper", "stress_22_upper", "stress_12_upper"},
+       "sigma^ab",
+       "Pa",
+       "stresses in the axes t1, t2 at the upper face, z = e/2",
+       3,
+       Presence::always,
+       [](const PointValues& p) { return stress(p, upper); }},
+      {"principal_stress_upper",
+       {"stress_I_upper", "stress_II_upper"},
+       "sigma_I, sigma_II",
+       "Pa",
+       "principal stresses at the upper face, z = e/2, the larger first",
+       2,
+       Presence::always,
+       [](const PointValues& p) { return principal_stress(p, upper); }},
+      {"von_mises_upper",
+       {"von_mises_upper"},
+       "-",
+       "Pa",
+       "equivalent stress of von Mises at the upper face, z = e/2",
+       1,
+       Presence::always,
+       [](const PointValues& p) { return one(von_mises(p, upper)); }},
+      {"von_mises",
+       {"von_mises"},
+       "-",
+       "Pa",
+       "largest equivalent stress of von Mises over the thickness, with the parabolic shear stress",
+       1,
+       Presence::always,
+       [](const PointValues& p) { return one(shell::largest_von_mises(section_forces(p)).stress); }},
+      {"shear_stress",
+       {"shear_stress_1", "shear_stress_2"},
+       "sigma^a3",
+       "Pa",
+       "transverse shear stresses in the axes t1, t2, mean over the thickness: Q^a / e",
+       2,
+       Presence::always,
+       [](const PointValues& p) { return two(p.Q[0] / p.thickness, p.Q[1] / p.thickness); }},
+      {"shear_stress_middle",
+       {"shear_stress_1_middle", "shear_stress_2_middle"},
+       "sigma^a3",
+       "Pa",
+       "the same of the parabola over the thickness, at its peak: 3/2 Q^a / e",
+       2,
+       Presence::always,
+       [](const PointValues& p) { return two(1.5 * p.Q[0] / p.thickness, 1.5 * p.Q[1] / p.thickness); }},
+      {"energy_density",
+       {"energy_density_membrane", "energy_density_bending", "energy_density_shear"},
+       "-",
+       "J/m^2",
+       "stored energy per mid-surface area: membrane, bending, shear",
+       3,
+       Presence::always,
+       [](const PointValues& p) {
+         const auto density = shell::energy_density(p.material, section_forces(p));
+         return Values{density.membrane, density.bending, density.shear};
+       }},
       {"lambda",
        {"lambda"},
        "lambda",
@@ -120,7 +308,7 @@ const std::vector<Field>& table() {
        {"t1"},
        "t1",
        "1",
-       "unit tangent along d phi/dx",
+       "unit tangent along output.axis, or d phi/dx",
        3,
        Presence::always,
        [](const PointValues& p) { return three(p.t1); }},
@@ -150,6 +338,14 @@ const std::vector<Field>& table() {
        [](const PointValues& p) {
          return Values{p.thickness, 0, 0};
        }},
+      {"curvatures",
+       {"kappa_1", "kappa_2"},
+       "kappa",
+       "1/m",
+       "principal curvatures of the undeformed mid-surface, the larger last; positive where it bends towards a_3",
+       2,
+       Presence::always,
+       [](const PointValues& p) { return two(p.curvatures[0], p.curvatures[1]); }},
   };
   return all;
 }

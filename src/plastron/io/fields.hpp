@@ -1,7 +1,7 @@
 // The table of every output field: what it is called in both output files, its unit, its meaning and where it comes
 // from. A pressure [Pa] and a force [N] never share a name.
 #pragma once
-#include <plastron/certificate/recovery.hpp>
+#include <plastron/recovery/recovery.hpp>
 
 #include <array>
 #include <span>
@@ -21,7 +21,7 @@ struct Field {
   std::string_view meaning;
   int components;  ///< 1 to 3
   Presence presence;
-  std::array<double, 3> (*take)(const certificate::PointValues&);
+  std::array<double, 3> (*take)(const recovery::PointValues&);
 
   bool is_vector() const { return components == 3 && arrays.size() == 1; }
 };

@@ -1,8 +1,9 @@
 #include <plastron/io/output.hpp>
 
 #include <plastron/io/atomic_file.hpp>
-#include <plastron/io/contact_boundary.hpp>
+#include <plastron/io/contact_report.hpp>
 #include <plastron/io/history.hpp>
+#include <plastron/io/line_table.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/solution_file.hpp>
@@ -60,7 +61,8 @@ void Output::add_history(const computation::Result& result) {
   add_text("history.svg", [&] { return svg_text(history_plot(result)); });
 }
 
-void Output::finish(const computation::Result& result, Provenance provenance) {
+void Output::finish(const computation::Result& result, Provenance provenance,
+                    const std::vector<computation::Line>& lines) {
   const bool is_drawn = result.solution && can_be_drawn(*result.solution, files_.comm());
   if (is_drawn) {
     add_fields(*result.solution, 0, "", series_.empty());
@@ -68,13 +70,17 @@ void Output::finish(const computation::Result& result, Provenance provenance) {
     names_.push_back(provenance.solution);
     add_solution(*result.solution, directory_ / provenance.solution, files_);
   }
+  const auto keep_all = [this](const std::vector<std::string>& more) {
+    names_.insert(names_.end(), more.begin(), more.end());
+  };
+  if (is_drawn) keep_all(add_lines(*result.solution, lines, directory_, files_));
   if (!series_.empty()) {
     names_.push_back(base_name_ + ".pvd");
     add_pvd(series_, directory_ / names_.back(), files_);
   }
   std::vector<std::string> boundary;
-  if (is_drawn) boundary = add_contact_boundary(result.summary, directory_, files_);
-  names_.insert(names_.end(), boundary.begin(), boundary.end());
+  if (is_drawn) boundary = add_contact_report(result.summary, *result.solution, directory_, files_);
+  keep_all(boundary);
   if (!result.history.empty()) add_history(result);
   if (provenance.source) {
     provenance.case_copy = base_name_ + ".case.toml";
@@ -83,7 +89,7 @@ void Output::finish(const computation::Result& result, Provenance provenance) {
   provenance.files = names_;
   add_results(result, provenance, directory_, files_);
   files_.commit();
-  if (boundary.empty()) remove_contact_boundary(directory_, files_.comm());
+  if (boundary.empty()) remove_contact_report(directory_, files_.comm());
 }
 
 void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,

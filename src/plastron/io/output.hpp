@@ -15,11 +15,13 @@ class Output {
 
   /// The fields of an instant of the steps (computation::Observer::instant).
   void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
-  /// The solution as .vtu and .plastron, unless there is none that is finite, contact-boundary.csv and .vtu where there is contact
+  /// The solution as .vtu and .plastron, unless there is none that is finite, contact-boundary.csv, .vtu and contact-forces.csv where there is contact
   /// (those of an earlier run are removed where there is none), history.csv and history.svg where there are steps,
   /// base_name.case.toml if provenance has the case's source, and results.json; then all files get their names. provenance.files and the
   /// names of solution and copy are filled here.
-  void finish(const computation::Result& result, Provenance provenance);
+  /// `lines` are tabulated as line-NAME.csv.
+  void finish(const computation::Result& result, Provenance provenance,
+              const std::vector<computation::Line>& lines = {});
 
  private:
   void add_fields(const computation::Solution& solution, double time, const std::string& suffix, bool is_in_series);

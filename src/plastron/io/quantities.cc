@@ -50,6 +50,16 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.max_relative_displacement); }},
       {"size/max_rotation", "rad", "largest |r| at a node; the linear model needs it small",
        [](const Result& r) { return number(r.summary.max_rotation); }},
+      {"stress/max_von_mises", "Pa", "largest equivalent stress of von Mises in the shell, at points of output",
+       [](const Result& r) { return number(r.peak.von_mises); }},
+      {"stress/x", "the chart's", "parameters in Omega of its place",
+       [](const Result& r) {
+         return Json::array({number(r.peak.x[0]), number(r.peak.x[1])});
+       }},
+      {"stress/position", "m", "its place on the undeformed mid-surface",
+       [](const Result& r) { return triple(r.peak.position); }},
+      {"stress/height", "m", "its height z over the mid-surface, along a_3",
+       [](const Result& r) { return number(r.peak.height); }},
       {"tangency/max_normal_rotation", "1", "largest |r . a_3| at nodes and quadrature points",
        [](const Result& r) { return number(r.summary.max_normal_rotation); }},
       {"tangency/energy", "J", "energy of the penalty or the stabilisation",
@@ -59,6 +69,20 @@ std::span<const Quantity<Result>> result_quantities() {
       {"memory/peak_bytes", "byte", "peak memory of all ranks together",
        [](const Result& r) { return Json(std::llround(r.peak_memory)); }},
       {"ranks", "1", "MPI processes", [](const Result& r) { return Json(r.ranks); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<certificate::SupportReaction>> support_quantities() {
+  using certificate::SupportReaction;
+  static const std::vector<Quantity<SupportReaction>> all{
+      {"boundary", "-", "its name", [](const SupportReaction& r) { return Json(r.boundary); }},
+      {"reaction/force", "N",
+       "what the supports of the boundary carry; a node of two boundaries belongs to the first one",
+       [](const SupportReaction& r) { return triple(r.reaction.force); }},
+      {"reaction/moment", "N m", "its moment about the origin",
+       [](const SupportReaction& r) { return triple(r.reaction.moment); }},
+      {"nodes", "1", "nodes that carry it", [](const SupportReaction& r) { return Json(r.nodes); }},
   };
   return all;
 }

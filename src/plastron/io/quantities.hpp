@@ -24,6 +24,8 @@ struct Quantity {
 Json number(double value);
 
 std::span<const Quantity<computation::Result>> result_quantities();
+/// Paths inside "supports[]".
+std::span<const Quantity<certificate::SupportReaction>> support_quantities();
 /// Paths inside "point_supports[]".
 std::span<const Quantity<certificate::PointReaction>> point_support_quantities();
 /// Null as a whole where there is no obstacle; paths inside "contact".

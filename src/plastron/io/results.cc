@@ -14,7 +14,7 @@ namespace {
 
 bool has_multiplier(const computation::Result& result) { return result.formulation == element::Formulation::mixed; }
 
-Json probe_json(const certificate::PointValues& values, const computation::Result& result) {
+Json probe_json(const recovery::PointValues& values, const computation::Result& result) {
   Json json = Json::object();
   for (const Field& field : fields()) {
     const auto taken = field.take(values);
@@ -25,6 +25,14 @@ Json probe_json(const certificate::PointValues& values, const computation::Resul
     json[Json::json_pointer("/" + std::string(field.key))] = std::move(value);
   }
   return json;
+}
+
+/// A record for every boundary that supports hold.
+Json supports_json(const computation::Result& result) {
+  Json list = Json::array();
+  for (const certificate::SupportReaction& reaction : result.summary.support_reactions)
+    list.push_back(record_json(support_quantities(), reaction));
+  return list;
 }
 
 /// A record for every point that supports hold.
@@ -96,6 +104,7 @@ void add_units(Json& units, const std::string& prefix, std::span<const Quantity<
 Json units_json() {
   Json units = Json::object();
   add_units(units, "", result_quantities());
+  add_units(units, "supports/*/", support_quantities());
   add_units(units, "point_supports/*/", point_support_quantities());
   add_units(units, "contact/", contact_quantities());
   add_units(units, "obstacles/*/", obstacle_quantities());
@@ -144,6 +153,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
+  json["supports"] = supports_json(result);
   json["point_supports"] = point_supports_json(result);
   json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
   json["obstacles"] = Json::array();

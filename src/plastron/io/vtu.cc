@@ -47,7 +47,7 @@ std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
   return points;
 }
 
-Patch patch_of(const std::vector<certificate::PointValues>& points, const std::vector<Field>& present, std::size_t rows,
+Patch patch_of(const std::vector<recovery::PointValues>& points, const std::vector<Field>& present, std::size_t rows,
                const fem::Space& space, double displacement_scale) {
   Patch patch;
   patch.n_subdivisions = static_cast<unsigned int>(space.degree);
@@ -73,7 +73,8 @@ void write_piece(const computation::Solution& solution, double displacement_scal
                  const dealii::DataOutBase::VtkFlags& flags, const std::vector<Field>& present, std::ostream& out) {
   const fem::Space& space = solution.discrete->space();
   if (space.owned_cells == 0) return;
-  const certificate::Recovery recovery(*solution.discrete, solution.nodal, cell_points(space.shape(), space.degree));
+  const recovery::Recovery recovery(*solution.discrete, solution.nodal, cell_points(space.shape(), space.degree),
+                                    solution.recovery);
   const Rows rows = rows_of(present);
   std::vector<Patch> patches;
   patches.reserve(space.owned_cells);

@@ -1,4 +1,4 @@
-#include <plastron/io/contact_boundary.hpp>
+#include <plastron/io/contact_report.hpp>
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace plastron::io {
 namespace {
 
 constexpr int poly_line = 4;  // VTK_POLY_LINE
-constexpr std::array names{"contact-boundary.csv", "contact-boundary.vtu"};
+constexpr std::array names{"contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv"};
 
 /// Calls visit(obstacle, zone, line number, line) for every line.
 template <class Visit>
@@ -103,17 +103,30 @@ std::string contact_boundary_vtu(const certificate::Summary& summary) {
       points, lines, point_arrays(summary), line_arrays(summary));
 }
 
-std::vector<std::string> add_contact_boundary(const certificate::Summary& summary,
-                                              const std::filesystem::path& directory, AtomicFiles& files) {
+std::string contact_forces_csv(const std::vector<certificate::ContactForce>& forces) {
+  std::string text = "obstacle,x,y,X,Y,Z,u_X,u_Y,u_Z,F_X,F_Y,F_Z,eta,area\n";
+  for (const certificate::ContactForce& f : forces) {
+    text += fmt::format("{},{:.15g},{:.15g}", f.obstacle, f.x[0], f.x[1]);
+    for (const Eigen::Vector3d& v : {f.place, f.displacement, f.force})
+      text += fmt::format(",{:.15g},{:.15g},{:.15g}", v[0], v[1], v[2]);
+    text += fmt::format(",{:.15g},{:.15g}\n", f.pressure, f.area);
+  }
+  return text;
+}
+
+std::vector<std::string> add_contact_report(const certificate::Summary& summary, const computation::Solution& solution,
+                                            const std::filesystem::path& directory, AtomicFiles& files) {
   if (std::ranges::all_of(summary.obstacles, [](const auto& o) { return o.zones.empty(); })) return {};
   int rank = 0;
   MPI_Comm_rank(files.comm(), &rank);
   files.add(directory / names[0], [&] { return rank == 0 ? contact_boundary_csv(summary) : std::string(); });
   files.add(directory / names[1], [&] { return rank == 0 ? contact_boundary_vtu(summary) : std::string(); });
+  const auto forces = certificate::contact_forces(*solution.discrete, solution.nodal);
+  files.add(directory / names[2], [&] { return rank == 0 ? contact_forces_csv(forces) : std::string(); });
   return {names.begin(), names.end()};
 }
 
-void remove_contact_boundary(const std::filesystem::path& directory, MPI_Comm comm) {
+void remove_contact_report(const std::filesystem::path& directory, MPI_Comm comm) {
   for (const char* name : names) remove_file(directory / name, comm);
 }
 

@@ -1,12 +1,12 @@
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/certificate/recovery.hpp>
+#include <plastron/recovery/recovery.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace plastron::certificate {
+namespace plastron::recovery {
 namespace {
 
 const std::vector<Eigen::Vector2d> somewhere{{0.2, 0.3}, {0.9, 0.6}, {0, 1}};
@@ -99,4 +99,4 @@ TEST(Recovery, TheFrameIsOrthonormalAndFollowsTheFirstParameter) {
 }
 
 }  // namespace
-}  // namespace plastron::certificate
+}  // namespace plastron::recovery

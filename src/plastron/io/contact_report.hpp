@@ -1,0 +1,31 @@
+// Contact as files: the boundaries of its zones, contact-boundary.csv for programs and people, contact-boundary.vtu for ParaView beside
+// solution.vtu, and the forces at the touching nodes, contact-forces.csv. Obstacles, zones and lines are counted from 0, as they stand in results.json.
+#pragma once
+#include <plastron/io/atomic_file.hpp>
+
+#include <plastron/certificate/contact_forces.hpp>
+#include <plastron/computation/result.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace plastron::io {
+
+/// A row a point: obstacle,zone,line,x,y,X,Y,Z,rim. Places are those of certificate::BoundaryPoint, on the undeformed touching face;
+/// rim is 1 on lines along the shell's rim.
+std::string contact_boundary_csv(const certificate::Summary& summary);
+/// A polyline a line, on the deformed touching face.
+std::string contact_boundary_vtu(const certificate::Summary& summary);
+
+/// A row a touching node: obstacle,x,y,X,Y,Z,u_X,u_Y,u_Z,F_X,F_Y,F_Z,eta,area as in certificate::ContactForce. The sums of F are the
+/// reactions of the obstacles.
+std::string contact_forces_csv(const std::vector<certificate::ContactForce>& forces);
+
+/// Adds the three files if there is any contact; returns their names (collective). Throws std::runtime_error.
+std::vector<std::string> add_contact_report(const certificate::Summary& summary, const computation::Solution& solution,
+                                            const std::filesystem::path& directory, AtomicFiles& files);
+/// Removes those of an earlier run, where the present one wrote none (collective).
+void remove_contact_report(const std::filesystem::path& directory, MPI_Comm comm);
+
+}  // namespace plastron::io

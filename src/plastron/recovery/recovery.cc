@@ -1,0 +1,137 @@
+#include <plastron/recovery/recovery.hpp>
+
+#include <limits>
+
+namespace plastron::recovery {
+
+namespace {
+
+double smallest_gap(const assembly::DiscreteShell& discrete, const obstacle::ShellPoint& at, const Vector3d& u,
+                    const Vector3d& r) {
+  double smallest = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
+    smallest = std::fmin(smallest, discrete.gap(k, at)(u, geometry::tangential(r, at.a3)));
+  return smallest;
+}
+
+/// Resultants of a cell alone, continued from its resultant points. All are taken into the axes of one of these first, so that what is
+/// continued does not depend on how axes turn in the cell.
+class ContinuedResultants {
+ public:
+  ContinuedResultants(CellResultants at_resultant_points, const Eigen::MatrixXd& continuation)
+      : axes_(at_resultant_points.axes.front()) {
+    ResultantRows& values = at_resultant_points.values;
+    for (std::size_t p = 0; p < at_resultant_points.axes.size(); ++p) {
+      auto row = values.row(static_cast<Eigen::Index>(p));
+      row = in_other_axes(Resultants(row), change_of_axes(at_resultant_points.axes[p], axes_));
+    }
+    values_ = continuation * values;
+  }
+  Resultants at(std::size_t point, const SurfaceAxes& axes) const {
+    return in_other_axes(Resultants(values_.row(static_cast<Eigen::Index>(point))), change_of_axes(axes_, axes));
+  }
+
+ private:
+  SurfaceAxes axes_;
+  ResultantRows values_;
+};
+
+}  // namespace
+
+shell::SectionForces section_forces(const PointValues& point) {
+  return {.N = point.N, .M = point.M, .Q = point.Q, .thickness = point.thickness};
+}
+
+Recovery::Recovery(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                   const std::vector<Eigen::Vector2d>& xi, Choice choice)
+    : discrete_(discrete), solution_(solution), choice_(std::move(choice)), resultant_points_(discrete, choice_.axis) {
+  const fem::Shape shape = discrete.space().shape();
+  const int degree = discrete.space().degree;
+  at_points_ = element::basis_at(shape, degree, xi);
+  continuation_ = element::resultant_continuation(shape, degree, xi);
+  reaction_at_points_ = element::reaction_basis_at(shape, degree, xi);
+}
+
+std::vector<PointValues> Recovery::geometry_at_points(std::size_t cell) const {
+  const assembly::ShellOperator& shell = discrete_.shell;
+  const fem::Cell& where = shell.space().cells[cell];
+  const auto count = at_points_.xi.size();
+  std::vector<geometry::SurfaceJet> jets(count);
+  std::vector<double> x(count), y(count), e(count);
+  shell.surface().parameter_jets(where, at_points_.xi, jets);
+  shell.surface().positions(where, at_points_.xi, x, y);
+  const assembly::CrossSection& section = shell.section(cell);
+  section.thickness.evaluate(x, y, e);
+  std::vector<PointValues> points(count);
+  for (std::size_t p = 0; p < count; ++p) {
+    const geometry::Frame frame = geometry::frame_at(jets[p]);
+    const SurfaceAxes axes = surface_axes(jets[p], frame.a3, choice_.axis);
+    const auto curvatures = geometry::principal_curvatures(frame);
+    points[p].x = {x[p], y[p]};
+    points[p].phi = jets[p].value;
+    points[p].t1 = axes.t1;
+    points[p].t2 = axes.t2;
+    points[p].a3 = axes.a3;
+    points[p].curvatures = {curvatures[0], curvatures[1]};
+    points[p].thickness = e[p];
+    points[p].material = section.material;
+  }
+  return points;
+}
+
+void Recovery::add_nodal_values(std::size_t cell, const element::CellField& field,
+                                std::vector<PointValues>& points) const {
+  const assembly::ShellOperator& shell = discrete_.shell;
+  const auto nodes = shell.space().nodes(cell);
+  Eigen::MatrixX2d contact(static_cast<Eigen::Index>(nodes.size()), 2);
+  Eigen::VectorXd lambda(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto node = static_cast<std::size_t>(nodes[i]);
+    contact.row(static_cast<Eigen::Index>(i)) << total_pressure(solution_, node), touches(solution_, node) ? 1 : 0;
+    lambda[static_cast<Eigen::Index>(i)] = solution_.lambda.layout() ? solution_.lambda.local()[node] : 0;
+  }
+  const element::CellField values = shell.interpolation().values(cell, at_points_, field);
+  const element::CellField moved = discrete_.state_values(cell, at_points_);
+  const Eigen::MatrixX2d contact_values = reaction_at_points_ * contact;
+  const Eigen::VectorXd lambda_values = at_points_.value * lambda;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const auto row = static_cast<Eigen::Index>(p);
+    PointValues& point = points[p];
+    point.u = values.row(row).head<3>();
+    point.r = values.row(row).tail<3>();
+    point.gap =
+        smallest_gap(discrete_, assembly::shell_point(point.phi, point.a3, point.thickness, moved.row(row).transpose()),
+                     point.u, point.r);
+    point.pressure = contact_values(row, 0);
+    point.lambda = lambda_values[row];
+    point.touching = contact_values(row, 1);
+  }
+}
+
+void Recovery::add_resultants(std::size_t cell, const element::CellField& field,
+                              std::vector<PointValues>& points) const {
+  std::optional<ContinuedResultants> of_cell;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    PointValues& point = points[p];
+    const SurfaceAxes axes{.t1 = point.t1, .t2 = point.t2, .a3 = point.a3};
+    std::optional<Resultants> values;
+    if (choice_.patches) values = choice_.patches->at(cell, at_points_.xi[p], point.phi, axes);
+    if (!values) {
+      if (!of_cell) of_cell.emplace(resultant_points_(cell, field), continuation_);
+      values = of_cell->at(p, axes);
+    }
+    point.N = values->segment<3>(0);
+    point.M = values->segment<3>(3);
+    point.Q = values->segment<2>(6);
+  }
+}
+
+std::vector<PointValues> Recovery::operator()(std::size_t cell) const {
+  const element::CellField field = discrete_.shell.gather(cell, solution_.y);
+  std::vector<PointValues> points = geometry_at_points(cell);
+  add_nodal_values(cell, field, points);
+  add_resultants(cell, field, points);
+  return points;
+}
+
+}  // namespace plastron::recovery

@@ -1,0 +1,61 @@
+// Results at points: displacement, rotation, gap, reaction, stress resultants in an orthonormal frame of the surface.
+#pragma once
+#include <plastron/recovery/resultant_patches.hpp>
+#include <plastron/shell/section_stress.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace plastron::recovery {
+
+/// All doubles. N, M, Q are components in the orthonormal frame (t1, t2) of surface_axes().
+struct PointValues {
+  Eigen::Vector2d x = Eigen::Vector2d::Zero();  ///< parameters in Omega
+  Vector3d phi = Vector3d::Zero();              ///< position on the undeformed mid-surface [m]
+  Vector3d t1 = Vector3d::Zero(), t2 = Vector3d::Zero(), a3 = Vector3d::Zero();  ///< orthonormal frame
+  Eigen::Vector2d curvatures = Eigen::Vector2d::Zero();                          ///< principal ones, ascending [1/m]
+  double thickness = 0;                                                          ///< e [m]
+  Vector3d u = Vector3d::Zero();                                                 ///< displacement [m]
+  Vector3d r = Vector3d::Zero();                                                 ///< rotation of the normal [rad]
+  double gap = 0;                 ///< of the touching face, the smallest of all obstacles [m]; NaN without
+  double pressure = 0;            ///< eta, the sum of all obstacles [Pa]
+  double lambda = 0;              ///< multiplier of (M14) [N m]
+  double touching = 0;            ///< 1 in contact, 0 free; in between next to the zone's edge
+  Vector3d N = Vector3d::Zero();  ///< N_11, N_22, N_12 [N/m]
+  Vector3d M = Vector3d::Zero();  ///< M_11, M_22, M_12 [N]
+  Eigen::Vector2d Q = Eigen::Vector2d::Zero();  ///< Q_1, Q_2 [N/m]
+  shell::Material material{};                   ///< of the point's region
+};
+
+/// N, M, Q and the thickness, from which stresses follow.
+shell::SectionForces section_forces(const PointValues& point);
+
+/// What resultants and frames are to be.
+struct Choice {
+  std::optional<Vector3d> axis{};  ///< that t1 follows, see surface_axes()
+  /// Without, resultants are those of each cell alone and jump between cells: polynomials of degree k - 1 through resultant_points().
+  std::shared_ptr<const ResultantPatches> patches{};
+};
+
+/// Evaluates a solution in cells at fixed points of the reference cell.
+class Recovery {
+ public:
+  Recovery(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+           const std::vector<Eigen::Vector2d>& xi, Choice choice = {});
+  std::vector<PointValues> operator()(std::size_t cell) const;
+
+ private:
+  std::vector<PointValues> geometry_at_points(std::size_t cell) const;
+  void add_nodal_values(std::size_t cell, const element::CellField& field, std::vector<PointValues>& points) const;
+  void add_resultants(std::size_t cell, const element::CellField& field, std::vector<PointValues>& points) const;
+
+  const assembly::DiscreteShell& discrete_;
+  const NodalSolution& solution_;
+  Choice choice_;
+  element::BasisAt at_points_;
+  ResultantPoints resultant_points_;
+  Eigen::MatrixXd continuation_;        // resultant points -> points
+  Eigen::MatrixXd reaction_at_points_;  // nodal reactions -> points
+};
+
+}  // namespace plastron::recovery

@@ -1,0 +1,223 @@
+#include <plastron/recovery/resultant_patches.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace plastron::recovery {
+
+namespace {
+
+/// Cells meet smoothly where their unit normals add up to more than this times their number: to an angle of 3e-3.
+constexpr double smooth_sum = 1 - 1e-6;
+/// A patch reaches no farther round than to normals of this cosine to its vertex's.
+constexpr double least_cosine = 0.5;
+/// Least eigenvalue of the normal equations over the largest, below which points do not determine a polynomial. Patches of four quadrilaterals have
+/// 1e-3 to 1e-2, patches that lack points in a direction rounding only.
+constexpr double least_eigenvalue = 1e-5;
+
+// The sums over the cells round a vertex that tell its plane.
+enum Sum { cells, edges, region, region_square, normal, points = normal + 3, moment, sums = moment + 6 };
+
+using PlaneMatrix = Eigen::Matrix3d;
+
+PlaneMatrix moment_of(std::span<const double> sum) {
+  const double* m = sum.data() + moment;
+  PlaneMatrix matrix;
+  matrix << m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2];
+  return matrix / sum[points];
+}
+
+std::span<double> entry(algebra::Vector& v, algebra::LocalIndex i) {
+  const auto block = static_cast<std::size_t>(v.block());
+  return v.local().subspan(static_cast<std::size_t>(i) * block, block);
+}
+std::span<const double> entry(const algebra::Vector& v, algebra::LocalIndex i) {
+  const auto block = static_cast<std::size_t>(v.block());
+  return v.local().subspan(static_cast<std::size_t>(i) * block, block);
+}
+
+/// Bilinear on quadrilaterals, barycentric on triangles.
+double corner_weight(fem::Shape shape, int corner, const Eigen::Vector2d& xi) {
+  if (shape == fem::Shape::quadrilateral)
+    return (corner % 2 == 1 ? xi[0] : 1 - xi[0]) * (corner >= 2 ? xi[1] : 1 - xi[1]);
+  return corner == 0 ? 1 - xi[0] - xi[1] : xi[corner - 1];
+}
+
+std::vector<CellResultants> all_resultants(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
+  const ResultantPoints take(discrete);
+  std::vector<CellResultants> all;
+  all.reserve(discrete.space().owned_cells);
+  for (std::size_t cell = 0; cell < discrete.space().owned_cells; ++cell)
+    all.push_back(take(cell, discrete.shell.gather(cell, solution.y)));
+  return all;
+}
+
+void add_points(const Vector3d& vertex, const CellResultants& cell, std::span<double> sum) {
+  for (const Vector3d& position : cell.position) {
+    const Vector3d d = position - vertex;
+    const std::array products{d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[2] * d[0]};
+    sum[points] += 1;
+    for (std::size_t k = 0; k < products.size(); ++k) sum[moment + k] += products[k];
+  }
+}
+
+}  // namespace
+
+ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution)
+    : space_(discrete.space()),
+      corners_(fem::corner_count(space_.shape())),
+      terms_(Eigen::Index{space_.degree + 1} * (space_.degree + 2) / 2),
+      vertices_(space_) {
+  const auto resultants = all_resultants(discrete, solution);
+  find_planes(discrete, resultants);
+  fit(resultants);
+}
+
+void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells) {
+  algebra::Vector all(vertices_.layout(), Sum::sums);
+  std::vector<Eigen::Vector2d> xi;
+  for (int k = 0; k < corners_; ++k) xi.push_back(fem::corner(space_.shape(), k));
+  std::vector<geometry::SurfaceJet> jets(xi.size());
+  for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
+    discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
+    const int region = space_.coarse->cells[static_cast<std::size_t>(space_.cells[cell].coarse)].region;
+    for (int k = 0; k < corners_; ++k) {
+      const auto sum = entry(all, vertices_.at(space_, cell, k));
+      const geometry::SurfaceJet& jet = jets[static_cast<std::size_t>(k)];
+      const Vector3d a3 = geometry::unit_normal(jet);
+      sum[Sum::cells] += 1;
+      sum[Sum::region] += region;
+      sum[Sum::region_square] += double{1} * region * region;
+      for (std::size_t d = 0; d < 3; ++d) sum[Sum::normal + d] += a3[static_cast<Eigen::Index>(d)];
+      add_points(jet.value, cells[cell], sum);
+    }
+  }
+  for (const fem::BoundarySide& side : space_.sides)
+    if (side.cell < space_.owned_cells)
+      for (const int corner : fem::side_corners(space_.shape(), side.side))
+        entry(all, vertices_.at(space_, side.cell, corner))[Sum::edges] += 1;
+  all.accumulate_ghosts();
+  all.update_ghosts();
+
+  planes_.resize(static_cast<std::size_t>(vertices_.layout()->local_size()));
+  for (algebra::LocalIndex v = 0; v < vertices_.layout()->local_size(); ++v)
+    planes_[static_cast<std::size_t>(v)] = plane_of(v, all);
+  for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
+    discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
+    for (int k = 0; k < corners_; ++k)
+      planes_[static_cast<std::size_t>(vertices_.at(space_, cell, k))].position =
+          jets[static_cast<std::size_t>(k)].value;
+  }
+}
+
+ResultantPatches::Plane ResultantPatches::plane_of(algebra::LocalIndex vertex, const algebra::Vector& sums) const {
+  const auto sum = entry(sums, vertex);
+  const double count = sum[Sum::cells];
+  const Vector3d normal(sum[Sum::normal], sum[Sum::normal + 1], sum[Sum::normal + 2]);
+  const bool one_region = sum[Sum::region_square] * count - sum[Sum::region] * sum[Sum::region] < 0.5;
+  Plane plane;
+  if (count == 0 || sum[Sum::edges] > 0 || !one_region || !(normal.norm() > smooth_sum * count)) return plane;
+  const Vector3d a3 = normal.normalized();
+  // The patch's directions are those of its points' second moments in the tangent plane.
+  const Vector3d any = a3.unitOrthogonal(), other = a3.cross(any);
+  Eigen::Matrix<double, 3, 2> tangents;
+  tangents << any, other;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moments(tangents.transpose() * moment_of(sum) * tangents);
+  if (!(moments.eigenvalues()[0] > 0)) return plane;
+  const Vector3d t1 = tangents * moments.eigenvectors().col(0);
+  plane.axes = {t1, a3.cross(t1), a3};
+  plane.half_size = (3 * moments.eigenvalues()).cwiseSqrt();  // of points spread evenly
+  plane.is_smooth = true;
+  return plane;
+}
+
+Eigen::RowVectorXd ResultantPatches::basis(const Plane& plane, const Vector3d& position) const {
+  const Vector3d d = position - plane.position;
+  const int degree = space_.degree;
+  std::array<std::vector<double>, 2> chebyshev;
+  const std::array<double, 2> s{d.dot(plane.axes.t1) / plane.half_size[0], d.dot(plane.axes.t2) / plane.half_size[1]};
+  for (std::size_t a = 0; a < 2; ++a) {
+    chebyshev[a] = {1, s[a]};
+    for (int i = 2; i <= degree; ++i)
+      chebyshev[a].push_back(2 * s[a] * chebyshev[a].back() - *(chebyshev[a].end() - 2));
+  }
+  Eigen::RowVectorXd row(terms_);
+  Eigen::Index term = 0;
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j)
+      row[term++] = chebyshev[0][static_cast<std::size_t>(i)] * chebyshev[1][static_cast<std::size_t>(j)];
+  return row;
+}
+
+// The normal equations of every vertex: the matrix column by column, the right-hand sides of the eight components, then a count of
+// points that are too far round.
+void ResultantPatches::fit(const std::vector<CellResultants>& cells) {
+  algebra::Vector equations(vertices_.layout(), static_cast<int>(terms_ * (terms_ + 8) + 1));
+  for (std::size_t cell = 0; cell < space_.owned_cells; ++cell)
+    for (int k = 0; k < corners_; ++k) {
+      const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
+      const Plane& plane = planes_[static_cast<std::size_t>(vertex)];
+      if (!plane.is_smooth) continue;
+      const auto own = entry(equations, vertex);
+      Eigen::Map<Eigen::MatrixXd> matrix(own.data(), terms_, terms_ + 8);
+      for (std::size_t p = 0; p < cells[cell].position.size(); ++p) {
+        const SurfaceAxes& axes = cells[cell].axes[p];
+        if (axes.a3.dot(plane.axes.a3) < least_cosine) {
+          own.back() += 1;
+          continue;
+        }
+        const Eigen::RowVectorXd row = basis(plane, cells[cell].position[p]);
+        matrix.leftCols(terms_) += row.transpose() * row;
+        matrix.rightCols(8) +=
+            row.transpose() * in_other_axes(Resultants(cells[cell].values.row(static_cast<Eigen::Index>(p))),
+                                            change_of_axes(axes, plane.axes));
+      }
+    }
+  equations.accumulate_ghosts();
+  solve_normal_equations(equations);
+}
+
+void ResultantPatches::solve_normal_equations(const algebra::Vector& equations) {
+  coefficients_ = algebra::Vector(vertices_.layout(), static_cast<int>(terms_ * 8 + 1));
+  for (algebra::LocalIndex vertex = 0; vertex < vertices_.layout()->owned; ++vertex) {
+    const auto own = entry(equations, vertex);
+    if (!planes_[static_cast<std::size_t>(vertex)].is_smooth || own.back() > 0) continue;
+    const Eigen::Map<const Eigen::MatrixXd> matrix(own.data(), terms_, terms_ + 8);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix.leftCols(terms_));
+    if (!(eigen.eigenvalues()[0] > least_eigenvalue * eigen.eigenvalues()[terms_ - 1])) continue;
+    const auto result = entry(coefficients_, vertex);
+    Eigen::Map<Eigen::MatrixXd>(result.data(), terms_, 8) = eigen.eigenvectors() *
+                                                            eigen.eigenvalues().cwiseInverse().asDiagonal() *
+                                                            eigen.eigenvectors().transpose() * matrix.rightCols(8);
+    result.back() = 1;
+  }
+  coefficients_.update_ghosts();
+}
+
+std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
+                                               const SurfaceAxes& axes) const {
+  std::array<algebra::LocalIndex, 4> patches{};
+  std::array<double, 4> weights{};
+  std::size_t count = 0;
+  double total = 0;
+  for (int k = 0; k < corners_; ++k) {
+    const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
+    if (entry(coefficients_, vertex).back() == 0) continue;
+    patches[count] = vertex;
+    weights[count] = corner_weight(space_.shape(), k, xi);
+    total += weights[count++];
+  }
+  if (count == 0) return std::nullopt;
+  Resultants sum = Resultants::Zero();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Plane& plane = planes_[static_cast<std::size_t>(patches[i])];
+    const Eigen::Map<const Eigen::MatrixXd> coefficients(entry(coefficients_, patches[i]).data(), terms_, 8);
+    const double weight = weights[i] + (1 - total) / static_cast<double>(count);
+    sum += weight * in_other_axes(Resultants(basis(plane, position) * coefficients), change_of_axes(plane.axes, axes));
+  }
+  return sum;
+}
+
+}  // namespace plastron::recovery

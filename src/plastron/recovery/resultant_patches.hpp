@@ -1,0 +1,47 @@
+// Stress resultants smoothed over the cells around each vertex, an order more accurate than those of a cell alone: a polynomial of the
+// elements' degree is fitted by least squares to the values at the resultant points of the vertex's cells (superconvergent patch
+// recovery: Zienkiewicz and Zhu, Int. J. Numer. Methods Eng. 33, 1992), each turned into the vertex's tangent plane. In a cell the
+// polynomials of its vertices are blended, so that the result is continuous.
+//
+// There is no patch across what may jump: a vertex on an edge of the shell, on a named curve, between regions or on a kink has none, nor
+// one with too few points; its cells go by their other vertices.
+#pragma once
+#include <plastron/recovery/resultants.hpp>
+#include <plastron/recovery/vertices.hpp>
+
+namespace plastron::recovery {
+
+class ResultantPatches {
+ public:
+  /// (collective)
+  ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
+
+  /// At the point xi of an owned cell, whose position and axes are given, in these axes; empty if no vertex of the cell has a patch.
+  std::optional<Resultants> at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
+                               const SurfaceAxes& axes) const;
+
+ private:
+  /// Where the polynomial of a vertex lives: its tangent plane, with lengths along two directions in it.
+  struct Plane {
+    bool is_smooth = false;  ///< the vertex may have a patch
+    Vector3d position;
+    SurfaceAxes axes;           ///< t1 and t2 along the patch
+    Eigen::Vector2d half_size;  ///< of the patch along them [m]
+  };
+
+  void find_planes(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells);
+  void fit(const std::vector<CellResultants>& cells);
+  Plane plane_of(algebra::LocalIndex vertex, const algebra::Vector& sums) const;
+  /// The polynomials' basis: products of Chebyshev polynomials of a total degree up to that of the elements.
+  Eigen::RowVectorXd basis(const Plane& plane, const Vector3d& position) const;
+  void solve_normal_equations(const algebra::Vector& equations);
+
+  const fem::Space& space_;
+  int corners_;
+  Eigen::Index terms_;  ///< of a polynomial
+  Vertices vertices_;
+  std::vector<Plane> planes_{};
+  algebra::Vector coefficients_{};  ///< terms x 8 by vertex, then 1 where there is a patch
+};
+
+}  // namespace plastron::recovery

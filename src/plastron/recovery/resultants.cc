@@ -1,0 +1,54 @@
+#include <plastron/recovery/resultants.hpp>
+
+namespace plastron::recovery {
+
+Resultants in_other_axes(const Resultants& resultants, const Eigen::Matrix2d& change) {
+  Resultants result;
+  result << in_other_axes(Vector3d(resultants.segment<3>(0)), change).transpose(),
+      in_other_axes(Vector3d(resultants.segment<3>(3)), change).transpose(),
+      (change * resultants.segment<2>(6).transpose()).transpose();
+  return result;
+}
+
+ResultantPoints::ResultantPoints(const assembly::DiscreteShell& discrete, std::optional<Vector3d> axis)
+    : discrete_(discrete), axis_(std::move(axis)) {
+  const fem::Shape shape = discrete.space().shape();
+  const int degree = discrete.space().degree;
+  basis_ = element::basis_at(shape, degree, element::resultant_points(shape, degree));
+  tied_ = element::tied_interpolation(discrete.shell.tables(), basis_.xi);
+}
+
+CellResultants ResultantPoints::operator()(std::size_t cell, const element::CellField& field) const {
+  const assembly::ShellOperator& shell = discrete_.shell;
+  const fem::Cell& where = shell.space().cells[cell];
+  const auto count = basis_.xi.size();
+  std::vector<geometry::SurfaceJet> jets(count), in_parameters(count);
+  std::vector<double> x(count), y(count), e(count);
+  shell.surface().jets(where, basis_.xi, jets);
+  shell.surface().parameter_jets(where, basis_.xi, in_parameters);
+  shell.surface().positions(where, basis_.xi, x, y);
+  const assembly::CrossSection& section = shell.section(cell);
+  section.thickness.evaluate(x, y, e);
+  const auto strains = shell.strains_at(cell, field, basis_, tied_, jets);
+
+  CellResultants result{.position = {}, .axes = {}, .values = ResultantRows(static_cast<Eigen::Index>(count), 8)};
+  for (std::size_t p = 0; p < count; ++p) {
+    const geometry::Frame frame = geometry::frame_at(jets[p]);
+    const auto row = strains.row(static_cast<Eigen::Index>(p));
+    const shell::Strain<double> strain{row.head<3>(), row.segment<3>(3), row.tail<2>()};
+    const auto stiffness = shell::section_stiffness(section.material, e[p], frame.metric_con);
+    const auto s = shell::resultants(stiffness, strain);
+    const SurfaceAxes axes = surface_axes(in_parameters[p], frame.a3, axis_);
+    Eigen::Matrix2d to_axes;  // T^{ab} a_a a_b in orthonormal axes
+    to_axes << frame.a_cov[0].dot(axes.t1), frame.a_cov[1].dot(axes.t1), frame.a_cov[0].dot(axes.t2),
+        frame.a_cov[1].dot(axes.t2);
+    Resultants contravariant;
+    contravariant << s.membrane.transpose(), s.bending.transpose(), s.shear.transpose();
+    result.values.row(static_cast<Eigen::Index>(p)) = in_other_axes(contravariant, to_axes);
+    result.position.push_back(jets[p].value);
+    result.axes.push_back(axes);
+  }
+  return result;
+}
+
+}  // namespace plastron::recovery
