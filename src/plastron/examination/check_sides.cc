@@ -1,5 +1,5 @@
-// Deep inside of a body the nearest way out may change its side from node to node, as in the middle of a slab: then gaps
-// push one cell both ways, and which side is the free one is nobody's decision. Outside such a jump does no harm.
+// Deep inside of a body the nearest way out may change its side from node to node, as in the middle of a slab: then
+// gaps push one cell both ways, and which side is the free one is nobody's decision. Outside such a jump does no harm.
 #include <plastron/examination/checks.hpp>
 
 #include <optional>

@@ -69,7 +69,8 @@ std::optional<Vector3d> other_side(const SpaceFunction& F, const Vector3d& X, do
   return {};
 }
 
-/// A point of the surface on the smallest sphere that meets both sides, of those as wide as |F| / |F'| times 2^-4 to 2^10.
+/// A point of the surface on the smallest sphere that meets both sides, of those as wide as |F| / |F'| times 2^-4 to
+/// 2^10.
 Vector3d point_on_surface(const SpaceFunction& F, const Vector3d& X, const SpaceJet& f) {
   constexpr int first = -4, last = 10;
   constexpr double close = 1e-10;
@@ -144,7 +145,7 @@ Foot nearer_side(const SpaceFunction& F, const Vector3d& X, Foot foot) {
   for (int restart = 0; restart < most_restarts; ++restart) {
     std::optional<Vector3d> other;
     const double distance = (X - foot.Y).norm();
-    for (const double share : {0.4, 0.7, 0.95})
+    for (const double share : {0.4, 0.7})
       if (!other) other = other_side(F, X, share * distance);
     if (!other) break;
     const Foot nearer = ZeroSet(F).descend(X, ZeroSet(F).crossing(X, *other));

@@ -14,7 +14,7 @@ class DistanceField {
   explicit DistanceField(std::shared_ptr<const geometry::SpaceFunction> expression);
 
   /// The foot Y solves F(Y) = 0, X = Y + d F'(Y) / |F'(Y)|: Newton's method, else a descent along the surface, and
-  /// descents again from where F changes its sign nearer to X or nearly does. If F is a distance the first step ends it.
+  /// descents again from where F changes its sign nearer to X or nearly does. If F is a distance one step ends it.
   /// Throws ObstacleError where the gradient of F is zero at X or at the surface, and where no foot is found.
   Nearest nearest(const Vector3d& X) const;
 

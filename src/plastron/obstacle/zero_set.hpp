@@ -1,4 +1,5 @@
-// The surface F = 0 of an expression F: a way onto it, and along it to a point where the distance from X is least around.
+// The surface F = 0 of an expression F: a way onto it, and along it to a point where the distance from X is
+// least around.
 #pragma once
 #include <plastron/geometry/space_function.hpp>
 #include <plastron/obstacle/nearest.hpp>
@@ -12,7 +13,7 @@ class ZeroSet {
   /// `function` must outlive this.
   explicit ZeroSet(const geometry::SpaceFunction& function) : function_(function) {}
 
-  /// A foot Y of X and how far it is from being one: off the surface, and off the line through X along F'. A length [m].
+  /// A foot Y of X and how far it is from being one: off the surface, and off the line through X along F' [m].
   struct Foot {
     Vector3d Y;
     geometry::SpaceJet f;
