@@ -17,6 +17,7 @@
 #include <functional>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace plastron::benchmarks {
@@ -108,7 +109,7 @@ obstacle::HeightField raster() {
 }
 
 /// Mean distances are printed so that a change of what is computed shows.
-void report_shape(const char* name, const obstacle::Shape& shape, double factorisation) {
+void report_shape(const std::string& name, const obstacle::Shape& shape, double factorisation) {
   const obstacle::Obstacle body{.shape = shape};
   const Points box = anywhere();
   const std::array<Points, 2> sets{near(body, box), box};
@@ -133,10 +134,10 @@ void report() {
   report_shape("half space", obstacle::HalfSpace{}, one);
   report_shape("ball", obstacle::Ball{}, one);
   report_shape("box", obstacle::Box{}, one);
-  report_shape(
-      "expression X^2+Y^2+Z^2-1",
-      obstacle::DistanceField(std::make_shared<const geometry::SpaceFunction>("X^2+Y^2+Z^2-1", geometry::Constants{})),
-      one);
+  for (const char* text : {"X^2+Y^2+Z^2-1", "X^2+2*Y^2+Z^2-1"})
+    report_shape(fmt::format("expression {}", text),
+                 obstacle::DistanceField(std::make_shared<const geometry::SpaceFunction>(text, geometry::Constants{})),
+                 one);
   std::optional<obstacle::TriangleSurface> surface;
   const obstacle::TriangleMesh mesh = sphere(224);
   const double seconds = time([&] { surface.emplace(mesh); });

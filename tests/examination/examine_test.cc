@@ -166,6 +166,33 @@ TEST(Examination, only_warns_of_a_free_part_inside_of_the_obstacle) {
   EXPECT_THAT(warnings(p), ElementsAre(AllOf(HasSubstr("initial gap: -0.01 m (at x = 0.5"), HasSubstr("pushed out"))));
 }
 
+/// The strip rises through a slab 0.2 m thick, whose distance has a kink in its middle.
+TEST(Examination, warns_where_the_free_side_of_an_obstacle_changes_within_the_shell) {
+  const auto slab = std::make_shared<const geometry::SpaceFunction>("abs(Z) - 0.1", geometry::Constants{});
+  const auto at_height = [&](const std::string& z) {
+    computation::Problem p = with_chart(pressed_strip(), {"x", "y", z});
+    p.obstacles.at(0).shape = obstacle::DistanceField(slab);
+    p.obstacles.at(0).face = obstacle::Face::nearer;
+    p.supports = {clamped("left")};
+    return p;
+  };
+  const auto both_ways = AllOf(HasSubstr("which side of the obstacle is the free one"), HasSubstr("along (0, 0, 1) at"),
+                               HasSubstr("along (0, 0, -1) at"));
+  EXPECT_THAT(warnings(at_height("0.2 - 0.23*x")), testing::Contains(both_ways));
+  EXPECT_THAT(warnings(at_height("0.2 - 0.13*x")), testing::Not(testing::Contains(both_ways)));
+  EXPECT_THAT(warnings(at_height("0.2 - 0.03*x")), IsEmpty());
+}
+
+TEST(Examination, says_that_corners_of_a_surface_were_joined) {
+  computation::Problem p = pressed_strip();
+  p.obstacles.at(0).shape = obstacle::TriangleSurface({.points = {{0, 0, -9}, {9, 0, -9}, {0, 9, -9}, {0, 0, -1}},
+                                                       .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+                                                       .joined = 2,
+                                                       .joined_over = 3e-6});
+  EXPECT_THAT(texts(p, Severity::note),
+              testing::Contains(HasSubstr("2 corners at open sides were joined with others up to 3e-06 m away")));
+}
+
 TEST(Examination, finds_supports_that_contradict_each_other) {
   computation::Problem p = cantilever_plate();
   p.supports.push_back(

@@ -1,6 +1,9 @@
 #include "obstacle/probing.hpp"
 
 #include <plastron/obstacle/error.hpp>
+#include <plastron/obstacle/obstacle.hpp>
+
+#include <gmock/gmock.h>
 
 namespace plastron::obstacle {
 namespace {
@@ -42,6 +45,124 @@ TEST(ADistanceExpression, IsTheSameInMicrometresAndInMegametres) {
     for (const Vector3d& X : test::random_points(50, 1.5))
       EXPECT_NEAR(field("X^2 + Y^2 + 2*Z^2 - m^2", {{"m", m}}).nearest(m * (X + Vector3d(0, 0, 2))).distance / m,
                   field("X^2 + Y^2 + 2*Z^2 - 1").nearest(X + Vector3d(0, 0, 2)).distance, 1e-12);
+}
+
+/// Points of the surface along 10 000 directions from the origin, from where all of it is seen.
+class StarShaped {
+ public:
+  explicit StarShaped(const DistanceField& body) : body_(body) {
+    constexpr int count = 10000;
+    for (int i = 0; i < count; ++i) {
+      const double z = (2.0 * i + 1) / count - 1, turn = 2.399963229728653 * i, r = std::sqrt(1 - z * z);
+      directions_.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+      points_.push_back(at(directions_.back()));
+    }
+  }
+
+  /// The nearest of these points, then of others around it by steps of half the length.
+  double distance(const Vector3d& X) const {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if ((X - points_[i]).squaredNorm() < (X - points_[first]).squaredNorm()) first = i;
+    Vector3d best = directions_[first];
+    double least = (X - points_[first]).norm();
+    for (double step = 0.04; step > 1e-8; step /= 2)
+      for (int i = 0; i < 26; ++i) {
+        const Vector3d way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), trial = (best + step * way).normalized();
+        if (const double d = (X - at(trial)).norm(); d < least) least = d, best = trial, i = -1;
+      }
+    return least;
+  }
+
+ private:
+  Vector3d at(const Vector3d& direction) const {
+    double low = 0, high = 4;
+    for (int i = 0; i < 50; ++i) {
+      const double middle = (low + high) / 2;
+      (body_.level(middle * direction) < 0 ? low : high) = middle;
+    }
+    return low * direction;
+  }
+
+  const DistanceField& body_;
+  std::vector<Vector3d> directions_, points_;
+};
+
+TEST(ADistanceExpression, GivesTheDistanceOfBruteForceInsideAndOutside) {
+  for (const char* text :
+       {"X^2 + 2*Y^2 + Z^2 - 1", "X^2 + (Y/0.3)^2 + (Z/2)^2 - 1", "X^4 + Y^4 + Z^4 - 1", "X^6 + 3*Y^6 + Z^6 - 1",
+        "(X^2+Y^2+Z^2)^2 - 2*(X^2-Y^2-Z^2) - 0.2", "X^2 + Y^2 + Z^2 - 1 + 0.3*sin(5*X)*sin(4*Y)*cos(3*Z)"}) {
+    const DistanceField body = field(text);
+    const StarShaped exact(body);
+    for (const Vector3d& X : test::random_points(150, 1.2)) {
+      const Nearest at = body.nearest(X);
+      EXPECT_NEAR(std::abs(at.distance), exact.distance(X), 1e-6) << text << " at " << X.transpose();
+      EXPECT_EQ(at.distance < 0, body.level(X) < 0) << text << " at " << X.transpose();
+      EXPECT_NEAR(body.nearest(X - at.distance * at.normal).distance, 0, 1e-9) << text << " at " << X.transpose();
+    }
+  }
+}
+
+/// Newton's method ends between two feet there.
+TEST(ADistanceExpression, KnowsAPointDeepInsideOfAnEllipsoid) {
+  const DistanceField ellipsoid = field("X^2 + 2*Y^2 + Z^2 - 1");
+  const Vector3d X(0.397554, 0.0425161, 0.257049);
+  EXPECT_NEAR(ellipsoid.nearest(X).distance, -StarShaped(ellipsoid).distance(X), 1e-7);
+}
+
+/// Far away the gradient of a high power is as many times greater than at the surface.
+TEST(ADistanceExpression, OfHighPowersIsKnownFarAway) {
+  EXPECT_NEAR(field("X^8 + Y^8 + Z^8 - 1").nearest({0, 0, 20}).distance, 19, 1e-9);
+}
+
+/// F is zero only up to the rounding of its terms, which are much greater than X.
+TEST(ADistanceExpression, IsKnownNextToItsSurfaceAtTheOrigin) {
+  for (const char* text : {"X^2 + Y^2 + Z^2 - 2*Z", "X^2 + Y^2 + (Z - 1)^2 - 1", "sqrt(X^2 + Y^2 + (Z - 1)^2) - 1",
+                           "X^2 + Y^2 + (Z - 1000)^2 - 1e6", "1 - cos(X) + Y^2 + 3 - exp(2*Z) - 2"})
+    for (const double size : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15})
+      for (const Vector3d& X : test::random_points(40, size)) {
+        const double distance = field(text).nearest(X).distance;
+        EXPECT_NEAR(distance, -X[2], 3 * size * size + 2e-13) << text << " at " << X.transpose();
+      }
+}
+
+/// A slab: its two faces are one zero set, and the gradient jumps between them.
+TEST(AKinkOfADistanceExpression, DoesNoHarmOffTheSurface) {
+  const DistanceField slab = field("abs(Z) - 0.1");
+  for (Vector3d X : test::random_points(200, 0.3)) {
+    const Nearest at = slab.nearest(X);
+    EXPECT_NEAR(at.distance, std::abs(X[2]) - 0.1, 1e-15);
+    EXPECT_EQ(at.normal, Vector3d(0, 0, X[2] > 0 ? 1 : -1));
+  }
+  EXPECT_THROW(slab.nearest({0.3, 0.2, 0}), ObstacleError);
+  // Next to a face of an octahedron, away from its edges.
+  EXPECT_NEAR(field("abs(X) + abs(Y) + abs(Z) - 1").nearest({0.4, 0.4, 0.4}).distance, 0.2 / std::sqrt(3), 1e-14);
+}
+
+std::string refusal(const Obstacle& obstacle, const Vector3d& X) {
+  try {
+    obstacle.nearest(X);
+  } catch (const ObstacleError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ARefusedDistance, NamesTheObstacleThePointAndTheReason) {
+  const auto said = [](const char* text, const Vector3d& X) {
+    return refusal({.name = "pin", .shape = field(text)}, X);
+  };
+  EXPECT_EQ(said("Z^2 + 1", {0, 0, 1}),
+            "the obstacle \"pin\" at the point (0, 0, 1) of space: the distance expression \"Z^2 + 1\" is 2 there and "
+            "has that sign as far as 1.02e+03 m away: no surface of a body is near; the body is where it is negative, "
+            "and it must change its sign at the surface (are its constants and lengths right?)");
+  EXPECT_THAT(said("Z^2", {0, 0, 1}), testing::HasSubstr("has a zero gradient where it is zero itself"));
+  EXPECT_THAT(said("abs(Z) - 0.1", {0, 2, 0}), testing::HasSubstr("is -0.1 and has a zero gradient there"));
+  EXPECT_THAT(said("log(Z)", {0, 0, -1}), testing::HasSubstr("is not finite there"));
+  EXPECT_THAT(said("abs(X) + abs(Y) + abs(Z) - 1", {0.1, 0.2, 2}), testing::HasSubstr("without kinks there"));
+  const Obstacle shifted{.shape = field("Z^2 + 1"), .placement = {.translation = {0, 0, 3}}};
+  EXPECT_THAT(refusal(shifted, {0, 0, 4}),
+              testing::StartsWith("the obstacle at the point (0, 0, 4) of space, (0, 0, 1) in its own coordinates: "));
 }
 
 TEST(ADistanceExpression, WithoutGradientIsRefused) {

@@ -192,6 +192,32 @@ TEST(ARaster, SaysWhereItDoesNotReach) {
   EXPECT_TRUE(std::isnan(raster.level({0.6, 0, 0})));
 }
 
+TEST(ARefusedHeight, NamesTheObstacleThePointAndTheReason) {
+  const auto said = [](const HeightField& shape, const Vector3d& X) -> std::string {
+    try {
+      (Obstacle{.name = "floor", .shape = shape}).nearest(X);
+    } catch (const ObstacleError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(
+      said(HeightField(std::make_shared<const Raster>(wave_raster(5))), {0.6, 0, 1}),
+      "the obstacle \"floor\" at the point (0.6, 0, 1) of space: the height field has no height there; the raster "
+      "covers X from -0.5 to 0.5 and Y from -0.5 to 0.5 in its own coordinates and must reach beyond the shell on "
+      "all sides by as much as the two are apart: give a larger raster, or move it");
+  EXPECT_EQ(
+      said(height("log(X)"), {-1, 0, 1}),
+      "the obstacle \"floor\" at the point (-1, 0, 1) of space: the height field \"log(X)\" is not finite there; it "
+      "and its first two derivatives must be, wherever the shell is");
+  // The foot is beyond the edge.
+  Eigen::MatrixXd slope(5, 5);
+  for (int i = 0; i < 5; ++i) slope.row(i).setConstant(0.25 * i);
+  const HeightField hill(std::make_shared<const Raster>(slope, Eigen::Vector2d(0, 0), 0.25));
+  EXPECT_EQ(said(hill, {0.4, 0.5, 0.5}), "");
+  EXPECT_NE(said(hill, {0.9, 0.5, 1.9}).find("no nearest point there, or one at its edge"), std::string::npos);
+}
+
 TEST(ARasterFile, IsReadFromTheNorthAndRefusedInWords) {
   const auto path = (std::filesystem::temp_directory_path() / "plastron_obstacle_test.asc").string();
   const auto write = [&](const std::string& text) { std::ofstream(path) << text; };

@@ -2,6 +2,8 @@
 
 #include <plastron/obstacle/error.hpp>
 
+#include <gmock/gmock.h>
+
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -135,6 +137,50 @@ TEST(ACavity, IsTurnedInward) {
   EXPECT_NE(refusal(outward).find("cavity"), std::string::npos);
   EXPECT_EQ(refusal(mesh), "");
   EXPECT_NEAR(TriangleSurface(mesh).nearest({1.5, 1.5, 1.6}).distance, 0.4, 1e-14);
+}
+
+/// As STL files have them: three points of their own for each triangle, here each moved by up to `off`.
+TriangleMesh scattered(const TriangleMesh& mesh, double off) {
+  TriangleMesh apart;
+  const auto moves = test::random_points(static_cast<int>(3 * mesh.triangles.size()), off);
+  for (const auto& triangle : mesh.triangles) {
+    const int first = static_cast<int>(apart.points.size());
+    for (const int corner : triangle) apart.points.push_back(mesh.points[corner] + moves[apart.points.size()]);
+    apart.triangles.push_back({first, first + 1, first + 2});
+  }
+  return apart;
+}
+
+TEST(PointsThatWereRoundedApart, AreJoinedUpToAMillionthOfTheSurface) {
+  TriangleMesh sphere = ball_mesh(3);
+  const std::size_t points = sphere.points.size(), triangles = sphere.triangles.size();
+  const double size = 2 * std::sqrt(3.0);
+  TriangleMesh near = scattered(sphere, 2e-7 * size);
+  EXPECT_NE(refusal(near).find("not closed"), std::string::npos);
+  join_near_points(near);
+  EXPECT_EQ(refusal(near), "");
+  EXPECT_EQ(near.points.size(), points);
+  EXPECT_EQ(near.triangles.size(), triangles);
+  EXPECT_EQ(near.joined, 3 * triangles - points);
+  EXPECT_GT(near.joined_over, 2e-7 * size);
+  EXPECT_LE(near.joined_over, joining_tolerance * size);
+  TriangleMesh far = scattered(sphere, 1e-5 * size);
+  join_near_points(far);
+  EXPECT_THAT(refusal(far),
+              testing::AllOf(testing::HasSubstr("not closed"), testing::HasSubstr("1e-06 of the surface's size")));
+}
+
+/// However small its triangles are.
+TEST(AClosedSurface, KeepsItsPoints) {
+  TriangleMesh two = ball_mesh(2);
+  const TriangleMesh tiny = box_mesh({3, 0, 0}, Vector3d(3, 0, 0) + Vector3d::Constant(1e-7));
+  const int count = static_cast<int>(two.points.size());
+  for (const auto& t : tiny.triangles) two.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+  two.points.insert(two.points.end(), tiny.points.begin(), tiny.points.end());
+  const auto before = two.points;
+  join_near_points(two);
+  EXPECT_EQ(two.points, before);
+  EXPECT_EQ(two.joined, 0u);
 }
 
 /// One box in all formats.

@@ -56,11 +56,14 @@ Section obstacle_section() {
         .kind = Kind::space_formula,
         .meaning =
             "all points where the expression is not positive; its size elsewhere does not count, for the distance to "
-            "its zero set is found; its gradient must not be zero"},
+            "its zero set is found. It must change its sign there; its gradient must not be zero there nor where the "
+            "shell is. A kink, as of abs(Z) - 0.1 at Z = 0, does no harm off the zero set and the shell"},
        {.name = "surface",
         .kind = Kind::text,
-        .meaning = "a file .stl, .obj or .ply of at most 256 MB and two million triangles, its path relative to the "
-                   "case file: the closed surface of a body, turned outward, that does not cut itself"},
+        .meaning =
+            "a file .stl, .obj or .ply of at most 256 MB and two million triangles, its path relative to the "
+            "case file: the closed surface of a body, turned outward, that does not cut itself. Corners at open sides "
+            "are joined where they are nearer to each other than a millionth of the surface's diagonal"},
        {.name = "rotate", .kind = Kind::table, .meaning = "turns the shape before anything else"},
        {.name = "translate",
         .kind = Kind::vector,
@@ -102,7 +105,8 @@ std::vector<Section> round_sections() {
             radius_key("tube_radius", "radius of the ring's cross-section", "0.01")}},
           {"obstacle.cone",
            "cone",
-           "A circular cone; infinite without height, with it a plane base ends it.",
+           "A circular cone; infinite without height, with it a plane base ends it. Without fillet its tip is sharp: "
+           "on the axis inside of it no direction is that of the nearest side, and any is taken.",
            {point_key("apex", "its tip, before rounding"),
             direction_key("axis", "direction of the axis, from the tip into the body"),
             {.name = "half_angle",
@@ -139,16 +143,18 @@ std::vector<Section> plane_sections() {
 }
 
 Section height_field_section() {
-  return {"obstacle.height_field",
-          "height_field",
-          "Exactly one of these. What counts is the distance to the surface, not the height above it.",
-          {{.name = "expression", .kind = Kind::space_formula, .unit = "m", .meaning = "the height h(X, Y); no Z"},
-           {.name = "file",
-            .kind = Kind::text,
-            .meaning =
-                "an ESRI ASCII grid (ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the "
-                "heights, that of the greatest Y first) of at most four million heights, its path relative to "
-                "the case file; a bicubic spline goes through them, and the shell must be above it"}}};
+  return {
+      "obstacle.height_field",
+      "height_field",
+      "Exactly one of these. What counts is the distance to the surface, not the height above it.",
+      {{.name = "expression", .kind = Kind::space_formula, .unit = "m", .meaning = "the height h(X, Y); no Z"},
+       {.name = "file",
+        .kind = Kind::text,
+        .meaning =
+            "an ESRI ASCII grid (ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the "
+            "heights, that of the greatest Y first) of at most four million heights, its path relative to "
+            "the case file; a bicubic spline goes through them. It must reach beyond the shell by as much as the two "
+            "are apart, and have no holes (NODATA_value)"}}};
 }
 
 }  // namespace

@@ -78,6 +78,10 @@ void check_symmetry(Examined& examined);
 void check_formulation(Examined& examined, const ExaminedNodes& nodes);
 /// The initial gap against one obstacle, and no support that holds the shell inside of it.
 void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
+/// No cell is pushed out of an obstacle to opposite sides.
+void check_sides(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
+/// Obstacles' surfaces are as their files have them.
+void check_surfaces(Examined& examined);
 /// The face that is to touch an obstacle is the near one.
 void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
 /// No rigid motion is left free but those that the loads press on the obstacle.

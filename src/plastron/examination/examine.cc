@@ -33,6 +33,7 @@ void check_nodes(Examined& examined) {
     for (std::size_t k = 0; k < examined.problem.obstacles.size(); ++k) {
       check_gap(examined, nodes, k);
       check_face(examined, nodes, k);
+      check_sides(examined, nodes, k);
     }
     check_formulation(examined, nodes);
     check_rigid_motions(examined, nodes);
@@ -49,8 +50,8 @@ std::vector<Finding> findings_of(const computation::Problem& problem) {
     check(examined);
     if (has_errors(examined.findings)) return examined.findings;
   }
-  for (const auto check :
-       {check_normals, check_seams, check_finite, check_locking, check_precision, check_probes, check_lines})
+  for (const auto check : {check_normals, check_seams, check_finite, check_surfaces, check_locking, check_precision,
+                           check_probes, check_lines})
     check(examined);
   // Values that are not finite would be found again, in other words.
   if (!has_errors(examined.findings)) check_inside_cells(examined);

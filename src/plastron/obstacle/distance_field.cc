@@ -2,41 +2,157 @@
 #include <plastron/obstacle/distance_field.hpp>
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/offset_surface.hpp>
+#include <plastron/obstacle/zero_set.hpp>
 
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace plastron::obstacle {
 
 namespace {
 
+using geometry::SpaceFunction;
 using geometry::SpaceJet;
+using Foot = ZeroSet::Foot;
 
-/// How far Y is from being the foot of X: off the surface, and off the line through X along the gradient. Lengths.
-double residual(const Vector3d& X, const Vector3d& Y, const SpaceJet& f) {
-  const double size = f.gradient.norm();
-  const Vector3d n = f.gradient / size, way = X - Y;
-  return std::hypot(f.value / size, (way - way.dot(n) * n).norm());
+/// To the faces, edges and corners of a cube.
+const std::array<Vector3d, 26>& directions_around() {
+  static const auto all = [] {
+    std::array<Vector3d, 26> made;
+    std::size_t count = 0;
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        for (int k = -1; k <= 1; ++k)
+          if (i != 0 || j != 0 || k != 0) made[count++] = Vector3d(i, j, k).normalized();
+    return made;
+  }();
+  return all;
 }
 
-/// Newton's step for Y + t F'(Y) = X, F(Y) = 0.
-Vector3d newton_step(const Vector3d& X, const Vector3d& Y, const SpaceJet& f) {
-  const double t = (X - Y).dot(f.gradient) / f.gradient.squaredNorm();
-  const double scale = 1 / f.gradient.norm();  // of the last row and column
-  Eigen::Matrix4d system = Eigen::Matrix4d::Zero();
-  system.topLeftCorner<3, 3>() = Matrix3d::Identity() + t * f.hessian;
-  system.topRightCorner<3, 1>() = scale * f.gradient;
-  system.bottomLeftCorner<1, 3>() = scale * f.gradient.transpose();
-  Eigen::Vector4d right;
-  right << X - Y - t * f.gradient, -scale * f.value;
-  return system.partialPivLu().solve(right).head<3>();
+[[noreturn]] void refuse(const SpaceFunction& F, const std::string& what) {
+  throw ObstacleError(fmt::format("the distance expression \"{}\" {}", geometry::shortened(F.text()), what));
 }
 
-/// To the point of the linearised surface that is nearest to X.
-Vector3d tangent_step(const Vector3d& X, const Vector3d& Y, const SpaceJet& f) {
-  const Vector3d way = X - Y;
-  return way - f.gradient * ((f.value + f.gradient.dot(way)) / f.gradient.squaredNorm());
+[[noreturn]] void refuse_for_kinks(const SpaceFunction& F) {
+  refuse(F,
+         "leads to no point of the body's surface that is nearest; it must change its sign at the surface and be "
+         "differentiable twice near it, without kinks there as abs has");
+}
+
+/// F at X; refused where it says nothing about the way to the surface.
+SpaceJet usable_jet(const SpaceFunction& F, const Vector3d& X) {
+  const SpaceJet f = F(X);
+  if (!std::isfinite(f.value)) refuse(F, "is not finite there; it must be wherever the shell is");
+  if (!f.hessian.allFinite() || !f.gradient.allFinite())
+    refuse(F, fmt::format("is {:.4g} there, but its first two derivatives are not finite; they must be wherever the "
+                          "shell is",
+                          f.value));
+  if (f.gradient.isZero(0))
+    refuse(F,
+           fmt::format("is {:.4g} and has a zero gradient there, so that no side of the body is the nearest; move the "
+                       "body, or write an expression whose gradient is not zero there",
+                       f.value));
+  return f;
+}
+
+/// Where F has the other sign than at X, as far as `radius` from it.
+std::optional<Vector3d> other_side(const SpaceFunction& F, const Vector3d& X, double radius) {
+  const double at_X = F.value(X);
+  for (const Vector3d& direction : directions_around())
+    if (F.value(X + radius * direction) * at_X < 0) return X + radius * direction;
+  return {};
+}
+
+/// A point of the surface on the smallest sphere that meets both sides, of those as wide as |F| / |F'| times 2^-4 to
+/// 2^10.
+Vector3d point_on_surface(const SpaceFunction& F, const Vector3d& X, const SpaceJet& f) {
+  constexpr int first = -4, last = 10;
+  constexpr double close = 1e-10;
+  const double guess = std::abs(f.value) / f.gradient.norm();
+  bool changes_sign = false;
+  for (int power = first; power <= last; ++power)
+    if (const auto other = other_side(F, X, std::ldexp(guess, power))) {
+      changes_sign = true;
+      const ZeroSet surface(F);
+      if (const auto Y = surface.projected(surface.crossing(X, *other), close * (X - *other).norm())) return *Y;
+    }
+  if (changes_sign) refuse_for_kinks(F);
+  refuse(F, fmt::format(
+                "is {:.4g} there and has that sign as far as {:.3g} m away: no surface of a body is near; the body "
+                "is where it is negative, and it must change its sign at the surface (are its constants and "
+                "lengths right?)",
+                f.value, std::ldexp(guess, last)));
+}
+
+/// Some foot of X, not yet the nearest.
+Foot any_foot(const SpaceFunction& F, const Vector3d& X) {
+  const SpaceJet f = usable_jet(F, X);
+  const ZeroSet surface(F);
+  const Foot direct = surface.newton(X, X);
+  if (direct.is_found(X)) return direct;
+  const auto beside = surface.projected(direct.Y, 1e-10 * (X - direct.Y).norm());
+  return surface.descend(X, beside ? *beside : point_on_surface(F, X, f));
+}
+
+/// True if the surface bends away from X at the foot, which then is nearest to nothing.
+bool is_no_minimum(const Vector3d& X, const Foot& foot) {
+  const double size = foot.f.gradient.norm();
+  const Vector3d n = foot.f.gradient / size;
+  const Matrix3d model = Matrix3d::Identity() + (X - foot.Y).dot(n) * surface_curvature(n, size, foot.f.hessian);
+  return Eigen::SelfAdjointEigenSolver<Matrix3d>(model, Eigen::EigenvaluesOnly).eigenvalues()[0] < -1e-6;
+}
+
+/// Feet nearer than `foot` on other parts of the surface, which come close to the sphere through it around X.
+Foot nearer_elsewhere(const SpaceFunction& F, const Vector3d& X, Foot foot) {
+  constexpr double close = 0.4, same_direction = 0.64;
+  constexpr std::size_t most_descents = 4;
+  struct Start {
+    double off;  // the surface from the sphere, about
+    Vector3d direction;
+  };
+  const double radius = (X - foot.Y).norm();
+  if (!(radius > 0)) return foot;
+  std::vector<Vector3d> known{(foot.Y - X) / radius};
+  std::vector<Start> starts;
+  for (const Vector3d& direction : directions_around()) {
+    if (direction.dot(known[0]) > same_direction) continue;
+    const SpaceJet f = F(X + radius * direction);
+    const double off = std::abs(f.value) / f.gradient.norm();
+    if (off < close * radius) starts.push_back({off, direction});
+  }
+  std::ranges::stable_sort(starts, {}, &Start::off);
+  for (const Start& start : starts) {
+    const auto is_same = [&](const Vector3d& u) { return u.dot(start.direction) > same_direction; };
+    if (known.size() > most_descents || std::ranges::any_of(known, is_same)) continue;
+    known.push_back(start.direction);
+    const auto Y = ZeroSet(F).projected(X + radius * start.direction, 1e-10 * radius);
+    if (!Y) continue;
+    const Foot other = ZeroSet(F).descend(X, *Y);
+    if (other.is_found(X) && (X - other.Y).norm() < (X - foot.Y).norm()) foot = other;
+  }
+  return foot;
+}
+
+/// Feet nearer than `foot` where F changes its sign nearer to X.
+Foot nearer_side(const SpaceFunction& F, const Vector3d& X, Foot foot) {
+  constexpr int most_restarts = 10;
+  for (int restart = 0; restart < most_restarts; ++restart) {
+    std::optional<Vector3d> other;
+    const double distance = (X - foot.Y).norm();
+    for (const double share : {0.4, 0.7})
+      if (!other) other = other_side(F, X, share * distance);
+    if (!other) break;
+    const Foot nearer = ZeroSet(F).descend(X, ZeroSet(F).crossing(X, *other));
+    if (!nearer.is_found(X) || !((X - nearer.Y).norm() < distance)) break;
+    foot = nearer;
+  }
+  return foot;
 }
 
 }  // namespace
@@ -47,72 +163,20 @@ DistanceField::DistanceField(std::shared_ptr<const geometry::SpaceFunction> expr
     throw ObstacleError("the expression is the same everywhere: its gradient is zero");
 }
 
-void DistanceField::refuse(const Vector3d& X, const char* what) const {
-  throw ObstacleError(fmt::format("the distance expression \"{}\" {} ({:.6g}, {:.6g}, {:.6g}) in its own coordinates",
-                                  geometry::shortened(function_->text()), what, X[0], X[1], X[2]));
-}
-
-Vector3d DistanceField::foot(const Vector3d& X, Vector3d Y) const {
-  constexpr int most_steps = 100;
-  SpaceJet f = (*function_)(Y);
-  const double first_size = f.gradient.norm(), rounding = 1e-15 * (X.norm() + (X - Y).norm());
-  if (!std::isfinite(f.value) || !f.hessian.allFinite()) refuse(Y, "is not finite at");
-  if (!(first_size > 0)) refuse(Y, "has a zero gradient at");
-  double off = residual(X, Y, f);
-  for (int step = 0; step < most_steps && off > 0; ++step) {
-    const Vector3d newton = newton_step(X, Y, f), tangent = tangent_step(X, Y, f);
-    Vector3d next = Y;
-    SpaceJet there = f;
-    double then = off;
-    for (const Vector3d& way :
-         {newton, tangent, Vector3d(tangent / 2), Vector3d(tangent / 8), Vector3d(tangent / 64)}) {
-      const Vector3d trial = Y + way;
-      const SpaceJet at = (*function_)(trial);
-      const double size = at.gradient.norm();
-      if (!(size > 0) || !at.hessian.allFinite()) continue;
-      if (const double r = residual(X, trial, at); r < then) {
-        then = r, next = trial, there = at;
-        if (r < off / 2) break;
-      }
-    }
-    if (!(then < off)) break;
-    const bool stays = (next - Y).norm() <= rounding;
-    Y = next, f = there, off = then;
-    if (stays) break;
-  }
-  constexpr double vanishing = 1e-5;
-  if (f.gradient.norm() < vanishing * first_size) refuse(Y, "has a zero gradient where it is zero, near");
-  if (off > 1e-9 * ((X - Y).norm() + 1e-3 * X.norm())) refuse(X, "leads to no nearest point of the body from");
-  return Y;
-}
-
-/// True with a point to begin at, if F has another sign at a point nearer to X than `distance`.
-bool DistanceField::leave_for_nearer_side(const Vector3d& X, double distance, Vector3d& start) const {
-  const double at_X = function_->value(X);
-  for (const double share : {0.4, 0.7, 0.95})
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k) {
-          if (i == 0 && j == 0 && k == 0) continue;
-          start = X + share * distance * Vector3d(i, j, k).normalized();
-          if (function_->value(start) * at_X < 0) return true;
-        }
-  return false;
-}
-
 Nearest DistanceField::nearest(const Vector3d& X) const {
-  Vector3d Y = foot(X, X), start = X;
-  constexpr int most_restarts = 10;
-  for (int restart = 0; restart < most_restarts && leave_for_nearer_side(X, (X - Y).norm(), start); ++restart) {
-    const Vector3d other = foot(X, start);
-    if (!((other - X).norm() < (Y - X).norm())) break;
-    Y = other;
-  }
-  const SpaceJet f = (*function_)(Y);
-  const double size = f.gradient.norm();
-  const Vector3d n = f.gradient / size;
-  const double distance = (X - Y).dot(n);
-  return {distance, n, offset_curvature(surface_curvature(n, size, f.hessian), distance)};
+  const SpaceFunction& F = *function_;
+  Foot foot = nearer_side(F, X, any_foot(F, X));
+  // Of a surface a radius of curvature is not nearly so small a part of the distance.
+  constexpr double vanishing = 1e-8;
+  if (foot.f.gradient.norm() < vanishing * foot.f.hessian.norm() * (X - foot.Y).norm())
+    refuse(F, "has a zero gradient where it is zero itself, as squares have; write one that changes its sign there");
+  if (foot.is_found(X) && is_no_minimum(X, foot)) foot = ZeroSet(F).descend(X, foot.Y);
+  foot = nearer_elsewhere(F, X, foot);
+  if (!foot.is_found(X)) refuse_for_kinks(F);
+  const double size = foot.f.gradient.norm();
+  const Vector3d n = foot.f.gradient / size;
+  const double distance = (X - foot.Y).dot(n);
+  return {distance, n, offset_curvature(surface_curvature(n, size, foot.f.hessian), distance)};
 }
 
 }  // namespace plastron::obstacle

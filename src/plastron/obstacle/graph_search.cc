@@ -22,7 +22,7 @@ class GraphSearch {
       : samples_(samples), X_(X), reach_(reach), best_(reach * reach / 2 * (1 - 1e-9)) {}
 
   std::vector<GraphStart> starts() {
-    constexpr double samples_of_reach = 16;
+    constexpr double samples_of_reach = 8;
     const int level = GraphSamples::level_of(reach_ / samples_of_reach);
     const double width = GraphSamples::side * Index{level, 0, 0}.spacing();
     const auto at = [&](double x) { return static_cast<std::int64_t>(std::floor(x / width)); };

@@ -14,8 +14,8 @@ struct GraphStart {
   double spacing;  ///< of the samples around it: a foot this near is the same one
 };
 
-/// Of all points within `reach` of X; the most promising first. The graph is sampled at least 16 times within the reach
-/// and up to 256 times where it changes its curvature from sample to sample.
+/// Of all points within `reach` of X; the most promising first. The graph is sampled at least 8 times within the reach
+/// and up to 128 times where it changes its curvature from sample to sample.
 std::vector<GraphStart> starts_nearer_than(double reach, const Vector3d& X, GraphSamples& samples);
 
 }  // namespace plastron::obstacle

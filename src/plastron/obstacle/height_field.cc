@@ -1,3 +1,4 @@
+#include <plastron/geometry/quotation.hpp>
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/graph_objective.hpp>
 #include <plastron/obstacle/graph_samples.hpp>
@@ -68,13 +69,16 @@ double HeightField::level(const Vector3d& X) const {
   return covers(X.head<2>()) ? X[2] - height(X.head<2>()).value : std::numeric_limits<double>::quiet_NaN();
 }
 
-void HeightField::refuse(const Vector3d& X, const char* what) const {
-  std::string range;
-  if (const auto* raster = std::get_if<std::shared_ptr<const Raster>>(&heights_))
-    range = fmt::format("; the raster covers x from {:.6g} to {:.6g} and y from {:.6g} to {:.6g}", (*raster)->from()[0],
-                        (*raster)->to()[0], (*raster)->from()[1], (*raster)->to()[1]);
-  throw ObstacleError(fmt::format("the height field {} ({:.6g}, {:.6g}, {:.6g}) in its own coordinates{}", what, X[0],
-                                  X[1], X[2], range));
+void HeightField::refuse(const std::string& what) const {
+  const auto* raster = std::get_if<std::shared_ptr<const Raster>>(&heights_);
+  if (!raster)
+    throw ObstacleError(
+        fmt::format("the height field \"{}\" {}", geometry::shortened(std::get<0>(heights_)->text()), what));
+  throw ObstacleError(fmt::format(
+      "the height field {}; the raster covers X from {:.6g} to {:.6g} and Y from {:.6g} to {:.6g} in its own "
+      "coordinates and must reach beyond the shell on all sides by as much as the two are apart: give a larger raster, "
+      "or move it",
+      what, (*raster)->from()[0], (*raster)->to()[0], (*raster)->from()[1], (*raster)->to()[1]));
 }
 
 // Newton's method where the objective is convex, else without the part of the Hessian that is not; steps are halved
@@ -143,17 +147,20 @@ HeightField::Foot HeightField::nearer_foot(const Vector3d& X, const Foot& known)
 }
 
 Nearest HeightField::nearest(const Vector3d& X) const {
-  if (!covers(X.head<2>())) refuse(X, "has no height at");
+  if (!covers(X.head<2>())) refuse("has no height there");
   samples_->forget_if_many();
   Foot foot = descend(X, X.head<2>());
+  if (!std::isfinite(foot.value))
+    refuse("is not finite there; it and its first two derivatives must be, wherever the shell is");
   // A much nearer foot is worth a search with samples as much denser.
   for (double before = 0; before != foot.value && !is_surely_nearest(X, foot);) {
     before = foot.value;
     foot = nearer_foot(X, foot);
     if (foot.value > before / 4) break;
   }
-  if (!std::isfinite(foot.value)) refuse(X, "is not finite near");
-  if (!foot.is_stationary) refuse(X, "has no nearest point, or one at the edge, for");
+  if (!foot.is_stationary)
+    refuse(is_raster() ? "has no nearest point there, or one at its edge"
+                       : "has no nearest point there; it must be differentiable twice, without kinks");
   const HeightJet& h = foot.h;
   const double slope = std::sqrt(1 + h.gradient.squaredNorm());
   const Vector3d n = Vector3d(-h.gradient[0], -h.gradient[1], 1) / slope;

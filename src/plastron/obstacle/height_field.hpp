@@ -6,6 +6,7 @@
 #include <plastron/obstacle/raster.hpp>
 
 #include <memory>
+#include <string>
 #include <variant>
 
 namespace plastron::obstacle {
@@ -41,7 +42,8 @@ class HeightField {
   Foot descend(const Vector3d& X, Eigen::Vector2d p) const;
   bool is_surely_nearest(const Vector3d& X, const Foot& foot) const;
   Foot nearer_foot(const Vector3d& X, const Foot& known) const;
-  [[noreturn]] void refuse(const Vector3d& X, const char* what) const;
+  bool is_raster() const { return heights_.index() == 1; }
+  [[noreturn]] void refuse(const std::string& what) const;
 
   std::variant<std::shared_ptr<const geometry::SpaceFunction>, std::shared_ptr<const Raster>> heights_;
   std::shared_ptr<GraphSamples> samples_;

@@ -44,11 +44,11 @@ struct Obstacle {
     if (position != 0) result.placement.translation += position * force.normalized();
     return result;
   }
-  /// Distance, normal and curvature at X of the body where its shape is placed.
-  Nearest nearest(const Vector3d& X) const {
-    const Vector3d in_body = placement.to_body(X);
-    return placement.to_space(std::visit([&](const auto& body) { return body.nearest(in_body); }, shape));
-  }
+  /// "the obstacle", and its name if it has one.
+  std::string text() const;
+  /// Distance, normal and curvature at X of the body where its shape is placed. Throws ObstacleError with the
+  /// obstacle's name and X where the shape has none.
+  Nearest nearest(const Vector3d& X) const;
 };
 
 }  // namespace plastron::obstacle

@@ -115,7 +115,10 @@ Raster read_raster(const std::string& path) {
     for (std::size_t column = 0; column < columns; ++column) {
       const double h = words.number("a height");
       if (none != header.numbers.end() && h == none->second)
-        words.refuse(fmt::format("column {} of row {} has no height (NODATA_value)", column + 1, rows - row));
+        words.refuse(
+            fmt::format("column {} of row {} has no height (NODATA_value); the shell may come to stand over any: "
+                        "fill the hole, or cut the grid to a rectangle without any",
+                        column + 1, rows - row));
       heights(static_cast<Eigen::Index>(column), static_cast<Eigen::Index>(row)) = h;
     }
   if (!words.at_end()) words.refuse(fmt::format("more than {} x {} heights", columns, rows));

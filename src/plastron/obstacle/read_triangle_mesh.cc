@@ -276,7 +276,9 @@ TriangleMesh read_triangle_mesh(const std::string& path) {
   if (ending == ".stl") read_stl(words, builder);
   if (ending == ".obj") read_obj(words, builder);
   if (ending == ".ply") read_ply(words, builder);
-  return builder.take();
+  TriangleMesh mesh = builder.take();
+  join_near_points(mesh);
+  return mesh;
 }
 
 }  // namespace plastron::obstacle

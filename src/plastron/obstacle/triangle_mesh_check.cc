@@ -1,5 +1,6 @@
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/triangle_mesh.hpp>
+#include <plastron/obstacle/triangle_sides.hpp>
 
 #include <fmt/format.h>
 
@@ -8,7 +9,6 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
-#include <tuple>
 
 namespace plastron::obstacle {
 
@@ -16,6 +16,7 @@ namespace {
 
 using geometry::Vector3d;
 using Triangle = std::array<int, 3>;
+using Side = TriangleSide;
 
 std::string shown(const Vector3d& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]); }
 
@@ -29,26 +30,6 @@ void check_areas(const TriangleMesh& mesh, const std::string& name) {
       throw ObstacleError(fmt::format("{}: triangle {} at {} has no area; remove such triangles (repair the surface)",
                                       name, t + 1, shown(mesh.points[a])));
   }
-}
-
-/// A side from corner to corner as a triangle runs through it, and the triangle.
-struct Side {
-  int low, high, triangle;
-  bool rises;
-};
-
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
-    }
-  std::ranges::sort(sides, [](const Side& p, const Side& q) {
-    return std::tie(p.low, p.high, p.triangle) < std::tie(q.low, q.high, q.triangle);
-  });
-  return sides;
 }
 
 /// Each side is one of two triangles in opposite senses.
@@ -72,8 +53,10 @@ void check_sides(const TriangleMesh& mesh, const std::vector<Side>& sides, const
   if (open > 0)
     throw ObstacleError(
         fmt::format("{}: the surface is not closed: {} sides have one triangle only, the first from {} "
-                    "to {}; close it, or join points that should be one",
-                    name, open, shown(mesh.points[sides[first_open].low]), shown(mesh.points[sides[first_open].high])));
+                    "to {}; close it, or join points that should be one (points there are joined up to {:.2g} m, {:g} "
+                    "of the surface's size)",
+                    name, open, shown(mesh.points[sides[first_open].low]), shown(mesh.points[sides[first_open].high]),
+                    joining_tolerance * diagonal(mesh), joining_tolerance));
 }
 
 /// The part of each triangle: those that hang together by sides have the same number, counted from 0.

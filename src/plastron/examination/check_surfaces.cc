@@ -1,0 +1,19 @@
+// What reading has changed of the surfaces that obstacles are made of.
+#include <plastron/examination/checks.hpp>
+
+namespace plastron::examination {
+
+void check_surfaces(Examined& examined) {
+  for (std::size_t k = 0; k < examined.problem.obstacles.size(); ++k) {
+    const auto* surface = std::get_if<obstacle::TriangleSurface>(&examined.problem.obstacles[k].shape);
+    if (!surface || surface->mesh().joined == 0) continue;
+    examined.add(
+        Severity::note,
+        "surface of {}: {} corners at open sides were joined with others up to {:.2g} m away (allowed: {:g} of "
+        "the surface's size)",
+        obstacle_text(examined.problem, k), surface->mesh().joined, surface->mesh().joined_over,
+        obstacle::joining_tolerance);
+  }
+}
+
+}  // namespace plastron::examination

@@ -1,0 +1,98 @@
+// Corners that were rounded apart when a surface was written: only where it is open, and only as far as rounding goes.
+#include <plastron/obstacle/triangle_sides.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+
+namespace plastron::obstacle {
+
+namespace {
+
+using geometry::Vector3d;
+
+/// The corners of sides that have one triangle only, ascending.
+std::vector<int> open_corners(const TriangleMesh& mesh) {
+  const auto sides = sorted_sides(mesh);
+  std::set<int> corners;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if ((i == 0 || !sides[i].is_same(sides[i - 1])) && (i + 1 == sides.size() || !sides[i].is_same(sides[i + 1])))
+      corners.insert({sides[i].low, sides[i].high});
+  return {corners.begin(), corners.end()};
+}
+
+/// Points in cubes much wider than the tolerance: what is near to a point is in its own cube or, seldom, in one beside.
+class Cubes {
+ public:
+  Cubes(const std::vector<Vector3d>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
+
+  /// The first point that was added within the tolerance; adds `point` if there is none.
+  int first_near(int point) {
+    const Vector3d& X = points_[static_cast<std::size_t>(point)];
+    std::set<Key> near;
+    for (int corner = 0; corner < 8; ++corner)
+      near.insert(key(X + tolerance_ * Vector3d((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1)));
+    int first = point;
+    for (const Key& cube : near)
+      if (const auto found = cubes_.find(cube); found != cubes_.end())
+        for (const int other : found->second)
+          if ((points_[static_cast<std::size_t>(other)] - X).norm() <= tolerance_) first = std::min(first, other);
+    if (first == point) cubes_[key(X)].push_back(point);
+    return first;
+  }
+
+ private:
+  using Key = std::array<std::int64_t, 3>;
+
+  Key key(const Vector3d& X) const {
+    constexpr double width = 1000;  // in tolerances
+    const auto at = [&](double x) { return static_cast<std::int64_t>(std::floor(x / (width * tolerance_))); };
+    return {at(X[0]), at(X[1]), at(X[2])};
+  }
+
+  const std::vector<Vector3d>& points_;
+  double tolerance_;
+  std::map<Key, std::vector<int>> cubes_;
+};
+
+/// Points that no triangle has any more go.
+void remove_unused_points(TriangleMesh& mesh) {
+  std::vector<int> number(mesh.points.size(), -1);
+  std::vector<Vector3d> used;
+  for (auto& triangle : mesh.triangles)
+    for (int& corner : triangle) {
+      int& now = number[static_cast<std::size_t>(corner)];
+      if (now < 0) now = static_cast<int>(used.size()), used.push_back(mesh.points[static_cast<std::size_t>(corner)]);
+      corner = now;
+    }
+  mesh.points = std::move(used);
+}
+
+}  // namespace
+
+void join_near_points(TriangleMesh& mesh) {
+  const std::vector<int> open = open_corners(mesh);
+  const double tolerance = joining_tolerance * diagonal(mesh);
+  if (open.empty() || !(tolerance > 0)) return;
+  Cubes cubes(mesh.points, tolerance);
+  std::map<int, int> joined;
+  for (const int point : open) {
+    const int first = cubes.first_near(point);
+    if (first == point) continue;
+    joined[point] = first;
+    const Vector3d way = mesh.points[static_cast<std::size_t>(point)] - mesh.points[static_cast<std::size_t>(first)];
+    mesh.joined_over = std::max(mesh.joined_over, way.norm());
+  }
+  if (joined.empty()) return;
+  mesh.joined = joined.size();
+  for (auto& triangle : mesh.triangles)
+    for (int& corner : triangle)
+      if (const auto found = joined.find(corner); found != joined.end()) corner = found->second;
+  std::erase_if(mesh.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  remove_unused_points(mesh);
+}
+
+}  // namespace plastron::obstacle

@@ -1,0 +1,26 @@
+#include <plastron/obstacle/error.hpp>
+#include <plastron/obstacle/obstacle.hpp>
+
+#include <fmt/format.h>
+
+namespace plastron::obstacle {
+
+namespace {
+
+std::string point_text(const Vector3d& X) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", X[0], X[1], X[2]); }
+
+}  // namespace
+
+std::string Obstacle::text() const { return name.empty() ? "the obstacle" : fmt::format("the obstacle \"{}\"", name); }
+
+Nearest Obstacle::nearest(const Vector3d& X) const {
+  const Vector3d in_body = placement.to_body(X);
+  try {
+    return placement.to_space(std::visit([&](const auto& body) { return body.nearest(in_body); }, shape));
+  } catch (const ObstacleError& error) {
+    const std::string own = in_body == X ? "" : fmt::format(", {} in its own coordinates", point_text(in_body));
+    throw ObstacleError(fmt::format("{} at the point {} of space{}: {}", text(), point_text(X), own, error.what()));
+  }
+}
+
+}  // namespace plastron::obstacle
