@@ -184,7 +184,12 @@ Section contact_section() {
             .kind = Kind::boolean,
             .fallback = "false",
             .meaning =
-                "take the gaps of curved obstacles at the undeformed shell, and not again where the shell was found"}}};
+                "take the gaps of curved obstacles at the undeformed shell, and not again where the shell was found"},
+           {.name = "admissible",
+            .kind = Kind::boolean,
+            .fallback = "false",
+            .meaning = "keep the shell out of the obstacles between its nodes, too: solve again with lifted bounds until "
+                       "it is"}}};
 }
 
 Section solver_section() {
