@@ -68,9 +68,8 @@ Problem between_planes() {
 Problem under_pressed_ball() {
   Problem p = pressed_strip();
   p.area_loads.clear();
-  p.obstacles = {obstacle::Obstacle{.name = "ball",
-                                    .shape = obstacle::Ball{.centre = {0.5, 0.0625, 0.37}, .radius = 0.3},
-                                    .force = {0, 0, -2e-5}}};
+  p.obstacles = {obstacle::Obstacle{
+      .name = "ball", .shape = obstacle::Ball{.centre = {0.5, 0.0625, 0.37}, .radius = 0.3}, .force = {0, 0, -2e-5}}};
   return p;
 }
 
@@ -187,9 +186,9 @@ std::vector<double> rates(int degree, fem::Shape shape) {
     const Problem p = with(pressed_bowl(), degree, refinements, shape);
     const Result without = solved(p, false), lifted = solved(p, true);
     costs.push_back((potential(lifted) - potential(without)) / without.summary.energy.total());
-    fmt::print("degree {}, {} refinements: cost {:.3e}, lift {:.3e}, lift work {:.3e}, rounds {}\n", degree, refinements,
-               costs.back(), lifted.summary.largest_lift, lifted.summary.lift_work / without.summary.energy.total(),
-               lifted.levels.back().lift_rounds);
+    fmt::print("degree {}, {} refinements: cost {:.3e}, lift {:.3e}, lift work {:.3e}, rounds {}\n", degree,
+               refinements, costs.back(), lifted.summary.largest_lift,
+               lifted.summary.lift_work / without.summary.energy.total(), lifted.levels.back().lift_rounds);
   }
   for (std::size_t i = 1; i < costs.size(); ++i) all.push_back(std::log2(costs[i - 1] / costs[i]));
   return all;

@@ -140,13 +140,12 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const auto place = k < contact.places.size() ? contact.places[k] : ContactPlace{};
     const double lift = place.coordinate >= 0 ? lifts[k] : 0;
-    node.rows.push_back(
-        {.obstacle = static_cast<int>(k),
-         .coordinate = place.coordinate,
-         .scale = place.scale,
-         .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) - lift
-                                       : std::numeric_limits<double>::quiet_NaN(),
-         .is_left_out = place.is_left_out});
+    node.rows.push_back({.obstacle = static_cast<int>(k),
+                         .coordinate = place.coordinate,
+                         .scale = place.scale,
+                         .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) - lift
+                                                       : std::numeric_limits<double>::quiet_NaN(),
+                         .is_left_out = place.is_left_out});
   }
   bound(node);
   const double most = support.rotation.empty() ? no_bound : 0;

@@ -37,10 +37,10 @@ struct NodeSupport {
 struct ContactRow {
   std::size_t node = 0;
   int obstacle = 0;
-  int coordinate = -1;   ///< -1: supports leave this gap no freedom, or the node's weight is 0
-  double scale = 1;      ///< negative where the row bounds its coordinate from above
-  double bound_gap =
-      0;  ///< gap - lift at z_coordinate = 0, prescribed values included; NaN where the nodal weight is 0 [m]
+  int coordinate = -1;  ///< -1: supports leave this gap no freedom, or the node's weight is 0
+  double scale = 1;     ///< negative where the row bounds its coordinate from above
+  /// gap - lift at z_coordinate = 0, prescribed values included; NaN where the nodal weight is 0 [m]
+  double bound_gap = 0;
   bool is_left_out = false;  ///< it depends on several gaps that are nearer and bounds nothing
   bool binds = false;        ///< the tightest on its side of its coordinate: the only one that can be in contact
 

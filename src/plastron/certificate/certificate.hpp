@@ -51,10 +51,11 @@ struct Summary {
   double tangency_energy = 0;            ///< energy of the penalty or stabilisation [J]
   double multiplier_norm = 0;            ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
-  double load_norms = 0;                         ///< sum of |nodal load|, couples over the shell's size [N]
-  bool is_admissible_wanted = false;             ///< bounds are lifted so that the shell is out between nodes, too
-  double largest_lift = 0;                       ///< of the bounds of gaps at nodes [m]
-  double lift_work = 0;  ///< sum of nodal reaction times lift: what 1/2 a(U, U) - l(U) is above its least without lifts, at most [J]
+  double load_norms = 0;              ///< sum of |nodal load|, couples over the shell's size [N]
+  bool is_admissible_wanted = false;  ///< bounds are lifted so that the shell is out between nodes, too
+  double largest_lift = 0;            ///< of the bounds of gaps at nodes [m]
+  /// sum of nodal reaction times lift: what 1/2 a(U, U) - l(U) is above its least without lifts, at most [J]
+  double lift_work = 0;
   bool is_unstrained = false;                    ///< displacements strain the shell no more than rounding does
   std::vector<PointReaction> point_reactions{};  ///< of the points that supports hold
   std::vector<ObstacleContact> obstacles{};      ///< one by one, in the problem's order

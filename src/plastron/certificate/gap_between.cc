@@ -37,8 +37,7 @@ int intervals_of(int degree) { return std::max(4, 2 * degree); }
 void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals,
                  const GapVisitor& visit) {
   const fem::Space& space = discrete.space();
-  const element::BasisAt basis =
-      element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals));
+  const element::BasisAt basis = element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals));
   std::vector<double> gaps(basis.xi.size());
   std::vector<geometry::SurfaceJet> jets(basis.xi.size());
   std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());

@@ -42,9 +42,8 @@ class CellWeights {
     const auto free = nodes(cell);
     Eigen::VectorXd marks(static_cast<Eigen::Index>(free.size()));
     for (std::size_t i = 0; i < free.size(); ++i)
-      marks[static_cast<Eigen::Index>(i)] = held_.local()[static_cast<std::size_t>(free[i]) *
-                                                              static_cast<std::size_t>(held_.block()) +
-                                                          obstacle];
+      marks[static_cast<Eigen::Index>(i)] =
+          held_.local()[static_cast<std::size_t>(free[i]) * static_cast<std::size_t>(held_.block()) + obstacle];
     return carriers ? Eigen::VectorXd(basis * (carriers->weights * marks)) : Eigen::VectorXd(basis * marks);
   }
 
@@ -78,14 +77,15 @@ std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, cons
   const Eigen::MatrixXd basis =
       element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals)).value;
   std::vector<CellDepth> all;
-  certificate::sample_gaps(
-      discrete, y, intervals, [&](std::size_t cell, std::size_t obstacle, std::span<const double> gaps) {
-        const Eigen::VectorXd held = weights.held(cell, obstacle, basis);
-        double depth = 0;
-        for (std::size_t p = 0; p < gaps.size(); ++p)
-          if (held[static_cast<Eigen::Index>(p)] <= most_held) depth = std::max(depth, -bound.at(p, gaps));
-        if (depth > 0) all.push_back({cell, obstacle, depth});
-      });
+  certificate::sample_gaps(discrete, y, intervals,
+                           [&](std::size_t cell, std::size_t obstacle, std::span<const double> gaps) {
+                             const Eigen::VectorXd held = weights.held(cell, obstacle, basis);
+                             double depth = 0;
+                             for (std::size_t p = 0; p < gaps.size(); ++p)
+                               if (held[static_cast<Eigen::Index>(p)] <= most_held)
+                                 depth = std::max(depth, -bound.at(p, gaps));
+                             if (depth > 0) all.push_back({cell, obstacle, depth});
+                           });
   return all;
 }
 
@@ -93,8 +93,8 @@ std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, cons
 double length_scale(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    most = std::max({most, discrete.points[i].thickness,
-                     Eigen::Map<const Eigen::Vector3d>(y.local().data() + 6 * i).norm()});
+    most = std::max(
+        {most, discrete.points[i].thickness, Eigen::Map<const Eigen::Vector3d>(y.local().data() + 6 * i).norm()});
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
@@ -107,8 +107,8 @@ double least_at_nodes(const assembly::DiscreteShell& discrete, const algebra::Ve
     const assembly::NodalPoint& point = discrete.points[node];
     if (!(point.weight > 0)) continue;
     const Eigen::Map<const Eigen::Vector3d> u(y.local().data() + 6 * node), r(y.local().data() + 6 * node + 3);
-    least =
-        std::min(least, discrete.coordinates.gaps[obstacle][node](u, geometry::tangential(Eigen::Vector3d(r), point.a3)));
+    least = std::min(least,
+                     discrete.coordinates.gaps[obstacle][node](u, geometry::tangential(Eigen::Vector3d(r), point.a3)));
   }
   return least;
 }
@@ -133,8 +133,8 @@ std::optional<algebra::Vector> BoundLifts::next(const certificate::NodalSolution
   const MPI_Comm comm = space.layout->comm;
   const algebra::Vector held = held_nodes(discrete_);
   const CellWeights weights(space, held);
-  const auto cells = algebra::in_agreement<obstacle::ObstacleError>(
-      comm, [&] { return depths_here(discrete_, solution.y, weights); });
+  const auto cells =
+      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return depths_here(discrete_, solution.y, weights); });
   double deepest = 0;
   for (const CellDepth& cell : cells) deepest = std::max(deepest, cell.depth);
   deepest = algebra::max_over_ranks(deepest, comm);

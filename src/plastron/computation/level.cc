@@ -134,8 +134,7 @@ struct Lifted {
 Lifted lift_bounds(LevelRun& run, const LevelTask& task, Found& found) {
   assembly::DiscreteShell& discrete = run.discrete();
   if (discrete.obstacles.empty()) return {};
-  discrete.state.lifts =
-      algebra::Vector(discrete.space().layout, static_cast<int>(discrete.obstacles.all.size()));
+  discrete.state.lifts = algebra::Vector(discrete.space().layout, static_cast<int>(discrete.obstacles.all.size()));
   BoundLifts loop(discrete);
   Lifted lifted;
   while (found.z.status == contact::Status::solved) {

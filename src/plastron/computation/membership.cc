@@ -124,7 +124,8 @@ void add_lifts(const assembly::DiscreteShell& discrete, const algebra::Vector& y
   rows.push_back({"least_lift", "m", algebra::min_over_ranks(least, discrete.space().layout->comm), 0, true,
                   "bounds of gaps are lifted, never lowered"});
   rows.push_back({"largest_lift", "m", algebra::max_abs(discrete.state.lifts), lift_per_dip * largest_dip(discrete, y),
-                  false, "lifts make up for what gaps fall between nodes: a few times that, for they add up in rounds"});
+                  false,
+                  "lifts make up for what gaps fall between nodes: a few times that, for they add up in rounds"});
 }
 
 }  // namespace
