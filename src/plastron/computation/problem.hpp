@@ -77,6 +77,7 @@ struct Problem {
   contact::Settings contact{};
   Linearisation linearisation{};
   Output output{};
+  bool admissible = false;  ///< bounds of gaps are lifted until the shell is out of obstacles between nodes, too
   double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 };
 
