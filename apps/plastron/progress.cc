@@ -123,6 +123,15 @@ void print_zones(const std::vector<certificate::ObstacleContact>& obstacles) {
   if (all > most) print("  ... and {} more zones\n", all - most);
 }
 
+/// What it cost to keep the shell out of the obstacles between its nodes.
+void print_lifts(const computation::Result& result) {
+  if (!result.summary.is_admissible_wanted) return;
+  const computation::Level& level = result.last_level();
+  const double change = level.energy - level.energy_before_lifts;
+  print("admissible        after {} rounds of lifts of bounds, up to {:.2e} m, which changed the energy by {:.2e} J\n",
+        level.lift_rounds, result.summary.largest_lift, change);
+}
+
 }  // namespace
 
 void print_summary(const computation::Result& result) {
@@ -149,6 +158,7 @@ void print_summary(const computation::Result& result) {
             s.edge.max_per_length);
     const double between = std::isfinite(c.min_gap_between) ? std::max(0.0, -c.min_gap_between) : 0.0;
     print("penetration       {:.2e} m between the nodes, {:.2e} m at them\n", between, std::max(0.0, -c.min_gap_nodes));
+    print_lifts(result);
   }
   print("certificate       equilibrium {:.1e}, balance of forces {:.1e}, of moments {:.1e}, energy identity {:.1e}\n",
         c.stationarity, c.force_balance, c.moment_balance, c.energy_identity);

@@ -127,9 +127,10 @@ ExitCode verify(const Options& options) {
 
   const computation::FinestMesh mesh = computation::finest_mesh(c.problem, MPI_COMM_WORLD);
   const bool is_mixed = c.problem.discretisation.tangency.formulation == element::Formulation::mixed;
-  auto solution =
-      io::read_solution(claims.solution, mesh.space,
-                        {.obstacles = static_cast<int>(c.problem.obstacles.size()), .has_multiplier = is_mixed});
+  auto solution = io::read_solution(claims.solution, mesh.space,
+                                    {.obstacles = static_cast<int>(c.problem.obstacles.size()),
+                                     .has_multiplier = is_mixed,
+                                     .has_lifts = c.problem.admissible && !c.problem.obstacles.empty()});
   const computation::Verification verification = computation::verify(c.problem, mesh, std::move(solution));
   Failures failures;
   judge_rows(verification, claims.results, options.quiet, failures);

@@ -80,6 +80,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   const double size = extent(points, space.layout->comm);
   algebra::Vector packed(space.layout, packed_size);
   std::vector<obstacle::Gap> gaps(obstacles.all.size());
+  std::vector<double> lifts(gaps.size());
   algebra::in_agreement<SupportError, obstacle::ObstacleError>(space.layout->comm, [&] {
     for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
       auto& of_obstacle = coordinates.gaps.emplace_back();
@@ -89,9 +90,12 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
     }
     for (std::size_t i = 0; i < node_support.size(); ++i) {
       const NodeSupport& s = node_support[i];
-      for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] = coordinates.gaps[k][i];
+      for (std::size_t k = 0; k < gaps.size(); ++k) {
+        gaps[k] = coordinates.gaps[k][i];
+        lifts[k] = state.lift(i, k);
+      }
       const NodeCoordinates node =
-          coordinates.tied[i] ? tied_node(gaps.size()) : node_coordinates(points[i], s, gaps, state.at(i), size);
+          coordinates.tied[i] ? tied_node(gaps.size()) : node_coordinates(points[i], s, gaps, lifts, state.at(i), size);
       pack(node, !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
       for (ContactRow row : node.rows) {
         row.node = i;

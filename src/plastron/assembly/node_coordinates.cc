@@ -1,5 +1,6 @@
 #include <plastron/assembly/node_coordinates.hpp>
 
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/assembly/contact_coordinates.hpp>
 #include <plastron/geometry/frame.hpp>
 
@@ -125,8 +126,9 @@ std::vector<std::size_t> nearest_first(std::span<const obstacle::Gap> gaps, cons
 }  // namespace
 
 NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& support,
-                                 std::span<const obstacle::Gap> gaps, const Eigen::Matrix<double, 6, 1>& at,
-                                 double size) {
+                                 std::span<const obstacle::Gap> gaps, std::span<const double> lifts,
+                                 const Eigen::Matrix<double, 6, 1>& at, double size) {
+  PLASTRON_ASSERT(lifts.size() == gaps.size(), lifts.size(), gaps.size());
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const Split u = split(support.displacement, {}, point.x, {support.displacement_scale, rounding * size}),
               r = split(support.rotation, {point.a3}, point.x, {support.rotation_scale, rounding});
@@ -137,12 +139,13 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
   prescribe(u, r, contact.columns, node);
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const auto place = k < contact.places.size() ? contact.places[k] : ContactPlace{};
-    node.rows.push_back(
-        {.obstacle = static_cast<int>(k),
-         .coordinate = place.coordinate,
-         .scale = place.scale,
-         .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) : std::numeric_limits<double>::quiet_NaN(),
-         .is_left_out = place.is_left_out});
+    const double lift = place.coordinate >= 0 ? lifts[k] : 0;
+    node.rows.push_back({.obstacle = static_cast<int>(k),
+                         .coordinate = place.coordinate,
+                         .scale = place.scale,
+                         .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) - lift
+                                                       : std::numeric_limits<double>::quiet_NaN(),
+                         .is_left_out = place.is_left_out});
   }
   bound(node);
   const double most = support.rotation.empty() ? no_bound : 0;

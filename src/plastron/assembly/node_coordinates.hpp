@@ -33,13 +33,14 @@ struct NodeSupport {
   double displacement_scale = 0, rotation_scale = 0;
 };
 
-/// One obstacle against a node: gap = bound_gap + scale z_coordinate.
+/// One obstacle against a node: gap - lift = bound_gap + scale z_coordinate, and that is not negative.
 struct ContactRow {
   std::size_t node = 0;
   int obstacle = 0;
-  int coordinate = -1;   ///< -1: supports leave this gap no freedom, or the node's weight is 0
-  double scale = 1;      ///< negative where the row bounds its coordinate from above
-  double bound_gap = 0;  ///< gap at z_coordinate = 0, prescribed values included; NaN where the nodal weight is 0 [m]
+  int coordinate = -1;  ///< -1: supports leave this gap no freedom, or the node's weight is 0
+  double scale = 1;     ///< negative where the row bounds its coordinate from above
+  /// gap - lift at z_coordinate = 0, prescribed values included; NaN where the nodal weight is 0 [m]
+  double bound_gap = 0;
   bool is_left_out = false;  ///< it depends on several gaps that are nearer and bounds nothing
   bool binds = false;        ///< the tightest on its side of its coordinate: the only one that can be in contact
 
@@ -52,10 +53,10 @@ struct NodeCoordinates {
   std::vector<ContactRow> rows{};  ///< one for each gap, `node` not set
 };
 
-/// `gaps`: one for each obstacle, `at`: (u, r) of the state, where the nearest obstacles matter most, `size`: of the shell [m]. Throws
-/// SupportError.
+/// `gaps`: one for each obstacle, `lifts`: what they must not fall below where supports leave them free, `at`: (u, r) of the state,
+/// where the nearest obstacles matter most, `size`: of the shell [m]. Throws SupportError.
 NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& support,
-                                 std::span<const obstacle::Gap> gaps, const Eigen::Matrix<double, 6, 1>& at,
-                                 double size);
+                                 std::span<const obstacle::Gap> gaps, std::span<const double> lifts,
+                                 const Eigen::Matrix<double, 6, 1>& at, double size);
 
 }  // namespace plastron::assembly

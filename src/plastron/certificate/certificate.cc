@@ -79,7 +79,7 @@ struct Sums {
   Wrench loads, supports;
   std::vector<ObstacleContact> obstacles{};
   double force_scale = 0, moment_scale = 0;  // sums of the norms of all nodal contributions
-  double load_work = 0, contact_work = 0, support_work = 0;
+  double load_work = 0, contact_work = 0, support_work = 0, lift_work = 0;
   double free_residual = 0, all_forces = 0;
   double area = 0, max_pressure = 0, complementarity = 0, support_error = 0;
   double displacement = 0, relative_displacement = 0, rotation = 0;
@@ -134,7 +134,9 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution
   contact.area += point.weight;
   sums.max_pressure = std::max(sums.max_pressure, pressure);
   sums.min_pressure = std::min(sums.min_pressure, pressure);
-  sums.complementarity = std::max(sums.complementarity, std::abs(pressure * g));
+  const double lift = discrete.state.lift(row.node, k);
+  sums.complementarity = std::max(sums.complementarity, std::abs(pressure * (g - lift)));
+  sums.lift_work += pressure * point.weight * lift;
   Vector6 force = pressure * point.weight * gap_row(gap, point.a3);
   sums.contact_work += force.dot(y);
   add(contact.reaction, point, force, sums);
@@ -226,6 +228,9 @@ Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution&
   s.edge = edge_contact(discrete, solution);
   s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
   s.max_normal_rotation = max_normal_rotation(discrete, solution.y);
+  s.is_admissible_wanted = discrete.state.is_admissible();
+  if (s.is_admissible_wanted) s.largest_lift = algebra::max_abs(discrete.state.lifts);
+  s.lift_work = algebra::sum_over_ranks(sums.lift_work, comm);
   if (solution.lambda.layout()) s.multiplier_norm = gradient_norm(discrete.shell, solution.lambda);
   return s;
 }

@@ -29,7 +29,7 @@ struct Certificate {
   double min_gap_nodes = 0;    ///< min g_i [m]
   double min_gap_between = 0;  ///< min of the gap between the nodes [m]
   double support_error = 0;    ///< max |u.d - its value| and e |r.d - its value| over prescribed components [m]
-  double complementarity = 0;  ///< max |eta_i g_i| [Pa m]
+  double complementarity = 0;  ///< max |eta_i (g_i - s_i)|, s_i the lift of the bound [Pa m]
   double force_balance = 0;    ///< |loads + obstacle + supports| / sum of the norms of all nodal forces and couples / e
   double moment_balance = 0;   ///< likewise for moments about the origin; falls with h on curved charts
   double energy_identity = 0;  ///< |a(U,U) - l(U) - sum eta_i (g_i - g_i(0)) - support work| / a(U,U)
@@ -51,7 +51,11 @@ struct Summary {
   double tangency_energy = 0;            ///< energy of the penalty or stabilisation [J]
   double multiplier_norm = 0;            ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
-  double load_norms = 0;                         ///< sum of |nodal load|, couples over the shell's size [N]
+  double load_norms = 0;              ///< sum of |nodal load|, couples over the shell's size [N]
+  bool is_admissible_wanted = false;  ///< bounds are lifted so that the shell is out between nodes, too
+  double largest_lift = 0;            ///< of the bounds of gaps at nodes [m]
+  /// sum of nodal reaction times lift: what 1/2 a(U, U) - l(U) is above its least without lifts, at most [J]
+  double lift_work = 0;
   bool is_unstrained = false;                    ///< displacements strain the shell no more than rounding does
   std::vector<PointReaction> point_reactions{};  ///< of the points that supports hold
   std::vector<ObstacleContact> obstacles{};      ///< one by one, in the problem's order

@@ -27,8 +27,12 @@ void add_contact_limits(const Verdict& v, double length, std::vector<Certificate
   if (std::isfinite(c.min_gap_nodes))
     limits.push_back({"min_gap_nodes", "m", c.min_gap_nodes, -algebraic * length, true,
                       "a millionth of the thickness or of the largest displacement, whichever is more"});
+  if (s.is_admissible_wanted && std::isfinite(c.min_gap_between))
+    limits.push_back({"min_gap_between", "m", c.min_gap_between, -algebraic * length, true,
+                      "admissible = true wants the shell out of the obstacles between its nodes, too; where no lift of "
+                      "bounds brings that, supports hold it there, obstacles leave no room or the mesh is too coarse"});
   if (s.touching_nodes == 0) {
-    if (std::isfinite(c.min_gap_between))
+    if (!s.is_admissible_wanted && std::isfinite(c.min_gap_between))
       limits.push_back(
           {"min_gap_between", "m", c.min_gap_between, -missed_depth * s.least_thickness, true,
            "where no node touches, a hundredth of the thickness: deeper, the nodes have missed the contact"});

@@ -32,12 +32,13 @@ bool is_near_obstacle(const assembly::DiscreteShell& discrete, const std::vector
 /// Twice as fine as the nodes, and in elements of degree 1 four times.
 int intervals_of(int degree) { return std::max(4, 2 * degree); }
 
-/// The smallest gap on this rank's cells.
-double min_gap_in_cells(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+}  // namespace
+
+void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals,
+                 const GapVisitor& visit) {
   const fem::Space& space = discrete.space();
-  double smallest = std::numeric_limits<double>::infinity();
-  const element::BasisAt basis =
-      element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals_of(space.degree)));
+  const element::BasisAt basis = element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals));
+  std::vector<double> gaps(basis.xi.size());
   std::vector<geometry::SurfaceJet> jets(basis.xi.size());
   std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
@@ -51,26 +52,31 @@ double min_gap_in_cells(const assembly::DiscreteShell& discrete, const algebra::
     discrete.shell.section(c).thickness.evaluate(px, py, e);
     const element::CellField values = discrete.shell.interpolation().values(c, basis, field);
     const element::CellField moved = discrete.state_values(c, basis);
-    for (std::size_t p = 0; p < jets.size(); ++p) {
-      const auto row = values.row(static_cast<Eigen::Index>(p));
-      const Vector3d a3 = geometry::unit_normal(jets[p]);
-      for (const std::size_t k : near) {
+    for (const std::size_t k : near) {
+      for (std::size_t p = 0; p < jets.size(); ++p) {
+        const auto row = values.row(static_cast<Eigen::Index>(p));
+        const Vector3d a3 = geometry::unit_normal(jets[p]);
         const obstacle::Gap gap = discrete.gap(
             k, assembly::shell_point(jets[p].value, a3, e[p], moved.row(static_cast<Eigen::Index>(p)).transpose()));
-        smallest = std::min(smallest, gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3)));
+        gaps[p] = gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3));
       }
+      visit(c, k, gaps);
     }
   }
-  return smallest;
 }
 
-}  // namespace
-
-double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                             std::optional<int> intervals) {
   if (discrete.obstacles.empty()) return std::numeric_limits<double>::infinity();
   const MPI_Comm comm = discrete.space().layout->comm;
-  return algebra::min_over_ranks(
-      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return min_gap_in_cells(discrete, y); }), comm);
+  double smallest = std::numeric_limits<double>::infinity();
+  algebra::in_agreement<obstacle::ObstacleError>(comm, [&] {
+    sample_gaps(discrete, y, intervals.value_or(intervals_of(discrete.space().degree)),
+                [&](std::size_t, std::size_t, std::span<const double> gaps) {
+                  smallest = std::min(smallest, *std::ranges::min_element(gaps));
+                });
+  });
+  return algebra::min_over_ranks(smallest, comm);
 }
 
 }  // namespace plastron::certificate

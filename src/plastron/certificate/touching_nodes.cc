@@ -65,7 +65,7 @@ TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const Noda
     const double gap = discrete.coordinates.gaps[obstacle][i](Vector3d(y[0], y[1], y[2]),
                                                               geometry::tangential(Vector3d(y[3], y[4], y[5]), p.a3));
     inside_.push_back(solution.touching.local()[i * block + obstacle] > 0.5 ? 1 : 0);
-    root_.push_back(std::sqrt(std::max(gap, 0.0)));
+    root_.push_back(std::sqrt(std::max(gap - discrete.state.lift(i, obstacle), 0.0)));
     place_.push_back(p.phi);
   }
   judge_nodes_without_bound(discrete);

@@ -36,8 +36,7 @@ std::string linear_model_text(const char* what, const certificate::Summary& s) {
 std::string penetration_text(double depth, double part) {
   return fmt::format(
       "between its nodes the shell enters the obstacle by {:.2g} m, {:.0f} % of the thickness: no bound holds it "
-      "there; refine "
-      "the mesh or raise the degree",
+      "there; refine the mesh, raise the degree or set admissible = true in [contact]",
       depth, 100 * part);
 }
 

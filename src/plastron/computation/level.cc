@@ -3,6 +3,7 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/pressing.hpp>
 #include <plastron/assembly/stiffness.hpp>
+#include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/computation/stopwatch.hpp>
@@ -48,7 +49,7 @@ class LevelRun {
       : seconds(task.seconds), task_(task), discrete_(std::move(discrete)), observer_(observer) {}
 
   Seconds seconds;
-  int factorisations = 0;
+  int factorisations = 0, linearisations = 0;
   std::vector<contact::Iteration> history{};
 
   /// The contact problem of the present linearisation, with a first guess of its active set.
@@ -91,6 +92,65 @@ class LevelRun {
   const Observer& observer_;
 };
 
+/// A solution of a level's contact problem.
+struct Found {
+  contact::BoxSolution z;
+  certificate::NodalSolution nodal;
+};
+
+/// Solves, and linearises again until gaps are what they are where the shell is found.
+Found met(LevelRun& run, const LevelTask& task, std::span<const contact::Activity> guess, bool detect_free_motions) {
+  Relinearisation outer(task.linearisation, run.discrete());
+  contact::BoxSolution z = run.solve(guess, detect_free_motions);
+  certificate::NodalSolution nodal = certificate::nodal_solution(run.discrete(), z);
+  while (z.status == contact::Status::solved) {
+    auto state = outer.next(nodal);
+    if (!state) break;
+    linearise(run.discrete(), std::move(*state));
+    z = run.solve(first_guess(run.discrete(), nodal.touching), false);
+    nodal = certificate::nodal_solution(run.discrete(), z);
+  }
+  run.linearisations += outer.steps();
+  if (z.status == contact::Status::solved && !outer.is_met()) z.status = contact::Status::gap_not_met;
+  return {std::move(z), std::move(nodal)};
+}
+
+/// The contact problem with other lifts of bounds, from a solution's state and contact zone.
+Found met_with(algebra::Vector lifts, LevelRun& run, const LevelTask& task, const certificate::NodalSolution& before) {
+  assembly::State state = run.discrete().state;
+  state.positions = run.discrete().positions();
+  state.lifts = std::move(lifts);
+  linearise(run.discrete(), std::move(state));
+  return met(run, task, first_guess(run.discrete(), before.touching), false);
+}
+
+struct Lifted {
+  int rounds = 0;
+  std::optional<double> energy_before{};  ///< [J]
+};
+
+/// Lifts bounds until the shell is out of the obstacles between its nodes. Lifts that leave obstacles no room for the shell between
+/// them are taken back: the certificate says how deep it is then.
+Lifted lift_bounds(LevelRun& run, const LevelTask& task, Found& found) {
+  assembly::DiscreteShell& discrete = run.discrete();
+  if (discrete.obstacles.empty()) return {};
+  discrete.state.lifts = algebra::Vector(discrete.space().layout, static_cast<int>(discrete.obstacles.all.size()));
+  BoundLifts loop(discrete);
+  Lifted lifted;
+  while (found.z.status == contact::Status::solved) {
+    auto lifts = loop.next(found.nodal);
+    if (!lifts) break;
+    if (!lifted.energy_before) lifted.energy_before = discrete.shell.energies(found.nodal.y).total();
+    algebra::Vector before = discrete.state.lifts;
+    Found next = met_with(std::move(*lifts), run, task, found.nodal);
+    const bool has_room = next.z.status != contact::Status::infeasible;
+    found = has_room ? std::move(next) : met_with(std::move(before), run, task, found.nodal);
+    if (!has_room) break;
+  }
+  lifted.rounds = loop.rounds();
+  return lifted;
+}
+
 }  // namespace
 
 Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
@@ -114,18 +174,11 @@ Level measured(const assembly::DiscreteShell& discrete, const certificate::Nodal
 LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete,
                         const Observer& observer) {
   LevelRun run(task, std::move(discrete), observer);
-  Relinearisation outer(task.linearisation, run.discrete());
   const auto guess = task.touched ? first_guess(run.discrete(), *task.touched) : std::vector<contact::Activity>{};
-  contact::BoxSolution z = run.solve(guess, true);
-  certificate::NodalSolution nodal = certificate::nodal_solution(run.discrete(), z);
-  while (z.status == contact::Status::solved) {
-    auto state = outer.next(nodal);
-    if (!state) break;
-    linearise(run.discrete(), std::move(*state));
-    z = run.solve(first_guess(run.discrete(), nodal.touching), false);
-    nodal = certificate::nodal_solution(run.discrete(), z);
-  }
-  if (z.status == contact::Status::solved && !outer.is_met()) z.status = contact::Status::gap_not_met;
+  Found found = met(run, task, guess, true);
+  const Lifted lifted = task.admissible ? lift_bounds(run, task, found) : Lifted{};
+  contact::BoxSolution& z = found.z;
+  certificate::NodalSolution& nodal = found.nodal;
   Stopwatch watch;
   run.tell("certificate");
   const certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);
@@ -135,7 +188,9 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   record.iterations = static_cast<int>(run.history.size());
   record.history = std::move(run.history);
   record.factorisations = run.factorisations;
-  record.linearisations = outer.steps();
+  record.linearisations = run.linearisations;
+  record.lift_rounds = lifted.rounds;
+  record.energy_before_lifts = lifted.energy_before.value_or(record.energy);
   record.seconds = run.seconds;
   return {std::move(record), {run.take(), std::move(nodal)}, verdict};
 }

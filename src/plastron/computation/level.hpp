@@ -14,6 +14,7 @@ struct LevelTask {
   int number = 0;
   contact::Settings settings{};
   Linearisation linearisation{};
+  bool admissible = false;  ///< see Problem
   std::optional<algebra::Vector>
       touched{};      ///< contact zone of the mesh before, interpolated, or of the instant before; empty at first
   Seconds seconds{};  ///< spent on the mesh and on `discrete`

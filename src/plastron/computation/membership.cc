@@ -2,6 +2,7 @@
 
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/assembly/pressing.hpp>
+#include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/instants.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/fem/ties.hpp>
@@ -22,6 +23,8 @@ using Node6 = Eigen::Matrix<double, 6, 1>;
 constexpr double algebraic_part = 1e-6;
 /// b(U, q) is of the size of the rotations where r . a_3 is; a solver leaves 1e-12 of them.
 constexpr double tangency_part = 1e-8;
+/// Each of the eight cells that may meet at a node asks for what its own gap falls (docs/methods/admissible.md).
+constexpr double lift_per_dip = 10;
 
 Node6 values_at(const algebra::Vector& y, std::size_t node) { return Eigen::Map<const Node6>(&y.local()[6 * node]); }
 
@@ -113,6 +116,18 @@ void add_linearisation(const Problem& problem, const assembly::DiscreteShell& di
                   "no face at a node is inside of a curved obstacle by its true distance, to the same tolerance"});
 }
 
+/// Lifted bounds are rows of the solution's own making: they may keep the shell out of obstacles between its nodes, and do no more.
+void add_lifts(const assembly::DiscreteShell& discrete, const algebra::Vector& y, std::vector<CertificateLimit>& rows) {
+  if (!discrete.state.is_admissible()) return;
+  const auto lifts = discrete.state.lifts.owned();
+  const double least = lifts.empty() ? 0 : *std::ranges::min_element(lifts);
+  rows.push_back({"least_lift", "m", algebra::min_over_ranks(least, discrete.space().layout->comm), 0, true,
+                  "bounds of gaps are lifted, never lowered"});
+  rows.push_back({"largest_lift", "m", algebra::max_abs(discrete.state.lifts), lift_per_dip * largest_dip(discrete, y),
+                  false,
+                  "lifts make up for what gaps fall between nodes: a few times that, for they add up in rounds"});
+}
+
 }  // namespace
 
 std::vector<CertificateLimit> membership_rows(const Problem& problem, const assembly::DiscreteShell& discrete,
@@ -135,6 +150,7 @@ std::vector<CertificateLimit> membership_rows(const Problem& problem, const asse
     rows.push_back({"force_error", "1", force_error(discrete, summary, pressed), algebraic_part, false,
                     "the reaction to a pressed obstacle, along its force, is that force"});
   add_linearisation(problem, discrete, solution, rows);
+  add_lifts(discrete, solution.y, rows);
   return rows;
 }
 

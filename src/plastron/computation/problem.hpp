@@ -62,6 +62,7 @@ struct Problem {
   Discretisation discretisation{};
   contact::Settings contact{};
   Linearisation linearisation{};
+  bool admissible = false;  ///< bounds of gaps are lifted until the shell is out of obstacles between nodes, too
   double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
 };
 

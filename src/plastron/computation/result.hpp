@@ -34,6 +34,8 @@ struct Level {
   int linearisations = 1;            ///< of the gaps
   double gap_error = 0;              ///< largest |distance - linearised gap| of the deformed faces in contact [m]
   double energy = 0;                 ///< 1/2 a(U, U) [J]
+  int lift_rounds = 0;               ///< how often bounds of gaps were lifted
+  double energy_before_lifts = 0;    ///< energy of the solution with bounds at 0; `energy` where none was lifted [J]
   double reaction = 0;               ///< norm of the obstacle's resultant force [N]
   double contact_area = 0;           ///< [m^2]
   double max_normal_rotation = 0;    ///< max |r . a_3|
@@ -85,6 +87,9 @@ struct Result {
   std::vector<std::string> warnings{};  ///< what to doubt in the result, in words for the user
   double peak_memory = 0;               ///< over all ranks together [bytes]
   std::optional<Solution> solution{};   ///< empty when nothing could be solved
+
+  /// How the solution was found: on the finest mesh, at the last instant.
+  const Level& last_level() const { return history.empty() ? levels.back() : history.back().level; }
 };
 
 /// How it ended, in a sentence or two.

@@ -94,7 +94,10 @@ class Computation {
     result_.status = contact::Status::interrupted;
     if (wants_to_stop(observer_, comm_)) return false;
     Stopwatch watch;
-    LevelTask task{.number = number, .settings = problem_.contact, .linearisation = problem_.linearisation};
+    LevelTask task{.number = number,
+                   .settings = problem_.contact,
+                   .linearisation = problem_.linearisation,
+                   .admissible = problem_.admissible};
     assembly::State start = state_at(instants_.front());
     if (number > 0) refine(task, start);
     task.seconds.mesh = watch.lap();
@@ -135,6 +138,7 @@ class Computation {
     LevelTask task{.number = problem_.discretisation.refinements,
                    .settings = problem_.contact,
                    .linearisation = problem_.linearisation,
+                   .admissible = problem_.admissible,
                    .touched = std::move(result_.solution->nodal.touching)};
     if (supports_hold(result_.levels.front(), problem_.contact.solver)) task.settings.detect_free_motions = false;
     assembly::State start = state_at(instant);

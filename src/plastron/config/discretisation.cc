@@ -38,6 +38,7 @@ void read_contact(Table& root, computation::Problem& problem) {
   for (const contact::Solver solver : contact::all_solvers)
     if (name == contact::to_string(solver)) problem.contact.solver = solver;
   problem.linearisation.once = contact->boolean("linearised").value_or(false);
+  problem.admissible = contact->boolean("admissible").value_or(false);
   root.effective["contact"] = contact->effective;
 }
 

@@ -171,20 +171,26 @@ Section probe_section() {
 }
 
 Section contact_section() {
-  return {"contact",
-          "[contact]",
-          "How the contact problem is solved.",
-          {{.name = "solver",
-            .kind = Kind::word,
-            .fallback = "\"active-set\"",
-            .words = {{"active-set"}, {"projected"}, {"tao"}, {"snesvi"}, {"mprgp"}},
-            .meaning =
-                "the contact solver; others than the default are there to check it, and mprgp factorises once a mesh"},
-           {.name = "linearised",
-            .kind = Kind::boolean,
-            .fallback = "false",
-            .meaning =
-                "take the gaps of curved obstacles at the undeformed shell, and not again where the shell was found"}}};
+  return {
+      "contact",
+      "[contact]",
+      "How the contact problem is solved.",
+      {{.name = "solver",
+        .kind = Kind::word,
+        .fallback = "\"active-set\"",
+        .words = {{"active-set"}, {"projected"}, {"tao"}, {"snesvi"}, {"mprgp"}},
+        .meaning =
+            "the contact solver; others than the default are there to check it, and mprgp factorises once a mesh"},
+       {.name = "linearised",
+        .kind = Kind::boolean,
+        .fallback = "false",
+        .meaning =
+            "take the gaps of curved obstacles at the undeformed shell, and not again where the shell was found"},
+       {.name = "admissible",
+        .kind = Kind::boolean,
+        .fallback = "false",
+        .meaning = "keep the shell out of the obstacles between its nodes, too: solve again with lifted bounds until "
+                   "it is"}}};
 }
 
 Section solver_section() {

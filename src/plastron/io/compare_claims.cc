@@ -14,7 +14,10 @@ namespace {
 constexpr std::array recomputed_parts{"formulation", "energy",           "energy_parts", "load_work",  "loads",
                                       "reaction",    "support_reaction", "size",         "tangency",   "point_supports",
                                       "contact",     "obstacles",        "probes",       "certificate"};
-/// Likewise of the last of its levels.
+/// What in these parts tells how the solution was found.
+constexpr std::array told_only{"contact/admissible/rounds", "contact/admissible/energy_before",
+                               "contact/admissible/energy_change"};
+/// Parts of the last of its levels that follow from the solution.
 constexpr std::array recomputed_of_level{
     "cells",    "nodes",        "unknowns", "active",       "gap_error",           "energy",
     "reaction", "contact_area", "min_gap",  "max_rotation", "max_normal_rotation", "multiplier_norm"};
@@ -27,6 +30,7 @@ class Walk {
 
   /// `pattern` is the path as `units` has it.
   void compare(const std::string& path, const std::string& pattern, const Json& recomputed, const Json& claimed) {
+    if (std::ranges::find(told_only, pattern) != told_only.end()) return;
     if (recomputed.is_object())
       compare_object(path, pattern, recomputed, claimed);
     else if (recomputed.is_array())

@@ -83,7 +83,7 @@ std::span<const Quantity<Result>> contact_quantities() {
       {"nodes", "1", "touching nodes", [](const Result& r) { return Json(r.summary.touching_nodes); }},
       {"min_gap", "m", "smallest gap at a node", [](const Result& r) { return number(r.certificate.min_gap_nodes); }},
       {"max_penetration_between_nodes", "m",
-       "depth of the shell in the obstacle between nodes, where no bound holds it",
+       "depth of the shell in the obstacle between nodes, where no bound holds it (contact.admissible brings it to 0)",
        [](const Result& r) { return number(penetration(r.certificate.min_gap_between)); }},
       {"max_pressure", "Pa",
        "largest eta at a node; where an edge carries a line reaction, at a node that lies on no edge",
@@ -103,6 +103,24 @@ std::span<const Quantity<Result>> contact_quantities() {
   return all;
 }
 
+std::span<const Quantity<Result>> admissible_quantities() {
+  static const std::vector<Quantity<Result>> all{
+      {"rounds", "1", "rounds in which bounds of gaps were lifted, on the finest mesh",
+       [](const Result& r) { return Json(r.last_level().lift_rounds); }},
+      {"largest_lift", "m", "the largest that a gap at a node must be, in place of 0",
+       [](const Result& r) { return number(r.summary.largest_lift); }},
+      {"lift_work", "J",
+       "sum of nodal reaction times lift: 1/2 a(U, U) - l(U) is above its least under the bounds at nodes alone, by "
+       "this at most",
+       [](const Result& r) { return number(r.summary.lift_work); }},
+      {"energy_before", "J", "stored energy before bounds were lifted",
+       [](const Result& r) { return number(r.last_level().energy_before_lifts); }},
+      {"energy_change", "J", "stored energy, minus that",
+       [](const Result& r) { return number(r.last_level().energy - r.last_level().energy_before_lifts); }},
+  };
+  return all;
+}
+
 std::span<const Quantity<certificate::Certificate>> certificate_quantities() {
   using certificate::Certificate;
   static const std::vector<Quantity<Certificate>> all{
@@ -116,7 +134,7 @@ std::span<const Quantity<certificate::Certificate>> certificate_quantities() {
        [](const Certificate& c) { return number(c.min_gap_between); }},
       {"support_error", "m", "largest distance of a supported component from its value, rotations times the thickness",
        [](const Certificate& c) { return number(c.support_error); }},
-      {"complementarity", "Pa m", "largest |eta g| at a node",
+      {"complementarity", "Pa m", "largest |eta g| at a node, g from its lift where bounds are lifted",
        [](const Certificate& c) { return number(c.complementarity); }},
       {"force_balance", "1", "sum of loads and reactions over the largest of them",
        [](const Certificate& c) { return number(c.force_balance); }},
@@ -139,6 +157,8 @@ std::span<const Quantity<computation::Level>> level_quantities() {
       {"factorisations", "1", "numeric factorisations", [](const Level& l) { return Json(l.factorisations); }},
       {"linearisations", "1", "linearisations of the gaps of curved obstacles",
        [](const Level& l) { return Json(l.linearisations); }},
+      {"lift_rounds", "1", "rounds in which bounds of gaps were lifted (contact.admissible)",
+       [](const Level& l) { return Json(l.lift_rounds); }},
       {"gap_error", "m", "largest |distance - linearised gap| of the deformed faces in contact with curved obstacles",
        [](const Level& l) { return number(l.gap_error); }},
       {"status", "-", "how the level ended", [](const Level& l) { return Json(contact::to_string(l.status)); }},

@@ -28,6 +28,8 @@ std::span<const Quantity<computation::Result>> result_quantities();
 std::span<const Quantity<certificate::PointReaction>> point_support_quantities();
 /// Null as a whole where there is no obstacle; paths inside "contact".
 std::span<const Quantity<computation::Result>> contact_quantities();
+/// Null as a whole where the case wants no admissible solution; paths inside "contact.admissible".
+std::span<const Quantity<computation::Result>> admissible_quantities();
 /// Paths inside "obstacles[]".
 std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities();
 /// Paths inside "history[]".

@@ -96,6 +96,7 @@ class SolutionReader {
     same("as the degree", header_.degree, space_.degree);
     same("obstacles", header_.obstacles, shape_.obstacles);
     same("multipliers a node", header_.has_multiplier, shape_.has_multiplier ? 1 : 0);
+    same("lifts a gap", header_.has_lifts, shape_.has_lifts ? 1 : 0);
     same("cells", header_.cells, space_.global_cells);
     same("nodes", header_.nodes, space_.layout->global_size);
     if (header_.is_deformed > 1 || !std::isfinite(header_.time) || !std::isfinite(header_.load_factor))
@@ -138,6 +139,7 @@ std::vector<algebra::Vector*> fields_of_file(const SolutionHeader& header, compu
   if (header.has_multiplier) add(nodal.lambda, 1, true);
   add(nodal.pressure, std::max(1, obstacles), obstacles > 0);
   add(nodal.touching, std::max(1, obstacles), obstacles > 0);
+  if (header.has_lifts) add(solution.state.lifts, obstacles, true);
   return fields;
 }
 

@@ -54,6 +54,15 @@ Json obstacle_json(const certificate::ObstacleContact& contact) {
   return json;
 }
 
+/// What the obstacles do to the shell, all together.
+Json contact_json(const computation::Result& result) {
+  if (!result.has_obstacle) return nullptr;
+  Json json = record_json(contact_quantities(), result);
+  json["admissible"] =
+      result.summary.is_admissible_wanted ? record_json(admissible_quantities(), result) : Json(nullptr);
+  return json;
+}
+
 Json level_json(const computation::Level& level) {
   Json json = record_json(level_quantities(), level);
   json["history"] = Json::array();
@@ -98,6 +107,7 @@ Json units_json() {
   add_units(units, "", result_quantities());
   add_units(units, "point_supports/*/", point_support_quantities());
   add_units(units, "contact/", contact_quantities());
+  add_units(units, "contact/admissible/", admissible_quantities());
   add_units(units, "obstacles/*/", obstacle_quantities());
   add_units(units, "history/*/", history_quantities());
   add_units(units, "history/*/obstacles/*/", obstacle_quantities());
@@ -144,7 +154,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
   json["point_supports"] = point_supports_json(result);
-  json["contact"] = result.has_obstacle ? record_json(contact_quantities(), result) : Json(nullptr);
+  json["contact"] = contact_json(result);
   json["obstacles"] = Json::array();
   for (const auto& contact : result.summary.obstacles) json["obstacles"].push_back(obstacle_json(contact));
   json["probes"] = probes_json(result.probes, result);

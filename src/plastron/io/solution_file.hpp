@@ -20,6 +20,7 @@ void add_solution(const computation::Solution& solution, const std::filesystem::
 struct SolutionShape {
   int obstacles = 0;
   bool has_multiplier = false;
+  bool has_lifts = false;
 };
 
 /// On the mesh of `space`, whatever ranks wrote it (collective). Throws UnusableResults: no such file, another format

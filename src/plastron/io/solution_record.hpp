@@ -18,13 +18,16 @@ struct SolutionHeader {
   std::uint32_t degree = 1;
   std::uint32_t obstacles = 0;
   std::uint32_t has_multiplier = 0;
-  std::uint32_t is_deformed = 0;  ///< gaps are linearised at a displacement that follows each node's own
+  std::uint16_t is_deformed = 0;  ///< gaps are linearised at a displacement that follows each node's own
+  std::uint16_t has_lifts = 0;    ///< bounds of gaps are lifted: the shell is out of obstacles between its nodes, too
   std::int64_t cells = 0;
   std::int64_t nodes = 0;
   double time = 0, load_factor = 1;
 
-  /// u, r; (u, r) of the linearisation; lambda; eta and touching of every obstacle.
-  std::size_t values_per_node() const { return 6u * (1 + is_deformed) + has_multiplier + 2u * obstacles; }
+  /// u, r; (u, r) of the linearisation; lambda; eta, touching and lift of every obstacle.
+  std::size_t values_per_node() const {
+    return 6u * (1u + is_deformed) + has_multiplier + (2u + has_lifts) * obstacles;
+  }
 };
 static_assert(sizeof(SolutionHeader) == 64);
 

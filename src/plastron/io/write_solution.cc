@@ -30,7 +30,8 @@ SolutionHeader header_of(const computation::Solution& solution) {
           .degree = static_cast<std::uint32_t>(space.degree),
           .obstacles = static_cast<std::uint32_t>(solution.discrete->obstacles.all.size()),
           .has_multiplier = solution.nodal.lambda.layout() ? 1u : 0u,
-          .is_deformed = state.is_deformed() ? 1u : 0u,
+          .is_deformed = static_cast<std::uint16_t>(state.is_deformed()),
+          .has_lifts = static_cast<std::uint16_t>(state.is_admissible()),
           .cells = space.global_cells,
           .nodes = space.layout->global_size,
           .time = state.time,
@@ -48,6 +49,7 @@ struct NodeFields {
     if (solution.discrete->obstacles.empty()) return;
     add(nodal.pressure);
     add(nodal.touching);
+    if (solution.discrete->state.is_admissible()) add(solution.discrete->state.lifts);
   }
   void append(std::size_t node, std::string& text) const {
     for (const algebra::Vector& field : fields) {

@@ -1,0 +1,161 @@
+#include <plastron/algebra/agreement.hpp>
+#include <plastron/certificate/gap_between.hpp>
+#include <plastron/computation/bound_lifts.hpp>
+#include <plastron/computation/cell_depths.hpp>
+#include <plastron/fem/ties.hpp>
+#include <plastron/geometry/frame.hpp>
+#include <plastron/obstacle/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::computation {
+
+namespace {
+
+/// A shell that is deeper in an obstacle than this part of its thickness or largest displacement, whichever is more, is not out.
+constexpr double negligible = 1e-9;
+/// A node's lift grows by the norm of this order of the depths of its cells: by the largest, and by at most a seventh more.
+constexpr int order = 16;
+constexpr int max_rounds = 30;
+/// Rounds that leave more than this part of the least depth so far gain nothing; a few of them may come one after the other.
+constexpr double gain = 0.9;
+constexpr int max_rounds_without_gain = 4;
+/// Where nodes that supports hold weigh more than this, lifts of the others are no means against a depth.
+constexpr double most_held = 0.5;
+
+/// Twice as fine as what is reported, and finer.
+int lattice_intervals(int degree) { return std::max(8, 4 * degree); }
+
+/// The free nodes of a cell, and how much those that supports hold against an obstacle weigh at the points of a basis.
+class CellWeights {
+ public:
+  CellWeights(const fem::Space& space, const algebra::Vector& held) : space_(space), held_(held) {}
+
+  std::vector<algebra::LocalIndex> nodes(std::size_t cell) const {
+    if (const auto carriers = fem::carriers(space_, cell)) return carriers->nodes;
+    const auto nodes = space_.nodes(cell);
+    return {nodes.begin(), nodes.end()};
+  }
+  Eigen::VectorXd held(std::size_t cell, std::size_t obstacle, const Eigen::MatrixXd& basis) const {
+    const auto carriers = fem::carriers(space_, cell);
+    const auto free = nodes(cell);
+    Eigen::VectorXd marks(static_cast<Eigen::Index>(free.size()));
+    for (std::size_t i = 0; i < free.size(); ++i)
+      marks[static_cast<Eigen::Index>(i)] =
+          held_.local()[static_cast<std::size_t>(free[i]) * static_cast<std::size_t>(held_.block()) + obstacle];
+    return carriers ? Eigen::VectorXd(basis * (carriers->weights * marks)) : Eigen::VectorXd(basis * marks);
+  }
+
+ private:
+  const fem::Space& space_;
+  const algebra::Vector& held_;
+};
+
+/// 1 where supports leave a node's gap no freedom (collective).
+algebra::Vector held_nodes(const assembly::DiscreteShell& discrete) {
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  algebra::Vector held(discrete.space().layout, static_cast<int>(coordinates.gaps.size()));
+  for (const assembly::ContactRow& row : coordinates.rows)
+    held.owned()[row.node * coordinates.gaps.size() + static_cast<std::size_t>(row.obstacle)] =
+        !row.is_touchable() && !row.is_left_out && !std::isnan(row.bound_gap);
+  held.update_ghosts();
+  return held;
+}
+
+struct CellDepth {
+  std::size_t cell, obstacle;
+  double depth;  ///< [m]
+};
+
+/// The cells of this rank that lie inside of an obstacle somewhere.
+std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                                   const CellWeights& weights) {
+  const fem::Space& space = discrete.space();
+  const int intervals = lattice_intervals(space.degree);
+  const LatticeBound bound(space.shape(), intervals);
+  const Eigen::MatrixXd basis =
+      element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals)).value;
+  std::vector<CellDepth> all;
+  certificate::sample_gaps(discrete, y, intervals,
+                           [&](std::size_t cell, std::size_t obstacle, std::span<const double> gaps) {
+                             const Eigen::VectorXd held = weights.held(cell, obstacle, basis);
+                             double depth = 0;
+                             for (std::size_t p = 0; p < gaps.size(); ++p)
+                               if (held[static_cast<Eigen::Index>(p)] <= most_held)
+                                 depth = std::max(depth, -bound.at(p, gaps));
+                             if (depth > 0) all.push_back({cell, obstacle, depth});
+                           });
+  return all;
+}
+
+/// Thickness or displacement, what is the larger anywhere (collective).
+double length_scale(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+    most = std::max(
+        {most, discrete.points[i].thickness, Eigen::Map<const Eigen::Vector3d>(y.local().data() + 6 * i).norm()});
+  return algebra::max_over_ranks(most, discrete.space().layout->comm);
+}
+
+/// Of the gaps at a cell's nodes that have weight, the least.
+double least_at_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y, std::size_t cell,
+                      std::size_t obstacle) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const algebra::LocalIndex index : discrete.space().nodes(cell)) {
+    const auto node = static_cast<std::size_t>(index);
+    const assembly::NodalPoint& point = discrete.points[node];
+    if (!(point.weight > 0)) continue;
+    const Eigen::Map<const Eigen::Vector3d> u(y.local().data() + 6 * node), r(y.local().data() + 6 * node + 3);
+    least = std::min(least,
+                     discrete.coordinates.gaps[obstacle][node](u, geometry::tangential(Eigen::Vector3d(r), point.a3)));
+  }
+  return least;
+}
+
+}  // namespace
+
+double largest_dip(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  double most = 0;
+  algebra::in_agreement<obstacle::ObstacleError>(comm, [&] {
+    certificate::sample_gaps(discrete, y, lattice_intervals(discrete.space().degree),
+                             [&](std::size_t cell, std::size_t obstacle, std::span<const double> gaps) {
+                               const double least = least_at_nodes(discrete, y, cell, obstacle);
+                               most = std::max(most, least - *std::ranges::min_element(gaps));
+                             });
+  });
+  return algebra::max_over_ranks(most, comm);
+}
+
+std::optional<algebra::Vector> BoundLifts::next(const certificate::NodalSolution& solution) {
+  const fem::Space& space = discrete_.space();
+  const MPI_Comm comm = space.layout->comm;
+  const algebra::Vector held = held_nodes(discrete_);
+  const CellWeights weights(space, held);
+  const auto cells =
+      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return depths_here(discrete_, solution.y, weights); });
+  double deepest = 0;
+  for (const CellDepth& cell : cells) deepest = std::max(deepest, cell.depth);
+  deepest = algebra::max_over_ranks(deepest, comm);
+  if (deepest <= negligible * length_scale(discrete_, solution.y)) return {};
+  rounds_without_gain_ = deepest > gain * least_depth_ ? rounds_without_gain_ + 1 : 0;
+  least_depth_ = std::min(least_depth_, deepest);
+  if (rounds_ >= max_rounds || rounds_without_gain_ >= max_rounds_without_gain) return {};
+  ++rounds_;
+
+  // Sums go over ranks: a node on the border of two has cells on both.
+  algebra::Vector powers(space.layout, held.block());
+  const auto block = static_cast<std::size_t>(held.block());
+  for (const CellDepth& cell : cells)
+    for (const algebra::LocalIndex node : weights.nodes(cell.cell))
+      powers.local()[static_cast<std::size_t>(node) * block + cell.obstacle] += std::pow(cell.depth / deepest, order);
+  powers.accumulate_ghosts();
+  algebra::Vector lifts = discrete_.state.lifts;
+  for (std::size_t k = 0; k < lifts.owned().size(); ++k)
+    if (held.owned()[k] == 0) lifts.owned()[k] += deepest * std::pow(powers.owned()[k], 1.0 / order);
+  lifts.update_ghosts();
+  return lifts;
+}
+
+}  // namespace plastron::computation
