@@ -137,6 +137,21 @@ TEST(Verify, PassesEveryFormulationTrianglesAndCurvedObstacles) {
   expect_passed(Ran(plate + mesh("")));
 }
 
+TEST(Verify, PassesAdmissibleSolutionsAndRecomputesWhatTheyCost) {
+  const std::string admissible = "[contact]\nadmissible = true\n";
+  expect_passed(Ran(plate + plane + mesh("cells = \"triangle\"\n") + admissible));
+  const Ran ran(plate + ball + mesh("") + admissible);
+  expect_passed(ran);
+  const auto json = nlohmann::ordered_json::parse(text_of(ran.file("results.json")));
+  const auto& lifts = json["contact"]["admissible"];
+  EXPECT_GT(lifts["rounds"], 0);
+  EXPECT_GT(lifts["largest_lift"], 0);
+  EXPECT_GT(lifts["lift_work"], 0);
+  EXPECT_LT(json["contact"]["max_penetration_between_nodes"], 1e-10);
+  edit_results(ran, [](auto& claimed) { claimed["contact"]["admissible"]["lift_work"] = 0; });
+  expect_failed(ran, "claims contact.admissible.lift_work = 0");
+}
+
 TEST(Verify, SaysNothingWhenQuietButWhatFails) {
   const Ran ran(plate + plane + mesh(""));
   const Outcome good = ran.verify({"--quiet", "--threads", "1"});

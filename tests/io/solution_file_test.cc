@@ -24,7 +24,8 @@ constexpr std::size_t header_bytes = 64 + 16, head_bytes = 64;  // one obstacle
 
 SolutionShape shape_of(const Problem& problem) {
   return {.obstacles = static_cast<int>(problem.obstacles.size()),
-          .has_multiplier = problem.discretisation.tangency.formulation == element::Formulation::mixed};
+          .has_multiplier = problem.discretisation.tangency.formulation == element::Formulation::mixed,
+          .has_lifts = problem.admissible};
 }
 
 StoredSolution read(const std::filesystem::path& path, const Problem& problem, MPI_Comm comm) {
@@ -52,6 +53,8 @@ std::vector<Problem> problems() {
     all.push_back(plate(f, fem::Shape::quadrilateral));
   all.push_back(plate(Formulation::tangent, fem::Shape::triangle));
   all.push_back(plate(Formulation::tangent, fem::Shape::quadrilateral, true));
+  all.push_back(all.back());
+  all.back().admissible = true;
   all.push_back(pressed_plate({.obstacle = false}));
   return all;
 }
@@ -63,7 +66,7 @@ void expect_equal(const algebra::Vector& a, const algebra::Vector& b) {
 
 TEST(SolutionFile, GivesEveryDigitBack) {
   const ScratchDirectory scratch("digits");
-  bool some_deformed = false, some_multiplier = false;
+  bool some_deformed = false, some_multiplier = false, some_lifts = false;
   for (const Problem& problem : problems()) {
     const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
     const Solution& solution = *result.solution;
@@ -77,12 +80,15 @@ TEST(SolutionFile, GivesEveryDigitBack) {
     const assembly::State& state = solution.discrete->state;
     ASSERT_EQ(stored.state.is_deformed(), state.is_deformed());
     if (state.is_deformed()) expect_equal(stored.state.displacement, state.displacement);
+    ASSERT_EQ(stored.state.is_admissible(), state.is_admissible());
+    if (state.is_admissible()) expect_equal(stored.state.lifts, state.lifts);
+    some_lifts = some_lifts || (state.is_admissible() && algebra::max_abs(state.lifts) > 0);
     EXPECT_EQ(stored.state.time, state.time);
     EXPECT_EQ(stored.state.load_factor, state.load_factor);
     some_deformed = some_deformed || state.is_deformed();
     some_multiplier = some_multiplier || solution.nodal.lambda.layout() != nullptr;
   }
-  EXPECT_TRUE(some_deformed && some_multiplier);
+  EXPECT_TRUE(some_deformed && some_multiplier && some_lifts);
 }
 
 /// The records of a file in an order of their own.
@@ -148,6 +154,7 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
       {"multipliers", [](std::string& t) { put(t, 24, std::uint32_t{1}); }},
       {"not complete", [](std::string& t) { put(t, 28, std::uint32_t{1}); }},
       {"no solution has", [](std::string& t) { put(t, 28, std::uint32_t{1000}); }},
+      {"lifts a gap", [](std::string& t) { put(t, 30, std::uint16_t{1}); }},
       {"cells", [](std::string& t) { put(t, 32, std::int64_t{1} << 60); }},
       {"nodes", [](std::string& t) { put(t, 40, std::int64_t{-1}); }},
       {"no solution has", [](std::string& t) { put(t, 56, std::numeric_limits<double>::quiet_NaN()); }},
