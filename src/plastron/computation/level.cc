@@ -93,6 +93,11 @@ class LevelRun {
 
 }  // namespace
 
+bool supports_hold(const std::vector<contact::Iteration>& history, contact::Solver solver) {
+  return solver == contact::Solver::active_set && !history.empty() && history.front().active == 0 &&
+         !history.front().safeguarded;
+}
+
 Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
                const certificate::Verdict& verdict) {
   const fem::Space& space = discrete.space();
@@ -122,7 +127,7 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
     auto state = outer.next(nodal);
     if (!state) break;
     linearise(run.discrete(), std::move(*state));
-    z = run.solve(first_guess(run.discrete(), nodal.touching), false);
+    z = run.solve(first_guess(run.discrete(), nodal.touching), !supports_hold(run.history, task.settings.solver));
     nodal = certificate::nodal_solution(run.discrete(), z);
   }
   if (z.status == contact::Status::solved && !outer.is_met()) z.status = contact::Status::gap_not_met;
