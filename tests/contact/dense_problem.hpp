@@ -93,7 +93,9 @@ inline Eigen::VectorXd minimise_on_face(const DenseProblem& problem, const std::
     right(i) = held(i);
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(K);
-  if (factor.info() != Eigen::Success) return Eigen::VectorXd::Constant(problem.size(), std::nan(""));
+  constexpr double nothing_but_rounding = 1e-13;
+  if (factor.info() != Eigen::Success || factor.rcond() < nothing_but_rounding)
+    return Eigen::VectorXd::Constant(problem.size(), std::nan(""));
   return factor.solve(right);
 }
 
@@ -112,7 +114,8 @@ inline bool is_optimal(const DenseProblem& problem, const std::vector<int>& side
   return true;
 }
 
-/// The solution by trying all 3^n subproblems. A is positive definite, so whatever subproblem passes gives the one solution.
+/// The solution by trying all 3^n subproblems. Sets that leave a motion free have none; what passes is the solution,
+/// the only one, since A is positive semidefinite and definite on what the set leaves free.
 inline std::optional<Eigen::VectorXd> brute_force(const DenseProblem& problem) {
   const auto n = static_cast<std::size_t>(problem.size());
   std::vector<int> side(n, 0);

@@ -17,7 +17,8 @@ class Jacobi : public algebra::Preconditioner {
  public:
   explicit Jacobi(const Matrix& A) : A_(A), diagonal_(A.diagonal()) {}
 
-  algebra::Pinning pin(std::span<const char> pinned) override {
+  algebra::Pinning pin(std::span<const char> pinned, double shift) override {
+    shift_ = shift;
     ++pinnings;
     double worst = 1;
     for (std::size_t i = 0; i < pinned.size(); ++i)
@@ -26,7 +27,8 @@ class Jacobi : public algebra::Preconditioner {
     return positive ? algebra::Pinning::done : algebra::Pinning::not_positive_definite;
   }
   void apply(const Vector& r, Vector& z) const override {
-    for (std::size_t i = 0; i < r.owned().size(); ++i) z.owned()[i] = r.owned()[i] / diagonal_.owned()[i];
+    for (std::size_t i = 0; i < r.owned().size(); ++i)
+      z.owned()[i] = r.owned()[i] / ((1 + shift_) * diagonal_.owned()[i]);
   }
   bool is_exact() const override { return false; }
   algebra::Price price() const override { return {.pin = 1, .apply = 1}; }
@@ -80,6 +82,7 @@ class Jacobi : public algebra::Preconditioner {
 
   const Matrix& A_;
   Vector diagonal_;
+  double shift_ = 0;
 };
 
 }  // namespace plastron::test

@@ -129,7 +129,7 @@ TEST(WithoutAFactor, EquationsHoldToo) {
 class Failing : public Jacobi {
  public:
   Failing(const Matrix& A, Pinning why) : Jacobi(A), why_(why) {}
-  Pinning pin(std::span<const char>) override { return why_; }
+  Pinning pin(std::span<const char>, double) override { return why_; }
 
  private:
   Pinning why_;

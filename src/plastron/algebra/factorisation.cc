@@ -136,11 +136,11 @@ Factorisation::Factorisation(Factorisation&&) noexcept = default;
 Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
 Factorisation::~Factorisation() = default;
 
-bool Factorisation::factorise(std::span<const char> pinned) {
+bool Factorisation::factorise(std::span<const char> pinned, double shift) {
   Storage& s = *storage_;
   const double start = MPI_Wtime();
   const PetscUse petsc;
-  s.copy.fill(s.A, pinned);
+  s.copy.fill(s.A, pinned, shift);
   const BlasThreads threads(threads_for(s.cost.operations));
   s.ready = s.ranks == 1 ? s.factorise_with_cholmod() : s.factorise_with_mumps();
   s.seconds_numeric += MPI_Wtime() - start;
@@ -167,8 +167,8 @@ Price price_of(const FactorisationCost& cost) {
   return {.pin = cost.operations / threads_for(cost.operations), .apply = per_entry * cost.entries};
 }
 
-Pinning Factorisation::pin(std::span<const char> pinned) {
-  return factorise(pinned) ? Pinning::done : Pinning::not_positive_definite;
+Pinning Factorisation::pin(std::span<const char> pinned, double shift) {
+  return factorise(pinned, shift) ? Pinning::done : Pinning::not_positive_definite;
 }
 
 SoftestMotion Factorisation::softest_motion(const Operator& operate, std::span<const char> pinned,

@@ -26,16 +26,16 @@ class Factorisation : public Preconditioner {
   Factorisation& operator=(Factorisation&&) noexcept;
   ~Factorisation() override;
 
-  /// Factorises A with the rows and columns of the pinned unknowns replaced by those of a diagonal matrix.
+  /// Factorises A + shift diag(A) with the rows and columns of the pinned unknowns replaced by those of a diagonal matrix.
   /// pinned[i] != 0 for the owned scalar unknown i. The diagonal keeps A's entry where that is positive, and takes A's
   /// largest elsewhere. False if a pivot is not positive. A matrix that is singular up to rounding may pass: see
   /// softest_motion. (collective)
-  bool factorise(std::span<const char> pinned);
+  bool factorise(std::span<const char> pinned, double shift = 0);
   /// x = F^{-1} b for the factorised F; on pinned unknowns x = b / (their diagonal). Owned values. (collective)
   void solve(const Vector& b, Vector& x) const;
 
   // As a preconditioner: factorise() and solve() by their general names.
-  Pinning pin(std::span<const char> pinned) override;
+  Pinning pin(std::span<const char> pinned, double shift) override;
   void apply(const Vector& r, Vector& z) const override { solve(r, z); }
   bool is_exact() const override { return true; }
   SoftestMotion softest_motion(const Operator& operate, std::span<const char> pinned,

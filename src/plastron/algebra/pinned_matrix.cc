@@ -90,7 +90,8 @@ void PinnedMatrix::mark_pinned(const Matrix::Storage& A, std::span<const char> p
   A.exchange->to_ghosts(pinned_diagonal_, A.block);
 }
 
-void PinnedMatrix::fill(const Matrix::Storage& A, std::span<const char> pinned) {
+void PinnedMatrix::fill(const Matrix::Storage& A, std::span<const char> pinned, double shift) {
+  diagonal_factor_ = 1 + shift;
   mark_pinned(A, pinned);
   if (alone_)
     fill_arrays(A);
@@ -112,7 +113,9 @@ void PinnedMatrix::fill_arrays(const Matrix::Storage& A) {
         const double* column_pin = pinned_diagonal_.data() + static_cast<std::size_t>(A.column[k]) * m;
         for (std::size_t b = on_diagonal ? a : 0; b < m; ++b) {
           const bool replaced = row_pin != 0 || column_pin[b] != 0;
-          *target++ = !replaced ? source[b] : (on_diagonal && a == b ? row_pin : 0.0);
+          const bool is_diagonal = on_diagonal && a == b;
+          const double kept = is_diagonal ? diagonal_factor_ * source[b] : source[b];
+          *target++ = !replaced ? kept : (is_diagonal ? row_pin : 0.0);
         }
       }
     }
@@ -144,13 +147,17 @@ void PinnedMatrix::fill_blocked_rows(const Matrix::Storage& A) {
   petsc_check(MatAssemblyEnd(mat_, MAT_FINAL_ASSEMBLY), "assembling a distributed matrix");
 }
 
-// On one block, whose first unknowns are `row` and `column` and whose rows lie `stride` apart.
+// The pins and the shift on one block, whose first unknowns are `row` and `column` and whose rows lie `stride` apart.
 void PinnedMatrix::replace_pinned(std::size_t row, std::size_t column, std::size_t block, double* values,
                                   std::size_t stride) const {
   for (std::size_t a = 0; a < block; ++a)
     for (std::size_t b = 0; b < block; ++b) {
-      if (pinned_diagonal_[row + a] == 0 && pinned_diagonal_[column + b] == 0) continue;
-      values[a * stride + b] = row + a == column + b ? pinned_diagonal_[row + a] : 0.0;
+      const bool is_diagonal = row + a == column + b;
+      double& value = values[a * stride + b];
+      if (pinned_diagonal_[row + a] != 0 || pinned_diagonal_[column + b] != 0)
+        value = is_diagonal ? pinned_diagonal_[row + a] : 0.0;
+      else if (is_diagonal)
+        value *= diagonal_factor_;
     }
 }
 

@@ -19,8 +19,8 @@ class PinnedMatrix {
   PinnedMatrix(const PinnedMatrix&) = delete;
   PinnedMatrix& operator=(const PinnedMatrix&) = delete;
 
-  /// Takes the values (collective).
-  void fill(const Matrix::Storage& A, std::span<const char> pinned);
+  /// Takes the values of A + shift diag(A) (collective).
+  void fill(const Matrix::Storage& A, std::span<const char> pinned, double shift);
   Mat mat() const { return mat_; }
 
  private:
@@ -32,6 +32,7 @@ class PinnedMatrix {
   void replace_pinned(std::size_t row, std::size_t column, std::size_t block, double* values, std::size_t stride) const;
 
   Mat mat_ = nullptr;
+  double diagonal_factor_ = 1;         ///< 1 + shift
   bool alone_ = true;                  ///< one rank
   std::vector<PetscInt> row_start_{};  ///< one rank only: the upper half by scalar rows
   std::vector<PetscInt> column_{};

@@ -27,9 +27,9 @@ class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
 
-  /// Makes it ready for A with the unknowns pinned for which pinned[i] != 0 (owned scalar unknowns). After anything but `done` it
-  /// cannot be applied before the next pin(). All ranks are told the same. (collective)
-  virtual Pinning pin(std::span<const char> pinned) = 0;
+  /// Makes it ready for A + shift diag(A), shift >= 0, with the unknowns pinned for which pinned[i] != 0 (owned scalar unknowns). After
+  /// anything but `done` it cannot be applied before the next pin(). All ranks are told the same. (collective)
+  virtual Pinning pin(std::span<const char> pinned, double shift) = 0;
   /// z = M^{-1} r with M symmetric and positive definite, about A on the unknowns that are not pinned. Zero where r is zero on
   /// pinned unknowns. Owned values. (collective)
   virtual void apply(const Vector& r, Vector& z) const = 0;

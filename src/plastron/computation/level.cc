@@ -107,7 +107,7 @@ Found met(LevelRun& run, const LevelTask& task, std::span<const contact::Activit
     auto state = outer.next(nodal);
     if (!state) break;
     linearise(run.discrete(), std::move(*state));
-    z = run.solve(first_guess(run.discrete(), nodal.touching), false);
+    z = run.solve(first_guess(run.discrete(), nodal.touching), !supports_hold(run.history, task.settings.solver));
     nodal = certificate::nodal_solution(run.discrete(), z);
   }
   run.linearisations += outer.steps();
@@ -121,7 +121,8 @@ Found met_with(algebra::Vector lifts, LevelRun& run, const LevelTask& task, cons
   state.positions = run.discrete().positions();
   state.lifts = std::move(lifts);
   linearise(run.discrete(), std::move(state));
-  return met(run, task, first_guess(run.discrete(), before.touching), false);
+  return met(run, task, first_guess(run.discrete(), before.touching),
+             !supports_hold(run.history, task.settings.solver));
 }
 
 struct Lifted {
@@ -152,6 +153,11 @@ Lifted lift_bounds(LevelRun& run, const LevelTask& task, Found& found) {
 }
 
 }  // namespace
+
+bool supports_hold(const std::vector<contact::Iteration>& history, contact::Solver solver) {
+  return solver == contact::Solver::active_set && !history.empty() && history.front().active == 0 &&
+         !history.front().safeguarded;
+}
 
 Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
                const certificate::Verdict& verdict) {

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace plastron::computation {
 
@@ -25,6 +26,10 @@ struct LevelResult {
   Solution solution;
   certificate::Verdict verdict;
 };
+
+/// Whether the supports alone hold the shell: then the active set's first step of all went through with nothing in contact. Other solvers'
+/// first steps say nothing of the kind, nor do those of proximal points.
+bool supports_hold(const std::vector<contact::Iteration>& history, contact::Solver solver);
 
 /// What a solution itself tells of a level, whoever found it (collective).
 Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,

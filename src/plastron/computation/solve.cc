@@ -26,12 +26,6 @@ namespace plastron::computation {
 
 namespace {
 
-/// Whether the supports alone hold the shell: then the active set's first step on the coarsest mesh went through with nothing in
-/// contact. Other solvers' first steps say nothing of the kind.
-bool supports_hold(const Level& coarsest, contact::Solver solver) {
-  return solver == contact::Solver::active_set && !coarsest.history.empty() && coarsest.history.front().active == 0;
-}
-
 bool nothing_to_refine(contact::Status status) {
   return status == contact::Status::infeasible || status == contact::Status::singular ||
          status == contact::Status::not_finite;
@@ -128,7 +122,8 @@ class Computation {
       start.displacement = std::move(fields[1]);
       start.displacement.update_ghosts();
     }
-    if (supports_hold(result_.levels.front(), problem_.contact.solver)) task.settings.detect_free_motions = false;
+    if (supports_hold(result_.levels.front().history, problem_.contact.solver))
+      task.settings.detect_free_motions = false;
   }
 
   /// The next instant on the finest mesh, from the contact zone and the state of the one before. Whether the computation goes on.
@@ -143,7 +138,8 @@ class Computation {
                    .linearisation = problem_.linearisation,
                    .admissible = problem_.admissible,
                    .touched = std::move(result_.solution->nodal.touching)};
-    if (supports_hold(result_.levels.front(), problem_.contact.solver)) task.settings.detect_free_motions = false;
+    if (supports_hold(result_.levels.front().history, problem_.contact.solver))
+      task.settings.detect_free_motions = false;
     assembly::State start = state_at(instant);
     start.positions = positions();
     auto discrete = std::move(result_.solution->discrete);

@@ -5,7 +5,7 @@ namespace plastron::contact {
 
 Status FacePreconditioner::pin(const BoxProblem& problem, const ActiveSet& set, bool detect_free_motions) {
   pinned_ = held(set);
-  const algebra::Pinning pinning = preconditioner_.pin(pinned_);
+  const algebra::Pinning pinning = preconditioner_.pin(pinned_, problem.shift);
   if (pinning != algebra::Pinning::done) return failure_of(pinning);
   if (detect_free_motions && preconditioner_.softest_motion(problem.apply, pinned_, diagonal_).is_free())
     return Status::singular;

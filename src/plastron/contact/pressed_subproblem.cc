@@ -19,6 +19,24 @@ double weighed(const Vector& z, const Vector& diagonal, const Vector& w) {
   return algebra::dot(z, weights);
 }
 
+/// Every unknown that stands at a bound where z = 0, but for rounding, at that bound: what touches before anything has moved.
+ActiveSet everything_touching(const BoxProblem& problem) {
+  constexpr double rounding = 1e-12;
+  const auto lower = problem.lower.owned(), upper = problem.upper.owned();
+  double largest = 0;
+  for (std::size_t i = 0; i < lower.size(); ++i)
+    for (const double bound : {lower[i], upper[i]})
+      if (std::isfinite(bound)) largest = std::max(largest, std::abs(bound));
+  const double nothing = rounding * algebra::max_over_ranks(largest, problem.load.layout()->comm);
+  ActiveSet set = starting_set(problem, {});
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    if (set[i] == Activity::prescribed) continue;
+    if (lower[i] >= -nothing) set[i] = Activity::at_lower;
+    if (upper[i] <= nothing) set[i] = Activity::at_upper;
+  }
+  return set;
+}
+
 /// Whether every force is answered but for rounding.
 bool is_balanced(std::span<const double> misfit, std::span<const double> sizes) {
   constexpr double rounding = 16 * rounding_unit;
@@ -43,8 +61,10 @@ void PressedSubproblem::start_from(std::vector<double> positions) {
 
 std::optional<SubproblemPoint> PressedSubproblem::solve_first(std::span<const Activity> initial, ActiveSet& set) {
   set = starting_set(problem_, initial);
-  auto point = solve(set);
-  return point ? std::move(point) : solve(set = everything_active(problem_));
+  if (auto point = solve(set)) return point;
+  if (const ActiveSet touching = everything_touching(problem_); count_active(problem_, touching) > 0)
+    if (auto point = solve(set = touching)) return point;
+  return solve(set = everything_active(problem_));
 }
 
 std::optional<SubproblemPoint> PressedSubproblem::solve(const ActiveSet& set) {

@@ -23,7 +23,8 @@ class PressedSubproblem {
   /// Nothing if the set leaves a motion free, of the structure or of an obstacle, or it cannot be computed; failure() then tells which. The
   /// positions stay at the point's, and the energy holds - F delta. (collective)
   std::optional<SubproblemPoint> solve(const ActiveSet& set);
-  /// The point on `initial` or, where that leaves a motion free, with every bound active; `set` becomes that of the two. (collective)
+  /// The point on `initial` or, where that leaves a motion free, with what touches at z = 0 or every bound active; `set` becomes the one
+  /// that has it. (collective)
   std::optional<SubproblemPoint> solve_first(std::span<const Activity> initial, ActiveSet& set);
   Status failure() const { return failure_; }
 

@@ -93,7 +93,8 @@ BoxProblem at_positions(const BoxProblem& problem, std::span<const double> posit
                  .load = problem.load,
                  .lower = problem.lower,
                  .upper = problem.upper,
-                 .equations = problem.equations};
+                 .equations = problem.equations,
+                 .shift = problem.shift};
   move_bounds(problem, positions, box);
   return box;
 }

@@ -51,11 +51,8 @@ std::string_view explain(Status status) {
     case Status::singular:
       return "A motion costs no energy and no bound stops it; add a support that holds the structure.";
     case Status::not_held:
-      return "On the contact set that the search came to, the structure can move freely: contact alone holds it, and "
-             "the "
-             "search let go of too much, or the loads pull it off; add a support against that motion, or start closer "
-             "to "
-             "contact.";
+      return "Contact alone would hold the structure, and nothing stops it: the loads pull it off, let it tip over, or "
+             "are in balance without contact; add a support against that motion, or loads that press it on.";
     case Status::not_carried:
       return "Nothing carries the force that presses an obstacle: it moves away for ever, alone or with the "
              "structure; turn its direction round, place the obstacle where it meets the structure, or support that.";

@@ -40,6 +40,7 @@ struct BoxProblem {
   algebra::Vector lower;          ///< -infinity where there is no bound
   algebra::Vector upper;          ///< +infinity where there is none; lower == upper prescribes the unknown
   std::optional<EqualityConstraints> equations{};
+  double shift = 0;                       ///< rho >= 0: A is `matrix` + rho diag(`matrix`), and `apply` has it
   std::vector<PressingForce> pressing{};  ///< with these, lower and upper are the bounds at delta = 0
 };
 

@@ -1,6 +1,7 @@
 #include <plastron/contact/dual_ascent.hpp>
 #include <plastron/contact/pressing_search.hpp>
 #include <plastron/contact/projected_search.hpp>
+#include <plastron/contact/proximal_point.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -180,6 +181,8 @@ class ProjectedSearch {
 void continue_projected_search(const BoxProblem& problem, SubproblemSolver& subproblems, const Settings& settings,
                                const Observer& observer, BoxSolution& so_far) {
   so_far.status = ProjectedSearch(problem, subproblems, settings, observer, so_far).run();
+  if (so_far.status == Status::not_held && problem.shift == 0)
+    continue_proximal_points(problem, subproblems, settings, observer, so_far);
 }
 
 BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Activity> initial,

@@ -89,7 +89,7 @@ bool SubproblemSolver::is_usable(const algebra::CgResult& linear) {
 bool SubproblemSolver::pin(const ActiveSet& set) {
   const auto fixed = held(set);
   pinned_.reset();
-  const algebra::Pinning pinning = preconditioner_.pin(fixed);
+  const algebra::Pinning pinning = preconditioner_.pin(fixed, problem_.shift);
   failure_ = failure_of(pinning);
   if (pinning != algebra::Pinning::done) return false;
   if (settings_.detect_free_motions && preconditioner_.softest_motion(problem_.apply, fixed, diagonal_).is_free())

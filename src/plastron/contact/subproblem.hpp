@@ -41,6 +41,7 @@ class SubproblemSolver {
   algebra::Vector irreducible(const ActiveSet& set, const algebra::Vector& violation) const;
 
   const algebra::Vector& diagonal() const { return diagonal_; }
+  algebra::Preconditioner& preconditioner() { return preconditioner_; }
 
  private:
   bool pin(const ActiveSet& set);

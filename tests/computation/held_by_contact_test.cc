@@ -1,0 +1,128 @@
+// Shells that contact alone holds against some rigid motions: whatever active set comes up on the way, they come to rest where the load
+// presses them on, and do not where it does not.
+#include <gtest/gtest.h>
+#include <plastron/computation/solve.hpp>
+
+#include <Eigen/Dense>
+#include <array>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using namespace test;
+using contact::Status;
+
+constexpr double e = 0.05, side = 1, weight = 1e-5;
+
+/// A square panel whose lower face is z = 0 in the middle; point supports take sliding and spinning alone.
+Problem panel(const std::string& height) {
+  Problem p;
+  p.domain = fem::Rectangle{.from = {-side / 2, -side / 2}, .to = {side / 2, side / 2}, .cells = {4, 4}};
+  p.charts = {{"", Chart({"x", "y", height}, {})}};
+  p.sections.common.thickness = Expression(e);
+  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.area_loads = {force(0, 0, -weight)};
+  p.supports = {{.components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::displacement, Direction::y)},
+                 .point = Eigen::Vector2d(0, 0)},
+                {.components = {fixed(Unknown::displacement, Direction::y)}, .point = Eigen::Vector2d(side / 2, 0)}};
+  p.discretisation = {.degree = 2, .refinements = 1};
+  return p;
+}
+
+obstacle::Obstacle ball_at(double x, double y) {
+  constexpr double radius = 0.1;
+  return {.shape = obstacle::Ball{.centre = {x, y, -radius}, .radius = radius}};
+}
+
+constexpr std::array<std::array<double, 2>, 3> places{{{0.21, 0.03}, {-0.27, 0.22}, {-0.23, -0.24}}};
+
+/// What statics gives the balls of a weight 1 at the origin.
+Eigen::Vector3d shares() {
+  Eigen::Matrix3d balance;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    balance.col(static_cast<Eigen::Index>(k)) << 1, places.at(k)[0], places.at(k)[1];
+  return balance.partialPivLu().solve(Eigen::Vector3d(1, 0, 0));
+}
+
+class PanelOnThreeBalls : public testing::TestWithParam<const char*> {};
+
+TEST_P(PanelOnThreeBalls, ComesToRestWithEachBallAtItsShare) {
+  Problem p = panel(GetParam());
+  for (const auto& [x, y] : places) p.obstacles.push_back(ball_at(x, y));
+  const Result r = solve(p, MPI_COMM_SELF);
+  ASSERT_EQ(r.status, Status::solved) << r.missed_limits;
+  const double total = r.summary.reaction.force[2];
+  EXPECT_NEAR(total, weight * side * side, 0.01 * total);
+  constexpr double nodes_apart = 0.0625 / 0.45;  // of the balls: so far off may a ball touch
+  for (std::size_t k = 0; k < places.size(); ++k)
+    EXPECT_NEAR(r.summary.obstacles.at(k).reaction.force[2], shares()[static_cast<Eigen::Index>(k)] * total,
+                nodes_apart * total);
+  EXPECT_GE(r.certificate.min_gap_nodes, -1e-9);
+  // Linearised anew four or five times, a step each at least.
+  for (const Level& level : r.levels) EXPECT_LE(level.iterations - level.linearisations, 8) << level.unknowns;
+}
+
+INSTANTIATE_TEST_SUITE_P(Flat, PanelOnThreeBalls, testing::Values("0.025"));
+INSTANTIATE_TEST_SUITE_P(Curved, PanelOnThreeBalls, testing::Values("0.025 + 0.02*(x^2 + y^2)"));
+
+// The middle of the weight is beyond the line between two balls.
+TEST(APanelOnTwoBallsAndOneFarAway, TipsOff) {
+  Problem p = panel("0.025");
+  p.obstacles = {ball_at(0.2, 0.2), ball_at(0.3, -0.2), ball_at(0.45, 0)};
+  const Result r = solve(p, MPI_COMM_SELF);
+  EXPECT_EQ(r.status, Status::not_held);
+}
+
+/// A strip in plane strain, its middle at the height of its mid-surface there.
+Problem strip_pressed_by(double force, const fem::Rectangle& domain, const std::array<std::string, 3>& chart) {
+  Problem p;
+  p.domain = domain;
+  p.charts = {{"", Chart(chart, {})}};
+  p.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
+  p.supports = {in_plane("bottom"), in_plane("top")};
+  p.discretisation = {.degree = 4, .refinements = 1};
+  p.obstacles = {{.name = "press", .force = {0, 0, -force}}};
+  return p;
+}
+
+Support kept_from_sliding(double x, double y) {
+  return {.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(x, y)};
+}
+
+void expect_few_steps(const Result& r, int on_the_coarsest) {
+  ASSERT_EQ(r.status, Status::solved) << r.missed_limits;
+  EXPECT_LE(r.levels.at(0).iterations, on_the_coarsest);
+  for (std::size_t k = 1; k < r.levels.size(); ++k) EXPECT_LE(r.levels[k].iterations, 8) << "mesh " << k;
+}
+
+TEST(ATubeBetweenPlates, StartsWhereItTouches) {
+  const double pi = 3.141592653589793, length = 0.25;
+  Problem p = strip_pressed_by(0.01, {.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}},
+                               {"sin(x)", "y", "1.01 - cos(x)"});
+  p.joins = {{{"left", "right"}}};
+  p.sections.common.thickness = Expression(0.02);
+  p.supports.push_back(kept_from_sliding(0, length / 2));
+  p.supports.push_back(kept_from_sliding(-pi, length / 2));
+  p.obstacles.at(0).shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}};
+  p.obstacles.push_back({.name = "floor"});
+  expect_few_steps(solve(p, MPI_COMM_SELF), 10);
+}
+
+TEST(APanelOnTwoRollersPressedByAThird, StartsWhereItTouches) {
+  const double width = 0.2, radius = 0.05;
+  Problem p = strip_pressed_by(0.1, {.from = {-0.6, 0}, .to = {0.6, width}, .cells = {12, 1}}, {"x", "y", "0"});
+  p.sections.common.thickness = Expression(e);
+  p.supports.push_back(kept_from_sliding(0, width / 2));
+  const auto roller = [&](double x, double z) {
+    return obstacle::Cylinder{.point = {x, 0, z}, .axis = {0, 1, 0}, .radius = radius};
+  };
+  p.obstacles.at(0).shape = roller(0, e / 2 + radius);
+  p.obstacles.push_back({.name = "left", .shape = roller(-0.5, -e / 2 - radius)});
+  p.obstacles.push_back({.name = "right", .shape = roller(0.5, -e / 2 - radius)});
+  expect_few_steps(solve(p, MPI_COMM_SELF), 10);
+}
+
+}  // namespace
+}  // namespace plastron::computation
