@@ -4,11 +4,12 @@
 
 namespace plastron::app {
 
-ExitCode check(const std::filesystem::path& case_file) {
-  const config::Case c = read_case(case_file);
-  print("{}: {}\n", case_file.string(), c.title.empty() ? "untitled" : shortened_title(c.title));
+ExitCode check(const Options& options) {
+  const config::Case c = read_case(options.case_file, options.settings);
+  const std::string case_file = options.case_file.string();
+  print("{}: {}\n", case_file, c.title.empty() ? "untitled" : shortened_title(c.title));
   const auto findings = examine_together([&] { return examination::examine(c.problem); });
-  print_findings(findings, case_file.string(), true);
+  print_findings(findings, case_file, true);
   if (examination::has_errors(findings)) return bad_input;
   print("  ready to run\n");
   return solved;

@@ -1,8 +1,12 @@
 #include "command_line.hpp"
 
+#include "event_log.hpp"
 #include "terminal.hpp"
 
+#include <plastron/config/nearest.hpp>
 #include <plastron/io/version.hpp>
+
+#include <fmt/ranges.h>
 
 #include <sstream>
 
@@ -14,6 +18,19 @@ void describe_program(CLI::App& program) {
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 solved or verified, 2 bad input, 3 not converged, interrupted or not verified, 4 internal error.");
+}
+
+void add_settings(CLI::App& command, std::vector<std::string>& settings) {
+  command
+      .add_option(
+          "--set", settings,
+          "KEY=VALUE in place of what the case has, in TOML: shell.thickness=0.02, 'obstacle[0].force=[0,0,-2]'")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_json_log(CLI::App& command, bool& json_log) {
+  command.add_flag("--json-log", json_log, "Tell what happens on standard error, one JSON object a line");
 }
 
 void add_computing_options(CLI::App& command, bool& quiet, int& threads) {
@@ -34,6 +51,8 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
                       const std::string& output_meaning, Options& options) {
   CLI::App* command = program.add_subcommand(name, summary);
   command->add_option("CASE", options.case_file, "Case file (TOML)")->required();
+  add_settings(*command, options.settings);
+  add_json_log(*command, options.json_log);
   if (!output_meaning.empty())
     add_output_options(*command, output_meaning, options.output, options.quiet, options.threads);
   return command;
@@ -65,6 +84,7 @@ CLI::App* add_verify(CLI::App& program, Options& options) {
   verify->add_option("--files", options.files,
                      "Folder of the meshes and other files that the case names, if not where the case was run");
   add_computing_options(*verify, options.quiet, options.threads);
+  add_json_log(*verify, options.json_log);
   return verify;
 }
 
@@ -80,6 +100,48 @@ CommonCommands add_common_commands(CLI::App& program, Options& options) {
   };
 }
 
+QuestionCommands add_question_commands(CLI::App& program, Questions& questions) {
+  CLI::App* explain =
+      program.add_subcommand("explain", "Print the manual of a key of the case file, a field, a number or a status");
+  explain->add_option("WORD", questions.word, "shell.thickness, obstacle.ball, eta, contact.area, not_held, ...");
+  CLI::App* make_new = program.add_subcommand("new", "Write a commented case to begin with; nothing is overwritten");
+  CLI::Option* name = make_new->add_option("NAME", questions.name, "Directory for case.toml, or a file NAME.toml");
+  make_new->add_option("-t,--template", questions.template_name, "What to begin with; see --list")
+      ->capture_default_str();
+  make_new->add_flag("-l,--list", questions.is_listing, "List the templates");
+  make_new->callback([name, &questions] {
+    if (!questions.is_listing && name->empty()) throw CLI::RequiredError("NAME");
+  });
+  CLI::App* schema = program.add_subcommand("schema", "Print the JSON Schema of the case file or of results.json");
+  schema->add_option("OF", questions.schema, "case or results")
+      ->check(CLI::IsMember({"case", "results"}))
+      ->capture_default_str();
+  CLI::App* completion = program.add_subcommand("completion", "Print what a shell needs to complete this command line");
+  completion->add_option("SHELL", questions.shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  CLI::App* manual = program.add_subcommand("man", "Print the manual page; plastron man | man -l -");
+  return {.explain = explain, .make_new = make_new, .schema = schema, .completion = completion, .manual = manual};
+}
+
+void log_start(const CommandLine& line) {
+  const auto chosen = line.program.get_subcommands();
+  const bool is_study = line.study->parsed(), is_verify = line.commands.verify->parsed();
+  if (!(is_study ? line.study_options.json_log : line.options.json_log)) return;
+  log_events();
+  const auto& of = is_study ? line.study_options.case_file : is_verify ? line.options.results : line.options.case_file;
+  log_event("start", {{"command", chosen.empty() ? "" : chosen.front()->get_name()},
+                      {is_verify ? "directory" : "case", of.string()},
+                      {"version", io::version}});
+}
+
+CommandLine::CommandLine() {
+  describe_program(program);
+  commands = add_common_commands(program, options);
+  study = add_study(program, study_options);
+  asked = add_question_commands(program, questions);
+}
+
 namespace {
 
 /// The first word, where it should be a command and is none; empty otherwise.
@@ -88,15 +150,23 @@ std::string unknown_command(const CLI::App& program) {
   return program.get_subcommands().empty() && !rest.empty() ? rest.front() : std::string();
 }
 
+std::vector<std::string> command_names(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
 }  // namespace
 
 ExitCode answer(const CLI::App& program, const CLI::ParseError& reply) {
   std::ostringstream out, err;
   const bool good = program.exit(reply, out, err) == 0;
   if (const std::string word = unknown_command(program); !good && !word.empty()) {
-    print_error(
-        "there is no command \"{}\"; the commands are run, check, compare, verify, study; plastron --help tells more\n",
-        word);
+    const auto known = command_names(program);
+    const std::string meant = config::did_you_mean(word, known);
+    print_error("there is no command \"{}\"; {}the commands are {}; plastron --help tells more\n", word,
+                meant.empty() ? "" : meant + " ", fmt::join(known, ", "));
   } else if (is_first_rank()) {
     print_text(stdout, out.str());
     print_text(stderr, err.str());

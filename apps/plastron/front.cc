@@ -1,6 +1,8 @@
 // plastron: reads the command line and the case file and hands over to plastron-solver, in the same process. The solver's 200
 // shared libraries alone take longer to load than help, a wrong argument or a mistake in a case file may take to answer.
 #include "command_line.hpp"
+#include "event_log.hpp"
+#include "inquiries.hpp"
 #include "terminal.hpp"
 
 #include <plastron/config/case.hpp>
@@ -12,6 +14,7 @@
 #include <chrono>
 #include <cstring>
 #include <new>
+#include <optional>
 #include <thread>
 
 namespace plastron::app {
@@ -57,25 +60,51 @@ ExitCode refused() {
   return bad_input;
 }
 
+void tell(const config::CaseErrors& errors) {
+  if (!is_logging_events()) {
+    if (is_first_rank()) print_text(stderr, errors.format());
+    return;
+  }
+  for (const config::Mistake& m : errors.mistakes())
+    log_event("mistake", {{"file", m.file},
+                          {"line", m.line},
+                          {"column", m.column},
+                          {"what", m.what},
+                          {"allowed", m.allowed},
+                          {"advice", m.advice}});
+  log_event("exit", {{"exit_code", static_cast<int>(bad_input)}});
+}
+
+/// What needs no computation; nothing if the command does.
+std::optional<ExitCode> answer_question(const CommandLine& line) {
+  const Questions& q = line.questions;
+  if (line.asked.explain->parsed()) return explain(q.word);
+  if (line.asked.schema->parsed()) return print_schema(q.schema);
+  if (line.asked.completion->parsed()) return print_completion(line.program, q.shell);
+  if (line.asked.manual->parsed()) return print_manual_page(line.program);
+  if (line.asked.make_new->parsed()) return new_case(q.name, q.template_name, q.is_listing);
+  return {};
+}
+
 }  // namespace
 
 int front(int argc, char** argv) {
   secure_standard_streams();
-  CLI::App program;
-  describe_program(program);
-  Options options;
-  const CommonCommands commands = add_common_commands(program, options);
-  program.add_subcommand("study", study_summary);
-  if (argc > 1 && std::strcmp(argv[1], "study") == 0) return hand_over(argv);
+  CommandLine line;
   try {
-    program.parse(argc, argv);
-    if (!commands.verify->parsed()) {  // which has no case file, but results
-      [[maybe_unused]] const config::Case read = config::read_case(options.case_file);
+    line.program.parse(argc, argv);
+    if (const auto answered = answer_question(line)) return *answered;
+    log_start(line);
+    if (!line.commands.verify->parsed()) {  // which has no case file, but results
+      const bool is_study = line.study->parsed();
+      [[maybe_unused]] const config::Case read =
+          config::read_case(is_study ? line.study_options.case_file : line.options.case_file,
+                            is_study ? line.study_options.settings : line.options.settings);
     }
   } catch (const CLI::ParseError& reply) {
-    return answer(program, reply) == solved ? solved : refused();
+    return answer(line.program, reply) == solved ? solved : refused();
   } catch (const config::CaseErrors& errors) {
-    if (is_first_rank()) print_text(stderr, errors.format());
+    tell(errors);
     return refused();
   } catch (const std::bad_alloc&) {
     print_error("error: not enough memory to read the case\n");

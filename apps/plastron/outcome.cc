@@ -16,15 +16,4 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& directory) {
 
 OutputDirectory::~OutputDirectory() { io::remove_empty(made_, MPI_COMM_WORLD); }
 
-ExitCode exit_code(contact::Status status) {
-  switch (status) {
-    case contact::Status::solved:
-      return solved;
-    case contact::Status::infeasible:
-      return bad_input;
-    default:
-      return not_converged;
-  }
-}
-
 }  // namespace plastron::app

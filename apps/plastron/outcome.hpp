@@ -1,9 +1,5 @@
-// How a command ends: where it writes, and with which exit code.
+// Where a command writes.
 #pragma once
-#include "exit_codes.hpp"
-
-#include <plastron/contact/problem.hpp>
-
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,7 +22,5 @@ class OutputDirectory {
   std::vector<std::filesystem::path> made_{};
   std::string obstacle_{};
 };
-
-ExitCode exit_code(contact::Status status);
 
 }  // namespace plastron::app

@@ -1,10 +1,11 @@
 #include "progress.hpp"
 
+#include "event_log.hpp"
 #include "interruption.hpp"
 
+#include <plastron/computation/instants.hpp>
 #include <plastron/geometry/quotation.hpp>
-
-#include <unistd.h>
+#include <plastron/io/quantities.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,49 +14,64 @@ namespace plastron::app {
 
 std::string shortened_title(const std::string& title) { return geometry::shortened(title, 100); }
 
+namespace {
+
+void log_level(int level, const computation::Level& record) {
+  if (!is_logging_events()) return;
+  Details details{{"level", level}};
+  details.update(io::record_json(io::level_quantities(), record));
+  log_event("level_end", details);
+}
+
+}  // namespace
+
 void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes) {
-  for (const examination::Finding& f : findings) switch (f.severity) {
-      case examination::Severity::error:
-        print_error("{}: error: {}\n", case_file, f.text);
-        break;
-      case examination::Severity::warning:
-        print_error("{}: warning: {}\n", case_file, f.text);
-        break;
-      case examination::Severity::note:
-        if (with_notes) print("  {}\n", f.text);
-    }
+  using examination::Severity;
+  for (const examination::Finding& f : findings) {
+    const char* severity = f.severity == Severity::error     ? "error"
+                           : f.severity == Severity::warning ? "warning"
+                                                             : "note";
+    if (is_logging_events())
+      log_event("finding", {{"severity", severity}, {"text", f.text}});
+    else if (f.severity != Severity::note)
+      print_error("{}: {}: {}\n", case_file, severity, f.text);
+    if (f.severity == Severity::note && with_notes) print("  {}\n", f.text);
+  }
 }
 
-StatusLine::StatusLine(bool quiet) : on_terminal_(!quiet && is_first_rank() && isatty(STDERR_FILENO)) {}
-
-void StatusLine::show(const std::string& text) {
-  if (!on_terminal_) return;
-  const std::string line = config::printable(text);
-  print_raw(stderr, fmt::format("\r{:<{}}", line, shown_));
-  std::fflush(stderr);
-  shown_ = line.size();
+void print_warning(const std::string& case_file, std::string_view text) {
+  if (is_logging_events())
+    log_event("warning", {{"text", text}});
+  else
+    print_error("{}: warning: {}\n", case_file, text);
 }
 
-void StatusLine::clear() {
-  if (!on_terminal_) return;
-  print_raw(stderr, fmt::format("\r{:<{}}\r", "", shown_));
-  shown_ = 0;
+void log_status(contact::Status status, std::string_view text) {
+  log_event("status", {{"status", contact::to_string(status)}, {"text", text}});
 }
 
 study::StudyObserver StageProgress::observer() {
   study::StudyObserver observer;
   observer.stage = [this](std::string_view what) {
+    log_event("stage", {{"stage", what}});
     stage_ = what;
     status_.show(stage_ + " ...");
   };
   observer.solve.level = [this](int level, const computation::Level& record) {
+    log_level(level, record);
     status_.show(fmt::format("{}: level {} done, {} unknowns", stage_, level, record.unknowns));
   };
   observer.solve.stop = is_interrupted;
   return observer;
 }
 
-Progress::Progress(bool has_obstacle, bool quiet) : has_obstacle_(has_obstacle), quiet_(quiet), status_(quiet) {
+Progress::Progress(const computation::Problem& problem, bool quiet)
+    : has_obstacle_(!problem.obstacles.empty()),
+      quiet_(quiet),
+      status_(quiet),
+      meshes_(problem.discretisation.refinements + 1),
+      number_of_parts_(static_cast<int>(computation::instants(problem).size())),
+      meshes_left_(meshes_) {
   if (!quiet_)
     print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16} {:>9}\n", "level", "cells", "unknowns", "contact", "steps",
           "min gap [m]", "energy [J]", "time [s]");
@@ -69,18 +85,36 @@ computation::Observer Progress::observer() {
           .stop = is_interrupted};
 }
 
+std::string Progress::place(int level) const {
+  if (parts_) return fmt::format("part {} of {}", parts_->number_done() + 2, number_of_parts_);
+  return fmt::format("level {} of {}", level, meshes_ - 1);
+}
+
 void Progress::phase(int level, std::string_view name) {
+  if (level != last_level_) log_event("level_begin", {{"level", level}});
+  last_level_ = level;
+  log_event("phase", {{"level", level}, {"phase", name}});
   iterations_ = 0;
-  status_.show(fmt::format("level {}: {} ...", level, name));
+  status_.show(fmt::format("{}: {} ...", place(level), name), end());
 }
 
 void Progress::iteration(int level, const contact::Iteration& i) {
+  ++iterations_;
+  if (is_logging_events()) {
+    Details details{{"level", level}, {"iteration", iterations_}};
+    details.update(io::record_json(io::iteration_quantities(), i));
+    log_event("iteration", details);
+  }
   status_.show(
-      fmt::format("level {}: step {}, {} nodes in contact, {} changed", level, ++iterations_, i.active, i.changes));
+      fmt::format("{}: step {}, {} nodes in contact, {} changed", place(level), iterations_, i.active, i.changes),
+      end());
 }
 
 void Progress::level(int level, const computation::Level& r) {
   status_.clear();
+  log_level(level, r);
+  meshes_left_.done(status_.seconds());
+  if (level == meshes_ - 1 && number_of_parts_ > 1) parts_.emplace(number_of_parts_ - 1, status_.seconds());
   if (quiet_) return;
   const std::string gap = has_obstacle_ ? fmt::format("{:.3e}", r.min_gap) : "-";
   print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16.9e} {:>9.2f}{}\n", level, r.cells, r.unknowns, r.active,
@@ -91,6 +125,9 @@ void Progress::level(int level, const computation::Level& r) {
 
 void Progress::instant(const computation::HistoryEntry& entry) {
   status_.clear();
+  if (is_logging_events()) log_event("instant", io::record_json(io::history_quantities(), entry));
+  if (parts_ && has_seen_instant_) parts_->done(status_.seconds());  // the first is that of the meshes
+  has_seen_instant_ = true;
   if (quiet_) return;
   if (!has_instants_)
     print("\n{:>9} {:<20} {:>7} {:>8} {:>6} {:>14} {:>16} {:>16}\n", "time", "step", "loads", "contact", "steps",

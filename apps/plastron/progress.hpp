@@ -1,11 +1,14 @@
 // What the program tells while it computes and when it is done.
 #pragma once
+#include "status_line.hpp"
 #include "terminal.hpp"
+#include "time_left.hpp"
 
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
 #include <plastron/study/kinds.hpp>
 
+#include <optional>
 #include <string>
 
 namespace plastron::app {
@@ -16,22 +19,14 @@ std::string shortened_title(const std::string& title);
 /// The findings of an examination, notes only if wanted.
 void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes);
 
-/// One line of text on standard error that the next one replaces; silent unless that is a terminal.
-class StatusLine {
- public:
-  explicit StatusLine(bool quiet);
-  void show(const std::string& text);
-  void clear();
+/// A warning of the computation, on standard error.
+void print_warning(const std::string& case_file, std::string_view text);
 
- private:
-  bool on_terminal_;
-  std::size_t shown_ = 0;
-};
-
-/// The table of levels on standard output and, on a terminal, one line of progress on standard error.
+/// The table of levels on standard output and, on a terminal, one line of progress on standard error with the time that is left; events
+/// where they are logged.
 class Progress {
  public:
-  Progress(bool has_obstacle, bool quiet);
+  Progress(const computation::Problem& problem, bool quiet);
   computation::Observer observer();
   /// A line of the table of instants.
   void instant(const computation::HistoryEntry& entry);
@@ -42,10 +37,17 @@ class Progress {
   void iteration(int level, const contact::Iteration& iteration);
   void level(int level, const computation::Level& record);
 
+  /// What is being computed, and when all of it will be done.
+  std::string place(int level) const;
+  std::optional<double> end() const { return parts_ ? parts_->end() : meshes_left_.end(); }
+
   bool has_obstacle_, quiet_;
   StatusLine status_;
+  int meshes_, number_of_parts_, last_level_ = -1;
+  MeshesLeft meshes_left_;
+  std::optional<PartsLeft> parts_{};  ///< of the steps, once the meshes are done
   int iterations_ = 0;
-  bool has_instants_ = false;
+  bool has_instants_ = false, has_seen_instant_ = false;
 };
 
 /// On a terminal, what a study is computing now.
@@ -57,8 +59,11 @@ class StageProgress {
 
  private:
   StatusLine status_;
-  std::string stage_;
+  std::string stage_{};
 };
+
+/// The event that tells how a computation has ended.
+void log_status(contact::Status status, std::string_view text);
 
 /// What the computation found, in a few lines.
 void print_summary(const computation::Result& result);

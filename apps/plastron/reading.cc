@@ -8,16 +8,26 @@
 
 namespace plastron::app {
 
-config::Case read_case(const std::filesystem::path& path) { return read_case(path, path.parent_path()); }
+namespace {
 
-config::Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder) {
+config::Case read_together(const std::function<config::Case()>& read) {
   return algebra::in_agreement<RefusedCase>(MPI_COMM_WORLD, [&] {
     try {
-      return config::read_case(path, folder);
+      return read();
     } catch (const config::CaseErrors& errors) {
       throw RefusedCase(errors.format());
     }
   });
+}
+
+}  // namespace
+
+config::Case read_case(const std::filesystem::path& path, std::span<const std::string> settings) {
+  return read_together([&] { return config::read_case(path, settings); });
+}
+
+config::Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  return read_together([&] { return config::read_case(path, folder); });
 }
 
 std::vector<examination::Finding> examine_together(

@@ -5,7 +5,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace plastron::app {
@@ -15,8 +17,8 @@ struct RefusedCase : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws RefusedCase (collective).
-config::Case read_case(const std::filesystem::path& path);
+/// The case with `settings` in place of some of its keys. Throws RefusedCase (collective).
+config::Case read_case(const std::filesystem::path& path, std::span<const std::string> settings);
 /// The files that the case names are searched for in `folder`.
 config::Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder);
 

@@ -1,4 +1,6 @@
 #include "commands.hpp"
+#include "event_log.hpp"
+#include "exit_codes.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
 #include "reading.hpp"
@@ -26,14 +28,18 @@ void add_warnings(const std::vector<examination::Finding>& findings, std::vector
 io::CaseSource source_of(const config::Case& c, const Options& options) {
   std::vector<std::pair<std::string, std::filesystem::path>> files;
   for (const config::InputFile& file : c.files) files.emplace_back(file.name, file.path);
-  return algebra::in_agreement(MPI_COMM_WORLD, [&] { return io::case_source(options.case_file, c.text, files); });
+  auto source =
+      algebra::in_agreement(MPI_COMM_WORLD, [&] { return io::case_source(options.case_file, c.text, files); });
+  source.settings = options.settings;
+  return source;
 }
 
 /// Writes the results and tells of them.
 void report(const computation::Result& result, const config::Case& c, io::CaseSource source, const Options& options,
             io::Output& files) {
-  files.finish(result, {.title = c.title, .settings = c.effective, .files = {}, .source = std::move(source)},
-               c.problem.lines);
+  const auto names = files.finish(
+      result, {.title = c.title, .settings = c.effective, .files = {}, .source = std::move(source)}, c.problem.lines);
+  for (const std::string& name : names) log_event("file", {{"path", (options.output / name).string()}});
   if (options.quiet) return;
   print_summary(result);
   print("\nresults           {}\n", (options.output / "results.json").string());
@@ -43,7 +49,7 @@ void report(const computation::Result& result, const config::Case& c, io::CaseSo
 
 ExitCode run(const Options& options) {
   const std::string case_file = options.case_file.string();
-  const config::Case c = read_case(options.case_file);
+  const config::Case c = read_case(options.case_file, options.settings);
   const auto findings = examine_together([&] { return examination::examine(c.problem); });
   print_findings(findings, case_file, false);
   if (examination::has_errors(findings)) return bad_input;
@@ -55,11 +61,11 @@ ExitCode run(const Options& options) {
 
   if (!options.quiet) print("{}\n\n", c.title.empty() ? case_file : shortened_title(c.title));
   io::CaseSource source = source_of(c, options);
-  Progress progress(!c.problem.obstacles.empty(), options.quiet);
+  Progress progress(c.problem, options.quiet);
   computation::Observer observer = progress.observer();
   observer.warning = [&](std::string_view text) {
     progress.finish();
-    print_error("{}: warning: {}\n", case_file, text);
+    print_warning(case_file, text);
   };
   io::Output files(options.output, "solution", MPI_COMM_WORLD);
   observer.instant = [&](const computation::HistoryEntry& entry, const computation::Solution& solution) {
@@ -74,14 +80,17 @@ ExitCode run(const Options& options) {
         result.history.empty()
             ? ""
             : fmt::format("in step \"{}\", at time {:g}: ", result.history.back().step, result.history.back().time);
+    log_status(result.status, contact::explain(result.status));
     print_error("{}: error: {}{}\n", case_file, where, contact::explain(result.status));
     return bad_input;
   }
   if (result.levels.empty()) {
+    log_status(result.status, "interrupted before the first mesh was finished: no results");
     print_error("{}: interrupted before the first mesh was finished: no results\n", case_file);
     return not_converged;
   }
   report(result, c, std::move(source), options, files);
+  log_status(result.status, computation::status_text(result));
   if (result.status == contact::Status::interrupted)
     print_error("{}: interrupted: {}\n", case_file, computation::status_text(result));
   else if (result.status != contact::Status::solved)

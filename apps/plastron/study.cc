@@ -1,9 +1,12 @@
 #include "commands.hpp"
+#include "event_log.hpp"
+#include "exit_codes.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
 #include "reading.hpp"
 
 #include <plastron/io/study_report.hpp>
+#include <plastron/study/kinds.hpp>
 
 #include <mpi.h>
 
@@ -21,6 +24,16 @@ const study::Kind& kind_of(const std::string& name) {
   return name == study::solver_comparison().name ? study::solver_comparison() : study::comparison();
 }
 
+/// The files of the report and how it ended, as events.
+void log_report(const study::Report& report, const StudyCommand& command) {
+  const auto log_file = [&](const char* ending) {
+    log_event("file", {{"path", (command.output / (report.table.name + ending)).string()}});
+  };
+  if (!command.output.empty()) log_file(".json");
+  if (!command.output.empty() && !report.table.rows.empty()) log_file(".svg");
+  log_status(report.status, contact::explain(report.status));
+}
+
 void print_report(const study::Report& report, const config::Case& c, const StudyCommand& command) {
   print("{}\n", c.title.empty() ? command.case_file.string() : shortened_title(c.title));
   if (is_first_rank()) print_text(stdout, io::table_text(report.table));
@@ -33,7 +46,7 @@ void print_report(const study::Report& report, const config::Case& c, const Stud
 }  // namespace
 
 ExitCode study_case(const StudyCommand& command) {
-  const config::Case c = read_case(command.case_file);
+  const config::Case c = read_case(command.case_file, command.settings);
   const study::Kind& kind = kind_of(command.kind);
   const auto findings = examine_together([&] { return study::examine(kind, c.problem, command.options); });
   print_findings(findings, command.case_file.string(), false);
@@ -49,11 +62,13 @@ ExitCode study_case(const StudyCommand& command) {
   const study::Report report = kind.run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
   progress.finish();
   if (exit_code(report.status) == bad_input) {
+    log_status(report.status, contact::explain(report.status));
     print_error("{}: error: {}\n", command.case_file.string(), contact::explain(report.status));
     return bad_input;
   }
   if (output)
     io::write_report(report, {.title = c.title, .settings = c.effective, .files = {}}, command.output, MPI_COMM_WORLD);
+  log_report(report, command);
   if (!command.quiet) print_report(report, c, command);
   if (report.status != contact::Status::solved)
     print_error("{}: {}: {}\n", command.case_file.string(),

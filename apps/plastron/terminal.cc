@@ -1,5 +1,8 @@
 #include "terminal.hpp"
 
+#include "event_log.hpp"
+#include "layout.hpp"
+
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
@@ -19,13 +22,6 @@ int rank_in_environment() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "SLURM_PROCID"})
     if (const char* value = std::getenv(name)) return std::atoi(value);
   return 0;
-}
-
-std::size_t characters(std::string_view text) {
-  std::size_t count = 0;
-  for (const char c : text)
-    if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) ++count;
-  return count;
 }
 
 bool is_quotation(std::string_view line) {
@@ -96,6 +92,11 @@ void print_raw(std::FILE* stream, std::string_view text) {
 }
 
 void print_text(std::FILE* stream, std::string_view text) {
+  if (stream == stderr && is_logging_events()) {
+    text = text.substr(0, text.find_last_not_of('\n') + 1);
+    if (!text.empty()) log_error(text);
+    return;
+  }
   print_raw(stream, wrapped(config::printable(text, config::LineBreaks::keep)));
 }
 

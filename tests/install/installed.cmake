@@ -44,6 +44,14 @@ foreach(header matrix_storage petsc_check)
   endif()
 endforeach()
 
+foreach(file share/man/man1/plastron.1 share/bash-completion/completions/plastron share/zsh/site-functions/_plastron
+             share/fish/vendor_completions.d/plastron.fish)
+  file(READ ${prefix}/${file} text)
+  if(NOT text MATCHES "verify")
+    message(FATAL_ERROR "${file} does not tell of the command verify")
+  endif()
+endforeach()
+
 run("configuring" ${CMAKE_COMMAND} -S ${SOURCES}/tests/install/outside -B ${SCRATCH}/build -G ${GENERATOR}
     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER})
 run("building" ${CMAKE_COMMAND} --build ${SCRATCH}/build)

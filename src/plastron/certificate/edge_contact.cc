@@ -47,11 +47,6 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
 
 }  // namespace
 
-bool EdgeContact::is_line() const {
-  constexpr double far_above = 3;
-  return area > 0 && force > far_above * area * pressure_inside;
-}
-
 EdgeContact edge_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   EdgeContact edge;
   if (discrete.obstacles.empty()) return edge;

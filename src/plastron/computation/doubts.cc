@@ -95,12 +95,6 @@ void judge_certificate(Result& result) {
     result.status = contact::Status::inaccurate;
 }
 
-std::string status_text(const Result& result) {
-  std::string text(contact::explain(result.status));
-  if (result.status == contact::Status::inaccurate) text += fmt::format(" Beyond its limit: {}.", result.missed_limits);
-  return text;
-}
-
 std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked) {
   std::vector<std::string> warnings;
   const certificate::Summary& s = result.summary;

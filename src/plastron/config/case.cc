@@ -1,5 +1,6 @@
 #include <plastron/config/case.hpp>
 #include <plastron/config/limits.hpp>
+#include <plastron/config/overrides.hpp>
 #include <plastron/config/sections.hpp>
 
 #include <fstream>
@@ -83,7 +84,15 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
 
 }  // namespace
 
-Case read_case(const std::filesystem::path& path) { return read_case(path, path.parent_path()); }
+Case read_case(const std::filesystem::path& path, std::span<const std::string> settings) {
+  if (settings.empty()) return read_case(path, path.parent_path());
+  const Overrides overrides(contents(path), path.string(), settings);
+  try {
+    return parsed(overrides.text(), path.string(), path.parent_path());
+  } catch (const CaseErrors& errors) {
+    throw CaseErrors(overrides.of_user(errors.mistakes()));
+  }
+}
 
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder) {
   return parsed(contents(path), path.string(), folder);

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,12 @@ struct Case {
   geometry::Constants constants;
   computation::Problem problem;
   nlohmann::json effective;        ///< all settings, defaults included, in the shape of the case file
-  std::string text{};              ///< of the case file, byte for byte
+  std::string text{};              ///< of the case file, byte for byte; with settings as those have edited it
   std::vector<InputFile> files{};  ///< that the case names: meshes, rasters, surfaces
 };
 
-/// Throws CaseErrors.
-Case read_case(const std::filesystem::path& path);
+/// `settings` take the place of keys of the file, "shell.thickness=0.02" each (overrides.hpp). Throws CaseErrors.
+Case read_case(const std::filesystem::path& path, std::span<const std::string> settings = {});
 /// The files that the case names are searched for in `folder`. Throws CaseErrors.
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder);
 /// The files that the case names are searched for in the folder of `file_name`. Throws CaseErrors.

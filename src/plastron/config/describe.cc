@@ -12,6 +12,7 @@ constexpr const char* introduction = R"manual(# The case file
 
 A case file is a [TOML](https://toml.io) file that defines one computation. An unknown key, a wrong type or a value out of
 range is an error; all mistakes of a file are reported together, each with its line, what is allowed, and what to do.
+`plastron explain shell.thickness` prints what is said here of a key, `plastron schema` the schema for editors ([command-line.md](command-line.md)).
 
 ```toml
 title = "Spherical bowl pressed on a table"

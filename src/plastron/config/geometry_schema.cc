@@ -34,14 +34,16 @@ Section domain_section() {
        {.name = "annulus", .kind = Kind::table, .meaning = "boundaries inner, outer"},
        {.name = "polygon",
         .kind = Kind::table,
-        .meaning = "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]"},
+        .meaning = "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]",
+        .shorthand = Kind::points},
        {.name = "mesh",
         .kind = Kind::text,
         .meaning = "a Gmsh file (.msh, format 2.2 or 4.1, ASCII) of quadrilaterals or triangles in the plane, its path "
                    "relative to the case file; physical surfaces name the regions, physical curves the boundaries: "
                    "a curve may lie inside of the domain, where the conormal n of supports points to the right of "
                    "the curve as drawn, and in several groups, which then all act on it; corners of more than one "
-                   "degree are corners, so mesh curved boundaries with order 2 or more"}}};
+                   "degree are corners, so mesh curved boundaries with order 2 or more"}},
+      {"rectangle", "disk", "annulus", "polygon", "mesh"}};
 }
 
 std::vector<Section> domain_shapes() {

@@ -37,21 +37,26 @@ int edit_distance(const std::string& first, const std::string& second) {
   return distance.back().back();
 }
 
-std::string nearest(const std::string& word, std::span<const std::string> candidates) {
-  std::string best;
-  if (word.size() > longest_name) return best;  // nobody mistyped that
-  int best_distance = 0;
+std::vector<std::string> nearest_few(const std::string& word, std::span<const std::string> candidates,
+                                     std::size_t most) {
+  std::vector<std::pair<int, std::string>> near;
+  if (word.size() > longest_name) return {};  // nobody mistyped that
   for (const std::string& candidate : candidates) {
     const int length = static_cast<int>(std::max(word.size(), candidate.size()));
     const int distance = edit_distance(word, candidate);
-    const bool near = distance < length && distance <= std::max(1, length / 3);
-    if (!near && !is_abbreviation(word, candidate) && !is_abbreviation(candidate, word)) continue;
-    if (best.empty() || distance < best_distance) {
-      best = candidate;
-      best_distance = distance;
-    }
+    if ((distance < length && distance <= std::max(1, length / 3)) || is_abbreviation(word, candidate) ||
+        is_abbreviation(candidate, word))
+      near.emplace_back(distance, candidate);
   }
-  return best;
+  std::ranges::stable_sort(near, {}, [](const auto& entry) { return entry.first; });
+  std::vector<std::string> few;
+  for (std::size_t i = 0; i < std::min(most, near.size()); ++i) few.push_back(near[i].second);
+  return few;
+}
+
+std::string nearest(const std::string& word, std::span<const std::string> candidates) {
+  const auto best = nearest_few(word, candidates, 1);
+  return best.empty() ? "" : best.front();
 }
 
 std::string did_you_mean(const std::string& word, std::span<const std::string> candidates) {

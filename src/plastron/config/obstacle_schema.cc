@@ -51,7 +51,8 @@ Section obstacle_section() {
        {.name = "height_field",
         .kind = Kind::table,
         .meaning =
-            "all below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate give its frame"},
+            "all below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate give its frame",
+        .shorthand = Kind::space_formula},
        {.name = "distance",
         .kind = Kind::space_formula,
         .meaning =
@@ -82,7 +83,8 @@ Section obstacle_section() {
         .words = {{"auto"}, {"lower"}, {"upper"}, {"both"}},
         .meaning = "the face of the shell that may touch: lower at -e/2, upper at +e/2 along a3, auto: point by point "
                    "the one that "
-                   "looks at the obstacle; both: as two obstacles, the results of each face apart"}}};
+                   "looks at the obstacle; both: as two obstacles, the results of each face apart"}},
+      {"half_space", "ball", "cylinder", "box", "torus", "cone", "height_field", "distance", "surface"}};
 }
 
 std::vector<Section> round_sections() {
@@ -154,7 +156,8 @@ Section height_field_section() {
             "an ESRI ASCII grid (ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the "
             "heights, that of the greatest Y first) of at most four million heights, its path relative to "
             "the case file; a bicubic spline goes through them. It must reach beyond the shell by as much as the two "
-            "are apart, and have no holes (NODATA_value)"}}};
+            "are apart, and have no holes (NODATA_value)"}},
+      {"expression", "file"}};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // defaults and ranges from here, messages their lists of what is allowed, and the manual its reference chapter.
 #pragma once
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,8 @@ struct Key {
   Range range{};
   std::vector<Word> words{};
   std::string meaning{};
-  std::string example{};  ///< a value in TOML, shown when a required key is missing
+  std::string example{};            ///< a value in TOML, shown when a required key is missing
+  std::optional<Kind> shorthand{};  ///< what may stand there in place of a table
 };
 
 struct Section {
@@ -64,6 +66,7 @@ struct Section {
   std::string header;  ///< as messages call it
   std::string meaning;
   std::vector<Key> keys;
+  std::vector<std::string> exactly_one{};  ///< keys of which one is given, and no other
 };
 
 const std::vector<Section>& sections();

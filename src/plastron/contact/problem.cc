@@ -1,6 +1,16 @@
-#include <plastron/contact/problem.hpp>
+#include <plastron/contact/statuses.hpp>
+
+#include <array>
 
 namespace plastron::contact {
+
+std::span<const Status> statuses() {
+  using enum Status;
+  static constexpr std::array all{solved,      iteration_limit,       cycling,    infeasible,  singular,    not_held,
+                                  not_carried, linear_solver_stalled, not_finite, interrupted, gap_not_met, inaccurate};
+  static_assert(all.size() == static_cast<std::size_t>(inaccurate) + 1, "inaccurate is the last");
+  return all;
+}
 
 std::string_view to_string(Status status) {
   switch (status) {

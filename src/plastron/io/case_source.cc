@@ -16,7 +16,7 @@ CaseSource case_source(const std::filesystem::path& case_file, std::string text,
 Json checksum_json(const Checksum& checksum) { return {{"bytes", checksum.bytes}, {"hash", checksum.hash}}; }
 
 Json case_source_json(const CaseSource& source, const std::string& copy) {
-  Json json{{"path", source.path.string()}, {"copy", copy}};
+  Json json{{"path", source.path.string()}, {"copy", copy}, {"set", source.settings}};
   json.update(checksum_json(checksum_of_text(source.text)));
   json["files"] = Json::array();
   for (const SourceFile& file : source.files) {

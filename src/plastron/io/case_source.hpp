@@ -17,8 +17,9 @@ struct SourceFile {
 
 struct CaseSource {
   std::filesystem::path path;  ///< of the case file, absolute
-  std::string text;            ///< its bytes
+  std::string text;            ///< its bytes, as settings have edited them
   std::vector<SourceFile> files{};
+  std::vector<std::string> settings{};  ///< that took the place of keys of the file
 };
 
 /// Files by name and path; reads those (throws std::runtime_error).
@@ -27,7 +28,7 @@ CaseSource case_source(const std::filesystem::path& case_file, std::string text,
 
 /// {"bytes": ..., "hash": ...}
 Json checksum_json(const Checksum& checksum);
-/// {"path": ..., "copy": ..., "bytes": ..., "hash": ..., "files": [{"name": ..., "bytes": ..., "hash": ...}]}
+/// {"path": ..., "copy": ..., "set": [...], "bytes": ..., "hash": ..., "files": [{"name": ..., "bytes": ..., "hash": ...}]}
 Json case_source_json(const CaseSource& source, const std::string& copy);
 
 }  // namespace plastron::io

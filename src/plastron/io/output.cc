@@ -61,8 +61,8 @@ void Output::add_history(const computation::Result& result) {
   add_text("history.svg", [&] { return svg_text(history_plot(result)); });
 }
 
-void Output::finish(const computation::Result& result, Provenance provenance,
-                    const std::vector<computation::Line>& lines) {
+std::vector<std::string> Output::finish(const computation::Result& result, Provenance provenance,
+                                        const std::vector<computation::Line>& lines) {
   const bool is_drawn = result.solution && can_be_drawn(*result.solution, files_.comm());
   if (is_drawn) {
     add_fields(*result.solution, 0, "", series_.empty());
@@ -90,6 +90,8 @@ void Output::finish(const computation::Result& result, Provenance provenance,
   add_results(result, provenance, directory_, files_);
   files_.commit();
   if (boundary.empty()) remove_contact_report(directory_, files_.comm());
+  names_.emplace_back(results_name);
+  return names_;
 }
 
 void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,

@@ -18,10 +18,9 @@ class Output {
   /// The solution as .vtu and .plastron, unless there is none that is finite, contact-boundary.csv, .vtu and contact-forces.csv where there is contact
   /// (those of an earlier run are removed where there is none), history.csv and history.svg where there are steps,
   /// base_name.case.toml if provenance has the case's source, and results.json; then all files get their names. provenance.files and the
-  /// names of solution and copy are filled here.
-  /// `lines` are tabulated as line-NAME.csv.
-  void finish(const computation::Result& result, Provenance provenance,
-              const std::vector<computation::Line>& lines = {});
+  /// names of solution and copy are filled here. `lines` are tabulated as line-NAME.csv. Returns the names of all files.
+  std::vector<std::string> finish(const computation::Result& result, Provenance provenance,
+                                  const std::vector<computation::Line>& lines = {});
 
  private:
   void add_fields(const computation::Solution& solution, double time, const std::string& suffix, bool is_in_series);

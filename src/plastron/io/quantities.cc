@@ -21,10 +21,11 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 std::span<const Quantity<Result>> result_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"status", "-", "how the computation ended, in a word",
-       [](const Result& r) { return Json(contact::to_string(r.status)); }},
-      {"status_text", "-", "the same in a sentence", [](const Result& r) { return Json(computation::status_text(r)); }},
+       [](const Result& r) { return Json(contact::to_string(r.status)); }, Form::text},
+      {"status_text", "-", "the same in a sentence", [](const Result& r) { return Json(computation::status_text(r)); },
+       Form::text},
       {"formulation", "-", "how r . a_3 = 0 is kept",
-       [](const Result& r) { return Json(element::to_string(r.formulation)); }},
+       [](const Result& r) { return Json(element::to_string(r.formulation)); }, Form::text},
       {"energy", "J", "stored energy, 1/2 a(U, U)", [](const Result& r) { return number(r.summary.energy.total()); }},
       {"energy_parts/membrane", "J", "its membrane part",
        [](const Result& r) { return number(r.summary.energy.membrane); }},
@@ -33,17 +34,18 @@ std::span<const Quantity<Result>> result_quantities() {
       {"energy_parts/shear", "J", "its transverse shear part",
        [](const Result& r) { return number(r.summary.energy.shear); }},
       {"load_work", "J", "l(U)", [](const Result& r) { return number(r.summary.load_work); }},
-      {"loads/force", "N", "resultant of all loads", [](const Result& r) { return triple(r.summary.loads.force); }},
+      {"loads/force", "N", "resultant of all loads", [](const Result& r) { return triple(r.summary.loads.force); },
+       Form::triple},
       {"loads/moment", "N m", "their moment about the origin",
-       [](const Result& r) { return triple(r.summary.loads.moment); }},
+       [](const Result& r) { return triple(r.summary.loads.moment); }, Form::triple},
       {"reaction/force", "N", "resultant of the obstacles' reaction on the shell",
-       [](const Result& r) { return triple(r.summary.reaction.force); }},
+       [](const Result& r) { return triple(r.summary.reaction.force); }, Form::triple},
       {"reaction/moment", "N m", "its moment about the origin",
-       [](const Result& r) { return triple(r.summary.reaction.moment); }},
+       [](const Result& r) { return triple(r.summary.reaction.moment); }, Form::triple},
       {"support_reaction/force", "N", "resultant of the supports' reactions on the shell",
-       [](const Result& r) { return triple(r.summary.support_reaction.force); }},
+       [](const Result& r) { return triple(r.summary.support_reaction.force); }, Form::triple},
       {"support_reaction/moment", "N m", "their moment about the origin",
-       [](const Result& r) { return triple(r.summary.support_reaction.moment); }},
+       [](const Result& r) { return triple(r.summary.support_reaction.moment); }, Form::triple},
       {"size/max_displacement", "m", "largest |u| at a node",
        [](const Result& r) { return number(r.summary.max_displacement); }},
       {"size/max_relative_displacement", "1", "largest |u| / e at a node",
@@ -55,9 +57,10 @@ std::span<const Quantity<Result>> result_quantities() {
       {"stress/x", "the chart's", "parameters in Omega of its place",
        [](const Result& r) {
          return Json::array({number(r.peak.x[0]), number(r.peak.x[1])});
-       }},
+       },
+       Form::pair},
       {"stress/position", "m", "its place on the undeformed mid-surface",
-       [](const Result& r) { return triple(r.peak.position); }},
+       [](const Result& r) { return triple(r.peak.position); }, Form::triple},
       {"stress/height", "m", "its height z over the mid-surface, along a_3",
        [](const Result& r) { return number(r.peak.height); }},
       {"tangency/max_normal_rotation", "1", "largest |r . a_3| at nodes and quadrature points",
@@ -67,8 +70,8 @@ std::span<const Quantity<Result>> result_quantities() {
       {"tangency/multiplier_norm", "N m", "norm of the gradient of lambda over the surface (mixed formulation)",
        [](const Result& r) { return number(r.summary.multiplier_norm); }},
       {"memory/peak_bytes", "byte", "peak memory of all ranks together",
-       [](const Result& r) { return Json(std::llround(r.peak_memory)); }},
-      {"ranks", "1", "MPI processes", [](const Result& r) { return Json(r.ranks); }},
+       [](const Result& r) { return Json(std::llround(r.peak_memory)); }, Form::integer},
+      {"ranks", "1", "MPI processes", [](const Result& r) { return Json(r.ranks); }, Form::integer},
   };
   return all;
 }
@@ -76,13 +79,13 @@ std::span<const Quantity<Result>> result_quantities() {
 std::span<const Quantity<certificate::SupportReaction>> support_quantities() {
   using certificate::SupportReaction;
   static const std::vector<Quantity<SupportReaction>> all{
-      {"boundary", "-", "its name", [](const SupportReaction& r) { return Json(r.boundary); }},
+      {"boundary", "-", "its name", [](const SupportReaction& r) { return Json(r.boundary); }, Form::text},
       {"reaction/force", "N",
        "what the supports of the boundary carry; a node of two boundaries belongs to the first one",
-       [](const SupportReaction& r) { return triple(r.reaction.force); }},
+       [](const SupportReaction& r) { return triple(r.reaction.force); }, Form::triple},
       {"reaction/moment", "N m", "its moment about the origin",
-       [](const SupportReaction& r) { return triple(r.reaction.moment); }},
-      {"nodes", "1", "nodes that carry it", [](const SupportReaction& r) { return Json(r.nodes); }},
+       [](const SupportReaction& r) { return triple(r.reaction.moment); }, Form::triple},
+      {"nodes", "1", "nodes that carry it", [](const SupportReaction& r) { return Json(r.nodes); }, Form::integer},
   };
   return all;
 }
@@ -93,9 +96,10 @@ std::span<const Quantity<certificate::PointReaction>> point_support_quantities()
       {"at", "the chart's", "parameters of the point in Omega",
        [](const PointReaction& r) {
          return Json::array({number(r.at[0]), number(r.at[1])});
-       }},
+       },
+       Form::pair},
       {"force", "N", "what the supports of its node carry there; a force that is not zero depends on the mesh",
-       [](const PointReaction& r) { return triple(r.force); }},
+       [](const PointReaction& r) { return triple(r.force); }, Form::triple},
   };
   return all;
 }
@@ -104,7 +108,7 @@ std::span<const Quantity<Result>> contact_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"area", "m^2", "mid-surface area of the touching nodes",
        [](const Result& r) { return number(r.summary.contact_area); }},
-      {"nodes", "1", "touching nodes", [](const Result& r) { return Json(r.summary.touching_nodes); }},
+      {"nodes", "1", "touching nodes", [](const Result& r) { return Json(r.summary.touching_nodes); }, Form::integer},
       {"min_gap", "m", "smallest gap at a node", [](const Result& r) { return number(r.certificate.min_gap_nodes); }},
       {"max_penetration_between_nodes", "m",
        "depth of the shell in the obstacle between nodes, where no bound holds it (contact.admissible brings it to 0)",
@@ -115,14 +119,14 @@ std::span<const Quantity<Result>> contact_quantities() {
          return number(r.summary.edge.is_line() ? r.summary.edge.pressure_inside : r.summary.max_pressure);
        }},
       {"edge/nodes", "1", "touching nodes on edges of the shell",
-       [](const Result& r) { return Json(r.summary.edge.nodes); }},
+       [](const Result& r) { return Json(r.summary.edge.nodes); }, Form::integer},
       {"edge/force", "N", "sum of their reactions", [](const Result& r) { return number(r.summary.edge.force); }},
       {"edge/max_line_reaction", "N/m",
        "largest of their reactions over the length of edge that the node stands for; settles where the edge carries a "
        "line reaction",
        [](const Result& r) { return number(r.summary.edge.max_per_length); }},
       {"edge/is_line", "-", "the edge carries a line reaction: pressures at its nodes depend on the mesh",
-       [](const Result& r) { return Json(r.summary.edge.is_line()); }},
+       [](const Result& r) { return Json(r.summary.edge.is_line()); }, Form::flag},
   };
   return all;
 }
@@ -130,7 +134,7 @@ std::span<const Quantity<Result>> contact_quantities() {
 std::span<const Quantity<Result>> admissible_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"rounds", "1", "rounds in which bounds of gaps were lifted, on the finest mesh",
-       [](const Result& r) { return Json(r.last_level().lift_rounds); }},
+       [](const Result& r) { return Json(r.last_level().lift_rounds); }, Form::integer},
       {"largest_lift", "m", "the largest that a gap at a node must be, in place of 0",
        [](const Result& r) { return number(r.summary.largest_lift); }},
       {"lift_work", "J",
@@ -173,19 +177,22 @@ std::span<const Quantity<certificate::Certificate>> certificate_quantities() {
 std::span<const Quantity<computation::Level>> level_quantities() {
   using computation::Level;
   static const std::vector<Quantity<Level>> all{
-      {"cells", "1", "cells of the mesh", [](const Level& l) { return Json(l.cells); }},
-      {"nodes", "1", "nodes", [](const Level& l) { return Json(l.nodes); }},
-      {"unknowns", "1", "unknowns, supported ones included", [](const Level& l) { return Json(l.unknowns); }},
-      {"active", "1", "touching nodes", [](const Level& l) { return Json(l.active); }},
-      {"iterations", "1", "active-set iterations", [](const Level& l) { return Json(l.iterations); }},
-      {"factorisations", "1", "numeric factorisations", [](const Level& l) { return Json(l.factorisations); }},
+      {"cells", "1", "cells of the mesh", [](const Level& l) { return Json(l.cells); }, Form::integer},
+      {"nodes", "1", "nodes", [](const Level& l) { return Json(l.nodes); }, Form::integer},
+      {"unknowns", "1", "unknowns, supported ones included", [](const Level& l) { return Json(l.unknowns); },
+       Form::integer},
+      {"active", "1", "touching nodes", [](const Level& l) { return Json(l.active); }, Form::integer},
+      {"iterations", "1", "active-set iterations", [](const Level& l) { return Json(l.iterations); }, Form::integer},
+      {"factorisations", "1", "numeric factorisations", [](const Level& l) { return Json(l.factorisations); },
+       Form::integer},
       {"linearisations", "1", "linearisations of the gaps of curved obstacles",
-       [](const Level& l) { return Json(l.linearisations); }},
+       [](const Level& l) { return Json(l.linearisations); }, Form::integer},
       {"lift_rounds", "1", "rounds in which bounds of gaps were lifted (contact.admissible)",
-       [](const Level& l) { return Json(l.lift_rounds); }},
+       [](const Level& l) { return Json(l.lift_rounds); }, Form::integer},
       {"gap_error", "m", "largest |distance - linearised gap| of the deformed faces in contact with curved obstacles",
        [](const Level& l) { return number(l.gap_error); }},
-      {"status", "-", "how the level ended", [](const Level& l) { return Json(contact::to_string(l.status)); }},
+      {"status", "-", "how the level ended", [](const Level& l) { return Json(contact::to_string(l.status)); },
+       Form::text},
       {"energy", "J", "stored energy", [](const Level& l) { return number(l.energy); }},
       {"reaction", "N", "norm of the obstacle's resultant force", [](const Level& l) { return number(l.reaction); }},
       {"contact_area", "m^2", "mid-surface area of the touching nodes",
@@ -220,18 +227,18 @@ std::span<const Quantity<computation::Level>> level_quantities() {
 std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities() {
   using certificate::ObstacleContact;
   static const std::vector<Quantity<ObstacleContact>> all{
-      {"name", "-", "that the case gives it", [](const ObstacleContact& o) { return Json(o.name); }},
+      {"name", "-", "that the case gives it", [](const ObstacleContact& o) { return Json(o.name); }, Form::text},
       {"reaction/force", "N", "resultant of its reaction on the shell",
-       [](const ObstacleContact& o) { return triple(o.reaction.force); }},
+       [](const ObstacleContact& o) { return triple(o.reaction.force); }, Form::triple},
       {"reaction/moment", "N m", "its moment about the origin",
-       [](const ObstacleContact& o) { return triple(o.reaction.moment); }},
+       [](const ObstacleContact& o) { return triple(o.reaction.moment); }, Form::triple},
       {"area", "m^2", "mid-surface area of the nodes that touch it",
        [](const ObstacleContact& o) { return number(o.area); }},
-      {"nodes", "1", "nodes that touch it", [](const ObstacleContact& o) { return Json(o.nodes); }},
+      {"nodes", "1", "nodes that touch it", [](const ObstacleContact& o) { return Json(o.nodes); }, Form::integer},
       {"translation", "m", "how far it has come from where it stood at the start",
-       [](const ObstacleContact& o) { return triple(o.translation); }},
+       [](const ObstacleContact& o) { return triple(o.translation); }, Form::triple},
       {"rotation", "rad", "how far it has turned: direction of the axis times the angle",
-       [](const ObstacleContact& o) { return triple(o.rotation); }},
+       [](const ObstacleContact& o) { return triple(o.rotation); }, Form::triple},
   };
   return all;
 }
@@ -241,9 +248,9 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
   static const std::vector<Quantity<HistoryEntry>> all{
       {"time", "1", "steps that are over, the part of the present one included",
        [](const HistoryEntry& h) { return number(h.time); }},
-      {"step", "-", "the step's name", [](const HistoryEntry& h) { return Json(h.step); }},
+      {"step", "-", "the step's name", [](const HistoryEntry& h) { return Json(h.step); }, Form::text},
       {"status", "-", "how this instant ended, in a word",
-       [](const HistoryEntry& h) { return Json(contact::to_string(h.status)); }},
+       [](const HistoryEntry& h) { return Json(contact::to_string(h.status)); }, Form::text},
       {"load_factor", "1", "what all loads are multiplied by",
        [](const HistoryEntry& h) { return number(h.load_factor); }},
       {"energy", "J", "stored energy, 1/2 a(U, U)",
@@ -257,10 +264,11 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
        [](const HistoryEntry& h) { return number(h.summary.max_pressure); }},
       {"min_gap", "m", "smallest gap at a node", [](const HistoryEntry& h) { return number(h.level.min_gap); }},
       {"support_force", "N", "resultant of the supports' reactions on the shell",
-       [](const HistoryEntry& h) { return triple(h.summary.support_reaction.force); }},
-      {"iterations", "1", "active-set iterations", [](const HistoryEntry& h) { return Json(h.level.iterations); }},
+       [](const HistoryEntry& h) { return triple(h.summary.support_reaction.force); }, Form::triple},
+      {"iterations", "1", "active-set iterations", [](const HistoryEntry& h) { return Json(h.level.iterations); },
+       Form::integer},
       {"factorisations", "1", "numeric factorisations",
-       [](const HistoryEntry& h) { return Json(h.level.factorisations); }},
+       [](const HistoryEntry& h) { return Json(h.level.factorisations); }, Form::integer},
   };
   return all;
 }
@@ -269,24 +277,26 @@ std::span<const Quantity<certificate::ContactZone>> zone_quantities() {
   using certificate::ContactZone;
   static const std::vector<Quantity<ContactZone>> all{
       {"area", "m^2", "mid-surface area of its nodes", [](const ContactZone& z) { return number(z.area); }},
-      {"nodes", "1", "nodes that touch", [](const ContactZone& z) { return Json(z.nodes); }},
+      {"nodes", "1", "nodes that touch", [](const ContactZone& z) { return Json(z.nodes); }, Form::integer},
       {"reaction/force", "N", "resultant of the reaction in the zone on the shell",
-       [](const ContactZone& z) { return triple(z.reaction.force); }},
+       [](const ContactZone& z) { return triple(z.reaction.force); }, Form::triple},
       {"reaction/moment", "N m", "its moment about the origin",
-       [](const ContactZone& z) { return triple(z.reaction.moment); }},
+       [](const ContactZone& z) { return triple(z.reaction.moment); }, Form::triple},
       {"centre_of_pressure", "m", "mean place of the reaction on the touching face of the undeformed shell",
-       [](const ContactZone& z) { return triple(z.centre); }},
+       [](const ContactZone& z) { return triple(z.centre); }, Form::triple},
       {"peak/pressure", "Pa", "largest eta at a node; where an edge carries a line reaction it depends on the mesh",
        [](const ContactZone& z) { return number(z.peak_pressure); }},
       {"peak/x", "the chart's", "parameters in Omega of that node",
        [](const ContactZone& z) {
          return Json::array({number(z.peak_x[0]), number(z.peak_x[1])});
-       }},
+       },
+       Form::pair},
       {"peak/position", "m", "its place on the touching face of the undeformed shell",
-       [](const ContactZone& z) { return triple(z.peak_place); }},
+       [](const ContactZone& z) { return triple(z.peak_place); }, Form::triple},
       {"boundary/lines", "1", "polylines of its boundary, see contact-boundary.csv",
-       [](const ContactZone& z) { return Json(z.lines.size()); }},
-      {"boundary/points", "1", "their points", [](const ContactZone& z) { return Json(z.line_points()); }},
+       [](const ContactZone& z) { return Json(z.lines.size()); }, Form::integer},
+      {"boundary/points", "1", "their points", [](const ContactZone& z) { return Json(z.line_points()); },
+       Form::integer},
       {"boundary/length", "m", "length of the boundary inside the shell, where the gap opens",
        [](const ContactZone& z) { return number(z.line_length()); }},
       {"boundary/rim_length", "m", "length of the shell's rim in the zone",
@@ -298,15 +308,18 @@ std::span<const Quantity<certificate::ContactZone>> zone_quantities() {
 std::span<const Quantity<contact::Iteration>> iteration_quantities() {
   using contact::Iteration;
   static const std::vector<Quantity<Iteration>> all{
-      {"active", "1", "unknowns at a bound", [](const Iteration& i) { return Json(i.active); }},
-      {"changes", "1", "unknowns that changed sides", [](const Iteration& i) { return Json(i.changes); }},
+      {"active", "1", "unknowns at a bound", [](const Iteration& i) { return Json(i.active); }, Form::integer},
+      {"changes", "1", "unknowns that changed sides", [](const Iteration& i) { return Json(i.changes); },
+       Form::integer},
       {"energy", "J", "potential energy, 1/2 a(U, U) - l(U)", [](const Iteration& i) { return number(i.energy); }},
       {"worst_violation", "m", "largest violation of a bound",
        [](const Iteration& i) { return number(i.worst_violation); }},
       {"worst_multiplier", "N", "most negative reaction at a node",
        [](const Iteration& i) { return number(i.worst_multiplier); }},
-      {"linear_steps", "1", "conjugate-gradient steps", [](const Iteration& i) { return Json(i.linear_steps); }},
-      {"safeguarded", "-", "made by the safeguarded search", [](const Iteration& i) { return Json(i.safeguarded); }},
+      {"linear_steps", "1", "conjugate-gradient steps", [](const Iteration& i) { return Json(i.linear_steps); },
+       Form::integer},
+      {"safeguarded", "-", "made by the safeguarded search", [](const Iteration& i) { return Json(i.safeguarded); },
+       Form::flag},
   };
   return all;
 }

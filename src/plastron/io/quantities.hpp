@@ -11,13 +11,17 @@ namespace plastron::io {
 
 using Json = nlohmann::ordered_json;
 
-/// A number or text of a record. Numbers that are not finite are null.
+/// What stands in the place of a quantity. Numbers that are not finite are null.
+enum class Form { number, integer, text, flag, pair, triple };
+
+/// A number or text of a record.
 template <class Record>
 struct Quantity {
   std::string_view path;  ///< inside the record, steps separated by '/'
   std::string_view unit;
   std::string_view meaning;
   Json (*take)(const Record&);
+  Form form = Form::number;
 };
 
 /// JSON has no infinity and no NaN: null.

@@ -1,6 +1,7 @@
 #include <plastron/io/results.hpp>
 
 #include <plastron/io/fields.hpp>
+#include <plastron/io/parts.hpp>
 #include <plastron/io/version.hpp>
 
 #include <deal.II/base/config.h>
@@ -103,29 +104,12 @@ Json versions_json() {
               {"MPI", std::string(mpi.data())}};
 }
 
-template <class Record>
-void add_units(Json& units, const std::string& prefix, std::span<const Quantity<Record>> quantities) {
-  for (const auto& q : quantities)
-    if (q.unit != "-") units[prefix + std::string(q.path)] = q.unit;
-}
-
 /// Path -> unit of every number, so that a reader needs no manual.
 Json units_json() {
   Json units = Json::object();
-  add_units(units, "", result_quantities());
-  add_units(units, "supports/*/", support_quantities());
-  add_units(units, "point_supports/*/", point_support_quantities());
-  add_units(units, "contact/", contact_quantities());
-  add_units(units, "contact/admissible/", admissible_quantities());
-  add_units(units, "obstacles/*/", obstacle_quantities());
-  add_units(units, "history/*/", history_quantities());
-  add_units(units, "history/*/obstacles/*/", obstacle_quantities());
-  add_units(units, "obstacles/*/zones/*/", zone_quantities());
-  for (const char* of : {"probes/*/", "history/*/probes/*/"})
-    for (const Field& field : fields()) units[std::string(of).append(field.key)] = field.unit;
-  add_units(units, "certificate/", certificate_quantities());
-  add_units(units, "levels/*/", level_quantities());
-  add_units(units, "levels/*/history/*/", iteration_quantities());
+  for (const Part& part : parts())
+    for (const Entry& entry : part.entries)
+      if (entry.unit != "-") units[part.place + std::string(entry.path)] = entry.unit;
   return units;
 }
 

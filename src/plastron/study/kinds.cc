@@ -15,24 +15,24 @@ namespace plastron::study {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> of_convergence{"reference"};
-constexpr std::array<std::string_view, 3> of_thickness{"factors", "steps", "load-exponent"};
-constexpr std::array<std::string_view, 3> of_continuity{"samples", "size", "seed"};
-constexpr std::array<std::string_view, 1> of_stability{"factors"};
+using Run = decltype(Kind::run);
+using Variants = decltype(Kind::variants);
+
+Kind kind_of(std::string_view name, Run run, Variants variants = nullptr) {
+  const KindName& of = *find_kind_name(name);
+  return {of.name, of.question, run, of.options, variants};
+}
 
 }  // namespace
 
 std::span<const Kind> kinds() {
-  static constexpr std::array all{
-      Kind{"convergence", "how fast the error falls with the mesh size", convergence, of_convergence},
-      Kind{"penalty", "whether the penalised solution converges as p goes to zero", penalty, {}, penalty_variants},
-      Kind{"thickness", "what happens as the thickness goes to zero", thickness, of_thickness,
-           thickness_study_variants},
-      Kind{"continuity", "whether the solution depends continuously on load, thickness and obstacle", continuity,
-           of_continuity, continuity_variants},
-      Kind{"stability", "whether the constants of coercivity and inf-sup hold as h and e go to zero", stability,
-           of_stability, stability_variants},
-      Kind{"soft-modes", "which motions cost nothing once all supports are removed", soft_modes},
+  static const std::array all{
+      kind_of("convergence", convergence),
+      kind_of("penalty", penalty, penalty_variants),
+      kind_of("thickness", thickness, thickness_study_variants),
+      kind_of("continuity", continuity, continuity_variants),
+      kind_of("stability", stability, stability_variants),
+      kind_of("soft-modes", soft_modes),
   };
   return all;
 }
@@ -50,17 +50,6 @@ const Kind& solver_comparison() {
 const Kind* find_kind(std::string_view name) {
   const auto found = std::ranges::find(kinds(), name, &Kind::name);
   return found == kinds().end() ? nullptr : &*found;
-}
-
-bool takes_option(const Kind& kind, std::string_view option) {
-  return std::ranges::find(kind.options, option) != kind.options.end();
-}
-
-std::string kinds_that_take(std::string_view option) {
-  std::string names;
-  for (const Kind& kind : kinds())
-    if (takes_option(kind, option)) names += (names.empty() ? "" : ", ") + std::string(kind.name);
-  return names;
 }
 
 std::vector<examination::Finding> examine(const Kind& kind, const computation::Problem& problem,

@@ -3,31 +3,20 @@
 #include <plastron/computation/observer.hpp>
 #include <plastron/computation/problem.hpp>
 #include <plastron/examination/examine.hpp>
+#include <plastron/study/kind_names.hpp>
 #include <plastron/study/plot.hpp>
+#include <plastron/study/study_options.hpp>
 #include <plastron/study/table.hpp>
 
 #include <mpi.h>
 
-#include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace plastron::study {
-
-/// What a study may be told. Each looks only at what concerns it.
-struct StudyOptions {
-  int reference = 2;  ///< convergence: levels between the finest mesh and the reference
-  std::vector<double>
-      factors{};  ///< thickness, stability: multiples of the case's e, descending; empty: the study's own
-  std::optional<double> load_exponent{};  ///< thickness: loads ~ e^exponent; empty: 0 without, 3 with obstacle
-  int samples = 10;                       ///< continuity: perturbations of each kind
-  double size = 0.05;                     ///< continuity: largest relative perturbation
-  std::uint64_t seed = 1;                 ///< continuity: of the random numbers
-};
 
 struct StudyObserver {
   std::function<void(std::string_view what)> stage{};  ///< the next computation, in words; may be empty
@@ -56,7 +45,7 @@ struct Kind {
   std::vector<Variant> (*variants)(const computation::Problem&, const StudyOptions&) = nullptr;
 };
 
-/// All studies. A new one is a line in kinds.cc.
+/// All studies, in the order of kind_names(). A new one is a line there and one in kinds.cc.
 std::span<const Kind> kinds();
 /// Null if there is no study of this name.
 const Kind* find_kind(std::string_view name);
@@ -64,10 +53,6 @@ const Kind* find_kind(std::string_view name);
 const Kind& comparison();
 /// What `plastron compare --solvers` runs.
 const Kind& solver_comparison();
-
-bool takes_option(const Kind& kind, std::string_view option);
-/// The names of the studies that take an option, separated by commas.
-std::string kinds_that_take(std::string_view option);
 
 /// The findings of the case, as for `run`, and the errors of what the study computes beside it: with errors the study is
 /// not to be run. The same on every rank.

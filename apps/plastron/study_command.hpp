@@ -1,0 +1,26 @@
+// The words of `plastron study`: one table of kinds, and options that concern some of them.
+#pragma once
+#include <plastron/study/study_options.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace plastron::app {
+
+struct StudyCommand {
+  std::string kind;
+  std::filesystem::path case_file;
+  std::filesystem::path output;
+  std::vector<std::string> settings{};  ///< that take the place of keys of the case file
+  bool quiet = false;                   ///< print errors only
+  int threads = 0;                      ///< of each process; 0: as many as the work is worth
+  bool json_log = false;                ///< events on standard error
+  study::StudyOptions options{};
+};
+
+CLI::App* add_study(CLI::App& program, StudyCommand& command);
+
+}  // namespace plastron::app

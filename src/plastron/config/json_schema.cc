@@ -1,0 +1,161 @@
+#include <plastron/config/json_schema.hpp>
+#include <plastron/config/limits.hpp>
+#include <plastron/config/schema.hpp>
+
+#include <toml.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace plastron::config {
+
+namespace {
+
+using Schema = nlohmann::ordered_json;
+
+Schema any_of(std::vector<Schema> choices) { return {{"anyOf", std::move(choices)}}; }
+Schema text() { return {{"type", "string"}}; }
+
+Schema list_of(Schema entry, int count = 0) {
+  Schema list{{"type", "array"}, {"items", std::move(entry)}};
+  if (count > 0) list["minItems"] = list["maxItems"] = count;
+  list["maxItems"] = count > 0 ? static_cast<std::size_t>(count) : most_entries;
+  return list;
+}
+
+/// The number itself, which an expression may stand for.
+Schema number(const char* type, const Range& range) {
+  Schema value{{"type", type}};
+  if (std::isfinite(range.low)) value[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
+  if (std::isfinite(range.high)) value[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
+  return any_of({value, text()});
+}
+
+Schema word_of(const Key& key) {
+  Schema value = text();
+  if (!key.words.empty()) value["enum"] = word_names(key.words);
+  return value;
+}
+
+bool is_declared(const std::string& path) {
+  return std::ranges::find(sections(), path, &Section::path) != sections().end();
+}
+
+Schema reference(const std::string& path) { return {{"$ref", "#/definitions/" + path}}; }
+
+/// Any names, and what values of supports look like: { u.z = 1 }, { u = [0, 0, 1] }.
+Schema free_table() {
+  const Schema value = any_of({number("number", {}), list_of(number("number", {}))});
+  return {{"type", "object"},
+          {"additionalProperties", any_of({value, {{"type", "object"}, {"additionalProperties", value}}})}};
+}
+
+Schema schema_of(const Key& key, Kind kind, const std::string& path) {
+  const Schema real = number("number", key.range), formula = any_of({{{"type", "number"}}, text()});
+  switch (kind) {
+    case Kind::text:
+    case Kind::name:
+      return text();
+    case Kind::word:
+      return word_of(key);
+    case Kind::boolean:
+      return {{"type", "boolean"}};
+    case Kind::integer:
+      return number("integer", key.range);
+    case Kind::number:
+    case Kind::field:
+      return real;
+    case Kind::numbers:
+      return list_of(real);
+    case Kind::point:
+      return list_of(real, 2);
+    case Kind::vector:
+    case Kind::field_vector:
+      return list_of(real, 3);
+    case Kind::vectors:
+      return list_of(list_of(real, 3));
+    case Kind::cell_counts:
+      return list_of(number("integer", key.range), 2);
+    case Kind::names:
+      return list_of(word_of(key));
+    case Kind::name_or_names:
+      return any_of({text(), list_of(text())});
+    case Kind::points:
+      return list_of(list_of(real, 2));
+    case Kind::space_formula:
+      return formula;
+    case Kind::formulas:
+      return any_of({list_of(formula, 3), {{"type", "object"}, {"additionalProperties", list_of(formula, 3)}}});
+    case Kind::table:
+      return is_declared(path) ? reference(path) : Schema{{"type", "object"}};
+    case Kind::tables:
+      return list_of(reference(path));
+    case Kind::free_table:
+      return is_declared(path) ? reference(path) : free_table();
+  }
+  return Schema::object();
+}
+
+Schema json_of(const toml::value& value) {
+  if (value.is_boolean()) return value.as_boolean();
+  if (value.is_integer()) return value.as_integer();
+  if (value.is_floating()) return value.as_floating();
+  if (value.is_string()) return value.as_string().str;
+  Schema json = value.is_array() ? Schema::array() : Schema::object();
+  if (value.is_array())
+    for (const toml::value& entry : value.as_array()) json.push_back(json_of(entry));
+  else if (value.is_table())
+    for (const auto& [name, entry] : value.as_table()) json[name] = json_of(entry);
+  return json;
+}
+
+Schema json_of(const std::string& toml_text) {
+  std::istringstream stream("value = " + toml_text);
+  return json_of(toml::parse(stream, "declaration").at("value"));
+}
+
+Schema property(const Section& section, const Key& key) {
+  const std::string path = section.path.empty() ? key.name : section.path + "." + key.name;
+  Schema value = schema_of(key, key.kind, path);
+  if (key.shorthand) value = any_of({std::move(value), schema_of(key, *key.shorthand, path)});
+  // Beside $ref nothing counts in this draft.
+  if (value.contains("$ref")) value = {{"allOf", Schema::array({std::move(value)})}};
+  const std::string range = key.range.text(key.name);
+  Schema result{{"description",
+                 key.meaning + (key.unit.empty() ? "" : " [" + key.unit + "]") + (range.empty() ? "" : "; " + range)}};
+  if (!key.fallback.empty()) result["default"] = json_of(key.fallback);
+  if (!key.example.empty()) result["examples"] = Schema::array({json_of(key.example)});
+  result.update(value);
+  return result;
+}
+
+Schema schema_of(const Section& section) {
+  Schema table{{"description", section.meaning}, {"type", "object"}};
+  if (section.keys.empty()) {  // [constants]
+    table["propertyNames"] = {{"pattern", "^[A-Za-z_][A-Za-z0-9_]*$"}, {"maxLength", longest_name}};
+    table["additionalProperties"] = number("number", {});
+    return table;
+  }
+  Schema required = Schema::array();
+  for (const Key& key : section.keys) {
+    table["properties"][key.name] = property(section, key);
+    if (key.required) required.push_back(key.name);
+  }
+  if (!required.empty()) table["required"] = required;
+  for (const std::string& name : section.exactly_one) table["oneOf"].push_back({{"required", Schema::array({name})}});
+  table["additionalProperties"] = false;
+  return table;
+}
+
+}  // namespace
+
+nlohmann::ordered_json case_schema() {
+  Schema schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "A case file of Plastron"}};
+  schema.update(schema_of(section("")));
+  for (const Section& s : sections())
+    if (!s.path.empty()) schema["definitions"][s.path] = schema_of(s);
+  return schema;
+}
+
+}  // namespace plastron::config

@@ -1,0 +1,130 @@
+#include <plastron/contact/statuses.hpp>
+#include <plastron/io/parts.hpp>
+#include <plastron/io/results_schema.hpp>
+
+#include <algorithm>
+
+namespace plastron::io {
+
+namespace {
+
+Json list_of(Json entry) { return {{"type", "array"}, {"items", std::move(entry)}}; }
+Json map_to(Json entry) { return {{"type", "object"}, {"additionalProperties", std::move(entry)}}; }
+Json text() { return {{"type", "string"}}; }
+Json text_or_null() { return {{"type", {"string", "null"}}}; }
+
+Json numbers(std::size_t count) {
+  return {{"type", "array"}, {"items", {{"type", {"number", "null"}}}}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json schema_of(Form form) {
+  switch (form) {
+    case Form::number:
+      return {{"type", {"number", "null"}}};
+    case Form::integer:
+      return {{"type", "integer"}};
+    case Form::text:
+      return text();
+    case Form::flag:
+      return {{"type", "boolean"}};
+    case Form::pair:
+      return numbers(2);
+    case Form::triple:
+      return numbers(3);
+  }
+  return Json::object();
+}
+
+Json statuses() {
+  Json words = Json::array();
+  for (const contact::Status status : contact::statuses()) words.push_back(contact::to_string(status));
+  return words;
+}
+
+/// A property that is always there.
+Json& member(Json& record, const std::string& name) {
+  if (!record.contains("type")) record["type"] = "object";
+  Json& required = record["required"];
+  if (!required.is_array()) required = Json::array();
+  if (std::find(required.begin(), required.end(), Json(name)) == required.end()) required.push_back(name);
+  return record["properties"][name];
+}
+
+/// Where the schema of the record with this place stands: made on the way, lists and tables by name included.
+Json& at_place(Json& schema, std::string_view place) {
+  Json* node = &schema;
+  while (!place.empty()) {
+    const std::size_t end = place.find('/');
+    const std::string name(place.substr(0, end));
+    place.remove_prefix(end == std::string_view::npos ? place.size() : end + 1);
+    if (name != "*") {
+      node = &member(*node, name);
+      if (place.starts_with('*')) (*node)["type"] = name == "probes" ? "object" : "array";
+    } else {
+      node = &(*node)[(*node)["type"] == "object" ? "additionalProperties" : "items"];
+    }
+  }
+  return *node;
+}
+
+void add(Json& record, const Entry& entry) {
+  Json value{
+      {"description", std::string(entry.meaning) + (entry.unit == "-" ? "" : " [" + std::string(entry.unit) + "]")}};
+  value.update(schema_of(entry.form));
+  if (entry.path == "status") value["enum"] = statuses();
+  if (entry.can_be_absent) {
+    if (!value["type"].is_array()) value["type"] = Json::array({value["type"]});
+    if (std::find(value["type"].begin(), value["type"].end(), Json("null")) == value["type"].end())
+      value["type"].push_back("null");
+  }
+  at_place(record, entry.path) = std::move(value);
+}
+
+/// What belongs to no table.
+void add_others(Json& schema) {
+  const auto add = [&](const char* name, const char* meaning, Json value) {
+    Json described{{"description", meaning}};
+    described.update(value);
+    member(schema, name) = std::move(described);
+  };
+  add("title", "of the case", text());
+  add("warnings", "what to doubt in the result", list_of(text()));
+  add("certificate_limits", "row of the certificate -> its limit, whether it holds, and why it is what it is",
+      map_to({{"type", "object"},
+              {"required", {"unit", "holds", "reason"}},
+              {"properties",
+               {{"at_least", {{"type", {"number", "null"}}}},
+                {"at_most", {{"type", {"number", "null"}}}},
+                {"unit", text()},
+                {"holds", {{"type", "boolean"}}},
+                {"reason", text()}}}}));
+  add("settings", "the case with every default written out; see plastron schema", {{"type", {"object", "null"}}});
+  add("versions", "of the program and what it is made of", map_to(text()));
+  add("files", "written beside results.json", list_of(text()));
+  add("verification", "what plastron verify reads",
+      {{"type", "object"},
+       {"required", {"solution", "case"}},
+       {"properties", {{"solution", text_or_null()}, {"case", {{"type", {"object", "null"}}}}}}});
+  add("fields", "the arrays of the .vtu file", list_of(map_to(Json::object())));
+  add("units", "path -> unit of every number", map_to(text()));
+}
+
+}  // namespace
+
+Json results_schema() {
+  Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+              {"title", "results.json of Plastron"},
+              {"type", "object"}};
+  for (const Part& part : parts()) {
+    Json& record = at_place(schema, part.place);
+    if (!part.place.empty()) record["description"] = part.meaning;
+    if (!record.contains("type")) record["type"] = "object";
+    for (const Entry& entry : part.entries) add(record, entry);
+  }
+  Json& contact = schema["properties"]["contact"];
+  contact["type"] = contact["properties"]["admissible"]["type"] = Json::array({"object", "null"});
+  add_others(schema);
+  return schema;
+}
+
+}  // namespace plastron::io

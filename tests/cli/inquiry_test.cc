@@ -1,0 +1,258 @@
+// The commands that compute nothing: explain, new, schema, completion, man. They answer at once and touch nothing that was there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace plastron::cli {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string answer(const std::vector<std::string>& arguments) {
+  const Scratch scratch;
+  const Outcome outcome = plastron(arguments, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  return outcome.output;
+}
+
+std::size_t longest_line(const std::string& text) {
+  std::size_t longest = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    longest = std::max(longest, end - begin);
+    begin = end + 1;
+  }
+  return longest;
+}
+
+// ---- explain ---------------------------------------------------------------------------------------------------
+
+TEST(Explain, TellsOfAKeyOfTheCaseFile) {
+  EXPECT_THAT(answer({"explain", "shell.thickness"}),
+              AllOf(HasSubstr("shell.thickness: key of the case file"), HasSubstr("a number or an expression of x, y"),
+                    HasSubstr("thickness > 0"), HasSubstr("required")));
+  EXPECT_THAT(answer({"explain", "obstacle.ball"}),
+              AllOf(HasSubstr("obstacle.ball: section"), HasSubstr("radius"), HasSubstr("inside")));
+  EXPECT_THAT(answer({"explain", "mesh"}), AllOf(HasSubstr("mesh: section"), HasSubstr("default 3")));
+}
+
+TEST(Explain, TakesKeysAsMessagesAndSettingsHaveThem) {
+  const std::string text = answer({"explain", "obstacle.force"});
+  EXPECT_THAT(text, HasSubstr("presses the obstacle"));
+  EXPECT_EQ(answer({"explain", "[[obstacle]].force"}), text);
+  EXPECT_EQ(answer({"explain", "obstacle[0].force"}), text);
+}
+
+TEST(Explain, TellsOfFieldsNumbersAndStatuses) {
+  EXPECT_THAT(answer({"explain", "eta"}), AllOf(HasSubstr("eta: field of the results"), HasSubstr("Pa"),
+                                                HasSubstr("probes.NAME.eta in results.json")));
+  EXPECT_THAT(answer({"explain", "displacement"}), HasSubstr("u: field"));
+  EXPECT_THAT(answer({"explain", "contact.area"}), AllOf(HasSubstr("number of results.json"), HasSubstr("m^2")));
+  EXPECT_THAT(answer({"explain", "obstacles.zones.peak.pressure"}), HasSubstr("obstacles[].zones[].peak.pressure"));
+  EXPECT_THAT(answer({"explain", "certificate"}), HasSubstr("stationarity"));
+  EXPECT_THAT(answer({"explain", "not_held"}), AllOf(HasSubstr("status"), HasSubstr("can move freely")));
+  EXPECT_THAT(answer({"explain", "inaccurate"}), HasSubstr("exit code 3"));
+}
+
+TEST(Explain, TellsAllThatAWordMeans) {
+  EXPECT_THAT(answer({"explain", "thickness"}), AllOf(HasSubstr("thickness: field"), HasSubstr("shell.thickness: key"),
+                                                      HasSubstr("region.thickness: key")));
+  EXPECT_THAT(answer({"explain", "active-set"}), HasSubstr("contact.solver: key"));
+}
+
+TEST(Explain, WithoutAWordTellsWhatThereIs) {
+  EXPECT_THAT(answer({"explain"}), AllOf(HasSubstr("obstacle.ball"), HasSubstr("frame.a3"),
+                                         HasSubstr("obstacles[].zones[]"), HasSubstr("linear_solver_stalled")));
+}
+
+TEST(Explain, OfAnUnknownWordNamesNearOnes) {
+  const Scratch scratch;
+  const Outcome outcome = plastron({"explain", "shell.thicknes"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("did you mean"), HasSubstr("shell.thickness")));
+  EXPECT_THAT(plastron({"explain", "qqqqqq"}, scratch.path).output,
+              AllOf(Not(HasSubstr("did you mean")), HasSubstr("plastron explain lists")));
+}
+
+// ---- new -------------------------------------------------------------------------------------------------------
+
+std::vector<std::string> templates() {
+  std::vector<std::string> names;
+  std::istringstream lines(answer({"new", "--list"}));
+  for (std::string line; std::getline(lines, line);) names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  return names;
+}
+
+TEST(New, HasTemplates) { EXPECT_THAT(templates(), ElementsAre("bowl", "dome", "mesh", "plate", "rollers", "tube")); }
+
+TEST(New, WritesADirectoryOrAFile) {
+  const Scratch scratch;
+  EXPECT_EQ(plastron({"new", "deep/inside"}, scratch.path).exit_code, 0);
+  EXPECT_EQ(plastron({"new", "mine.toml", "--template", "plate"}, scratch.path).exit_code, 0);
+  EXPECT_EQ(plastron({"new", "holes", "-t", "mesh"}, scratch.path).exit_code, 0);
+  EXPECT_THAT(files_below(scratch.path), testing::UnorderedElementsAre("deep/inside/case.toml", "mine.toml",
+                                                                       "holes/case.toml", "holes/plate-with-hole.msh"));
+  EXPECT_THAT(text_of(scratch.path / "mine.toml"), HasSubstr("clamped"));
+}
+
+TEST(New, OverwritesNothing) {
+  const Scratch scratch;
+  scratch.write("case.toml", "mine");
+  fs::create_directory(scratch.path / "empty");
+  scratch.write("plate-with-hole.msh", "mine");
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"new", "case.toml"}, {"new", "empty"}, {"new", "other.toml", "-t", "mesh"}, {"new", "case.toml/below"}}) {
+    const Outcome outcome = plastron(arguments, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments[1];
+    EXPECT_THAT(outcome.output, HasSubstr("error: "));
+  }
+  EXPECT_EQ(text_of(scratch.path / "case.toml"), "mine");
+  EXPECT_EQ(text_of(scratch.path / "plate-with-hole.msh"), "mine");
+  EXPECT_FALSE(fs::exists(scratch.path / "other.toml"));
+}
+
+TEST(New, RefusesAnUnknownTemplateAndNoName) {
+  const Scratch scratch;
+  const Outcome outcome = plastron({"new", "mine", "--template", "bowle"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("did you mean \"bowl\"?"), HasSubstr("rollers")));
+  EXPECT_EQ(plastron({"new"}, scratch.path).exit_code, 2);
+  EXPECT_THAT(files_below(scratch.path), IsEmpty());
+}
+
+TEST(New, WritesCasesThatRunAsTheyAre) {
+  for (const std::string& name : templates()) {
+    const Scratch scratch;
+    EXPECT_EQ(plastron({"new", "begun", "--template", name}, scratch.path).exit_code, 0) << name;
+    const Outcome check = plastron({"check", "begun/case.toml"}, scratch.path);
+    EXPECT_EQ(check.exit_code, 0) << name << check.output;
+    EXPECT_THAT(check.output, Not(HasSubstr("warning"))) << name;
+    const Outcome run = plastron({"run", "begun/case.toml", "--output", "out"}, scratch.path, 300);
+    EXPECT_EQ(run.exit_code, 0) << name << run.output;
+    EXPECT_THAT(run.output, Not(HasSubstr("warning"))) << name;
+    const auto results = nlohmann::json::parse(text_of(scratch.path / "out/results.json"));
+    EXPECT_EQ(results["status"], "solved") << name;
+    if (name != "plate") EXPECT_GT(results["contact"]["nodes"], 0) << name;
+  }
+}
+
+// ---- schema, completion, man -----------------------------------------------------------------------------------
+
+TEST(Schema, IsJsonOfTheCaseFileOrOfTheResults) {
+  const auto of_case = nlohmann::json::parse(answer({"schema"})),
+             of_results = nlohmann::json::parse(answer({"schema", "results"}));
+  EXPECT_TRUE(of_case["definitions"]["obstacle.ball"]["properties"].contains("radius"));
+  EXPECT_TRUE(of_results["properties"]["obstacles"]["items"]["properties"].contains("zones"));
+  EXPECT_THAT(of_results["properties"]["status"]["enum"], Contains("not_carried"));
+}
+
+/// What bash offers after these words; the last one is being written.
+std::vector<std::string> offered(const Scratch& scratch, const std::string& words) {
+  const std::string script = "source <($PLASTRON completion bash); COMP_WORDS=(plastron " + words +
+                             "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _plastron; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  scratch.write("complete.bash", script);
+  const Outcome outcome = shell("bash complete.bash", scratch.path);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  std::vector<std::string> all;
+  std::istringstream lines(outcome.output);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) all.push_back(line);
+  std::ranges::sort(all);
+  return all;
+}
+
+TEST(BashCompletion, OffersCommandsOptionsAndWords) {
+  const Scratch scratch;
+  EXPECT_THAT(offered(scratch, "''"),
+              AllOf(Contains("run"), Contains("explain"), Contains("study"), Contains("--help")));
+  EXPECT_THAT(offered(scratch, "ver"), ElementsAre("verify"));
+  EXPECT_THAT(offered(scratch, "run --o"), ElementsAre("--out", "--output"));
+  EXPECT_THAT(offered(scratch, "study con"), ElementsAre("continuity", "convergence"));
+  EXPECT_THAT(offered(scratch, "new x --template ro"), ElementsAre("rollers"));
+  EXPECT_THAT(offered(scratch, "explain shell.thick"), ElementsAre("shell.thickness"));
+  EXPECT_THAT(offered(scratch, "run --set mesh.ref"), ElementsAre("mesh.refinements="));
+}
+
+TEST(BashCompletion, OffersCaseFilesWhereACaseIsWanted) {
+  const Scratch scratch;
+  scratch.write("a.toml", "");
+  scratch.write("notes.txt", "");
+  fs::create_directory(scratch.path / "cases");
+  EXPECT_THAT(offered(scratch, "run ''"), ElementsAre("a.toml", "cases"));
+  EXPECT_THAT(offered(scratch, "run --output ''"), ElementsAre("cases"));
+  EXPECT_THAT(offered(scratch, "run --output cases ''"), ElementsAre("a.toml", "cases"));
+  EXPECT_THAT(offered(scratch, "study penalty ''"), ElementsAre("a.toml", "cases"));
+  EXPECT_THAT(offered(scratch, "run a.toml ''"), IsEmpty());
+}
+
+TEST(Completions, OfOtherShellsHaveEveryCommand) {
+  for (const char* shell : {"zsh", "fish"}) {
+    const std::string text = answer({"completion", shell});
+    for (const char* command : {"run", "check", "compare", "verify", "study", "explain", "new", "schema", "completion"})
+      EXPECT_THAT(text, HasSubstr(command)) << shell;
+  }
+}
+
+TEST(ManualPage, HasEveryCommandOptionAndStatus) {
+  const std::string page = answer({"man"});
+  EXPECT_TRUE(page.starts_with(".TH PLASTRON 1"));
+  for (const char* part : {".SS \"study\"", "\\-\\-json\\-log", "\\-\\-set", "not_carried", ".SH EXIT STATUS"})
+    EXPECT_THAT(page, HasSubstr(part));
+}
+
+// ---- all of them -----------------------------------------------------------------------------------------------
+
+const std::vector<std::vector<std::string>> inquiries{{"--help"},
+                                                      {"--version"},
+                                                      {"explain"},
+                                                      {"explain", "eta"},
+                                                      {"explain", "mesh"},
+                                                      {"schema"},
+                                                      {"new", "--list"},
+                                                      {"run", "--help"},
+                                                      {"study", "--help"},
+                                                      {"completion", "bash"},
+                                                      {"study", "nothing"},
+                                                      {"run"},
+                                                      {"explain", "nothing"},
+                                                      {"check", "no.toml"},
+                                                      {"new", "--nothing"}};
+
+/// The best of a few: other programs run beside the test.
+TEST(Inquiries, AreAnsweredAtOnce) {
+  const Scratch scratch;
+  for (const auto& arguments : inquiries) {
+    double best = 60;
+    for (int attempt = 0; attempt < 20 && best > 0.2; ++attempt)
+      best = std::min(best, plastron(arguments, scratch.path).seconds);
+    EXPECT_LT(best, 0.2) << arguments[0] << " " << arguments.back();
+  }
+}
+
+TEST(Inquiries, PrintLinesOf120CharactersAtMost) {
+  const Scratch scratch;
+  for (const auto& arguments : inquiries)
+    if (arguments[0] != "schema" && arguments[0] != "completion")
+      EXPECT_LE(longest_line(plastron(arguments, scratch.path).output), 120u)
+          << arguments[0] << " " << arguments.back();
+}
+
+TEST(UnknownCommands, AreAnsweredWithTheNearest) {
+  const Scratch scratch;
+  const Outcome outcome = plastron({"verfy"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("did you mean \"verify\"?"), HasSubstr("completion")));
+}
+
+}  // namespace
+}  // namespace plastron::cli
