@@ -15,6 +15,7 @@ struct Options {
   std::filesystem::path output;
   bool quiet = false;               ///< print errors only
   int threads = 0;                  ///< of each process; 0: as many as the work is worth
+  bool without_report = false;      ///< run: no report.html
   bool solvers = false;             ///< compare: contact solvers in place of formulations
   std::filesystem::path results{};  ///< verify: the directory that run wrote to
   std::filesystem::path files{};    ///< verify: where the files are that the case names; empty: where it was run

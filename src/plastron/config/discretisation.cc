@@ -52,4 +52,12 @@ void read_solver(Table& root, computation::Problem& problem) {
   root.effective["solver"] = solver->effective;
 }
 
+bool read_output(Table& root) {
+  auto output = root.table("output");
+  if (!output) return true;
+  const bool wants_report = output->boolean("report").value_or(true);
+  root.effective["output"] = output->effective;
+  return wants_report;
+}
+
 }  // namespace plastron::config

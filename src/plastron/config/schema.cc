@@ -35,7 +35,8 @@ Section file_section() {
        {.name = "step", .kind = Kind::tables, .fallback = "[]", .meaning = "loads and obstacles that change in steps"},
        {.name = "probe", .kind = Kind::tables, .fallback = "[]", .meaning = "points where results are wanted"},
        {.name = "contact", .kind = Kind::table, .fallback = "{}", .meaning = "the contact solver"},
-       {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"}}};
+       {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"},
+       {.name = "output", .kind = Kind::table, .fallback = "{}", .meaning = "what is written"}}};
 }
 
 Section constants_section() {
@@ -210,6 +211,16 @@ Section solver_section() {
             .meaning = "a multiplier counts as negative beyond this multiple of the largest one"}}};
 }
 
+Section output_section() {
+  return {"output",
+          "[output]",
+          "What `plastron run` writes.",
+          {{.name = "report",
+            .kind = Kind::boolean,
+            .fallback = "true",
+            .meaning = "report.html, a page with tables, plots and the shell in three dimensions; --no-report refuses it, too"}}};
+}
+
 std::vector<Section> all_sections() {
   std::vector<Section> all{file_section(), constants_section()};
   const auto append = [&](std::vector<Section> more) { all.insert(all.end(), more.begin(), more.end()); };
@@ -218,7 +229,7 @@ std::vector<Section> all_sections() {
   append({mesh_section(), join_section(), support_section(), load_section()});
   append(obstacle_sections());
   append(step_sections());
-  append({probe_section(), contact_section(), solver_section()});
+  append({probe_section(), contact_section(), solver_section(), output_section()});
   return all;
 }
 

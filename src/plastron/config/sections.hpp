@@ -23,6 +23,8 @@ void read_charts(Table& geometry, const fem::Domain& domain, computation::Proble
 void read_mesh(Table& root, computation::Problem& problem);
 void read_contact(Table& root, computation::Problem& problem);
 void read_solver(Table& root, computation::Problem& problem);
+/// Whether a report is wanted.
+bool read_output(Table& root);
 void read_joins(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_loads(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);

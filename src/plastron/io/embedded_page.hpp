@@ -1,0 +1,15 @@
+// The parts of report.html that no computation changes, linked into the program (cmake/PlastronViewer.cmake): page and style from
+// viewer/src as they are, the script bundled from viewer/src with vtk.js.
+#pragma once
+#include <string_view>
+
+namespace plastron::io {
+
+struct EmbeddedPage {
+  std::string_view page;    ///< HTML with places {{title}}, {{style}}, {{content}}, {{results}}, {{scene}}, {{script}}
+  std::string_view style;   ///< CSS
+  std::string_view script;  ///< the three-dimensional view; empty where Plastron was built with PLASTRON_VIEWER=OFF
+};
+EmbeddedPage embedded_page();
+
+}  // namespace plastron::io
