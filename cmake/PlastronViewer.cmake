@@ -3,6 +3,8 @@
 # viewer/package-lock.json has changed, esbuild when a source has. The packages stand in the build tree, so a second build needs no network.
 option(PLASTRON_VIEWER "The three-dimensional view of report.html; needs npm to build" ON)
 enable_language(ASM)
+# Packages are taken as the lock file says, by their hashes, and run nothing when they are installed.
+set(plastron_npm_options --no-audit --no-fund --no-progress --prefer-offline --ignore-scripts --silent)
 
 function(plastron_bundle_viewer script)
   find_program(PLASTRON_NPM npm)
@@ -18,11 +20,11 @@ function(plastron_bundle_viewer script)
   file(MAKE_DIRECTORY ${build})
   add_custom_command(OUTPUT ${installed}
                      COMMAND ${CMAKE_COMMAND} -E copy ${viewer}/package.json ${viewer}/package-lock.json ${build}
-                     COMMAND ${PLASTRON_NPM} ci --no-audit --no-fund --no-progress --prefer-offline --ignore-scripts --omit=dev --omit=peer --silent
+                     COMMAND ${PLASTRON_NPM} ci ${plastron_npm_options} --omit=peer
                      COMMAND ${CMAKE_COMMAND} -E touch ${installed}
                      DEPENDS ${viewer}/package.json ${viewer}/package-lock.json
                      WORKING_DIRECTORY ${build} COMMENT "Installing vtk.js and esbuild for report.html (npm ci)" VERBATIM)
-  add_custom_command(OUTPUT ${script}
+  add_custom_command(OUTPUT ${script} ${script}.source
                      COMMAND ${PLASTRON_NODE} ${viewer}/build.mjs ${build} ${script}
                      DEPENDS ${installed} ${viewer}/build.mjs ${sources} WORKING_DIRECTORY ${build} COMMENT "Bundling the view of report.html" VERBATIM)
 endfunction()
@@ -36,9 +38,10 @@ function(plastron_embed_page target)
   else()
     set(plastron_script ${PROJECT_BINARY_DIR}/viewer/none.js)
     file(WRITE ${plastron_script} "")
+    file(WRITE ${plastron_script}.source "'none'")
   endif()
   set(assembly ${PROJECT_BINARY_DIR}/viewer/embedded_page.S)
   configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embedded_page.S.in ${assembly} @ONLY)
-  set_source_files_properties(${assembly} PROPERTIES OBJECT_DEPENDS "${plastron_page};${plastron_style};${plastron_script}")
+  set_source_files_properties(${assembly} PROPERTIES OBJECT_DEPENDS "${plastron_page};${plastron_style};${plastron_script};${plastron_script}.source")
   target_sources(${target} PRIVATE ${assembly})
 endfunction()

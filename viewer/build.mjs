@@ -1,6 +1,7 @@
 // node build.mjs PACKAGES OUTPUT: bundles src/main.js with what of vtk.js it imports from PACKAGES/node_modules into one script, headed by the
-// licences of the packages that are in it.
-import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+// licences of the packages that are in it. OUTPUT.source is what the page's policy says of it: browsers run no other script.
+import { createHash } from 'node:crypto';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -42,4 +43,6 @@ const inside = Object.entries(Object.values(result.metafile.outputs)[0].inputs)
 const licences = [...new Set(inside)].sort().map(licenceOf).join('\n\n---\n\n');
 const banner = `/*! Plastron's view of a deformed shell (GPL-3.0-or-later), with parts of:\n\n${licences}\n*/\n`;
 if (/<\/script|\*\/[^]*\*\//i.test(banner)) throw new Error('a licence cannot stand in a comment of a page');
-writeFileSync(output, banner + result.outputFiles[0].text);
+const script = (banner + result.outputFiles[0].text).replaceAll('\r\n', '\n'); // a page's parser does the same
+writeFileSync(output, script);
+writeFileSync(`${output}.source`, `'sha256-${createHash('sha256').update(script).digest('base64')}'`);

@@ -101,13 +101,13 @@ export class View {
     this.obstacles = scene.obstacles.map((o) => {
       const polys = new Uint32Array((o.triangles.length / 3) * 4);
       for (let t = 0; 3 * t < o.triangles.length; ++t) polys.set([3, ...o.triangles.subarray(3 * t, 3 * t + 3)], 4 * t);
-      return layer(renderer, o.points, { polys }, { opacity: 0.3, ambient: 0.6, diffuse: 0.4 });
+      return layer(renderer, o.points, { polys }, { opacity: 0.26, ambient: 0.6, diffuse: 0.4 });
     });
     this.ghost = layer(renderer, scene.position, { lines: cells.lines }, { ...flat, opacity: 0.45 });
     this.shell = layer(renderer, this.points, { polys: cells.polys }, { ambient: 0.5, diffuse: 0.5, specular: 0.08, specularPower: 20 });
-    this.edges = layer(renderer, this.points, { lines: cells.lines }, { ...flat, opacity: 0.35 });
+    this.edges = layer(renderer, this.points, { lines: cells.lines }, { ...flat, color: [1, 1, 1], opacity: 0.3 });
     this.contact = layer(renderer, new Float32Array(0), { polys: new Uint32Array(0) }, { ...flat });
-    this.mark = sphere(renderer, [1, 0.3, 0.1]);
+    this.mark = sphere(renderer, [1, 1, 1]);
     this.mark.actor.setVisibility(false);
     this.shell.mapper.setColorModeToDirectScalars();
     this.shell.mapper.setScalarVisibility(true);
@@ -118,8 +118,8 @@ export class View {
     this.renderer.setBackground(...theme.background);
     this.obstacles.forEach((o) => o.actor.getProperty().setColor(...theme.obstacle));
     this.ghost.actor.getProperty().setColor(...theme.line);
-    this.edges.actor.getProperty().setColor(...theme.line);
     this.contact.actor.getProperty().setColor(...theme.contact);
+    this.mark.actor.getProperty().setColor(...theme.line);
     this.render();
   }
 
@@ -213,12 +213,12 @@ export class View {
     this.renderWindow.render();
   }
 
-  /** Calls action([right, up, back]) with the camera's directions, now and whenever they change. */
+  /** Calls action([right, up]) with the camera's directions, now and whenever they change. */
   onTurn(action) {
     const camera = this.renderer.getActiveCamera();
     const tell = () => {
-      const m = camera.getViewMatrix(); // by columns of the transposed: rows are right, up, back
-      action([0, 1, 2].map((k) => [m[k], m[4 + k], m[8 + k]]));
+      const m = camera.getViewMatrix(); // row by row
+      action([m.slice(0, 3), m.slice(4, 7)]);
     };
     camera.onModified(tell);
     tell();

@@ -7,6 +7,7 @@ extern "C" {
 extern const char plastron_page_begin[], plastron_page_end[];
 extern const char plastron_style_begin[], plastron_style_end[];
 extern const char plastron_script_begin[], plastron_script_end[];
+extern const char plastron_script_source_begin[], plastron_script_source_end[];
 }
 
 namespace plastron::io {
@@ -20,7 +21,8 @@ std::string_view between(const char* begin, const char* end) { return {begin, st
 EmbeddedPage embedded_page() {
   return {.page = between(plastron_page_begin, plastron_page_end),
           .style = between(plastron_style_begin, plastron_style_end),
-          .script = between(plastron_script_begin, plastron_script_end)};
+          .script = between(plastron_script_begin, plastron_script_end),
+          .script_source = between(plastron_script_source_begin, plastron_script_source_end)};
 }
 
 }  // namespace plastron::io

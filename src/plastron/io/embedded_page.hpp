@@ -6,9 +6,10 @@
 namespace plastron::io {
 
 struct EmbeddedPage {
-  std::string_view page;    ///< HTML with places {{title}}, {{style}}, {{content}}, {{results}}, {{scene}}, {{script}}
+  std::string_view page;    ///< HTML with places {{...}} that report_html() fills
   std::string_view style;   ///< CSS
   std::string_view script;  ///< the three-dimensional view; empty where Plastron was built with PLASTRON_VIEWER=OFF
+  std::string_view script_source;  ///< how the page's policy names it, by its hash; 'none' without
 };
 EmbeddedPage embedded_page();
 

@@ -59,6 +59,7 @@ std::string report_html(const computation::Result& result, const Json& results, 
                              {"content", content_html(result, results, scene, !parts.script.empty())},
                              {"results", script_json(results)},
                              {"scene", script_json(parts.script.empty() ? Json(nullptr) : scene)},
+                             {"script_source", std::string(parts.script_source)},
                              {"script", std::string(parts.script)}});
 }
 

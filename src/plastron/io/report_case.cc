@@ -4,7 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <initializer_list>
 
 namespace plastron::io {
 

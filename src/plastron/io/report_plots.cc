@@ -36,7 +36,7 @@ study::Series change(const computation::Result& result, std::string label, Value
   return series;
 }
 
-study::Plot changes(const computation::Result& result, bool has_contact) {
+study::Plot change_to_finest(const computation::Result& result, bool has_contact) {
   study::Plot plot{.title = "Change to the finest mesh",
                    .x = {"unknowns", true},
                    .y = {"|value / finest - 1|", true}};
@@ -79,7 +79,7 @@ std::vector<study::Plot> report_plots(const computation::Result& result) {
                                 [](const Level& l) { return l.active; }));
     plots.back().y.is_log = true;
   }
-  if (result.levels.size() > 2) plots.push_back(changes(result, has_contact));
+  if (result.levels.size() > 2) plots.push_back(change_to_finest(result, has_contact));
   return plots;
 }
 
