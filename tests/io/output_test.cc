@@ -20,8 +20,8 @@ using testing::UnorderedElementsAre;
 using testing::UnorderedElementsAreArray;
 
 /// What a run with contact leaves.
-const std::vector<std::string> all_files{"results.json",        "solution.vtu",      "obstacles.vtu",
-                                         "solution.pvd",        "solution.plastron", "contact-boundary.csv",
+const std::vector<std::string> all_files{"results.json",         "solution.vtu",      "obstacles.vtu",
+                                         "solution.pvd",         "solution.plastron", "contact-boundary.csv",
                                          "contact-boundary.vtu", "report.html"};
 
 TEST(Output, of_a_solved_problem_is_files_that_agree) {

@@ -16,11 +16,13 @@ export function button(label, title, action) {
   return node;
 }
 
-export function checkbox(label, isChecked, action) {
+/** `sample`: a colour of the page that stands for what the box shows. */
+export function checkbox(label, isChecked, action, sample) {
   const box = element('input', { type: 'checkbox' });
   box.checked = isChecked;
   box.addEventListener('change', () => action(box.checked));
-  return element('label', { class: 'check' }, box, ` ${label}`);
+  const swatch = sample ? [' ', element('span', { class: 'swatch', style: `background: var(${sample})` })] : [];
+  return element('label', { class: 'check' }, box, ...swatch, ` ${label}`);
 }
 
 /** A drop-down list of [{id, group, label}]. */

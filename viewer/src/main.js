@@ -91,10 +91,10 @@ function start(place, scene) {
     slider.node,
   );
   const layers = [['mesh', 'edges', true], ['undeformed', 'ghost', false]];
-  if (scene.obstacles.length > 0) layers.push(['obstacles', 'obstacles', true]);
-  if (scene.lines.length > 0) layers.push(['contact boundary', 'contact', true]);
-  for (const [label, name, isVisible] of layers) {
-    actions.append(checkbox(label, isVisible, (is) => view.show(name, is)));
+  if (scene.obstacles.length > 0) layers.push(['obstacles', 'obstacles', true, '--obstacle']);
+  if (scene.lines.length > 0) layers.push(['contact boundary', 'contact', true, '--contact']);
+  for (const [label, name, isVisible, sample] of layers) {
+    actions.append(checkbox(label, isVisible, (is) => view.show(name, is), sample));
     view.show(name, isVisible);
   }
   actions.append(element('span', { class: 'gap' }), button('Reset view', 'The first view again (key 0)', reset));

@@ -212,13 +212,15 @@ Section solver_section() {
 }
 
 Section output_section() {
-  return {"output",
-          "[output]",
-          "What `plastron run` writes.",
-          {{.name = "report",
-            .kind = Kind::boolean,
-            .fallback = "true",
-            .meaning = "report.html, a page with tables, plots and the shell in three dimensions; --no-report refuses it, too"}}};
+  return {
+      "output",
+      "[output]",
+      "What `plastron run` writes.",
+      {{.name = "report",
+        .kind = Kind::boolean,
+        .fallback = "true",
+        .meaning =
+            "report.html, a page with tables, plots and the shell in three dimensions; --no-report refuses it, too"}}};
 }
 
 std::vector<Section> all_sections() {

@@ -24,10 +24,25 @@ struct Page {
 
 Page page_of(const study::Plot& plot, PlotLayout layout) {
   if (layout == PlotLayout::wide)
-    return {.width = 920, .height = 500, .left = 84, .right = 590, .top = 48, .bottom = 436, .legend_left = 616, .legend_top = 56};
+    return {.width = 920,
+            .height = 500,
+            .left = 84,
+            .right = 590,
+            .top = 48,
+            .bottom = 436,
+            .legend_left = 616,
+            .legend_top = 56};
   constexpr double legend_top = 346, slope = 74;
-  const double entries = legend_line * static_cast<double>(plot.series.size()) + slope * static_cast<double>(plot.slopes.size());
-  return {.width = 460, .height = legend_top + entries, .left = 84, .right = 444, .top = 44, .bottom = 276, .legend_left = 84, .legend_top = legend_top};
+  const double entries =
+      legend_line * static_cast<double>(plot.series.size()) + slope * static_cast<double>(plot.slopes.size());
+  return {.width = 460,
+          .height = legend_top + entries,
+          .left = 84,
+          .right = 444,
+          .top = 44,
+          .bottom = 276,
+          .legend_left = 84,
+          .legend_top = legend_top};
 }
 
 /// Colours that people with any colour vision can tell apart (Okabe and Ito), for light and for dark pages.
@@ -102,8 +117,8 @@ class Drawing {
         "role=\"img\">\n<title>{2}</title>\n{3}<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n",
         page_.width, page_.height, escaped(plot_.title), style());
     axes();
-    put("<clipPath id=\"area\"><rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/></clipPath>\n", page_.left - 6,
-        page_.top - 6, page_.right - page_.left + 12, page_.bottom - page_.top + 12);
+    put("<clipPath id=\"area\"><rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/></clipPath>\n",
+        page_.left - 6, page_.top - 6, page_.right - page_.left + 12, page_.bottom - page_.top + 12);
     put("<g clip-path=\"url(#area)\">\n");
     for (std::size_t i = 0; i < plot_.series.size(); ++i) draw(i);
     put("</g>\n");
@@ -133,21 +148,25 @@ class Drawing {
   void axes() {
     for (const Tick& t : x_.ticks()) {
       const double x = x_.position(t.value);
-      put("<path class=\"{}\" d=\"M{:.2f} {:g} V{:g}\"/>\n", t.label.empty() ? "minor" : "grid", x, page_.top, page_.bottom);
-      put("<text class=\"tick\" x=\"{:.2f}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", x, page_.bottom + 19, t.label);
+      put("<path class=\"{}\" d=\"M{:.2f} {:g} V{:g}\"/>\n", t.label.empty() ? "minor" : "grid", x, page_.top,
+          page_.bottom);
+      put("<text class=\"tick\" x=\"{:.2f}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", x, page_.bottom + 19,
+          t.label);
     }
     for (const Tick& t : y_.ticks()) {
       const double y = y_.position(t.value);
-      put("<path class=\"{}\" d=\"M{:g} {:.2f} H{:g}\"/>\n", t.label.empty() ? "minor" : "grid", page_.left, y, page_.right);
-      put("<text class=\"tick\" x=\"{:g}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n", page_.left - 8, y + 4, t.label);
+      put("<path class=\"{}\" d=\"M{:g} {:.2f} H{:g}\"/>\n", t.label.empty() ? "minor" : "grid", page_.left, y,
+          page_.right);
+      put("<text class=\"tick\" x=\"{:g}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n", page_.left - 8, y + 4,
+          t.label);
     }
-    put("<rect class=\"frame\" x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/>\n", page_.left, page_.top, page_.right - page_.left,
-        page_.bottom - page_.top);
+    put("<rect class=\"frame\" x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/>\n", page_.left, page_.top,
+        page_.right - page_.left, page_.bottom - page_.top);
     put("<text class=\"title\" x=\"{:g}\" y=\"{:g}\">{}</text>\n", page_.left, page_.top - 18, escaped(plot_.title));
-    put("<text x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", (page_.left + page_.right) / 2, page_.bottom + 46,
-        escaped(plot_.x.label));
-    put("<text transform=\"translate(22 {:g}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", (page_.top + page_.bottom) / 2,
-        escaped(plot_.y.label));
+    put("<text x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", (page_.left + page_.right) / 2,
+        page_.bottom + 46, escaped(plot_.x.label));
+    put("<text transform=\"translate(22 {:g}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+        (page_.top + page_.bottom) / 2, escaped(plot_.y.label));
   }
 
   /// Triangles beside the plot that have the slopes of y ~ x^exponent on its axes. Returns the lower end.
@@ -158,8 +177,8 @@ class Drawing {
     for (const study::ReferenceSlope& s : plot_.slopes) {
       const double run = std::min(largest, largest / std::abs(s.exponent * steepness));
       const double rise = s.exponent * steepness * run;
-      put("<path class=\"slope\" d=\"M{:.2f} {:.2f} h{:.2f} v{:.2f} z\"/>\n", page_.legend_left, y + std::abs(rise), run,
-          -rise);
+      put("<path class=\"slope\" d=\"M{:.2f} {:.2f} h{:.2f} v{:.2f} z\"/>\n", page_.legend_left, y + std::abs(rise),
+          run, -rise);
       put("<text class=\"slope-label\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", page_.legend_left + run + 8,
           y + std::abs(rise) / 2 + 4, escaped(s.label));
       y += std::abs(rise) + 18;
@@ -186,8 +205,8 @@ class Drawing {
     for (std::size_t i = 0; i < plot_.series.size(); ++i, y += legend_line) {
       const study::Series& s = plot_.series[i];
       if (s.with_line)
-        put("<path class=\"line c{}\"{} d=\"M{:g} {:g} h28\"/>\n", i % colours.size(), dashes(s.dashed), page_.legend_left,
-            y);
+        put("<path class=\"line c{}\"{} d=\"M{:g} {:g} h28\"/>\n", i % colours.size(), dashes(s.dashed),
+            page_.legend_left, y);
       if (s.with_markers) put("{}", marker(i, page_.legend_left + 14, y, s.dashed));
       put("<text x=\"{:g}\" y=\"{:g}\">{}</text>\n", page_.legend_left + 38, y + 4.5, escaped(s.label));
     }

@@ -14,14 +14,26 @@ namespace plastron::io {
 
 namespace {
 
-std::string view_html(const Json& scene, bool has_script) {
+/// With steps: which instant is drawn.
+std::string instant_html(const Json& results) {
+  const Json& history = at_path(results, "history");
+  if (history.empty()) return "";
+  return fmt::format("<p class=\"note\">At the end of step {}, time {}. All instants are in solution.pvd.</p>\n",
+                     html_text(plain_words(history.back()["step"])), html_number(history.back()["time"]));
+}
+
+std::string view_html(const Json& results, const Json& scene, bool has_script) {
   if (!has_script)
-    return "<p class=\"note\">This Plastron was built without the three-dimensional view (PLASTRON_VIEWER=OFF). Open solution.pvd in "
+    return "<p class=\"note\">This Plastron was built without the three-dimensional view (PLASTRON_VIEWER=OFF). Open "
+           "solution.pvd in "
            "ParaView.</p>\n";
   if (scene.is_null())
-    return "<p class=\"note\">There is no surface to draw: nothing was solved, it is not finite, or its coarsest mesh alone has more points "
+    return "<p class=\"note\">There is no surface to draw: nothing was solved, it is not finite, or its coarsest mesh "
+           "alone has more points "
            "than a page can hold. In the last case open solution.pvd in ParaView.</p>\n";
-  return "<div id=\"view\"><noscript><p class=\"note\">The three-dimensional view needs JavaScript; everything else on this page does "
+  return instant_html(results) +
+         "<div id=\"view\"><noscript><p class=\"note\">The three-dimensional view needs JavaScript; everything else on "
+         "this page does "
          "not.</p></noscript></div>\n";
 }
 
@@ -29,15 +41,15 @@ std::string view_html(const Json& scene, bool has_script) {
 std::string plots_html(const computation::Result& result) {
   std::string html;
   for (const study::Plot& plot : report_plots(result))
-    html += fmt::format("<img class=\"plot\" alt=\"{}: {} over {}\" src=\"data:image/svg+xml;base64,{}\">\n", html_text(valid_utf8(plot.title)),
-                        html_text(valid_utf8(plot.y.label)), html_text(valid_utf8(plot.x.label)),
-                        base64(valid_utf8(svg_text(plot, PlotLayout::narrow))));
+    html += fmt::format("<img class=\"plot\" alt=\"{}: {} over {}\" src=\"data:image/svg+xml;base64,{}\">\n",
+                        html_text(valid_utf8(plot.title)), html_text(valid_utf8(plot.y.label)),
+                        html_text(valid_utf8(plot.x.label)), base64(valid_utf8(svg_text(plot, PlotLayout::narrow))));
   return html.empty() ? "" : "<div class=\"plots\">\n" + html + "</div>\n";
 }
 
 std::string content_html(const computation::Result& result, const Json& results, const Json& scene, bool has_script) {
-  return verdict_html(results) + html_section("warnings", "Warnings", warnings_html(results)) + key_numbers_html(results) +
-         html_section("shell", "Deformed shell", view_html(scene, has_script)) +
+  return verdict_html(results) + html_section("warnings", "Warnings", warnings_html(results)) +
+         key_numbers_html(results) + html_section("shell", "Deformed shell", view_html(results, scene, has_script)) +
          html_section("case", "The case", case_html(at_path(results, "settings"))) +
          html_section("balance", "Forces and moments", balance_html(results)) +
          html_section("contact", "Contact zones", contact_html(results)) +

@@ -95,9 +95,12 @@ std::string geometry_html(const Json& geometry) {
   const Json& domain = at_path(geometry, "domain");
   if (domain.is_object())
     for (const auto& [shape, values] : domain.items())
-      html += "<div>domain: " + html_text(shape) + (values.is_object() ? " (" + html_text(described(values)) + ")" : " " + html_text(plain_words(values))) + "</div>";
+      html += "<div>domain: " + html_text(shape) +
+              (values.is_object() ? " (" + html_text(described(values)) + ")" : " " + html_text(plain_words(values))) +
+              "</div>";
   for (const auto& [key, value] : geometry.items())
-    if (key != "domain" && !says_nothing(value)) html += "<div>" + html_text(key) + ": <code>" + html_text(plain_words(value)) + "</code></div>";
+    if (key != "domain" && !says_nothing(value))
+      html += "<div>" + html_text(key) + ": <code>" + html_text(plain_words(value)) + "</code></div>";
   return html;
 }
 

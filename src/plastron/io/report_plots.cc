@@ -37,9 +37,7 @@ study::Series change(const computation::Result& result, std::string label, Value
 }
 
 study::Plot change_to_finest(const computation::Result& result, bool has_contact) {
-  study::Plot plot{.title = "Change to the finest mesh",
-                   .x = {"unknowns", true},
-                   .y = {"|value / finest - 1|", true}};
+  study::Plot plot{.title = "Change to the finest mesh", .x = {"unknowns", true}, .y = {"|value / finest - 1|", true}};
   plot.series.push_back(change(result, "energy", [](const Level& l) { return l.energy; }));
   if (has_contact) {
     plot.series.push_back(change(result, "reaction", [](const Level& l) { return l.reaction; }));
@@ -62,14 +60,14 @@ study::Plot contact_history(const computation::Result& result) {
 
 std::vector<study::Plot> report_plots(const computation::Result& result) {
   std::vector<study::Plot> plots;
-  const bool has_contact =
-      std::ranges::any_of(result.levels, [](const Level& l) { return l.active > 0; });
+  const bool has_contact = std::ranges::any_of(result.levels, [](const Level& l) { return l.active > 0; });
   if (!result.history.empty() && result.has_obstacle) {
     plots.push_back(history_plot(result));
     plots.push_back(contact_history(result));
   }
   if (result.levels.size() < 2) return plots;
-  plots.push_back(over_meshes(result, "Energy by mesh", "stored energy [J]", "energy", [](const Level& l) { return l.energy; }));
+  plots.push_back(
+      over_meshes(result, "Energy by mesh", "stored energy [J]", "energy", [](const Level& l) { return l.energy; }));
   if (has_contact) {
     plots.push_back(over_meshes(result, "Reaction by mesh", "|force of the obstacles| [N]", "reaction",
                                 [](const Level& l) { return l.reaction; }));

@@ -22,8 +22,7 @@ std::string array_text(const std::vector<Number>& values) {
 }
 
 Json row_json(const std::vector<float>& row) {
-  const bool is_constant =
-      !row.empty() && std::ranges::all_of(row, [&](float value) { return value == row.front(); });
+  const bool is_constant = !row.empty() && std::ranges::all_of(row, [&](float value) { return value == row.front(); });
   return is_constant ? number(row.front()) : Json(array_text(row));
 }
 
@@ -62,7 +61,8 @@ Json obstacles_json(const assembly::RigidObstacles& obstacles, const obstacle::E
   Json list = Json::array();
   const auto all = drawn_obstacles(obstacles, extent);
   for (const DrawnObstacle& drawn : all)
-    list.push_back(obstacle_json(thinned_surface(drawn.surface, most_triangles / all.size()), summary.obstacles.at(drawn.number).name));
+    list.push_back(obstacle_json(thinned_surface(drawn.surface, most_triangles / all.size()),
+                                 summary.obstacles.at(drawn.number).name));
   return list;
 }
 

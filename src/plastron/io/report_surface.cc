@@ -33,8 +33,9 @@ Block block_of(const fem::Cell& cell, fem::Shape shape, int merged) {
   const Eigen::Vector2d low(std::floor(middle[0]), std::floor(middle[1]));
   const bool is_turned = shape == fem::Shape::triangle && (middle - low).sum() > 1;
   const Eigen::Vector2d corner = is_turned ? (low + Eigen::Vector2d::Ones()).eval() : low;
-  return {{cell.coarse, static_cast<std::int64_t>(low[1]), 2 * static_cast<std::int64_t>(low[0]) + (is_turned ? 1 : 0), 0},
-          {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
+  return {
+      {cell.coarse, static_cast<std::int64_t>(low[1]), 2 * static_cast<std::int64_t>(low[0]) + (is_turned ? 1 : 0), 0},
+      {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
 }
 
 /// Whether corner k of the cell is that of its block.
@@ -52,7 +53,8 @@ void append(const certificate::PointValues& point, const std::vector<Field>& fie
 }
 
 /// The points that cells of this rank contribute.
-PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn, const std::vector<Field>& fields) {
+PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn,
+                        const std::vector<Field>& fields) {
   const fem::Space& space = solution.discrete->space();
   const fem::Shape shape = space.shape();
   PointRecords records;
@@ -132,8 +134,7 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
   const MPI_Comm comm = space.layout->comm;
   SampledSurface surface;
   surface.fields = fields_of(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
-  surface.cells =
-      drawn_cells(space.shape(), space.degree, space.global_cells, refinement_levels(space), most_points);
+  surface.cells = drawn_cells(space.shape(), space.degree, space.global_cells, refinement_levels(space), most_points);
   if (surface.cells.count == 0) return surface;
   surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);
   const PointRecords mine =

@@ -11,8 +11,8 @@ namespace plastron::io {
 
 /// Cells that are drawn, which may be blocks of the mesh's own.
 struct DrawnCells {
-  int subdivisions = 1;  ///< lattice of points in each: fem::lattice
-  int merged_levels = 0;  ///< a drawn cell is a block of 2^merged_levels cells a side, back in their coarse cell
+  int subdivisions = 1;    ///< lattice of points in each: fem::lattice
+  int merged_levels = 0;   ///< a drawn cell is a block of 2^merged_levels cells a side, back in their coarse cell
   std::int64_t count = 0;  ///< 0: the page cannot hold the surface
 };
 
@@ -24,7 +24,8 @@ struct SampledSurface {
   DrawnCells cells;
   std::int64_t points = 0;
   std::vector<Field> fields{};  ///< those that have a meaning here
-  std::vector<std::vector<float>> rows{};  ///< a row for each component of each field, a value for each point; on the first rank only
+  std::vector<std::vector<float>>
+      rows{};  ///< a row for each component of each field, a value for each point; on the first rank only
 };
 
 /// Cells stand in an order that no number of ranks changes (collective). Throws what the chart throws at points between nodes, on all ranks

@@ -53,8 +53,10 @@ double scale_of(const Json& results, const std::vector<Carrier>& all, const char
 }
 
 std::string tile(std::string_view label, const std::string& value, std::string_view unit) {
-  return fmt::format("<div class=\"tile\"><div class=\"label\">{}</div><div class=\"value\">{} <span class=\"unit\">{}</span></div></div>\n",
-                     html_text(label), value, unit == "1" ? "" : html_text(unit));
+  return fmt::format(
+      "<div class=\"tile\"><div class=\"label\">{}</div><div class=\"value\">{} <span "
+      "class=\"unit\">{}</span></div></div>\n",
+      html_text(label), value, unit == "1" ? "" : html_text(unit));
 }
 
 /// How an axis of a history or a mesh is told: a label and the place in each record.
@@ -82,7 +84,8 @@ std::string records_html(const Json& results, std::string_view path, std::initia
 std::string limit_html(const Json& limit, const std::string& path) {
   const bool is_least = limit.contains("at_least");
   const std::string_view key = is_least ? "at_least" : "at_most";
-  return fmt::format("{} {}", is_least ? "&ge;" : "&le;", html_number(limit[std::string(key)], fmt::format("{}/{}", path, key)));
+  return fmt::format("{} {}", is_least ? "&ge;" : "&le;",
+                     html_number(limit[std::string(key)], fmt::format("{}/{}", path, key)));
 }
 
 }  // namespace
@@ -93,7 +96,8 @@ std::string verdict_html(const Json& results) {
   const auto kept = std::ranges::count_if(limits, [](const Json& limit) { return limit["holds"] == Json(true); });
   const bool is_good = status == "solved" && kept == static_cast<std::ptrdiff_t>(limits.size());
   return fmt::format(
-      "<div class=\"verdict {}\" role=\"status\"><span class=\"sign\" aria-hidden=\"true\">{}</span><div><strong data-path=\"status\">{}</strong> {}<br>\n"
+      "<div class=\"verdict {}\" role=\"status\"><span class=\"sign\" aria-hidden=\"true\">{}</span><div><strong "
+      "data-path=\"status\">{}</strong> {}<br>\n"
       "<a href=\"#certificate\">Certificate</a>: {} of {} rows keep their limits.</div></div>\n",
       is_good ? "good" : "bad", is_good ? "&#10003;" : "!", html_text(status),
       html_text(plain_words(at_path(results, "status_text"))), kept, limits.size());
@@ -147,7 +151,8 @@ std::string balance_html(const Json& results) {
     }
   table.row(sums, "sum");
   return table.text() +
-         "<p class=\"note\">What acts on the shell; moments about the origin. Muted numbers are rounding beside the largest of "
+         "<p class=\"note\">What acts on the shell; moments about the origin. Muted numbers are rounding beside the "
+         "largest of "
          "their kind. The sum of moments is as good as the mesh on curved shells.</p>\n";
 }
 
@@ -195,32 +200,39 @@ std::string certificate_html(const Json& results) {
     const std::string row(quantity.path), path = "certificate/" + row, limit_path = "certificate_limits/" + row;
     const Json& limit = at_path(results, limit_path);
     const bool holds = !limit.is_null() && limit["holds"] == Json(true);
-    const std::string meaning = html_text(quantity.meaning), unit = html_text(quantity.unit == "1" ? "" : quantity.unit);
+    const std::string meaning = html_text(quantity.meaning),
+                      unit = html_text(quantity.unit == "1" ? "" : quantity.unit);
     const std::string name = fmt::format("<abbr title=\"{}\">{}</abbr>", meaning, html_text(row));
     const std::string value = html_number(at_path(results, path), path);
     if (limit.is_null())
       table.row({name, value, "", unit, "", meaning});
     else
-      table.row({name, value, limit_html(limit, limit_path), unit, holds ? "&#10003; holds" : "<strong>&#10007; missed</strong>",
-                 html_text(plain_words(limit["reason"]))},
-                holds ? "" : "missed");
+      table.row(
+          {name, value, limit_html(limit, limit_path), unit,
+           holds ? "&#10003; holds" : "<strong>&#10007; missed</strong>", html_text(plain_words(limit["reason"]))},
+          holds ? "" : "missed");
   }
-  return table.text() + "<p class=\"note\">Recomputed from displacements alone, without the solver. <code>plastron verify</code> does it again from the files.</p>\n";
+  return table.text() +
+         "<p class=\"note\">Recomputed from displacements alone, without the solver. <code>plastron verify</code> does "
+         "it again from the files.</p>\n";
 }
 
 std::string levels_html(const Json& results) {
   if (at_path(results, "levels").empty()) return "";
   return records_html(results, "levels",
-                      {"mesh", "cells", "unknowns", "steps", "energy [J]", "reaction [N]", "touching nodes", "contact area [m^2]",
-                       "smallest gap [m]", "time [s]"},
-                      {"", "cells", "unknowns", "iterations", "energy", "reaction", "active", "contact_area", "min_gap", "seconds/total"});
+                      {"mesh", "cells", "unknowns", "steps", "energy [J]", "reaction [N]", "touching nodes",
+                       "contact area [m^2]", "smallest gap [m]", "time [s]"},
+                      {"", "cells", "unknowns", "iterations", "energy", "reaction", "active", "contact_area", "min_gap",
+                       "seconds/total"});
 }
 
 std::string history_html(const Json& results) {
   if (at_path(results, "history").empty()) return "";
-  return records_html(results, "history",
-                      {"<step", "time", "load factor", "energy [J]", "largest |u| [m]", "contact area [m^2]", "largest pressure [Pa]", "<status"},
-                      {"step", "time", "load_factor", "energy", "max_displacement", "contact_area", "max_pressure", "status"});
+  return records_html(
+      results, "history",
+      {"<step", "time", "load factor", "energy [J]", "largest |u| [m]", "contact area [m^2]", "largest pressure [Pa]",
+       "<status"},
+      {"step", "time", "load_factor", "energy", "max_displacement", "contact_area", "max_pressure", "status"});
 }
 
 std::string files_html(const Json& results) {

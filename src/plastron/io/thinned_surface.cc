@@ -18,9 +18,9 @@ TriangleMesh clustered(const TriangleMesh& surface, const Vector3d& low, double 
   std::vector<int> number;
   for (const Vector3d& p : surface.points) {
     const Vector3d place = (p - low) / box;
-    const auto [entry, is_new] =
-        number_of.try_emplace({std::llround(std::floor(place[0])), std::llround(std::floor(place[1])), std::llround(std::floor(place[2]))},
-                              static_cast<int>(result.points.size()));
+    const auto [entry, is_new] = number_of.try_emplace(
+        {std::llround(std::floor(place[0])), std::llround(std::floor(place[1])), std::llround(std::floor(place[2]))},
+        static_cast<int>(result.points.size()));
     if (is_new) result.points.push_back(p);
     number.push_back(entry->second);
   }
