@@ -17,8 +17,13 @@ if (!chromiumPath) {
 }
 const { chromium } = createRequire(join(packages, 'package.json'))('playwright-core');
 
+const run = (...more) => execFileSync(program, ['run', join(here, 'case.toml'), '--quiet', '--output', output, ...more], { stdio: 'inherit' });
 rmSync(output, { recursive: true, force: true });
-execFileSync(program, ['run', join(here, 'case.toml'), '--quiet', '--output', output], { stdio: 'inherit' });
+run();
+assert.ok(existsSync(join(output, 'report.html')));
+run('--no-report');
+assert.ok(!existsSync(join(output, 'report.html')), 'a refused report is not written, and an earlier one goes');
+run();
 const results = JSON.parse(readFileSync(join(output, 'results.json'), 'utf8'));
 
 const profile = mkdtempSync(join(tmpdir(), 'plastron-browser-'));
