@@ -76,6 +76,13 @@ CLI::App* add_compare(CLI::App& program, Options& options) {
   return compare;
 }
 
+CLI::App* add_run(CLI::App& program, Options& options) {
+  CLI::App* run = add_command(program, "run", "Solve a case and write its results",
+                              "Directory for results.json, report.html and the .vtu files", options);
+  run->add_flag("--no-report", options.without_report, "Write no report.html");
+  return run;
+}
+
 /// `verify` takes results, not a case.
 CLI::App* add_verify(CLI::App& program, Options& options) {
   CLI::App* verify = program.add_subcommand(
@@ -92,8 +99,7 @@ CLI::App* add_verify(CLI::App& program, Options& options) {
 
 CommonCommands add_common_commands(CLI::App& program, Options& options) {
   return {
-      .run = add_command(program, "run", "Solve a case and write its results",
-                         "Directory for results.json and the .vtu files", options),
+      .run = add_run(program, options),
       .check = add_command(program, "check", "Examine a case without solving it", "", options),
       .compare = add_compare(program, options),
       .verify = add_verify(program, options),

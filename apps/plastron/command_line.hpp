@@ -18,6 +18,7 @@ struct Options {
   std::vector<std::string> settings{};  ///< that take the place of keys of the case file
   bool quiet = false;                   ///< print errors only
   int threads = 0;                      ///< of each process; 0: as many as the work is worth
+  bool without_report = false;          ///< run: no report.html
   bool json_log = false;                ///< events on standard error
   bool solvers = false;                 ///< compare: contact solvers in place of formulations
   std::filesystem::path results{};      ///< verify: the directory that run wrote to

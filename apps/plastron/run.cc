@@ -67,7 +67,8 @@ ExitCode run(const Options& options) {
     progress.finish();
     print_warning(case_file, text);
   };
-  io::Output files(options.output, "solution", MPI_COMM_WORLD);
+  const bool with_report = c.wants_report && !options.without_report;
+  io::Output files(options.output, "solution", MPI_COMM_WORLD, with_report);
   observer.instant = [&](const computation::HistoryEntry& entry, const computation::Solution& solution) {
     progress.instant(entry);
     files.add_instant(entry, solution);
@@ -90,6 +91,7 @@ ExitCode run(const Options& options) {
     return not_converged;
   }
   report(result, c, std::move(source), options, files);
+  if (with_report && !options.quiet) print("report            {}\n", (options.output / "report.html").string());
   log_status(result.status, computation::status_text(result));
   if (result.status == contact::Status::interrupted)
     print_error("{}: interrupted: {}\n", case_file, computation::status_text(result));

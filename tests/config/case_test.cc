@@ -168,6 +168,13 @@ TEST(Triangles, AreNotTied) {
   EXPECT_EQ(parsed().problem.discretisation.cells, fem::Shape::quadrilateral);
 }
 
+TEST(Case, WantsAReportUnlessItRefusesIt) {
+  EXPECT_TRUE(parsed().wants_report);
+  EXPECT_EQ(parsed().effective["output"]["report"], true);
+  EXPECT_FALSE(parsed("[output]\nreport = false\n").wants_report);
+  EXPECT_TRUE(parsed("[output]\nreport = true\n").wants_report);
+}
+
 TEST(Effective, HasTheDefaultsInTheShapeOfTheFile) {
   const Case c = parsed();
   const auto& e = c.effective;

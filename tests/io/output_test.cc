@@ -20,18 +20,18 @@ using testing::UnorderedElementsAre;
 using testing::UnorderedElementsAreArray;
 
 /// What a run with contact leaves.
-const std::vector<std::string> all_files{"results.json",         "solution.vtu",      "obstacles.vtu",
-                                         "solution.pvd",         "solution.plastron", "contact-boundary.csv",
-                                         "contact-boundary.vtu", "contact-forces.csv"};
+const std::vector<std::string> all_files{"results.json",         "solution.vtu",       "obstacles.vtu",
+                                         "solution.pvd",         "solution.plastron",  "contact-boundary.csv",
+                                         "contact-boundary.vtu", "contact-forces.csv", "report.html"};
 
-TEST(Output, of_a_solved_problem_is_five_files_that_agree) {
+TEST(Output, of_a_solved_problem_is_files_that_agree) {
   const ScratchDirectory scratch("output");
   const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), MPI_COMM_WORLD);
   write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
   EXPECT_THAT(scratch.names(), UnorderedElementsAreArray(all_files));
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
   EXPECT_EQ(json["files"], Json({"solution.vtu", "obstacles.vtu", "solution.plastron", "solution.pvd",
-                                 "contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv"}));
+                                 "contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv", "report.html"}));
   EXPECT_EQ(json["status"], Json("solved"));
   EXPECT_EQ(json["ranks"], Json(world_size()));
   EXPECT_EQ(json["levels"].back()["cells"], Json(read_vtu(scratch.path / "solution.vtu").cells));
@@ -52,11 +52,12 @@ TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
       problem, MPI_COMM_WORLD,
       {.instant = [&](const auto& entry, const auto& solution) { output.add_instant(entry, solution); }});
   output.finish(result, {.title = "plate", .settings = {}, .files = {}});
-  EXPECT_THAT(scratch.names(),
-              UnorderedElementsAre("results.json", "solution-0001.vtu", "solution-0002.vtu", "solution-0003.vtu",
-                                   "obstacles-0001.vtu", "obstacles-0002.vtu", "obstacles-0003.vtu", "obstacles.vtu",
-                                   "solution.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
-                                   "contact-boundary.vtu", "contact-forces.csv", "history.csv", "history.svg"));
+  EXPECT_THAT(
+      scratch.names(),
+      UnorderedElementsAre("results.json", "solution-0001.vtu", "solution-0002.vtu", "solution-0003.vtu",
+                           "obstacles-0001.vtu", "obstacles-0002.vtu", "obstacles-0003.vtu", "obstacles.vtu",
+                           "solution.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
+                           "contact-boundary.vtu", "contact-forces.csv", "history.csv", "history.svg", "report.html"));
   EXPECT_EQ(text_of(scratch.path / "solution-0003.vtu"), text_of(scratch.path / "solution.vtu"));
   EXPECT_NE(text_of(scratch.path / "solution-0001.vtu"), text_of(scratch.path / "solution.vtu"));
   EXPECT_NE(text_of(scratch.path / "solution.pvd").find("timestep=\"1\" part=\"0\" file=\"solution-0003.vtu\""),
@@ -96,7 +97,7 @@ TEST(Output, of_displacements_that_are_not_finite_has_no_surface) {
   const auto y = result.solution->nodal.y.owned();
   if (!y.empty()) y[0] = std::numeric_limits<double>::quiet_NaN();
   write_output(result, {}, scratch.path, "solution", MPI_COMM_WORLD);
-  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json"));
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "report.html"));
 }
 
 TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {

@@ -69,9 +69,9 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_steps(root, result.problem);
   read_probes(root, domain, result.problem);
   read_lines(root, domain, result.problem);
-  read_output(root, result.problem);
   read_contact(root, result.problem);
   read_solver(root, result.problem);
+  result.wants_report = read_output(root, result.problem);
   if (reading.more_mistakes)
     reading.mistakes.push_back(
         {.file = source.file_name(), .what = fmt::format("more than {} mistakes; these are the first", most_mistakes)});

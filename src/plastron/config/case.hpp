@@ -16,6 +16,7 @@ struct Case {
   std::string title;
   geometry::Constants constants;
   computation::Problem problem;
+  bool wants_report = true;        ///< [output] report
   nlohmann::json effective;        ///< all settings, defaults included, in the shape of the case file
   std::string text{};              ///< of the case file, byte for byte; with settings as those have edited it
   std::vector<InputFile> files{};  ///< that the case names: meshes, rasters, surfaces

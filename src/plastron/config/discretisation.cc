@@ -31,9 +31,9 @@ void read_mesh(Table& root, computation::Problem& problem) {
   root.effective["mesh"] = mesh->effective;
 }
 
-void read_output(Table& root, computation::Problem& problem) {
+bool read_output(Table& root, computation::Problem& problem) {
   auto output = root.table("output");
-  if (!output) return;
+  if (!output) return true;
   if (const auto axis = output->vector("axis")) {
     if (axis->norm() > 0)
       problem.output.axis = *axis;
@@ -42,7 +42,9 @@ void read_output(Table& root, computation::Problem& problem) {
                      "write the direction that t1 shall follow");
   }
   problem.output.smooth = output->text("resultants").value_or("smooth") == "smooth";
+  const bool wants_report = output->boolean("report").value_or(true);
   root.effective["output"] = output->effective;
+  return wants_report;
 }
 
 void read_contact(Table& root, computation::Problem& problem) {

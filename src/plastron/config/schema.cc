@@ -219,7 +219,12 @@ Section output_section() {
             .fallback = "\"smooth\"",
             .words = {{"smooth"}, {"by-cell"}},
             .meaning = "N, M, Q and stresses recovered over the cells round each vertex, or of each cell alone, as the "
-                       "elements have them"}}};
+                       "elements have them"},
+           {.name = "report",
+            .kind = Kind::boolean,
+            .fallback = "true",
+            .meaning = "report.html, a page with tables, plots and the shell in three dimensions; --no-report refuses "
+                       "it, too"}}};
 }
 
 Section contact_section() {

@@ -21,9 +21,10 @@ std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& prob
 std::optional<fem::Domain> read_domain(Table& geometry);
 void read_charts(Table& geometry, const fem::Domain& domain, computation::Problem& problem);
 void read_mesh(Table& root, computation::Problem& problem);
-void read_output(Table& root, computation::Problem& problem);
 void read_contact(Table& root, computation::Problem& problem);
 void read_solver(Table& root, computation::Problem& problem);
+/// Whether a report is wanted.
+bool read_output(Table& root, computation::Problem& problem);
 void read_joins(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_loads(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);

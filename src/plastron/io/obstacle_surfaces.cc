@@ -45,12 +45,18 @@ obstacle::Extent surroundings(const computation::Solution& solution) {
   return {low - margin, high + margin};
 }
 
+std::vector<DrawnObstacle> drawn_obstacles(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent) {
+  std::vector<DrawnObstacle> drawn;
+  for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
+    const bool is_drawn_already = obstacles.all[k].is_for_both && obstacles.all[k].face == obstacle::Face::upper;
+    if (!is_drawn_already) drawn.push_back({k, obstacle::surface_mesh(obstacles.now(k), extent)});
+  }
+  return drawn;
+}
+
 std::string obstacle_surfaces_vtu(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent) {
   Triangles all;
-  for (std::size_t k = 0; k < obstacles.all.size(); ++k) {
-    const bool is_drawn = obstacles.all[k].is_for_both && obstacles.all[k].face == obstacle::Face::upper;
-    if (!is_drawn) all.add(obstacle::surface_mesh(obstacles.now(k), extent), k);
-  }
+  for (const DrawnObstacle& drawn : drawn_obstacles(obstacles, extent)) all.add(drawn.surface, drawn.number);
   return fmt::format(
              "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\n  <UnstructuredGrid>\n"
              "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",

@@ -13,8 +13,15 @@ namespace plastron::io {
 /// The box that holds the deformed shell, and half of its diagonal more on every side (collective).
 obstacle::Extent surroundings(const computation::Solution& solution);
 
-/// Triangles of all obstacles where they stand, as far as they are within `extent`; `obstacle` says which each belongs to, counted from 0
-/// as in results.json. Obstacles that are one body for both faces are drawn once.
+struct DrawnObstacle {
+  std::size_t number = 0;  ///< counted from 0 as in results.json
+  obstacle::TriangleMesh surface;
+};
+/// The surfaces of all obstacles where they stand, as far as they are within `extent`. Obstacles that are one body for both faces are drawn
+/// once.
+std::vector<DrawnObstacle> drawn_obstacles(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent);
+
+/// Triangles of all obstacles where they stand, as far as they are within `extent`; `obstacle` says which each belongs to.
 std::string obstacle_surfaces_vtu(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent);
 
 /// Adds the file, unless there are no obstacles; says whether it did (collective). Throws std::runtime_error.

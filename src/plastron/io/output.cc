@@ -6,6 +6,7 @@
 #include <plastron/io/line_table.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/plot.hpp>
+#include <plastron/io/report.hpp>
 #include <plastron/io/solution_file.hpp>
 
 #include <fmt/format.h>
@@ -26,8 +27,8 @@ bool can_be_drawn(const computation::Solution& solution, MPI_Comm comm) {
 
 }  // namespace
 
-Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm)
-    : directory_(std::move(directory)), base_name_(std::move(base_name)), files_(comm) {
+Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report)
+    : directory_(std::move(directory)), base_name_(std::move(base_name)), files_(comm), with_report_(with_report) {
   make_directory(directory_, comm);
 }
 
@@ -86,10 +87,13 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
     provenance.case_copy = base_name_ + ".case.toml";
     add_text(provenance.case_copy, [&] { return provenance.source->text; });
   }
+  if (with_report_) names_.emplace_back(report_name);
   provenance.files = names_;
+  if (with_report_) add_report(result, provenance, is_drawn, directory_, files_);
   add_results(result, provenance, directory_, files_);
   files_.commit();
   if (boundary.empty()) remove_contact_report(directory_, files_.comm());
+  if (!with_report_) remove_file(directory_ / report_name, files_.comm());
   names_.emplace_back(results_name);
   return names_;
 }

@@ -10,14 +10,14 @@ namespace plastron::io {
 class Output {
  public:
   /// Makes the directory. Files of fields are base_name.vtu, obstacles.vtu, base_name.pvd that names both, and of instants
-  /// base_name-0001.vtu and so on.
-  Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm);
+  /// base_name-0001.vtu and so on. report.html is one of them unless `with_report` is false; then one of an earlier run is removed.
+  Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report = true);
 
   /// The fields of an instant of the steps (computation::Observer::instant).
   void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
   /// The solution as .vtu and .plastron, unless there is none that is finite, contact-boundary.csv, .vtu and contact-forces.csv where there is contact
   /// (those of an earlier run are removed where there is none), history.csv and history.svg where there are steps,
-  /// base_name.case.toml if provenance has the case's source, and results.json; then all files get their names. provenance.files and the
+  /// base_name.case.toml if provenance has the case's source, report.html, and results.json; then all files get their names. provenance.files and the
   /// names of solution and copy are filled here. `lines` are tabulated as line-NAME.csv. Returns the names of all files.
   std::vector<std::string> finish(const computation::Result& result, Provenance provenance,
                                   const std::vector<computation::Line>& lines = {});
@@ -30,6 +30,7 @@ class Output {
   std::filesystem::path directory_;
   std::string base_name_;
   AtomicFiles files_;
+  bool with_report_;
   std::vector<DataSet> series_{};
   int instants_ = 0;
   std::vector<std::string> names_{};

@@ -13,10 +13,37 @@ namespace plastron::io {
 
 namespace {
 
-// The page [px]: plot area on the left, legend on the right.
-constexpr double width = 920, height = 500;
-constexpr double left = 84, right = 590, top = 48, bottom = 436;
-constexpr double legend_left = 616;
+constexpr double legend_line = 24;  // px
+
+/// The page [px]: its size, the plot area, the upper left corner of the legend.
+struct Page {
+  double width, height;
+  double left, right, top, bottom;
+  double legend_left, legend_top;
+};
+
+Page page_of(const study::Plot& plot, PlotLayout layout) {
+  if (layout == PlotLayout::wide)
+    return {.width = 920,
+            .height = 500,
+            .left = 84,
+            .right = 590,
+            .top = 48,
+            .bottom = 436,
+            .legend_left = 616,
+            .legend_top = 56};
+  constexpr double legend_top = 346, slope = 74;
+  const double entries =
+      legend_line * static_cast<double>(plot.series.size()) + slope * static_cast<double>(plot.slopes.size());
+  return {.width = 460,
+          .height = legend_top + entries,
+          .left = 84,
+          .right = 444,
+          .top = 44,
+          .bottom = 276,
+          .legend_left = 84,
+          .legend_top = legend_top};
+}
 
 /// Colours that people with any colour vision can tell apart (Okabe and Ito), for light and for dark pages.
 struct Colour {
@@ -79,22 +106,23 @@ std::string_view dashes(bool dashed) { return dashed ? " stroke-dasharray=\"6 4\
 
 class Drawing {
  public:
-  explicit Drawing(const study::Plot& plot)
+  Drawing(const study::Plot& plot, const Page& page)
       : plot_(plot),
-        x_(values(&study::Series::x), plot.x.is_log, left, right),
-        y_(values(&study::Series::y), plot.y.is_log, bottom, top) {}
+        page_(page),
+        x_(values(&study::Series::x), plot.x.is_log, page.left, page.right),
+        y_(values(&study::Series::y), plot.y.is_log, page.bottom, page.top) {}
 
   std::string text() {
     put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
         "role=\"img\">\n<title>{2}</title>\n{3}<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n",
-        width, height, escaped(plot_.title), style());
+        page_.width, page_.height, escaped(plot_.title), style());
     axes();
-    put("<clipPath id=\"area\"><rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/></clipPath>\n", left - 6,
-        top - 6, right - left + 12, bottom - top + 12);
+    put("<clipPath id=\"area\"><rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/></clipPath>\n",
+        page_.left - 6, page_.top - 6, page_.right - page_.left + 12, page_.bottom - page_.top + 12);
     put("<g clip-path=\"url(#area)\">\n");
     for (std::size_t i = 0; i < plot_.series.size(); ++i) draw(i);
     put("</g>\n");
-    slopes(legend(top + 8) + 12);
+    slopes(legend(page_.legend_top) + 12);
     put("</svg>\n");
     return std::move(svg_);
   }
@@ -120,21 +148,25 @@ class Drawing {
   void axes() {
     for (const Tick& t : x_.ticks()) {
       const double x = x_.position(t.value);
-      put("<path class=\"{}\" d=\"M{:.2f} {:g} V{:g}\"/>\n", t.label.empty() ? "minor" : "grid", x, top, bottom);
-      put("<text class=\"tick\" x=\"{:.2f}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", x, bottom + 19, t.label);
+      put("<path class=\"{}\" d=\"M{:.2f} {:g} V{:g}\"/>\n", t.label.empty() ? "minor" : "grid", x, page_.top,
+          page_.bottom);
+      put("<text class=\"tick\" x=\"{:.2f}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", x, page_.bottom + 19,
+          t.label);
     }
     for (const Tick& t : y_.ticks()) {
       const double y = y_.position(t.value);
-      put("<path class=\"{}\" d=\"M{:g} {:.2f} H{:g}\"/>\n", t.label.empty() ? "minor" : "grid", left, y, right);
-      put("<text class=\"tick\" x=\"{:g}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n", left - 8, y + 4, t.label);
+      put("<path class=\"{}\" d=\"M{:g} {:.2f} H{:g}\"/>\n", t.label.empty() ? "minor" : "grid", page_.left, y,
+          page_.right);
+      put("<text class=\"tick\" x=\"{:g}\" y=\"{:.2f}\" text-anchor=\"end\">{}</text>\n", page_.left - 8, y + 4,
+          t.label);
     }
-    put("<rect class=\"frame\" x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/>\n", left, top, right - left,
-        bottom - top);
-    put("<text class=\"title\" x=\"{:g}\" y=\"{:g}\">{}</text>\n", left, top - 18, escaped(plot_.title));
-    put("<text x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", (left + right) / 2, bottom + 46,
-        escaped(plot_.x.label));
-    put("<text transform=\"translate(22 {:g}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", (top + bottom) / 2,
-        escaped(plot_.y.label));
+    put("<rect class=\"frame\" x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/>\n", page_.left, page_.top,
+        page_.right - page_.left, page_.bottom - page_.top);
+    put("<text class=\"title\" x=\"{:g}\" y=\"{:g}\">{}</text>\n", page_.left, page_.top - 18, escaped(plot_.title));
+    put("<text x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n", (page_.left + page_.right) / 2,
+        page_.bottom + 46, escaped(plot_.x.label));
+    put("<text transform=\"translate(22 {:g}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+        (page_.top + page_.bottom) / 2, escaped(plot_.y.label));
   }
 
   /// Triangles beside the plot that have the slopes of y ~ x^exponent on its axes. Returns the lower end.
@@ -145,9 +177,9 @@ class Drawing {
     for (const study::ReferenceSlope& s : plot_.slopes) {
       const double run = std::min(largest, largest / std::abs(s.exponent * steepness));
       const double rise = s.exponent * steepness * run;
-      put("<path class=\"slope\" d=\"M{:.2f} {:.2f} h{:.2f} v{:.2f} z\"/>\n", legend_left, y + std::abs(rise), run,
-          -rise);
-      put("<text class=\"slope-label\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", legend_left + run + 8,
+      put("<path class=\"slope\" d=\"M{:.2f} {:.2f} h{:.2f} v{:.2f} z\"/>\n", page_.legend_left, y + std::abs(rise),
+          run, -rise);
+      put("<text class=\"slope-label\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", page_.legend_left + run + 8,
           y + std::abs(rise) / 2 + 4, escaped(s.label));
       y += std::abs(rise) + 18;
     }
@@ -170,24 +202,25 @@ class Drawing {
 
   /// Returns the lower end.
   double legend(double y) {
-    for (std::size_t i = 0; i < plot_.series.size(); ++i, y += 24) {
+    for (std::size_t i = 0; i < plot_.series.size(); ++i, y += legend_line) {
       const study::Series& s = plot_.series[i];
       if (s.with_line)
-        put("<path class=\"line c{}\"{} d=\"M{:g} {:g} h28\"/>\n", i % colours.size(), dashes(s.dashed), legend_left,
-            y);
-      if (s.with_markers) put("{}", marker(i, legend_left + 14, y, s.dashed));
-      put("<text x=\"{:g}\" y=\"{:g}\">{}</text>\n", legend_left + 38, y + 4.5, escaped(s.label));
+        put("<path class=\"line c{}\"{} d=\"M{:g} {:g} h28\"/>\n", i % colours.size(), dashes(s.dashed),
+            page_.legend_left, y);
+      if (s.with_markers) put("{}", marker(i, page_.legend_left + 14, y, s.dashed));
+      put("<text x=\"{:g}\" y=\"{:g}\">{}</text>\n", page_.legend_left + 38, y + 4.5, escaped(s.label));
     }
     return y;
   }
 
   const study::Plot& plot_;
+  const Page page_;
   PlotAxis x_, y_;
   std::string svg_;
 };
 
 }  // namespace
 
-std::string svg_text(const study::Plot& plot) { return Drawing(plot).text(); }
+std::string svg_text(const study::Plot& plot, PlotLayout layout) { return Drawing(plot, page_of(plot, layout)).text(); }
 
 }  // namespace plastron::io

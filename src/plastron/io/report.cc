@@ -1,0 +1,91 @@
+#include <plastron/io/report.hpp>
+
+#include <plastron/io/embedded_page.hpp>
+#include <plastron/io/plot.hpp>
+#include <plastron/io/report_case.hpp>
+#include <plastron/io/report_html.hpp>
+#include <plastron/io/report_plots.hpp>
+#include <plastron/io/report_scene.hpp>
+#include <plastron/io/report_tables.hpp>
+
+#include <fmt/format.h>
+
+namespace plastron::io {
+
+namespace {
+
+/// With steps: which instant is drawn.
+std::string instant_html(const Json& results) {
+  const Json& history = at_path(results, "history");
+  if (history.empty()) return "";
+  return fmt::format("<p class=\"note\">At the end of step {}, time {}. All instants are in solution.pvd.</p>\n",
+                     html_text(plain_words(history.back()["step"])), html_number(history.back()["time"]));
+}
+
+std::string view_html(const Json& results, const Json& scene, bool has_script) {
+  if (!has_script)
+    return "<p class=\"note\">This Plastron was built without the three-dimensional view (PLASTRON_VIEWER=OFF). Open "
+           "solution.pvd in "
+           "ParaView.</p>\n";
+  if (scene.is_null())
+    return "<p class=\"note\">There is no surface to draw: nothing was solved, it is not finite, or its coarsest mesh "
+           "alone has more points "
+           "than a page can hold. In the last case open solution.pvd in ParaView.</p>\n";
+  return instant_html(results) +
+         "<div id=\"view\"><noscript><p class=\"note\">The three-dimensional view needs JavaScript; everything else on "
+         "this page does "
+         "not.</p></noscript></div>\n";
+}
+
+/// Pictures keep their style and names for themselves.
+std::string plots_html(const computation::Result& result) {
+  std::string html;
+  for (const study::Plot& plot : report_plots(result))
+    html += fmt::format("<img class=\"plot\" alt=\"{}: {} over {}\" src=\"data:image/svg+xml;base64,{}\">\n",
+                        html_text(valid_utf8(plot.title)), html_text(valid_utf8(plot.y.label)),
+                        html_text(valid_utf8(plot.x.label)), base64(valid_utf8(svg_text(plot, PlotLayout::narrow))));
+  return html.empty() ? "" : "<div class=\"plots\">\n" + html + "</div>\n";
+}
+
+std::string content_html(const computation::Result& result, const Json& results, const Json& scene, bool has_script) {
+  return verdict_html(results) + html_section("warnings", "Warnings", warnings_html(results)) +
+         key_numbers_html(results) + html_section("shell", "Deformed shell", view_html(results, scene, has_script)) +
+         html_section("case", "The case", case_html(at_path(results, "settings"))) +
+         html_section("balance", "Forces and moments", balance_html(results)) +
+         html_section("contact", "Contact zones", contact_html(results)) +
+         html_section("probes", "Probes", probes_html(results)) + html_section("plots", "Plots", plots_html(result)) +
+         html_section("certificate", "Certificate", certificate_html(results)) +
+         html_section("levels", "Meshes", levels_html(results)) +
+         html_section("history", "Steps", history_html(results)) + html_section("files", "Files", files_html(results));
+}
+
+}  // namespace
+
+std::string report_html(const computation::Result& result, const Json& results, const Json& scene) {
+  const EmbeddedPage parts = embedded_page();
+  const std::string given = plain_words(at_path(results, "title"));
+  const std::string title = html_text(given.empty() ? "A shell computed by Plastron" : given);
+  return filled(parts.page, {{"title", title},
+                             {"style", std::string(parts.style)},
+                             {"version", html_text(plain_words(at_path(results, "versions/plastron")))},
+                             {"content", content_html(result, results, scene, !parts.script.empty())},
+                             {"results", script_json(results)},
+                             {"scene", script_json(parts.script.empty() ? Json(nullptr) : scene)},
+                             {"script_source", std::string(parts.script_source)},
+                             {"script", std::string(parts.script)}});
+}
+
+void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,
+                const std::filesystem::path& directory, AtomicFiles& files) {
+  int rank = 0;
+  MPI_Comm_rank(files.comm(), &rank);
+  const bool has_view = is_drawn && !embedded_page().script.empty();
+  const Json scene = has_view ? scene_json(*result.solution, result.summary) : Json(nullptr);
+  files.add(directory / report_name, [&]() -> std::string {
+    if (rank != 0) return "";
+    const std::string text = results_json(result, provenance).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return report_html(result, Json::parse(text), scene);
+  });
+}
+
+}  // namespace plastron::io

@@ -1,0 +1,12 @@
+// The case in words for report.html, from the settings in results.json.
+#pragma once
+#include <plastron/io/quantities.hpp>
+
+#include <string>
+
+namespace plastron::io {
+
+/// A list of terms and descriptions as HTML; empty where a caller of the library gave no settings.
+std::string case_html(const Json& settings);
+
+}  // namespace plastron::io

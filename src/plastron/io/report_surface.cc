@@ -1,0 +1,147 @@
+#include <plastron/io/report_surface.hpp>
+
+#include <plastron/algebra/agreement.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace plastron::io {
+
+namespace {
+
+/// Where a point belongs: coarse cell, place of its drawn cell in that, number in the drawn cell.
+using Key = std::array<std::int64_t, 4>;
+
+struct PointRecords {
+  std::vector<Key> keys{};
+  std::vector<float> values{};  ///< as many as there are rows for each key
+};
+
+std::int64_t points_in(fem::Shape shape, int subdivisions) { return fem::nodes_per_cell(shape, subdivisions); }
+
+/// A cell's block of 2^merged cells a side: in the coarse cell's coordinates, like fem::Cell.
+struct Block {
+  Key key;
+  fem::Cell cell;
+};
+
+Block block_of(const fem::Cell& cell, fem::Shape shape, int merged) {
+  const double size = std::ldexp(std::abs(cell.size), merged);
+  const Eigen::Vector2d middle = (cell.corner + cell.size * fem::centre(shape)) / size;
+  const Eigen::Vector2d low(std::floor(middle[0]), std::floor(middle[1]));
+  const bool is_turned = shape == fem::Shape::triangle && (middle - low).sum() > 1;
+  const Eigen::Vector2d corner = is_turned ? (low + Eigen::Vector2d::Ones()).eval() : low;
+  return {
+      {cell.coarse, static_cast<std::int64_t>(low[1]), 2 * static_cast<std::int64_t>(low[0]) + (is_turned ? 1 : 0), 0},
+      {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
+}
+
+/// Whether corner k of the cell is that of its block.
+bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape shape, int k) {
+  const Eigen::Vector2d corner = fem::corner(shape, k);
+  const Eigen::Vector2d distance = cell.corner + cell.size * corner - block.corner - block.size * corner;
+  return distance.norm() < 0.25 * std::abs(cell.size);
+}
+
+void append(const certificate::PointValues& point, const std::vector<Field>& fields, std::vector<float>& values) {
+  for (const Field& field : fields) {
+    const auto taken = field.take(point);
+    for (int c = 0; c < field.components; ++c) values.push_back(static_cast<float>(taken[static_cast<std::size_t>(c)]));
+  }
+}
+
+/// The points that cells of this rank contribute.
+PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn,
+                        const std::vector<Field>& fields) {
+  const fem::Space& space = solution.discrete->space();
+  const fem::Shape shape = space.shape();
+  PointRecords records;
+  if (space.owned_cells == 0) return records;
+  const certificate::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(shape, drawn.subdivisions));
+  const int slots = static_cast<int>(points_in(shape, drawn.subdivisions));
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
+    const Block block = block_of(space.cells[cell], shape, drawn.merged_levels);
+    std::vector<int> wanted;
+    for (int k = 0; k < slots; ++k)
+      if (drawn.merged_levels == 0 || is_blocks_corner(space.cells[cell], block.cell, shape, k)) wanted.push_back(k);
+    if (wanted.empty()) continue;
+    const auto points = recovery(cell);
+    for (const int k : wanted) {
+      records.keys.push_back(block.key);
+      records.keys.back()[3] = k;
+      append(points[static_cast<std::size_t>(k)], fields, records.values);
+    }
+  }
+  return records;
+}
+
+/// All ranks' entries one after another on the first rank; empty on the others (collective).
+template <class Entry>
+std::vector<Entry> gathered(const std::vector<Entry>& mine, MPI_Comm comm) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &ranks);
+  const int bytes = static_cast<int>(mine.size() * sizeof(Entry));
+  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks));
+  MPI_Gather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
+  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+  const auto total = static_cast<std::size_t>(rank == 0 ? starts.back() + counts.back() : 0);
+  std::vector<Entry> all(total / sizeof(Entry));
+  MPI_Gatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0, comm);
+  return all;
+}
+
+/// Row after row, points in the order of their keys.
+std::vector<std::vector<float>> in_rows(const PointRecords& records) {
+  const std::size_t points = records.keys.size();
+  if (points == 0) return {};
+  const std::size_t rows = records.values.size() / points;
+  std::vector<std::size_t> order(points);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return records.keys[i]; });
+  std::vector<std::vector<float>> result(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    result[row].reserve(points);
+    for (const std::size_t i : order) result[row].push_back(records.values[i * rows + row]);
+  }
+  return result;
+}
+
+/// How often the coarse cells were refined; the same everywhere.
+int refinement_levels(const fem::Space& space) {
+  int levels = space.owned_cells > 0 ? -std::ilogb(std::abs(space.cells.front().size)) : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &levels, 1, MPI_INT, MPI_MAX, space.layout->comm);
+  return levels;
+}
+
+}  // namespace
+
+DrawnCells drawn_cells(fem::Shape shape, int degree, std::int64_t cells, int levels, std::int64_t most_points) {
+  for (int n = degree; n >= 1; --n)
+    if (cells * points_in(shape, n) <= most_points) return {n, 0, cells};
+  for (int merged = 1; merged <= levels; ++merged) {
+    const std::int64_t blocks = cells >> (2 * merged);
+    if (blocks * points_in(shape, 1) <= most_points) return {1, merged, blocks};
+  }
+  return {};
+}
+
+SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points) {
+  const assembly::DiscreteShell& discrete = *solution.discrete;
+  const fem::Space& space = discrete.space();
+  const MPI_Comm comm = space.layout->comm;
+  SampledSurface surface;
+  surface.fields = fields_of(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
+  surface.cells = drawn_cells(space.shape(), space.degree, space.global_cells, refinement_levels(space), most_points);
+  if (surface.cells.count == 0) return surface;
+  surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);
+  const PointRecords mine =
+      algebra::in_agreement(comm, [&] { return own_points(solution, surface.cells, surface.fields); });
+  const PointRecords all{gathered(mine.keys, comm), gathered(mine.values, comm)};
+  surface.rows = in_rows(all);
+  return surface;
+}
+
+}  // namespace plastron::io

@@ -1,0 +1,35 @@
+// The deformed surface for a web page: all fields at points of the cells in single precision, on the first rank, no more of them than a page
+// can hold.
+#pragma once
+#include <plastron/computation/result.hpp>
+#include <plastron/io/fields.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace plastron::io {
+
+/// Cells that are drawn, which may be blocks of the mesh's own.
+struct DrawnCells {
+  int subdivisions = 1;    ///< lattice of points in each: fem::lattice
+  int merged_levels = 0;   ///< a drawn cell is a block of 2^merged_levels cells a side, back in their coarse cell
+  std::int64_t count = 0;  ///< 0: the page cannot hold the surface
+};
+
+/// The finest drawing of at most `most_points` points: subdivisions up to the degree, then one a cell, then blocks of cells as far as these come
+/// from one coarse cell, refined `levels` times.
+DrawnCells drawn_cells(fem::Shape shape, int degree, std::int64_t cells, int levels, std::int64_t most_points);
+
+struct SampledSurface {
+  DrawnCells cells;
+  std::int64_t points = 0;
+  std::vector<Field> fields{};  ///< those that have a meaning here
+  std::vector<std::vector<float>>
+      rows{};  ///< a row for each component of each field, a value for each point; on the first rank only
+};
+
+/// Cells stand in an order that no number of ranks changes (collective). Throws what the chart throws at points between nodes, on all ranks
+/// together.
+SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points);
+
+}  // namespace plastron::io

@@ -1,0 +1,247 @@
+#include <plastron/io/report_tables.hpp>
+
+#include <plastron/io/report_html.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plastron::io {
+
+namespace {
+
+/// Components of a vector under a path, as cells.
+void add_vector(const Json& results, const std::string& path, double scale, std::vector<std::string>& cells) {
+  for (int d = 0; d < 3; ++d) {
+    const std::string place = fmt::format("{}/{}", path, d);
+    cells.push_back(html_number(at_path(results, place), place, scale));
+  }
+}
+
+double largest_component(const Json& vector) {
+  double largest = 0;
+  for (const Json& value : vector)
+    if (value.is_number()) largest = std::max(largest, std::abs(value.get<double>()));
+  return largest;
+}
+
+/// Where forces and moments of one row of the balance stand in results.json.
+struct Carrier {
+  std::string name, path;
+};
+
+std::vector<Carrier> carriers(const Json& results) {
+  std::vector<Carrier> all{{"loads", "loads"}, {"supports", "support_reaction"}};
+  const Json& obstacles = at_path(results, "obstacles");
+  for (std::size_t k = 0; k < obstacles.size(); ++k)
+    all.push_back({"obstacle " + plain_words(obstacles[k]["name"]), fmt::format("obstacles/{}/reaction", k)});
+  return all;
+}
+
+double component(const Json& results, const std::string& path) {
+  const Json& value = at_path(results, path);
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+/// The most that any of them carries.
+double scale_of(const Json& results, const std::vector<Carrier>& all, const char* what) {
+  double scale = 0;
+  for (const Carrier& carrier : all) scale = std::max(scale, largest_component(at_path(results, carrier.path + what)));
+  return scale;
+}
+
+std::string tile(std::string_view label, const std::string& value, std::string_view unit) {
+  return fmt::format(
+      "<div class=\"tile\"><div class=\"label\">{}</div><div class=\"value\">{} <span "
+      "class=\"unit\">{}</span></div></div>\n",
+      html_text(label), value, unit == "1" ? "" : html_text(unit));
+}
+
+/// How an axis of a history or a mesh is told: a label and the place in each record.
+struct Column {
+  std::string_view label, path;
+};
+
+/// A row for each record of the list under `path`.
+std::string records_html(const Json& results, std::string_view path, std::initializer_list<std::string_view> labels,
+                         const std::vector<std::string>& places) {
+  HtmlTable table(labels);
+  const Json& list = at_path(results, path);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::vector<std::string> cells;
+    for (const std::string& place : places) {
+      const std::string full = fmt::format("{}/{}/{}", path, i, place);
+      cells.push_back(place.empty() ? std::to_string(i) : html_number(at_path(results, full), full));
+    }
+    table.row(cells);
+  }
+  return table.text();
+}
+
+/// "at most 1e-6" as a sign and a number.
+std::string limit_html(const Json& limit, const std::string& path) {
+  const bool is_least = limit.contains("at_least");
+  const std::string_view key = is_least ? "at_least" : "at_most";
+  return fmt::format("{} {}", is_least ? "&ge;" : "&le;",
+                     html_number(limit[std::string(key)], fmt::format("{}/{}", path, key)));
+}
+
+}  // namespace
+
+std::string verdict_html(const Json& results) {
+  const std::string status = plain_words(at_path(results, "status"));
+  const Json& limits = at_path(results, "certificate_limits");
+  const auto kept = std::ranges::count_if(limits, [](const Json& limit) { return limit["holds"] == Json(true); });
+  const bool is_good = status == "solved" && kept == static_cast<std::ptrdiff_t>(limits.size());
+  return fmt::format(
+      "<div class=\"verdict {}\" role=\"status\"><span class=\"sign\" aria-hidden=\"true\">{}</span><div><strong "
+      "data-path=\"status\">{}</strong> {}<br>\n"
+      "<a href=\"#certificate\">Certificate</a>: {} of {} rows keep their limits.</div></div>\n",
+      is_good ? "good" : "bad", is_good ? "&#10003;" : "!", html_text(status),
+      html_text(plain_words(at_path(results, "status_text"))), kept, limits.size());
+}
+
+std::string warnings_html(const Json& results) {
+  std::string list;
+  for (const Json& warning : at_path(results, "warnings")) list += "<li>" + html_text(plain_words(warning)) + "</li>\n";
+  return list.empty() ? "" : "<ul class=\"warnings\">\n" + list + "</ul>\n";
+}
+
+std::string key_numbers_html(const Json& results) {
+  static constexpr std::array columns{Column{"stored energy", "energy"},
+                                      Column{"work of the loads", "load_work"},
+                                      Column{"largest displacement", "size/max_displacement"},
+                                      Column{"in thicknesses", "size/max_relative_displacement"},
+                                      Column{"largest rotation", "size/max_rotation"},
+                                      Column{"contact area", "contact/area"},
+                                      Column{"touching nodes", "contact/nodes"},
+                                      Column{"largest pressure", "contact/max_pressure"},
+                                      Column{"penetration between nodes", "contact/max_penetration_between_nodes"}};
+  std::string tiles;
+  for (const auto& [label, path] : columns) {
+    const Json& value = at_path(results, path);
+    const Json& units = at_path(results, "units");
+    if (!value.is_null()) tiles += tile(label, html_number(value, path), units.value(std::string(path), "1"));
+  }
+  const Json& levels = at_path(results, "levels");
+  if (!levels.empty()) {
+    const std::string path = fmt::format("levels/{}/unknowns", levels.size() - 1);
+    tiles += tile("unknowns", html_number(at_path(results, path), path), "1");
+  }
+  return "<div class=\"tiles\">\n" + tiles + "</div>\n";
+}
+
+std::string balance_html(const Json& results) {
+  const auto all = carriers(results);
+  HtmlTable table({"<", "force X [N]", "Y", "Z", "moment X [N m]", "Y", "Z"});
+  std::vector<std::string> sums{"sum"};
+  for (const Carrier& carrier : all) {
+    std::vector<std::string> cells{html_text(carrier.name)};
+    for (const char* what : {"/force", "/moment"})
+      add_vector(results, carrier.path + what, scale_of(results, all, what), cells);
+    table.row(cells);
+  }
+  for (const char* what : {"/force", "/moment"})
+    for (int d = 0; d < 3; ++d) {
+      double sum = 0;
+      for (const Carrier& carrier : all) sum += component(results, fmt::format("{}{}/{}", carrier.path, what, d));
+      sums.push_back(html_number(number(sum), "", scale_of(results, all, what)));
+    }
+  table.row(sums, "sum");
+  return table.text() +
+         "<p class=\"note\">What acts on the shell; moments about the origin. Muted numbers are rounding beside the "
+         "largest of "
+         "their kind. The sum of moments is as good as the mesh on curved shells.</p>\n";
+}
+
+std::string contact_html(const Json& results) {
+  HtmlTable table({"<obstacle", "zone", "nodes", "area [m^2]", "force X [N]", "Y", "Z", "centre of pressure X [m]", "Y",
+                   "Z", "peak pressure [Pa]", "boundary [m]"});
+  const Json& obstacles = at_path(results, "obstacles");
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    const std::string name = html_text(plain_words(obstacles[k]["name"]));
+    const std::size_t zones = obstacles[k]["zones"].size();
+    if (zones == 0) table.row({name, "no contact"});
+    for (std::size_t z = 0; z < zones; ++z) {
+      const std::string path = fmt::format("obstacles/{}/zones/{}/", k, z);
+      const auto cell = [&](std::string_view what) {
+        return html_number(at_path(results, path + std::string(what)), path + std::string(what));
+      };
+      std::vector<std::string> cells{name, std::to_string(z), cell("nodes"), cell("area")};
+      for (const char* vector : {"reaction/force", "centre_of_pressure"})
+        add_vector(results, path + vector, largest_component(at_path(results, path + vector)), cells);
+      cells.push_back(cell("peak/pressure"));
+      cells.push_back(cell("boundary/length"));
+      table.row(cells);
+    }
+  }
+  return obstacles.empty() ? "" : table.text();
+}
+
+std::string probes_html(const Json& results) {
+  HtmlTable table({"<probe", "u X [m]", "Y", "Z", "r X [rad]", "Y", "Z", "gap [m]", "pressure [Pa]"});
+  const Json& probes = at_path(results, "probes");
+  for (const auto& [name, probe] : probes.items()) {
+    std::vector<std::string> cells{html_text(name)};
+    for (const char* key : {"u", "r"})
+      for (const Json& value : probe[key]) cells.push_back(html_number(value, "", largest_component(probe[key])));
+    cells.push_back(html_number(probe["gap"]));
+    cells.push_back(html_number(probe["eta"]));
+    table.row(cells);
+  }
+  return probes.empty() ? "" : table.text();
+}
+
+std::string certificate_html(const Json& results) {
+  HtmlTable table({"<row", "value", "limit", "<unit", "<", "<why this limit"});
+  for (const auto& quantity : certificate_quantities()) {
+    const std::string row(quantity.path), path = "certificate/" + row, limit_path = "certificate_limits/" + row;
+    const Json& limit = at_path(results, limit_path);
+    const bool holds = !limit.is_null() && limit["holds"] == Json(true);
+    const std::string meaning = html_text(quantity.meaning),
+                      unit = html_text(quantity.unit == "1" ? "" : quantity.unit);
+    const std::string name = fmt::format("<abbr title=\"{}\">{}</abbr>", meaning, html_text(row));
+    const std::string value = html_number(at_path(results, path), path);
+    if (limit.is_null())
+      table.row({name, value, "", unit, "", meaning});
+    else
+      table.row(
+          {name, value, limit_html(limit, limit_path), unit,
+           holds ? "&#10003; holds" : "<strong>&#10007; missed</strong>", html_text(plain_words(limit["reason"]))},
+          holds ? "" : "missed");
+  }
+  return table.text() +
+         "<p class=\"note\">Recomputed from displacements alone, without the solver. <code>plastron verify</code> does "
+         "it again from the files.</p>\n";
+}
+
+std::string levels_html(const Json& results) {
+  if (at_path(results, "levels").empty()) return "";
+  return records_html(results, "levels",
+                      {"mesh", "cells", "unknowns", "steps", "energy [J]", "reaction [N]", "touching nodes",
+                       "contact area [m^2]", "smallest gap [m]", "time [s]"},
+                      {"", "cells", "unknowns", "iterations", "energy", "reaction", "active", "contact_area", "min_gap",
+                       "seconds/total"});
+}
+
+std::string history_html(const Json& results) {
+  if (at_path(results, "history").empty()) return "";
+  return records_html(
+      results, "history",
+      {"<step", "time", "load factor", "energy [J]", "largest |u| [m]", "contact area [m^2]", "largest pressure [Pa]",
+       "<status"},
+      {"step", "time", "load_factor", "energy", "max_displacement", "contact_area", "max_pressure", "status"});
+}
+
+std::string files_html(const Json& results) {
+  std::string list;
+  for (const Json& file : at_path(results, "files")) {
+    const std::string name = html_text(plain_words(file));
+    list += fmt::format("<a href=\"{0}\">{0}</a> ", name);
+  }
+  return "<p class=\"files\"><a href=\"results.json\">results.json</a> " + list + "</p>\n";
+}
+
+}  // namespace plastron::io

@@ -1,0 +1,224 @@
+// report.html: its data are those of results.json and of the solution, nothing of the case becomes markup, and it stays small.
+#include <plastron/io/output.hpp>
+#include <plastron/io/report.hpp>
+#include <plastron/io/report_html.hpp>
+#include <plastron/io/report_scene.hpp>
+#include <plastron/io/report_surface.hpp>
+#include <plastron/io/thinned_surface.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <io/pressed_plate.hpp>
+#include <io/scratch_directory.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace plastron::io {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// What stands in the script element of that name, as the browser's parser would take it: up to the first "</script".
+std::string block(const std::string& page, const std::string& id) {
+  const std::string open = "<script type=\"application/json\" id=\"" + id + "\">";
+  const std::size_t begin = page.find(open) + open.size();
+  return page.substr(begin, page.find("</script", begin) - begin);
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+std::string decoded(const std::string& text) {
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t word = 0;
+  int bits = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    word = (word << 6U) | static_cast<std::uint32_t>(letters.find(c));
+    bits += 6;
+    if (bits >= 8) bytes += static_cast<char>((word >> static_cast<unsigned>(bits -= 8)) & 255U);
+  }
+  return bytes;
+}
+
+/// A row of a field; one number stands for all.
+std::vector<float> row_of(const Json& scene, const std::string& key, std::size_t component) {
+  const auto points = scene["points"].get<std::size_t>();
+  for (const Json& field : scene["fields"])
+    if (field["key"] == Json(key)) {
+      const Json& values = field["values"][component];
+      if (values.is_number()) return std::vector<float>(points, values.get<float>());
+      const std::string bytes = decoded(values.get<std::string>());
+      std::vector<float> row(bytes.size() / sizeof(float));
+      std::memcpy(row.data(), bytes.data(), bytes.size());
+      return row;
+    }
+  ADD_FAILURE() << "no field " << key;
+  return {};
+}
+
+computation::Result solved(const PressedPlate& plate) {
+  return computation::solve(pressed_plate(plate), MPI_COMM_WORLD);
+}
+
+TEST(Base64, encodes_as_rfc_4648_says) {
+  EXPECT_EQ(base64(std::string()), "");
+  EXPECT_EQ(base64(std::string("f")), "Zg==");
+  EXPECT_EQ(base64(std::string("fo")), "Zm8=");
+  EXPECT_EQ(base64(std::string("foobar")), "Zm9vYmFy");
+  EXPECT_EQ(decoded(base64(std::string("\xff\x00\x7f", 3))), std::string("\xff\x00\x7f", 3));
+}
+
+TEST(Page, is_filled_once_and_only_where_it_has_places) {
+  EXPECT_EQ(filled("a {{x}} b {{y}}{{x}}", {{"x", "{{y}}"}, {"y", "2"}}), "a {{y}} b 2{{y}}");
+  EXPECT_THROW(filled("{{z}}", {}), std::logic_error);
+}
+
+TEST(Report, holds_the_numbers_of_results_json_and_all_sections) {
+  const ScratchDirectory scratch("report");
+  const computation::Result result = solved({.degree = 2, .refinements = 2});
+  write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
+  const std::string page = text_of(scratch.path / "report.html");
+  const Json results = Json::parse(text_of(scratch.path / "results.json"));
+  EXPECT_EQ(Json::parse(block(page, "plastron-results")), results);
+  EXPECT_THAT(results["files"].dump(), HasSubstr("report.html"));
+  // A number that the page shows carries all its digits and its place.
+  const std::string energy = results["energy"].dump();
+  EXPECT_THAT(page, HasSubstr("data-path=\"energy\" title=\"" + energy + "\""));
+  for (const char* id : {"shell", "balance", "contact", "probes", "plots", "certificate", "levels", "files"})
+    EXPECT_EQ(occurrences(page, std::string("<section id=\"") + id + "\""), 1U) << id;
+  EXPECT_EQ(occurrences(page, "data:image/svg+xml;base64,"), 5U);  // energy, reaction, area, nodes, changes
+  EXPECT_THAT(page, Not(HasSubstr("{{")));
+}
+
+TEST(Report, shows_the_surface_that_the_vtu_file_has) {
+  const computation::Result result = solved({.degree = 2, .refinements = 2});
+  const Json scene = scene_json(*result.solution, result.summary);
+  EXPECT_EQ(scene.is_null(), world_rank() != 0);
+  if (world_rank() != 0) return;
+  EXPECT_EQ(scene["cells"], Json(64));
+  EXPECT_EQ(scene["points"], Json(64 * 9));
+  const auto x = row_of(scene, "position", 0), gap = row_of(scene, "gap", 0), u = row_of(scene, "u", 2);
+  ASSERT_EQ(x.size(), 64U * 9U);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    EXPECT_GE(x[i], 0);
+    EXPECT_LE(x[i], 2);
+    EXPECT_NEAR(gap[i], 0.002 + u[i], 1e-9);  // the plate hangs 0.002 over the plane
+  }
+  EXPECT_NEAR(-*std::ranges::min_element(u), result.summary.max_displacement, 1e-8);
+  EXPECT_EQ(scene["obstacles"].size(), 1U);
+  EXPECT_EQ(scene["lines"].size(), result.summary.obstacles[0].zones[0].lines.size());
+}
+
+TEST(Report, merges_cells_to_blocks_where_there_are_too_many_points) {
+  for (const fem::Shape shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+    const computation::Result result = solved({.degree = 2, .refinements = 2, .shape = shape});
+    const std::int64_t cells = result.levels.back().cells, corners = fem::corner_count(shape);
+    const Json scene = scene_json(*result.solution, result.summary, cells * corners / 4);
+    const Json all = scene_json(*result.solution, result.summary, cells * corners);
+    if (world_rank() != 0) continue;
+    EXPECT_EQ(scene["merged"], Json(2));
+    EXPECT_EQ(scene["points"], Json(cells * corners / 4));
+    EXPECT_EQ(all["merged"], Json(1));
+    // The blocks' corners are points of the cells, with their values; and all blocks together are the plate.
+    const auto x = row_of(scene, "position", 0), y = row_of(scene, "position", 1), u = row_of(scene, "u", 2);
+    const auto all_x = row_of(all, "position", 0), all_y = row_of(all, "position", 1), all_u = row_of(all, "u", 2);
+    double area = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      double nearest = 1;
+      for (std::size_t k = 0; k < all_x.size(); ++k)
+        nearest = std::min<double>(nearest, std::hypot(x[i] - all_x[k], y[i] - all_y[k], 1e3 * (u[i] - all_u[k])));
+      EXPECT_LT(nearest, 1e-6);
+      if (i % static_cast<std::size_t>(corners) == 0)
+        area += std::abs((x[i + 1] - x[i]) * (y[i + 2] - y[i]) - (x[i + 2] - x[i]) * (y[i + 1] - y[i])) *
+                (corners == 3 ? 0.5 : 1);
+    }
+    EXPECT_NEAR(area, 2, 1e-5);
+  }
+}
+
+TEST(Report, stays_below_twelve_megabytes_for_a_hundred_thousand_points) {
+  const DrawnCells drawn = drawn_cells(fem::Shape::quadrilateral, 3, 6400, 5, most_report_points);
+  EXPECT_EQ(drawn.subdivisions, 1);  // of 102 400 points a cell keeps four
+  EXPECT_EQ(drawn.merged_levels, 0);
+  EXPECT_LE(drawn.count * 4, most_report_points);
+  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, 1 << 20, 10, most_report_points).merged_levels, 4);
+  EXPECT_EQ(drawn_cells(fem::Shape::triangle, 2, 100'000, 0, most_report_points).count, 0);
+  // As large as it becomes: all components of all fields at all points, and the rest of the page.
+  std::size_t components = 0;
+  for (const Field& field : fields()) components += static_cast<std::size_t>(field.components);
+  const double fields_size = static_cast<double>(components * most_report_points) * 16 / 3;
+  const double obstacles_size = 60'000 * (12 + 6) * 4.0 / 3;
+  const std::string page = report_html({}, results_json({}, {}), nullptr);
+  EXPECT_LT(fields_size + obstacles_size + static_cast<double>(page.size()), 12e6);
+}
+
+TEST(Report, of_texts_that_look_like_markup_shows_them_as_text) {
+  const std::string evil = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\" ' & {{script}} <!-- \xff";
+  computation::Problem problem = pressed_plate({.degree = 1, .refinements = 1});
+  problem.obstacles.front().name = evil;
+  problem.probes.front().name = evil;
+  const ScratchDirectory scratch("evil");
+  const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+  write_output(result, {.title = evil, .settings = {{"obstacle", Json::array({{{"name", evil}}})}}, .files = {}},
+               scratch.path, "solution", MPI_COMM_WORLD);
+  const std::string page = text_of(scratch.path / "report.html");
+  const std::string plain = report_html({}, results_json({}, {.title = "plain", .settings = {}, .files = {}}), nullptr);
+  EXPECT_EQ(occurrences(page, "<script"), occurrences(plain, "<script"));
+  EXPECT_EQ(occurrences(page, "</script"), occurrences(plain, "</script"));
+  EXPECT_EQ(occurrences(page, "<!--"), occurrences(plain, "<!--"));
+  EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
+  EXPECT_THAT(page, Not(HasSubstr("\xff")));
+  EXPECT_THAT(page, HasSubstr("<h1>&lt;/script&gt;&lt;script&gt;alert(1)"));
+  EXPECT_EQ(Json::parse(block(page, "plastron-results")), Json::parse(text_of(scratch.path / "results.json")));
+}
+
+TEST(Report, of_steps_has_their_history) {
+  computation::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
+  problem.steps = {{.name = "press <slowly>", .parts = 2}};
+  const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+  const std::string page = report_html(result, results_json(result, {}), nullptr);
+  EXPECT_THAT(page, HasSubstr("<section id=\"history\">"));
+  EXPECT_EQ(occurrences(page, "press &lt;slowly&gt;"), 2U);
+}
+
+TEST(Report, that_is_refused_is_not_written_and_an_earlier_one_goes) {
+  const ScratchDirectory scratch("refused");
+  const computation::Result result = solved({.degree = 1, .refinements = 0});
+  Output(scratch.path, "solution", MPI_COMM_WORLD).finish(result, {});
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / "report.html"));
+  MPI_Barrier(MPI_COMM_WORLD);
+  Output(scratch.path, "solution", MPI_COMM_WORLD, false).finish(result, {});
+  EXPECT_FALSE(std::filesystem::exists(scratch.path / "report.html"));
+  EXPECT_THAT(text_of(scratch.path / "results.json"), Not(HasSubstr("report.html")));
+}
+
+TEST(ThinnedSurface, has_few_triangles_with_points_of_its_own) {
+  obstacle::TriangleMesh grid;
+  constexpr int n = 120;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) grid.points.emplace_back(i / double{n}, j / double{n}, 0);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = (n + 1) * j + i;
+      grid.triangles.push_back({a, a + 1, a + n + 2});
+      grid.triangles.push_back({a, a + n + 2, a + n + 1});
+    }
+  EXPECT_EQ(thinned_surface(grid, grid.triangles.size()).triangles, grid.triangles);
+  const obstacle::TriangleMesh few = thinned_surface(grid, 5000);
+  EXPECT_LE(few.triangles.size(), 5000U);
+  EXPECT_GE(few.triangles.size(), 2 * 46U * 46U);
+  for (const auto& p : few.points) EXPECT_EQ(p[2], 0);
+}
+
+}  // namespace
+
+}  // namespace plastron::io

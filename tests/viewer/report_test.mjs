@@ -1,0 +1,200 @@
+// report.html in a browser: it asks for nothing, shows the numbers of results.json, draws the shell and moves it.
+// node report_test.mjs PROGRAM PACKAGES OUTPUT [PICTURES]; ends with 77 where there is no Chromium.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const [program, packages, output, pictures] = process.argv.slice(2).map((path) => resolve(path));
+const here = dirname(fileURLToPath(import.meta.url));
+const chromiumPath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
+if (!chromiumPath) {
+  console.log('skipped: Chromium is not installed (scripts/test-report installs it)');
+  process.exit(77);
+}
+const { chromium } = createRequire(join(packages, 'package.json'))('playwright-core');
+
+const run = (...more) => execFileSync(program, ['run', join(here, 'case.toml'), '--quiet', '--output', output, ...more], { stdio: 'inherit' });
+rmSync(output, { recursive: true, force: true });
+run();
+assert.ok(existsSync(join(output, 'report.html')));
+run('--no-report');
+assert.ok(!existsSync(join(output, 'report.html')), 'a refused report is not written, and an earlier one goes');
+run();
+const results = JSON.parse(readFileSync(join(output, 'results.json'), 'utf8'));
+
+const profile = mkdtempSync(join(tmpdir(), 'plastron-browser-'));
+const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const browser = await chromium.launchPersistentContext(profile, {
+  executablePath: chromiumPath, headless: true, args: flags, viewport: { width: 1280, height: 1000 }, colorScheme: 'light', offline: true,
+});
+
+const page = browser.pages()[0];
+const complaints = [];
+const requests = [];
+page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()));
+page.on('pageerror', (error) => complaints.push(error.message));
+page.on('request', (request) => /^(data|blob):/.test(request.url()) || requests.push(request.url()));
+
+const address = pathToFileURL(join(output, 'report.html')).href;
+const stage = page.locator('.stage');
+
+/** How many colours a PNG has, and at how many places two PNGs differ. Decoded by the browser. */
+const pixels = (...pngs) =>
+  page.evaluate(async (texts) => {
+    const images = await Promise.all(texts.map(async (text) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${text}`;
+      await image.decode();
+      const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
+      const context = canvas.getContext('2d');
+      context.drawImage(image, 0, 0);
+      return new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
+    }));
+    const differences = images.length > 1 ? images[0].reduce((sum, value, i) => sum + (value !== images[1][i] ? 1 : 0), 0) : 0;
+    return { colours: new Set(images[0]).size, differences };
+  }, pngs.map((png) => png.toString('base64')));
+
+/** The stage twice, before and after something was done: at how many pixels they differ. */
+async function changeBy(action) {
+  const before = await stage.screenshot();
+  await action();
+  return (await pixels(before, await stage.screenshot())).differences;
+}
+
+const tests = {
+  async 'asks for nothing but itself'() {
+    assert.deepEqual(requests, [address]);
+  },
+  async 'shows titles and names as texts'() {
+    assert.equal(await page.evaluate(() => window.injected), undefined);
+    assert.equal(await page.title(), results.title);
+    assert.equal(await page.locator('h1').textContent(), results.title);
+    assert.equal(await page.locator('img[src=x]').count(), 0);
+  },
+  async 'shows the numbers of results.json'() {
+    const shown = await page.locator('[data-path]').evaluateAll((nodes) => nodes.map((n) => [n.dataset.path, n.title, n.textContent, n.className]));
+    const numbers = shown.filter(([, title]) => title !== '');
+    assert.ok(numbers.length > 80, `${numbers.length} numbers`);
+    for (const [path, title, text, name] of numbers) {
+      const value = path.split('/').reduce((json, step) => json[step], results);
+      assert.equal(Number(title), value, path);
+      const digits = name.includes('rounding') ? 0.06 : 1e-6;
+      assert.ok(Math.abs(Number(text) - value) <= digits * Math.abs(value), `${path}: ${text} is not ${value}`);
+    }
+    assert.equal(await page.locator('strong[data-path=status]').textContent(), results.status);
+    assert.equal(await page.locator('#levels tbody tr').count(), results.levels.length);
+    assert.equal(await page.locator('#history tbody tr').count(), results.history.length);
+    assert.equal(await page.locator('#certificate tbody tr').count(), Object.keys(results.certificate).length);
+  },
+  async 'draws the shell'() {
+    const { colours } = await pixels(await stage.screenshot());
+    assert.ok(colours > 100, `${colours} colours`);
+  },
+  async 'moves the shell with the slider'() {
+    const slider = page.getByLabel('Scale of the displacements');
+    const moved = await changeBy(() => slider.fill('0'));
+    assert.equal(await page.locator('#view').getAttribute('data-scale'), '0');
+    assert.ok(moved > 2000, `${moved} pixels`);
+    const back = await changeBy(() => page.getByTitle('Displacements times 1', { exact: true }).click());
+    assert.ok(back > 2000, `${back} pixels`);
+  },
+  async 'shows any field with its scale'() {
+    const select = page.locator('.choice select').first();
+    assert.ok((await select.locator('option').count()) > 30);
+    const changed = await changeBy(() => select.selectOption('u:length'));
+    assert.ok(changed > 2000, `${changed} pixels`);
+    assert.match(await page.locator('.bar-title').textContent(), /displacement.*\[m\]/);
+    const largest = Number(await page.locator('.bar-labels span').last().textContent());
+    assert.ok(Math.abs(largest / results.size.max_displacement - 1) < 0.01, `${largest}`);
+    const other = await changeBy(() => page.locator('.choice select').nth(1).selectOption('cividis'));
+    assert.ok(other > 2000, `${other} pixels`);
+  },
+  async 'shows and hides its layers'() {
+    for (const label of ['mesh', 'undeformed', 'obstacles', 'contact boundary']) {
+      const changed = await changeBy(() => page.getByLabel(label, { exact: true }).click());
+      assert.ok(changed > 300, `${label}: ${changed} pixels`);
+    }
+  },
+  async 'shows the values at a click, and none beside the shell'() {
+    const box = await stage.boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    const u = await page.locator('.probe tr[data-key=u] td').nth(1).textContent();
+    assert.equal(u.split(', ').length, 3);
+    assert.ok(u.split(', ').every((value) => Math.abs(Number(value)) <= results.size.max_displacement * 1.01), u);
+    await page.mouse.click(box.x + 5, box.y + 5);
+    assert.equal(await page.locator('.probe tr').count(), 0);
+  },
+  async 'turns by the keyboard and by the mouse'() {
+    await stage.focus();
+    const turned = await changeBy(() => page.keyboard.press('ArrowUp'));
+    assert.ok(turned > 2000, `${turned} pixels`);
+    await page.keyboard.press('p');
+    assert.ok((await page.locator('.probe tr').count()) > 10);
+    const box = await stage.boundingBox();
+    const dragged = await changeBy(async () => {
+      await page.mouse.move(box.x + 300, box.y + 200);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 400, box.y + 260, { steps: 3 });
+      await page.mouse.up();
+    });
+    assert.ok(dragged > 2000, `${dragged} pixels`);
+    await page.keyboard.press('0');
+  },
+  async 'saves a picture'() {
+    const waiting = page.waitForEvent('download');
+    await page.getByText('Save picture').click();
+    const file = join(output, 'shell.png');
+    await (await waiting).saveAs(file);
+    const { colours } = await pixels(readFileSync(file));
+    assert.ok(statSync(file).size > 10000 && colours > 100, `${statSync(file).size} bytes, ${colours} colours`);
+  },
+  async 'follows light and dark'() {
+    const changed = await changeBy(() => page.emulateMedia({ colorScheme: 'dark' }));
+    const { width, height } = await stage.boundingBox();
+    assert.ok(changed > (width * height) / 4, `${changed} pixels`);
+  },
+  async 'fits a phone'() {
+    await page.setViewportSize({ width: 400, height: 850 });
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 400);
+    const { colours } = await pixels(await stage.screenshot());
+    assert.ok(colours > 100, `${colours} colours`);
+  },
+  async 'has not complained'() {
+    assert.deepEqual(complaints, []);
+  },
+};
+
+async function takePictures() {
+  mkdirSync(pictures, { recursive: true });
+  for (const width of [1280, 400])
+    for (const colorScheme of ['light', 'dark']) {
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize({ width, height: 900 });
+      await page.screenshot({ path: join(pictures, `report-${width}-${colorScheme}.png`), fullPage: true });
+    }
+}
+
+let failed = 0;
+try {
+  await page.goto(address);
+  await page.waitForSelector('#view[data-ready]', { timeout: 60000 });
+  for (const [name, test] of Object.entries(tests)) {
+    try {
+      await test();
+      console.log(`ok      ${name}`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAILED  ${name}\n${error.message}`);
+    }
+  }
+  if (pictures) await takePictures();
+} finally {
+  await browser.close();
+  rmSync(profile, { recursive: true, force: true });
+}
+process.exit(failed ? 1 : 0);

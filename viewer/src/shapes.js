@@ -1,0 +1,97 @@
+// Points of the deformed shell and of the lines on it, for any scale of the displacements.
+
+/** a + scale b, into `out`. */
+export function moved(a, scale, b, out) {
+  for (let i = 0; i < a.length; ++i) out[i] = a[i] + scale * b[i];
+  return out;
+}
+
+/** Directors a3 + scale r of length 1: normals of the deformed shell, but for its shear. */
+export function directors(scene, scale, out) {
+  moved(scene.normal, scale, scene.r, out);
+  for (let i = 0; i < out.length; i += 3) {
+    const size = Math.hypot(out[i], out[i + 1], out[i + 2]) || 1;
+    for (let d = 0; d < 3; ++d) out[i + d] /= size;
+  }
+  return out;
+}
+
+/** [xmin, xmax, ymin, ...] of points. */
+export function boundsOf(points) {
+  const bounds = [Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
+  for (let i = 0; i < points.length; ++i) {
+    const d = i % 3;
+    bounds[2 * d] = Math.min(bounds[2 * d], points[i]);
+    bounds[2 * d + 1] = Math.max(bounds[2 * d + 1], points[i]);
+  }
+  return bounds;
+}
+
+export const diagonal = (b) => Math.hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+
+/** The number of the point nearest to p. */
+export function nearest(points, p) {
+  let best = 0;
+  let least = Infinity;
+  for (let i = 0; i < points.length; i += 3) {
+    const distance = (points[i] - p[0]) ** 2 + (points[i + 1] - p[1]) ** 2 + (points[i + 2] - p[2]) ** 2;
+    if (distance < least) {
+      least = distance;
+      best = i / 3;
+    }
+  }
+  return best;
+}
+
+/** Lines on the touching face, put on the mid-surface that is drawn: half a thickness back along the normal of the nearest point. */
+export function linesOnSurface(scene) {
+  return scene.lines.map((line) => {
+    const points = line.points.slice();
+    for (let i = 0; i < points.length; i += 3) {
+      const p = nearest(scene.position, points.subarray(i, i + 3));
+      let height = 0;
+      for (let d = 0; d < 3; ++d) height += (points[i + d] - scene.position[3 * p + d]) * scene.normal[3 * p + d];
+      const back = (Math.sign(height) * scene.thickness[p]) / 2;
+      for (let d = 0; d < 3; ++d) points[i + d] -= back * scene.normal[3 * p + d];
+    }
+    return { ...line, points };
+  });
+}
+
+const sides = 8;
+
+function crossed(a, b) {
+  const c = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const size = Math.hypot(...c) || 1;
+  return c.map((value) => value / size);
+}
+
+/** Tubes round polylines, as screens draw lines of one pixel only: {points, polys}. */
+export function tubes(polylines, radius) {
+  const count = polylines.reduce((sum, line) => sum + line.length / 3, 0);
+  const points = new Float32Array(3 * sides * count);
+  const polys = [];
+  let first = 0;
+  for (const line of polylines) {
+    const n = line.length / 3;
+    for (let k = 0; k < n; ++k) {
+      const before = 3 * Math.max(k - 1, 0);
+      const after = 3 * Math.min(k + 1, n - 1);
+      const along = [0, 1, 2].map((d) => line[after + d] - line[before + d]);
+      const least = along.map(Math.abs).indexOf(Math.min(...along.map(Math.abs)));
+      const e1 = crossed(along, [0, 1, 2].map((d) => (d === least ? 1 : 0)));
+      const e2 = crossed(along, e1);
+      for (let s = 0; s < sides; ++s) {
+        const c = radius * Math.cos((2 * Math.PI * s) / sides);
+        const z = radius * Math.sin((2 * Math.PI * s) / sides);
+        for (let d = 0; d < 3; ++d) points[3 * (first + sides * k + s) + d] = line[3 * k + d] + c * e1[d] + z * e2[d];
+      }
+      for (let s = 0; k > 0 && s < sides; ++s) {
+        const [a, b] = [first + sides * (k - 1) + s, first + sides * (k - 1) + ((s + 1) % sides)];
+        polys.push(4, a, b, b + sides, a + sides);
+      }
+    }
+    first += sides * n;
+  }
+  return { points, polys: Uint32Array.from(polys) };
+}
