@@ -37,11 +37,11 @@ Page page_of(const study::Plot& plot, PlotLayout layout) {
       legend_line * static_cast<double>(plot.series.size()) + slope * static_cast<double>(plot.slopes.size());
   return {.width = 460,
           .height = legend_top + entries,
-          .left = 84,
+          .left = 106,
           .right = 444,
           .top = 44,
           .bottom = 276,
-          .legend_left = 84,
+          .legend_left = 106,
           .legend_top = legend_top};
 }
 

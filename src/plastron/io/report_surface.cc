@@ -38,6 +38,16 @@ Block block_of(const fem::Cell& cell, fem::Shape shape, int merged) {
       {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
 }
 
+/// Those that colours tell something of: no frames, no directions, no places but that of the mid-surface.
+std::vector<Field> shown_fields(const assembly::DiscreteShell& discrete) {
+  auto fields =
+      fields_of(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
+  std::erase_if(fields, [](const Field& field) {
+    return field.key.starts_with("frame/") || field.key.ends_with("_direction") || field.key.ends_with("_face");
+  });
+  return fields;
+}
+
 /// Whether corner k of the cell is that of its block.
 bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape shape, int k) {
   const Eigen::Vector2d corner = fem::corner(shape, k);
@@ -45,7 +55,7 @@ bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape 
   return distance.norm() < 0.25 * std::abs(cell.size);
 }
 
-void append(const certificate::PointValues& point, const std::vector<Field>& fields, std::vector<float>& values) {
+void append(const recovery::PointValues& point, const std::vector<Field>& fields, std::vector<float>& values) {
   for (const Field& field : fields) {
     const auto taken = field.take(point);
     for (int c = 0; c < field.components; ++c) values.push_back(static_cast<float>(taken[static_cast<std::size_t>(c)]));
@@ -59,7 +69,8 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
   const fem::Shape shape = space.shape();
   PointRecords records;
   if (space.owned_cells == 0) return records;
-  const certificate::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(shape, drawn.subdivisions));
+  const recovery::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(shape, drawn.subdivisions),
+                                    solution.recovery);
   const int slots = static_cast<int>(points_in(shape, drawn.subdivisions));
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
     const Block block = block_of(space.cells[cell], shape, drawn.merged_levels);
@@ -133,7 +144,7 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
   const fem::Space& space = discrete.space();
   const MPI_Comm comm = space.layout->comm;
   SampledSurface surface;
-  surface.fields = fields_of(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
+  surface.fields = shown_fields(discrete);
   surface.cells = drawn_cells(space.shape(), space.degree, space.global_cells, refinement_levels(space), most_points);
   if (surface.cells.count == 0) return surface;
   surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);

@@ -36,7 +36,7 @@ std::vector<Carrier> carriers(const Json& results) {
   std::vector<Carrier> all{{"loads", "loads"}, {"supports", "support_reaction"}};
   const Json& obstacles = at_path(results, "obstacles");
   for (std::size_t k = 0; k < obstacles.size(); ++k)
-    all.push_back({"obstacle " + plain_words(obstacles[k]["name"]), fmt::format("obstacles/{}/reaction", k)});
+    all.push_back({plain_words(obstacles[k]["name"]), fmt::format("obstacles/{}/reaction", k)});
   return all;
 }
 
