@@ -6,8 +6,8 @@
 
 namespace plastron::io {
 
-/// Points of the shell's surface that a page may hold: the page stays below 12 MB (a field's 4 bytes are 5.3 letters, some 32 components).
-inline constexpr std::int64_t most_report_points = 25'000;
+/// Points of the shell's surface that a page may hold: the page stays below 12 MB (a field's 4 bytes are 5.3 letters, some 60 components).
+inline constexpr std::int64_t most_report_points = 26'000;
 
 /// On the first rank; null on the others, and where the surface cannot be held (collective). "fields" has the entries of io/fields.hpp with
 /// "values": for each component a base64 array of floats, or one number where all are alike. Throws as sampled_surface().

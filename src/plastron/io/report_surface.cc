@@ -38,16 +38,6 @@ Block block_of(const fem::Cell& cell, fem::Shape shape, int merged) {
       {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
 }
 
-/// Those that colours tell something of: no frames, no directions, no places but that of the mid-surface.
-std::vector<Field> shown_fields(const assembly::DiscreteShell& discrete) {
-  auto fields =
-      fields_of(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
-  std::erase_if(fields, [](const Field& field) {
-    return field.key.starts_with("frame/") || field.key.ends_with("_direction") || field.key.ends_with("_face");
-  });
-  return fields;
-}
-
 /// Whether corner k of the cell is that of its block.
 bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape shape, int k) {
   const Eigen::Vector2d corner = fem::corner(shape, k);
@@ -139,12 +129,21 @@ DrawnCells drawn_cells(fem::Shape shape, int degree, std::int64_t cells, int lev
   return {};
 }
 
+std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier) {
+  auto fields = fields_of(has_obstacle, has_multiplier);
+  std::erase_if(fields, [](const Field& field) {
+    return field.key.starts_with("frame/") || field.key.ends_with("_direction") || field.key.ends_with("_face");
+  });
+  return fields;
+}
+
 SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const fem::Space& space = discrete.space();
   const MPI_Comm comm = space.layout->comm;
   SampledSurface surface;
-  surface.fields = shown_fields(discrete);
+  surface.fields =
+      report_fields(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
   surface.cells = drawn_cells(space.shape(), space.degree, space.global_cells, refinement_levels(space), most_points);
   if (surface.cells.count == 0) return surface;
   surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);
