@@ -23,7 +23,7 @@ std::string command_words(const std::vector<Command>& commands) {
 }
 
 /// In single quotes, for all three shells.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
   return result + "'";
@@ -40,9 +40,9 @@ std::string bash_offer(const Argument& argument) {
       return "_plastron_directories";
     case Accepts::setting:
       return fmt::format("_plastron_words {}; compopt -o nospace 2>/dev/null",
-                         quoted(fmt::format("{}", fmt::join(argument.words, " "))));
+                         in_quotes(fmt::format("{}", fmt::join(argument.words, " "))));
     case Accepts::words:
-      return fmt::format("_plastron_words {}", quoted(fmt::format("{}", fmt::join(argument.words, " "))));
+      return fmt::format("_plastron_words {}", in_quotes(fmt::format("{}", fmt::join(argument.words, " "))));
     default:
       return ":";
   }
@@ -127,7 +127,7 @@ std::string zsh_option(const Argument& option) {
     std::string specification = option.accepts == Accepts::setting ? "*" : "";
     specification += fmt::format("{}[{}]", name, zsh_text(option.meaning));
     if (option.accepts != Accepts::nothing) specification += fmt::format(":value:{}", zsh_action(option));
-    all += fmt::format(" \\\n        {}", quoted(specification));
+    all += fmt::format(" \\\n        {}", in_quotes(specification));
   }
   return all;
 }
@@ -135,7 +135,7 @@ std::string zsh_option(const Argument& option) {
 std::string zsh(const std::vector<Command>& commands) {
   std::string text = "#compdef plastron\n# zsh completion of plastron, made by `plastron completion zsh`\n";
   text += "_plastron() {\n  local -a commands\n  commands=(\n";
-  for (const Command& c : commands) text += "    " + quoted(c.name + ":" + zsh_text(c.meaning)) + "\n";
+  for (const Command& c : commands) text += "    " + in_quotes(c.name + ":" + zsh_text(c.meaning)) + "\n";
   text += "  )\n  if ((CURRENT == 2)); then\n    _describe command commands\n    return\n  fi\n";
   text += "  local command=$words[2]\n  shift words\n  ((--CURRENT))\n  case $command in\n";
   for (const Command& c : commands) {
@@ -144,7 +144,7 @@ std::string zsh(const std::vector<Command>& commands) {
     for (std::size_t i = 0; i < c.positionals.size(); ++i)
       text +=
           fmt::format(" \\\n        {}",
-                      quoted(fmt::format("{}:{}:{}", i + 1, c.positionals[i].names[0], zsh_action(c.positionals[i]))));
+                      in_quotes(fmt::format("{}:{}:{}", i + 1, c.positionals[i].names[0], zsh_action(c.positionals[i]))));
     text += "\n      ;;\n";
   }
   return text +
@@ -161,7 +161,7 @@ std::string fish_values(const Argument& argument) {
       return " -x -a '(__fish_complete_directories)'";
     case Accepts::setting:
     case Accepts::words:
-      return fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(argument.words, " "))));
+      return fmt::format(" -x -a {}", in_quotes(fmt::format("{}", fmt::join(argument.words, " "))));
     case Accepts::nothing:
       return "";
     default:
@@ -172,7 +172,7 @@ std::string fish_values(const Argument& argument) {
 std::string fish(const std::vector<Command>& commands) {
   std::string text = "# fish completion of plastron, made by `plastron completion fish`\ncomplete -c plastron -f\n";
   for (const Command& c : commands)
-    text += fmt::format("complete -c plastron -n __fish_use_subcommand -a {} -d {}\n", c.name, quoted(c.meaning));
+    text += fmt::format("complete -c plastron -n __fish_use_subcommand -a {} -d {}\n", c.name, in_quotes(c.meaning));
   text +=
       "complete -c plastron -n __fish_use_subcommand -l version -d 'Display program version information and exit'\n";
   for (const Command& c : commands) {
@@ -181,7 +181,7 @@ std::string fish(const std::vector<Command>& commands) {
       text += begin;
       for (const std::string& name : option.names)
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-      text += fmt::format("{} -d {}\n", fish_values(option), quoted(option.meaning));
+      text += fmt::format("{} -d {}\n", fish_values(option), in_quotes(option.meaning));
     }
     for (const Argument& positional : c.positionals) {
       const std::string values = fish_values(positional);
