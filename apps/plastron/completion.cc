@@ -142,9 +142,8 @@ std::string zsh(const std::vector<Command>& commands) {
     text += fmt::format("    {})\n      _arguments", c.name);
     for (const Argument& option : c.options) text += zsh_option(option);
     for (std::size_t i = 0; i < c.positionals.size(); ++i)
-      text +=
-          fmt::format(" \\\n        {}",
-                      in_quotes(fmt::format("{}:{}:{}", i + 1, c.positionals[i].names[0], zsh_action(c.positionals[i]))));
+      text += fmt::format(" \\\n        {}", in_quotes(fmt::format("{}:{}:{}", i + 1, c.positionals[i].names[0],
+                                                                   zsh_action(c.positionals[i]))));
     text += "\n      ;;\n";
   }
   return text +

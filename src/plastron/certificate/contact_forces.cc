@@ -7,7 +7,7 @@ namespace plastron::certificate {
 
 namespace {
 
-constexpr std::size_t entries = 14;  // obstacle, x, place, displacement, force, pressure, area
+constexpr std::size_t force_entries = 14;  // obstacle, x, place, displacement, force, pressure, area
 
 void pack_force(const ContactForce& c, std::vector<double>& all) {
   all.push_back(static_cast<double>(c.obstacle));
@@ -50,7 +50,7 @@ std::vector<ContactForce> contact_forces(const assembly::DiscreteShell& discrete
     }
   const std::vector<double> all = algebra::gather_over_ranks(mine, discrete.space().layout->comm);
   std::vector<ContactForce> forces;
-  for (std::size_t at = 0; at < all.size(); at += entries) forces.push_back(unpacked_force(all.data() + at));
+  for (std::size_t at = 0; at < all.size(); at += force_entries) forces.push_back(unpacked_force(all.data() + at));
   std::ranges::sort(forces, [](const ContactForce& a, const ContactForce& b) {
     return std::tuple(a.obstacle, a.x[0], a.x[1]) < std::tuple(b.obstacle, b.x[0], b.x[1]);
   });
