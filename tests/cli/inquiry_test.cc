@@ -142,7 +142,9 @@ TEST(New, WritesCasesThatRunAsTheyAre) {
     EXPECT_THAT(run.output, Not(HasSubstr("warning"))) << name;
     const auto results = nlohmann::json::parse(text_of(scratch.path / "out/results.json"));
     EXPECT_EQ(results["status"], "solved") << name;
-    if (name != "plate") EXPECT_GT(results["contact"]["nodes"], 0) << name;
+    if (name != "plate") {
+      EXPECT_GT(results["contact"]["nodes"], 0) << name;
+    }
   }
 }
 
@@ -242,9 +244,10 @@ TEST(Inquiries, AreAnsweredAtOnce) {
 TEST(Inquiries, PrintLinesOf120CharactersAtMost) {
   const Scratch scratch;
   for (const auto& arguments : inquiries)
-    if (arguments[0] != "schema" && arguments[0] != "completion")
+    if (arguments[0] != "schema" && arguments[0] != "completion") {
       EXPECT_LE(longest_line(plastron(arguments, scratch.path).output), 120u)
           << arguments[0] << " " << arguments.back();
+    }
 }
 
 TEST(UnknownCommands, AreAnsweredWithTheNearest) {

@@ -99,7 +99,7 @@ TEST(Overrides, KeepTheLineBreaksOfTheFile) {
 }
 
 /// What is said of a setting that is wrong by itself.
-std::string refusal(const std::string& setting) {
+std::string refusal_of(const std::string& setting) {
   try {
     edited(disk, {setting});
   } catch (const CaseErrors& errors) {
@@ -111,21 +111,21 @@ std::string refusal(const std::string& setting) {
 }
 
 TEST(Overrides, ThatAreWrongAreNamed) {
-  EXPECT_THAT(refusal("shell.E"), HasSubstr("has no ="));
-  EXPECT_THAT(refusal("=3"), HasSubstr("no key of a case file"));
-  EXPECT_THAT(refusal("shell..E=3"), HasSubstr("no key of a case file"));
-  EXPECT_THAT(refusal("[0]=3"), HasSubstr("no key of a case file"));
-  EXPECT_THAT(refusal("obstacle[x].force=3"), HasSubstr("no key of a case file"));
-  EXPECT_THAT(refusal("obstacle[0.force=3"), HasSubstr("no key of a case file"));
-  EXPECT_THAT(refusal("mesh.cells=triangle"), HasSubstr("in quotes that the shell leaves"));
-  EXPECT_THAT(refusal("shell.E="), HasSubstr("value is missing"));
-  EXPECT_THAT(refusal("obstacle[2].force=[0,0,1]"), HasSubstr("obstacle has 2 entries, counted from 0"));
-  EXPECT_THAT(refusal("obstacle.force=[0,0,1]"), HasSubstr("obstacle[0] is the first"));
-  EXPECT_THAT(refusal("shell[0].E=1"), HasSubstr("shell is no list"));
-  EXPECT_THAT(refusal("shell.E.x=1"), HasSubstr("shell.E has no keys"));
-  EXPECT_THAT(refusal("shell={}"), HasSubstr("set its keys one by one"));
-  EXPECT_THAT(refusal("obstacle=[]"), HasSubstr("set its keys one by one"));
-  EXPECT_THAT(refusal("probe[0].at=[0,0]"), HasSubstr("the case has no probe"));
+  EXPECT_THAT(refusal_of("shell.E"), HasSubstr("has no ="));
+  EXPECT_THAT(refusal_of("=3"), HasSubstr("no key of a case file"));
+  EXPECT_THAT(refusal_of("shell..E=3"), HasSubstr("no key of a case file"));
+  EXPECT_THAT(refusal_of("[0]=3"), HasSubstr("no key of a case file"));
+  EXPECT_THAT(refusal_of("obstacle[x].force=3"), HasSubstr("no key of a case file"));
+  EXPECT_THAT(refusal_of("obstacle[0.force=3"), HasSubstr("no key of a case file"));
+  EXPECT_THAT(refusal_of("mesh.cells=triangle"), HasSubstr("in quotes that the shell leaves"));
+  EXPECT_THAT(refusal_of("shell.E="), HasSubstr("value is missing"));
+  EXPECT_THAT(refusal_of("obstacle[2].force=[0,0,1]"), HasSubstr("obstacle has 2 entries, counted from 0"));
+  EXPECT_THAT(refusal_of("obstacle.force=[0,0,1]"), HasSubstr("obstacle[0] is the first"));
+  EXPECT_THAT(refusal_of("shell[0].E=1"), HasSubstr("shell is no list"));
+  EXPECT_THAT(refusal_of("shell.E.x=1"), HasSubstr("shell.E has no keys"));
+  EXPECT_THAT(refusal_of("shell={}"), HasSubstr("set its keys one by one"));
+  EXPECT_THAT(refusal_of("obstacle=[]"), HasSubstr("set its keys one by one"));
+  EXPECT_THAT(refusal_of("probe[0].at=[0,0]"), HasSubstr("the case has no probe"));
 }
 
 TEST(Overrides, WithAControlCharacterAreRefused) { EXPECT_THROW(edited(disk, {"shell.E=1\n[mesh]"}), CaseErrors); }

@@ -38,10 +38,6 @@ class ContinuedResultants {
 
 }  // namespace
 
-shell::SectionForces section_forces(const PointValues& point) {
-  return {.N = point.N, .M = point.M, .Q = point.Q, .thickness = point.thickness};
-}
-
 Recovery::Recovery(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                    const std::vector<Eigen::Vector2d>& xi, Choice choice)
     : discrete_(discrete), solution_(solution), choice_(std::move(choice)), resultant_points_(discrete, choice_.axis) {

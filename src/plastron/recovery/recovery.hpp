@@ -28,7 +28,9 @@ struct PointValues {
 };
 
 /// N, M, Q and the thickness, from which stresses follow.
-shell::SectionForces section_forces(const PointValues& point);
+inline shell::SectionForces section_forces(const PointValues& point) {
+  return {.N = point.N, .M = point.M, .Q = point.Q, .thickness = point.thickness};
+}
 
 /// What resultants and frames are to be.
 struct Choice {
