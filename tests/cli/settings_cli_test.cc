@@ -142,8 +142,8 @@ TEST(EventLog, TellsOfARunFromBeginningToEnd) {
 TEST(EventLog, HasWarningsAndStepsAndStudies) {
   const Scratch scratch;
   ASSERT_EQ(plastron({"new", "dome.toml", "-t", "dome"}, scratch.path).exit_code, 0);
-  const auto log =
-      events(scratch, "$PLASTRON run dome.toml -o out --json-log -q --set mesh.refinements=0 --set constants.F=1", 0);
+  const auto log = events(
+      scratch, "$PLASTRON run dome.toml -o out --json-log -q --set mesh.refinements=0 --set constants.F=2e-3", 0);
   EXPECT_EQ(std::ranges::count(names(log), "instant"), 4);
   EXPECT_THAT(first(log, "warning")["text"].get<std::string>(), HasSubstr("linear model"));
   const auto study =

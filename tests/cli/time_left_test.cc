@@ -46,7 +46,7 @@ TEST(TimesLeft, AreRounded) {
   EXPECT_EQ(left_text(7.4), "about 7 s left");
   EXPECT_EQ(left_text(43), "about 45 s left");
   EXPECT_EQ(left_text(200), "about 3 min left");
-  EXPECT_EQ(left_text(9000), "about 2 h left");
+  EXPECT_EQ(left_text(7000), "about 2 h left");
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ TEST(CasesWithSettings, TellOfTheFileAsItWasElsewhere) {
   const auto place = CaseFile::name() + ":12:1: error: unknown key \"forse\"";
   EXPECT_THAT(read_refusal(wrong, {}), HasSubstr(place));
   // Lines come and go above it.
-  EXPECT_THAT(read_refusal(wrong, {"title=\"a\"", "shell.density=1", "geometry.chart=[\"x\", \"y\", 0]"}),
+  EXPECT_THAT(read_refusal(wrong, {"title=\"a\"", "shell.shear_correction=1", "geometry.chart=[\"x\", \"y\", 0]"}),
               AllOf(HasSubstr(place), Not(HasSubstr("--set"))));
 }
 

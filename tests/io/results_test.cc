@@ -37,6 +37,7 @@ computation::Result some_result(bool has_obstacle) {
                                .nodes = 7,
                                .zones = std::vector<certificate::ContactZone>(1)}};
   result.certificate.min_gap_between = -1e-5;
+  result.summary.is_admissible_wanted = true;
   result.summary.support_reactions = {{.boundary = "rim", .reaction = {.force = {0, 0, 2}}, .nodes = 3}};
   result.summary.point_reactions = {{.at = {0.25, 1}, .force = {1e-9, 0, -2}}};
   result.probes = {{"a point", some_point()}};

@@ -62,7 +62,8 @@ std::string_view explain(Status status) {
       return "A motion costs no energy and no bound stops it; add a support that holds the structure.";
     case Status::not_held:
       return "Contact alone would hold the structure, and nothing stops it: the loads pull it off, let it tip over, or "
-             "are in balance without contact; add a support against that motion, or loads that press it on.";
+             "are in balance without contact; add a support against that motion, or loads that press it on. In a very "
+             "thin shell it may be rounding that looks like such a motion: then the system is too ill-conditioned.";
     case Status::not_carried:
       return "Nothing carries the force that presses an obstacle: it moves away for ever, alone or with the "
              "structure; turn its direction round, place the obstacle where it meets the structure, or support that.";

@@ -132,7 +132,7 @@ DrawnCells drawn_cells(fem::Shape shape, int degree, std::int64_t cells, int lev
 std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier) {
   auto fields = fields_of(has_obstacle, has_multiplier);
   std::erase_if(fields, [](const Field& field) {
-    return field.key.starts_with("frame/") || field.key.ends_with("_direction") || field.key.ends_with("_face");
+    return field.key.starts_with("frame/t") || field.key.ends_with("_direction") || field.key.ends_with("_face");
   });
   return fields;
 }

@@ -28,7 +28,7 @@ struct SampledSurface {
       rows{};  ///< a row for each component of each field, a value for each point; on the first rank only
 };
 
-/// Those that colours tell something of: no frames, no directions, no places but that of the mid-surface.
+/// Those that colours tell something of: no tangents, no directions, no places but that of the mid-surface.
 std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier);
 
 /// Cells stand in an order that no number of ranks changes (collective). Throws what the chart throws at points between nodes, on all ranks
