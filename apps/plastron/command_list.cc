@@ -30,7 +30,7 @@ std::vector<std::string> kinds_of_study() {
 }
 
 void describe_values(const CLI::Option& option, Argument& argument) {
-  const std::string name = option.get_single_name();
+  const std::string& name = option.get_single_name();
   const auto offer = [&](std::vector<std::string> words) {
     argument.accepts = Accepts::words;
     argument.words = std::move(words);

@@ -33,7 +33,13 @@ struct Carrier {
 };
 
 std::vector<Carrier> carriers(const Json& results) {
-  std::vector<Carrier> all{{"loads", "loads"}, {"supports", "support_reaction"}};
+  std::vector<Carrier> all{{"loads", "loads"}};
+  const Json& supports = at_path(results, "supports");
+  if (supports.size() > 1 && at_path(results, "point_supports").empty())
+    for (std::size_t k = 0; k < supports.size(); ++k)
+      all.push_back({"supports: " + plain_words(supports[k]["boundary"]), fmt::format("supports/{}/reaction", k)});
+  else
+    all.push_back({"supports", "support_reaction"});
   const Json& obstacles = at_path(results, "obstacles");
   for (std::size_t k = 0; k < obstacles.size(); ++k)
     all.push_back({plain_words(obstacles[k]["name"]), fmt::format("obstacles/{}/reaction", k)});
@@ -115,6 +121,7 @@ std::string key_numbers_html(const Json& results) {
                                       Column{"largest displacement", "size/max_displacement"},
                                       Column{"in thicknesses", "size/max_relative_displacement"},
                                       Column{"largest rotation", "size/max_rotation"},
+                                      Column{"largest von Mises stress", "stress/max_von_mises"},
                                       Column{"contact area", "contact/area"},
                                       Column{"touching nodes", "contact/nodes"},
                                       Column{"largest pressure", "contact/max_pressure"},

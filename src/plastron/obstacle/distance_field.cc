@@ -47,7 +47,7 @@ const std::array<Vector3d, 26>& directions_around() {
 
 /// F at X; refused where it says nothing about the way to the surface.
 SpaceJet usable_jet(const SpaceFunction& F, const Vector3d& X) {
-  const SpaceJet f = F(X);
+  SpaceJet f = F(X);
   if (!std::isfinite(f.value)) refuse(F, "is not finite there; it must be wherever the shell is");
   if (!f.hessian.allFinite() || !f.gradient.allFinite())
     refuse(F, fmt::format("is {:.4g} there, but its first two derivatives are not finite; they must be wherever the "
@@ -94,7 +94,7 @@ Vector3d point_on_surface(const SpaceFunction& F, const Vector3d& X, const Space
 Foot any_foot(const SpaceFunction& F, const Vector3d& X) {
   const SpaceJet f = usable_jet(F, X);
   const ZeroSet surface(F);
-  const Foot direct = surface.newton(X, X);
+  Foot direct = surface.newton(X, X);
   if (direct.is_found(X)) return direct;
   const auto beside = surface.projected(direct.Y, 1e-10 * (X - direct.Y).norm());
   return surface.descend(X, beside ? *beside : point_on_surface(F, X, f));

@@ -33,8 +33,9 @@ class Cubes {
   int first_near(int point) {
     const Vector3d& X = points_[static_cast<std::size_t>(point)];
     std::set<Key> near;
-    for (int corner = 0; corner < 8; ++corner)
-      near.insert(key(X + tolerance_ * Vector3d((corner & 1) * 2 - 1, (corner & 2) - 1, (corner & 4) / 2 - 1)));
+    for (const double x : {-tolerance_, tolerance_})
+      for (const double y : {-tolerance_, tolerance_})
+        for (const double z : {-tolerance_, tolerance_}) near.insert(key(X + Vector3d(x, y, z)));
     int first = point;
     for (const Key& cube : near)
       if (const auto found = cubes_.find(cube); found != cubes_.end())

@@ -77,8 +77,8 @@ ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, cons
 
 void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells) {
   algebra::Vector all(vertices_.layout(), Sum::sums);
-  std::vector<Eigen::Vector2d> xi;
-  for (int k = 0; k < corners_; ++k) xi.push_back(fem::corner(space_.shape(), k));
+  std::vector<Eigen::Vector2d> xi(static_cast<std::size_t>(corners_));
+  for (int k = 0; k < corners_; ++k) xi[static_cast<std::size_t>(k)] = fem::corner(space_.shape(), k);
   std::vector<geometry::SurfaceJet> jets(xi.size());
   for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
     discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
