@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
 #include <system_error>
 
@@ -59,7 +60,7 @@ class Made {
  public:
   ~Made() {
     std::error_code error;
-    for (auto path = paths_.rbegin(); path != paths_.rend(); ++path) fs::remove(*path, error);
+    for (const fs::path& path : paths_ | std::views::reverse) fs::remove(path, error);
   }
   /// The directory and those above it that are not there.
   void make_directory(const fs::path& directory) {

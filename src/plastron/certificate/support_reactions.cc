@@ -40,8 +40,8 @@ std::vector<SupportReaction> support_reactions(const assembly::DiscreteShell& di
     const auto own = marks.local().subspan(node * names.size(), names.size());
     return static_cast<std::size_t>(std::ranges::find_if(own, [](double mark) { return mark > 0; }) - own.begin());
   };
-  std::vector<SupportReaction> reactions;
-  for (const std::string& name : names) reactions.push_back({.boundary = name});
+  std::vector<SupportReaction> reactions(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) reactions[k].boundary = names[k];
   for (const NodalSupportForce& at : forces) {
     const std::size_t name = name_of(at.node);
     if (name == names.size()) continue;  // held as a point

@@ -24,6 +24,7 @@ std::optional<PointValues> local_values(const Solution& solution, const fem::Loc
 std::vector<fem::Location> located(const fem::CoarseMesh& coarse, const std::vector<Eigen::Vector2d>& points,
                                    std::string_view what) {
   std::vector<fem::Location> locations;
+  locations.reserve(points.size());
   for (const Eigen::Vector2d& point : points) {
     const auto location = fem::locate(coarse, point);
     if (!location)
@@ -42,6 +43,7 @@ std::vector<PointValues> values_at(const Solution& solution, const std::vector<E
   const auto locations = located(*space.coarse, points, what);
   const auto found = algebra::in_agreement(comm, [&] {
     std::vector<std::optional<PointValues>> mine;
+    mine.reserve(locations.size());
     for (const fem::Location& location : locations) mine.push_back(local_values(solution, location));
     return mine;
   });
@@ -49,9 +51,11 @@ std::vector<PointValues> values_at(const Solution& solution, const std::vector<E
   constexpr std::size_t size = sizeof(PointValues) / sizeof(double);
   static_assert(sizeof(PointValues) % sizeof(double) == 0);
   std::vector<PointValues> values;
+  values.reserve(found.size());
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   std::vector<int> owners;
+  owners.reserve(found.size());
   for (const auto& point : found) owners.push_back(point ? rank : std::numeric_limits<int>::max());
   MPI_Allreduce(MPI_IN_PLACE, owners.data(), static_cast<int>(owners.size()), MPI_INT, MPI_MIN, comm);
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -64,6 +68,7 @@ std::vector<PointValues> values_at(const Solution& solution, const std::vector<E
 
 std::vector<ProbeValue> probe(const Solution& solution, const std::vector<Probe>& probes) {
   std::vector<ProbeValue> values;
+  values.reserve(probes.size());
   for (const Probe& p : probes)
     values.push_back({p.name, values_at(solution, {p.at}, fmt::format("the probe \"{}\"", p.name)).front()});
   return values;

@@ -52,7 +52,7 @@ Schema free_table() {
 }
 
 Schema schema_of(const Key& key, Kind kind, const std::string& path) {
-  const Schema real = number("number", key.range), formula = any_of({{{"type", "number"}}, text()});
+  Schema real = number("number", key.range), formula = any_of({{{"type", "number"}}, text()});
   switch (kind) {
     case Kind::text:
     case Kind::name:
