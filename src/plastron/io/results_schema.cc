@@ -82,7 +82,7 @@ void add(Json& record, const Entry& entry) {
 
 /// What belongs to no table.
 void add_others(Json& schema) {
-  const auto add = [&](const char* name, const char* meaning, Json value) {
+  const auto add = [&](const char* name, const char* meaning, const Json& value) {
     Json described{{"description", meaning}};
     described.update(value);
     member(schema, name) = std::move(described);
