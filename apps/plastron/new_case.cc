@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 #include <system_error>
 
@@ -60,7 +59,8 @@ class Made {
  public:
   ~Made() {
     std::error_code error;
-    for (const fs::path& path : paths_ | std::views::reverse) fs::remove(path, error);
+    std::ranges::reverse(paths_);
+    for (const fs::path& path : paths_) fs::remove(path, error);
   }
   /// The directory and those above it that are not there.
   void make_directory(const fs::path& directory) {
