@@ -16,6 +16,10 @@ computation::Result solved(const std::string& text) {
   return computation::solve(config::parse_case(text, "stresses.toml").problem, MPI_COMM_WORLD);
 }
 
+std::string shell_of(double nu, double thickness) {
+  return fmt::format("[shell]\nE = 1.0\nnu = {}\nthickness = {}\n", nu, thickness);
+}
+
 const recovery::PointValues& probe_of(const computation::Result& result, const std::string& name) {
   for (const computation::ProbeValue& p : result.probes)
     if (p.name == name) return p.values;
@@ -42,11 +46,7 @@ void expect_stresses(const recovery::PointValues& p, const std::array<Eigen::Vec
 // of the normal obeys one equation with the statically given Q = -q r / 2. Timoshenko and Woinowsky-Krieger, section 16.
 TEST(Stresses, OfAClampedCircularPlateAreThoseOfTheClosedForm) {
   const double q = 1e-4, nu = 0.3, e = 0.05;
-  std::string text = fmt::format(R"case([shell]
-E = 1.0
-nu = {}
-thickness = {}
-[geometry]
+  std::string text = shell_of(nu, e) + fmt::format(R"case([geometry]
 domain = {{ disk = {{ radius = 1 }} }}
 chart = ["x", "y", "0"]
 [mesh]
@@ -60,7 +60,7 @@ fix = ["u", "r"]
 [[load]]
 force = [0, 0, {}]
 )case",
-                                 nu, e, q);
+                                                   q);
   for (const double r : {0.0, 0.3, 0.7, 1.0}) text += fmt::format("[[probe]]\nname = \"{}\"\nat = [{}, 0]\n", r, r);
   const auto result = solved(text);
   for (const double r : {0.0, 0.3, 0.7, 1.0}) {
@@ -81,11 +81,7 @@ force = [0, 0, {}]
 // pressure 2 N/R + 2 M/R^2. The cap's rim is moved as the sphere moves there.
 TEST(Stresses, OfASphereUnderPressureAreThoseOfTheMembraneAndTheWallsOwn) {
   const double w = 1e-3, nu = 0.25, e = 0.1, N = e / (1 - nu) * w, M = e * e * e / 12 / (1 - nu) * w;
-  const auto result = solved(fmt::format(R"case([shell]
-E = 1.0
-nu = {}
-thickness = {}
-[geometry]
+  const auto result = solved(shell_of(nu, e) + fmt::format(R"case([geometry]
 domain = {{ disk = {{ radius = 0.6 }} }}
 chart = ["x", "y", "sqrt(1 - x^2 - y^2)"]
 [mesh]
@@ -107,7 +103,7 @@ at = [0.2, 0.4]
 name = "rim"
 at = [0, -0.6]
 )case",
-                                         nu, e, w, w, w, 2 * N + 2 * M));
+                                                           w, w, w, 2 * N + 2 * M));
   const Eigen::Vector3d both(1, 1, 0);
   for (const char* name : {"top", "side", "rim"}) {
     const auto& p = probe_of(result, name);
@@ -122,11 +118,7 @@ at = [0, -0.6]
 // along the axis, held up by the pressure N_t/R + M_t/R^2.
 TEST(Stresses, OfATubeUnderPressureDoNotDependOnTheSeam) {
   const double nu = 0.3, e = 0.05, w = 2e-3, N = e / (1 - nu * nu) * w, M = e * e * e / 12 / (1 - nu * nu) * w;
-  const auto result = solved(fmt::format(R"case([shell]
-E = 1.0
-nu = {}
-thickness = {}
-[geometry]
+  const auto result = solved(shell_of(nu, e) + fmt::format(R"case([geometry]
 domain = {{ rectangle = {{ from = [0, 0], to = ["2*pi", 1], cells = [8, 2] }} }}
 chart = ["cos(x)", "sin(x)", "y"]
 [mesh]
@@ -157,7 +149,7 @@ at = [1, 0.5]
 name = "seam"
 at = [0, 0.5]
 )case",
-                                         nu, e, N + M));
+                                                           N + M));
   for (const char* name : {"front", "seam"}) {
     const auto& p = probe_of(result, name);
     const Eigen::Vector3d along(nu, 1, 0);  // t1 is the axis
@@ -170,11 +162,7 @@ at = [0, 0.5]
 TEST(Stresses, OfAStripInPureBendingAreExact) {
   const double m = 1e-5, e = 0.02;
   for (const char* cells : {"quadrilateral", "triangle"}) {
-    const auto result = solved(fmt::format(R"case([shell]
-E = 1.0
-nu = 0.0
-thickness = {}
-[geometry]
+    const auto result = solved(shell_of(0, e) + fmt::format(R"case([geometry]
 domain = {{ rectangle = {{ from = [0, 0], to = [1, 0.2] }} }}
 chart = ["x", "y", "0"]
 [mesh]
@@ -194,7 +182,7 @@ at = [0.5, 0.1]
 name = "corner"
 at = [1, 0.2]
 )case",
-                                           e, cells, m));
+                                                            cells, m));
     const Eigen::Vector3d face(6 * m / (e * e), 0, 0);
     for (const char* name : {"middle", "corner"})
       expect_stresses(probe_of(result, name), {-face, Eigen::Vector3d::Zero(), face}, 1e-8);
@@ -225,11 +213,7 @@ double vertical_force(const computation::Result& result, double radius, int poin
 TEST(Stresses, OverACutBalanceTheLoadInside) {
   std::array<double, 2> errors{};
   for (int level = 0; level < 2; ++level) {
-    const auto result = solved(fmt::format(R"case([shell]
-E = 1.0
-nu = 0.3
-thickness = 0.02
-[geometry]
+    const auto result = solved(shell_of(0.3, 0.02) + fmt::format(R"case([geometry]
 domain = {{ disk = {{ radius = 1 }} }}
 chart = ["x", "y", "0"]
 [mesh]
@@ -241,7 +225,7 @@ fix = ["u", "r"]
 [[load]]
 force = [0, 0, "1e-5*(1 + x^2 + y^2)"]
 )case",
-                                           3 + level));
+                                                                 3 + level));
     const double inside = 1e-5 * std::numbers::pi * (0.25 + 0.25 * 0.25 / 2);
     errors[static_cast<std::size_t>(level)] = std::abs(vertical_force(result, 0.5, 200) + inside) / inside;
   }

@@ -34,15 +34,6 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
   return r;
 }
 
-Wrench over_ranks(const Wrench& w, MPI_Comm comm) {
-  Wrench sum;
-  for (int k = 0; k < 3; ++k) {
-    sum.force[k] = algebra::sum_over_ranks(w.force[k], comm);
-    sum.moment[k] = algebra::sum_over_ranks(w.moment[k], comm);
-  }
-  return sum;
-}
-
 /// Forces, moments and energies as large as if the displacements were strains, relative to the shell's size.
 struct StrainScale {
   double force = 0, squared_force = 0, moment = 0, energy = 0;
@@ -84,9 +75,7 @@ struct Sums {
 };
 
 void add(Wrench& wrench, const assembly::NodalPoint& p, const Vector6& f, Sums& sums) {
-  const Vector3d moment = p.phi.cross(f.head<3>()) + p.a3.cross(f.tail<3>());
-  wrench.force += f.head<3>();
-  wrench.moment += moment;
+  wrench += nodal_wrench(p.phi, p.a3, f);
   sums.force_scale += f.head<3>().norm() + f.tail<3>().norm() / p.thickness;
   sums.moment_scale += p.phi.cross(f.head<3>()).norm() + f.tail<3>().norm();
 }

@@ -47,14 +47,12 @@ std::vector<SupportReaction> support_reactions(const assembly::DiscreteShell& di
     if (name == names.size()) continue;  // held as a point
     const assembly::NodalPoint& point = discrete.points[at.node];
     reactions[name].nodes += 1;
-    reactions[name].reaction.force += at.force.head<3>();
-    reactions[name].reaction.moment += point.phi.cross(at.force.head<3>()) + point.a3.cross(at.force.tail<3>());
+    reactions[name].reaction += nodal_wrench(point.phi, point.a3, at.force);
   }
   const MPI_Comm comm = discrete.space().layout->comm;
   for (SupportReaction& reaction : reactions) {
     reaction.nodes = algebra::sum_over_ranks(reaction.nodes, comm);
-    for (double& component : reaction.reaction.force) component = algebra::sum_over_ranks(component, comm);
-    for (double& component : reaction.reaction.moment) component = algebra::sum_over_ranks(component, comm);
+    reaction.reaction = over_ranks(reaction.reaction, comm);
   }
   return reactions;
 }

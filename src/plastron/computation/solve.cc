@@ -67,8 +67,7 @@ class Computation {
       warn(sideways_warnings(*result_.solution), observer_, result_);
       warn(point_support_warnings(result_, problem_.supports), observer_, result_);
       add_contact_zones(result_);
-      choose_recovery(problem_.output, *result_.solution);
-      result_.probes = probe(*result_.solution, problem_.probes);
+      if (result_.history.empty()) recover();
       result_.peak = stress_peak(*result_.solution);
     }
     adopt_worst_status();
@@ -178,11 +177,16 @@ class Computation {
     warn(std::move(warnings), observer_, result_);
   }
 
+  /// Resultants of the present solution, and its probes.
+  void recover() {
+    choose_recovery(problem_.output, *result_.solution);
+    result_.probes = probe(*result_.solution, problem_.probes);
+  }
+
   /// The present solution becomes an entry of the history.
   void note(const Instant& instant) {
     judge_certificate(result_);
-    choose_recovery(problem_.output, *result_.solution);
-    result_.probes = probe(*result_.solution, problem_.probes);
+    recover();
     result_.history.push_back({.step = problem_.steps[static_cast<std::size_t>(instant.step)].name,
                                .time = instant.time,
                                .load_factor = instant.load_factor,

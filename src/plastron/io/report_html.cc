@@ -1,5 +1,6 @@
 #include <plastron/io/report_html.hpp>
 
+#include <deal.II/base/utilities.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,17 +48,8 @@ std::string script_json(const Json& json) {
 }
 
 std::string base64(std::span<const std::byte> bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  result.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = (word << 8U) | (k < count ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) result += k <= count ? letters[(word >> (18U - 6U * k)) & 63U] : '=';
-  }
-  return result;
+  const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
+  return dealii::Utilities::encode_base64({first, first + bytes.size()});
 }
 
 std::string base64(const std::string& bytes) { return base64(std::as_bytes(std::span(bytes.data(), bytes.size()))); }
