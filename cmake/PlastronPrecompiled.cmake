@@ -28,5 +28,7 @@ set(external_headers <mpi.h> <Eigen/Cholesky> <Eigen/Core> <Eigen/Eigenvalues> <
 
 # For folders that compute with fields, and for those that read and write files, too.
 plastron_precompiled(plastron_precompiled_fields HEADERS ${standard_headers} ${external_headers})
-plastron_precompiled(plastron_precompiled_edge EXTERNAL nlohmann_json::nlohmann_json
+# The latter are compiled with little optimisation: they are a third of a build and no time of a run (a quarter less of their compile time).
+set(plastron_edge_options -O1)
+plastron_precompiled(plastron_precompiled_edge OPTIONS ${plastron_edge_options} EXTERNAL nlohmann_json::nlohmann_json
                      HEADERS ${standard_headers} ${external_headers} <nlohmann/json.hpp>)

@@ -1,6 +1,7 @@
 #include "commands.hpp"
-#include "progress.hpp"
+#include "messages.hpp"
 #include "reading.hpp"
+#include "terminal.hpp"
 
 namespace plastron::app {
 

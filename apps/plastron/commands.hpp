@@ -12,4 +12,7 @@ ExitCode study_case(const StudyCommand& command);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);
 
+/// The command of the line; each program has its own.
+ExitCode carry_out(const CommandLine& line);
+
 }  // namespace plastron::app

@@ -1,4 +1,4 @@
-// plastron: reads the command line and the case file and hands over to plastron-solver, in the same process. The solver's 200
+// plastron: reads the command line and the case file and hands over to plastron-solver or plastron-study, in the same process. The solver's 200
 // shared libraries alone take longer to load than help, a wrong argument or a mistake in a case file may take to answer.
 #include "command_line.hpp"
 #include "event_log.hpp"
@@ -21,8 +21,6 @@ namespace plastron::app {
 
 namespace {
 
-constexpr const char* solver_name = "plastron-solver";
-
 /// The solver's libraries fill an address space of this size before it begins. A loader that runs out of it speaks of shared
 /// objects, MPI may wait for ever.
 constexpr rlim_t least_address_space = rlim_t{1} << 30;
@@ -37,20 +35,22 @@ bool has_address_space() {
 }
 
 /// Beside this program, or where packages put programs that no person starts.
-std::filesystem::path find_solver() {
+std::filesystem::path find_program(const char* name) {
   std::error_code error;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  const auto in_libexec = folder.parent_path() / "libexec" / "plastron" / solver_name;
-  const auto beside = folder / solver_name;
+  const auto in_libexec = folder.parent_path() / "libexec" / "plastron" / name;
+  const auto beside = folder / name;
   return !std::filesystem::exists(beside, error) && std::filesystem::exists(in_libexec, error) ? in_libexec : beside;
 }
 
 /// Does not return but with an error.
-ExitCode hand_over(char** argv) {
+ExitCode hand_over(const CommandLine& line, char** argv) {
   if (!has_address_space()) return internal_error;
-  const auto solver = find_solver();
-  execv(solver.c_str(), argv);
-  print_error("error: {} cannot be started: {}\n", solver.string(), std::strerror(errno));
+  const bool is_study = line.study->parsed() || line.commands.compare->parsed();
+  const auto program = find_program(is_study ? "plastron-study" : "plastron-solver");
+  execv(program.c_str(), argv);
+  const char* advice = is_study && errno == ENOENT ? "; `cmake --build --preset release` builds it" : "";
+  print_error("error: {} cannot be started: {}{}\n", program.string(), std::strerror(errno), advice);
   return internal_error;
 }
 
@@ -110,7 +110,7 @@ int front(int argc, char** argv) {
     print_error("error: not enough memory to read the case\n");
     return internal_error;
   }
-  return hand_over(argv);
+  return hand_over(line, argv);
 }
 
 }  // namespace plastron::app

@@ -1,4 +1,5 @@
-// plastron-solver: what plastron becomes when there is something to compute, with the same arguments.
+// plastron-solver and plastron-study: what plastron becomes when there is something to compute, with the same arguments. Which of the two it
+// is says carry_out().
 #include "commands.hpp"
 #include "event_log.hpp"
 #include "interruption.hpp"
@@ -79,21 +80,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return answer(line.program, error);
   }
-  if (line.study->parsed() ? line.study_options.json_log : line.options.json_log) log_events();
-  const CommonCommands& commands = line.commands;
-  const Options& options = line.options;
   const bool is_study = line.study->parsed();
-  return compute(argc, argv, is_study ? line.study_options.threads : options.threads, [&] {
-    if (is_study) return study_case(line.study_options);
-    if (commands.compare->parsed())
-      return study_case({.kind = options.solvers ? "compare-solvers" : "compare",
-                         .case_file = options.case_file,
-                         .output = options.output,
-                         .settings = options.settings,
-                         .quiet = options.quiet});
-    if (commands.verify->parsed()) return verify(options);
-    return commands.run->parsed() ? run(options) : check(options);
-  });
+  if (is_study ? line.study_options.json_log : line.options.json_log) log_events();
+  const int threads = is_study ? line.study_options.threads : line.options.threads;
+  return compute(argc, argv, threads, [&] { return carry_out(line); });
 }
 
 }  // namespace plastron::app

@@ -2,6 +2,8 @@
 
 #include "event_log.hpp"
 #include "interruption.hpp"
+#include "messages.hpp"
+#include "terminal.hpp"
 
 #include <plastron/computation/instants.hpp>
 #include <plastron/geometry/quotation.hpp>
@@ -11,59 +13,6 @@
 #include <cmath>
 
 namespace plastron::app {
-
-std::string shortened_title(const std::string& title) { return geometry::shortened(title, 100); }
-
-namespace {
-
-void log_level(int level, const computation::Level& record) {
-  if (!is_logging_events()) return;
-  Details details{{"level", level}};
-  details.update(io::record_json(io::level_quantities(), record));
-  log_event("level_end", details);
-}
-
-}  // namespace
-
-void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes) {
-  using examination::Severity;
-  for (const examination::Finding& f : findings) {
-    const char* severity = f.severity == Severity::error     ? "error"
-                           : f.severity == Severity::warning ? "warning"
-                                                             : "note";
-    if (is_logging_events())
-      log_event("finding", {{"severity", severity}, {"text", f.text}});
-    else if (f.severity != Severity::note)
-      print_error("{}: {}: {}\n", case_file, severity, f.text);
-    if (f.severity == Severity::note && with_notes) print("  {}\n", f.text);
-  }
-}
-
-void print_warning(const std::string& case_file, std::string_view text) {
-  if (is_logging_events())
-    log_event("warning", {{"text", text}});
-  else
-    print_error("{}: warning: {}\n", case_file, text);
-}
-
-void log_status(contact::Status status, std::string_view text) {
-  log_event("status", {{"status", contact::to_string(status)}, {"text", text}});
-}
-
-study::StudyObserver StageProgress::observer() {
-  study::StudyObserver observer;
-  observer.stage = [this](std::string_view what) {
-    log_event("stage", {{"stage", what}});
-    stage_ = what;
-    status_.show(stage_ + " ...");
-  };
-  observer.solve.level = [this](int level, const computation::Level& record) {
-    log_level(level, record);
-    status_.show(fmt::format("{}: level {} done, {} unknowns", stage_, level, record.unknowns));
-  };
-  observer.solve.stop = is_interrupted;
-  return observer;
-}
 
 Progress::Progress(const computation::Problem& problem, bool quiet)
     : has_obstacle_(!problem.obstacles.empty()),

@@ -1,26 +1,14 @@
 // What the program tells while it computes and when it is done.
 #pragma once
 #include "status_line.hpp"
-#include "terminal.hpp"
 #include "time_left.hpp"
 
 #include <plastron/computation/solve.hpp>
-#include <plastron/examination/examine.hpp>
-#include <plastron/study/kinds.hpp>
 
 #include <optional>
 #include <string>
 
 namespace plastron::app {
-
-/// A title as it is shown: long ones are cut.
-std::string shortened_title(const std::string& title);
-
-/// The findings of an examination, notes only if wanted.
-void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes);
-
-/// A warning of the computation, on standard error.
-void print_warning(const std::string& case_file, std::string_view text);
 
 /// The table of levels on standard output and, on a terminal, one line of progress on standard error with the time that is left; events
 /// where they are logged.
@@ -49,21 +37,6 @@ class Progress {
   int iterations_ = 0;
   bool has_instants_ = false, has_seen_instant_ = false;
 };
-
-/// On a terminal, what a study is computing now.
-class StageProgress {
- public:
-  explicit StageProgress(bool quiet) : status_(quiet) {}
-  study::StudyObserver observer();
-  void finish() { status_.clear(); }
-
- private:
-  StatusLine status_;
-  std::string stage_{};
-};
-
-/// The event that tells how a computation has ended.
-void log_status(contact::Status status, std::string_view text);
 
 /// What the computation found, in a few lines.
 void print_summary(const computation::Result& result);

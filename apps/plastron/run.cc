@@ -1,9 +1,11 @@
 #include "commands.hpp"
 #include "event_log.hpp"
 #include "exit_codes.hpp"
+#include "messages.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
 #include "reading.hpp"
+#include "terminal.hpp"
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/io/output.hpp>

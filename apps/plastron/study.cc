@@ -1,12 +1,15 @@
+// The commands of plastron-study.
 #include "commands.hpp"
 #include "event_log.hpp"
 #include "exit_codes.hpp"
+#include "messages.hpp"
 #include "outcome.hpp"
-#include "progress.hpp"
 #include "reading.hpp"
+#include "stage_progress.hpp"
+#include "terminal.hpp"
 
-#include <plastron/io/study_report.hpp>
 #include <plastron/study/kinds.hpp>
+#include <plastron/study_io/study_report.hpp>
 
 #include <mpi.h>
 
@@ -36,7 +39,7 @@ void log_report(const study::Report& report, const StudyCommand& command) {
 
 void print_report(const study::Report& report, const config::Case& c, const StudyCommand& command) {
   print("{}\n", c.title.empty() ? command.case_file.string() : shortened_title(c.title));
-  if (is_first_rank()) print_text(stdout, io::table_text(report.table));
+  if (is_first_rank()) print_text(stdout, study_io::table_text(report.table));
   if (command.output.empty()) return;
   print("\nresults           {}\n", (command.output / (report.table.name + ".json")).string());
   if (!report.table.rows.empty())
@@ -67,7 +70,8 @@ ExitCode study_case(const StudyCommand& command) {
     return bad_input;
   }
   if (output)
-    io::write_report(report, {.title = c.title, .settings = c.effective, .files = {}}, command.output, MPI_COMM_WORLD);
+    study_io::write_report(report, {.title = c.title, .settings = c.effective, .files = {}}, command.output,
+                           MPI_COMM_WORLD);
   log_report(report, command);
   if (!command.quiet) print_report(report, c, command);
   if (report.status != contact::Status::solved)
@@ -75,6 +79,16 @@ ExitCode study_case(const StudyCommand& command) {
                 report.status == contact::Status::interrupted ? "interrupted" : "not converged",
                 contact::explain(report.status));
   return exit_code(report.status);
+}
+
+ExitCode carry_out(const CommandLine& line) {
+  const Options& options = line.options;
+  if (line.study->parsed()) return study_case(line.study_options);
+  return study_case({.kind = options.solvers ? "compare-solvers" : "compare",
+                     .case_file = options.case_file,
+                     .output = options.output,
+                     .settings = options.settings,
+                     .quiet = options.quiet});
 }
 
 }  // namespace plastron::app

@@ -1,6 +1,6 @@
 // plastron verify DIR: whether results that somebody hands over solve their case.
 #include "commands.hpp"
-#include "progress.hpp"
+#include "messages.hpp"
 #include "reading.hpp"
 #include "terminal.hpp"
 

@@ -70,4 +70,15 @@ run("comparing ${outside} N of the outside program with ${inside} N of plastron"
 # The solver may lie in libexec instead of beside the program.
 file(MAKE_DIRECTORY ${prefix}/libexec/plastron)
 file(RENAME ${prefix}/bin/plastron-solver ${prefix}/libexec/plastron/plastron-solver)
+file(RENAME ${prefix}/bin/plastron-study ${prefix}/libexec/plastron/plastron-study)
 run("the program with its solver in libexec" ${prefix}/bin/plastron check ${SOURCES}/tests/install/pressed_plate.toml)
+run("a study with its program in libexec" ${prefix}/bin/plastron study soft-modes ${SOURCES}/tests/install/pressed_plate.toml --quiet
+    --output ${SCRATCH}/study)
+
+# Studies may not be built yet.
+file(REMOVE ${prefix}/libexec/plastron/plastron-study)
+execute_process(COMMAND ${prefix}/bin/plastron study soft-modes ${SOURCES}/tests/install/pressed_plate.toml --output ${SCRATCH}/study
+                RESULT_VARIABLE code ERROR_VARIABLE errors)
+if(NOT code EQUAL 4 OR NOT errors MATCHES "plastron-study cannot be started: .*cmake --build")
+  message(FATAL_ERROR "without plastron-study: exit code ${code}, ${errors}")
+endif()

@@ -4,8 +4,7 @@
 #include <plastron/certificate/sub_cells.hpp>
 #include <plastron/fem/ties.hpp>
 #include <plastron/geometry/frame.hpp>
-
-#include <Eigen/Eigenvalues>
+#include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +39,11 @@ void make_whole(const fem::Space& space, algebra::Vector& sums) {
 /// The solution of A x = b in the directions that A knows: neighbours lie on a surface, some on a line.
 Vector3d least_solution(const Eigen::Matrix3d& A, const Vector3d& b) {
   constexpr double known = 1e-3;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(A);
+  const auto modes = geometry::symmetric_eigen(A);
   Vector3d x = Vector3d::Zero();
   for (int k = 0; k < 3; ++k)
-    if (modes.eigenvalues()[k] > known * modes.eigenvalues()[2])
-      x += modes.eigenvectors().col(k).dot(b) / modes.eigenvalues()[k] * modes.eigenvectors().col(k);
+    if (modes.values[k] > known * modes.values[2])
+      x += modes.vectors.col(k).dot(b) / modes.values[k] * modes.vectors.col(k);
   return x;
 }
 

@@ -1,9 +1,9 @@
 #include <plastron/examination/rigid_motions.hpp>
 
 #include <plastron/examination/checks.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -19,10 +19,10 @@ using Matrix6 = Matrix<double, 6, 6>;
 /// Orthonormal basis of the kernel of a positive semidefinite matrix.
 MatrixXd kernel(const MatrixXd& gram) {
   if (gram.cols() == 0) return MatrixXd(0, 0);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
-  const double threshold = 1e-10 * std::max(1.0, eigen.eigenvalues().maxCoeff());
-  const auto dimension = (eigen.eigenvalues().array() < threshold).count();
-  return eigen.eigenvectors().leftCols(dimension);
+  const auto eigen = geometry::symmetric_eigen(gram);
+  const double threshold = 1e-10 * std::max(1.0, eigen.values.maxCoeff());
+  const auto dimension = (eigen.values.array() < threshold).count();
+  return eigen.vectors.leftCols(dimension);
 }
 
 }  // namespace

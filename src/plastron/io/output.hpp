@@ -1,5 +1,6 @@
 // All output files of a computation, in the order that makes results.json the sign of completeness.
 #pragma once
+#include <plastron/computation/problem.hpp>
 #include <plastron/io/results.hpp>
 #include <plastron/io/vtu.hpp>
 

@@ -1,11 +1,11 @@
 #include <plastron/geometry/quotation.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/obstacle/distance_field.hpp>
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/offset_surface.hpp>
 #include <plastron/obstacle/zero_set.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -105,7 +105,7 @@ bool is_no_minimum(const Vector3d& X, const Foot& foot) {
   const double size = foot.f.gradient.norm();
   const Vector3d n = foot.f.gradient / size;
   const Matrix3d model = Matrix3d::Identity() + (X - foot.Y).dot(n) * surface_curvature(n, size, foot.f.hessian);
-  return Eigen::SelfAdjointEigenSolver<Matrix3d>(model, Eigen::EigenvaluesOnly).eigenvalues()[0] < -1e-6;
+  return geometry::symmetric_eigen(model).values[0] < -1e-6;
 }
 
 /// Feet nearer than `foot` on other parts of the surface, which come close to the sphere through it around X.

@@ -28,18 +28,11 @@ struct ShellPoint {
   Vector3d r = Vector3d::Zero();  ///< rotation of the state, tangential
 };
 
-/// (M16) linearised at the face where the state has moved it: there the gap is the true distance. At the undeformed shell the linearisation of the model, exact for planes at every state.
-inline Gap gap_at(const Obstacle& obstacle, const ShellPoint& at) {
-  const Vector3d n = obstacle.face == Face::nearer ? obstacle.nearest(at.phi + at.u).normal : Vector3d::Zero();
-  const double z = face_position(obstacle.face, n, at.a3) * at.thickness;
-  const Vector3d point = at.phi + z * at.a3, moved = at.u + z * at.r;
-  const Nearest nearest = obstacle.nearest(point + moved);
-  return {nearest.distance - nearest.normal.dot(moved), nearest.normal, z, point};
-}
+/// (M16) linearised at the face where the state has moved it: there the gap is the true distance. At the undeformed shell
+/// the linearisation of the model, exact for planes at every state.
+Gap gap_at(const Obstacle& obstacle, const ShellPoint& at);
 
 /// The distance of the touching face of the deformed shell, not linearised [m]; `at` has the displacement.
-inline double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at) {
-  return obstacle.nearest(gap.contact_point + at.u + gap.z * at.r).distance;
-}
+double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at);
 
 }  // namespace plastron::obstacle

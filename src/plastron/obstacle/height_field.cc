@@ -1,4 +1,5 @@
 #include <plastron/geometry/quotation.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/graph_objective.hpp>
 #include <plastron/obstacle/graph_samples.hpp>
@@ -7,7 +8,6 @@
 #include <plastron/obstacle/offset_surface.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +29,9 @@ constexpr double surely_convex = 0.3;
 /// other, as they are for an X just beyond a centre of curvature, where steps by the convex part creep.
 Vector2d away_from_ridge(const GraphObjective& f) {
   constexpr double least = 1e-6;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(f.hessian);
-  const Vector2d sizes = eigen.eigenvalues().cwiseAbs().cwiseMax(least);
-  return -eigen.eigenvectors() * (eigen.eigenvectors().transpose() * f.gradient).cwiseQuotient(sizes);
+  const auto eigen = geometry::symmetric_eigen(f.hessian);
+  const Vector2d sizes = eigen.values.cwiseAbs().cwiseMax(least);
+  return -eigen.vectors * (eigen.vectors.transpose() * f.gradient).cwiseQuotient(sizes);
 }
 
 /// What rounding is relative to.

@@ -2,7 +2,6 @@
 #pragma once
 #include <plastron/obstacle/placement.hpp>
 
-#include <algorithm>
 #include <vector>
 
 namespace plastron::obstacle {
@@ -19,12 +18,6 @@ struct Motion {
 
 /// Where a body that stood at `start` at time 0 stands when the motions have run to `time`: motion k runs from time k to k + 1, and
 /// after the last the body rests.
-inline Placement moved(Placement start, const std::vector<Motion>& motions, double time) {
-  for (std::size_t k = 0; k < motions.size(); ++k) {
-    const double part = std::clamp(time - static_cast<double>(k), 0.0, 1.0);
-    if (part > 0) start = motions[k].after(part) * start;
-  }
-  return start;
-}
+Placement moved(Placement start, const std::vector<Motion>& motions, double time);
 
 }  // namespace plastron::obstacle

@@ -13,6 +13,14 @@ std::string point_text(const Vector3d& X) { return fmt::format("({:.6g}, {:.6g},
 
 std::string Obstacle::text() const { return name.empty() ? "the obstacle" : fmt::format("the obstacle \"{}\"", name); }
 
+Obstacle Obstacle::standing(double time, double position) const {
+  Obstacle result = *this;
+  result.motions.clear();
+  result.placement = moved(placement, motions, time);
+  if (position != 0) result.placement.translation += position * force.normalized();
+  return result;
+}
+
 Nearest Obstacle::nearest(const Vector3d& X) const {
   const Vector3d in_body = placement.to_body(X);
   try {

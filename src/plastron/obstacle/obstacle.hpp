@@ -37,13 +37,7 @@ struct Obstacle {
   /// A force presses it: how far it has come along that is found and not given.
   bool is_pressed() const { return !force.isZero(0); }
   /// The same body at rest where it stands at `time`, having come `position` [m] along its force.
-  Obstacle standing(double time, double position = 0) const {
-    Obstacle result = *this;
-    result.motions.clear();
-    result.placement = moved(placement, motions, time);
-    if (position != 0) result.placement.translation += position * force.normalized();
-    return result;
-  }
+  Obstacle standing(double time, double position = 0) const;
   /// "the obstacle", and its name if it has one.
   std::string text() const;
   /// Distance, normal and curvature at X of the body where its shape is placed. Throws ObstacleError with the

@@ -23,10 +23,6 @@ inline Placement operator*(const Placement& then, const Placement& first) {
 }
 
 /// Turned by `angle` [rad] about the line through `about` along the unit vector `axis`, by the right hand, then shifted by `translation`.
-inline Placement placed(const Vector3d& axis, double angle, const Vector3d& about, const Vector3d& translation) {
-  const Matrix3d rotation =
-      angle == 0 ? Matrix3d(Matrix3d::Identity()) : Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-  return {rotation, angle == 0 ? translation : Vector3d(about - rotation * about + translation)};
-}
+Placement placed(const Vector3d& axis, double angle, const Vector3d& about, const Vector3d& translation);
 
 }  // namespace plastron::obstacle

@@ -1,6 +1,6 @@
 // A rigid torus: all points within `tube_radius` of a circle.
 #pragma once
-#include <plastron/obstacle/revolution.hpp>
+#include <plastron/obstacle/nearest.hpp>
 
 namespace plastron::obstacle {
 
@@ -11,13 +11,7 @@ struct Torus {
   double tube_radius = 0.25;           ///< > 0 [m]
 
   /// Not differentiable on the axis and on the circle, where the normal is any nearest one.
-  Nearest nearest(const Vector3d& X) const {
-    return revolved({centre, axis}, X, [&](const Vector2d& at) {
-      ProfileDistance d = distance_to_point({at[0] - radius, at[1]});
-      d.distance -= tube_radius;
-      return d;
-    });
-  }
+  Nearest nearest(const Vector3d& X) const;
 };
 
 }  // namespace plastron::obstacle

@@ -1,7 +1,7 @@
+#include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/obstacle/offset_surface.hpp>
 #include <plastron/obstacle/zero_set.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -95,11 +95,11 @@ Vector3d ZeroSet::downhill(const Vector3d& X, const Vector3d& Y) const {
   const double size = f.gradient.norm();
   const Vector3d n = f.gradient / size, way = X - Y, along = way - way.dot(n) * n;
   const Matrix3d model = Matrix3d::Identity() + way.dot(n) * surface_curvature(n, size, f.hessian);
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(model);
-  const Vector3d sizes = eigen.eigenvalues().cwiseAbs().cwiseMax(least);
-  Vector3d step = eigen.eigenvectors() * (eigen.eigenvectors().transpose() * along).cwiseQuotient(sizes);
-  if (along.norm() < is_there * way.norm() && eigen.eigenvalues()[0] < saddle) {
-    const Vector3d bend = 0.1 * way.norm() * eigen.eigenvectors().col(0);
+  const auto eigen = geometry::symmetric_eigen(model);
+  const Vector3d sizes = eigen.values.cwiseAbs().cwiseMax(least);
+  Vector3d step = eigen.vectors * (eigen.vectors.transpose() * along).cwiseQuotient(sizes);
+  if (along.norm() < is_there * way.norm() && eigen.values[0] < saddle) {
+    const Vector3d bend = 0.1 * way.norm() * eigen.vectors.col(0);
     step = bend.dot(along) < 0 ? Vector3d(-bend) : bend;
   }
   const double longest = way.norm();

@@ -1,7 +1,8 @@
 #include <plastron/recovery/resultant_patches.hpp>
 
+#include <plastron/geometry/symmetric_eigen.hpp>
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -124,11 +125,11 @@ ResultantPatches::Plane ResultantPatches::plane_of(algebra::LocalIndex vertex, c
   const Vector3d any = a3.unitOrthogonal(), other = a3.cross(any);
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << any, other;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moments(tangents.transpose() * moment_of(sum) * tangents);
-  if (!(moments.eigenvalues()[0] > 0)) return plane;
-  const Vector3d t1 = tangents * moments.eigenvectors().col(0);
+  const auto moments = geometry::symmetric_eigen(Eigen::Matrix2d(tangents.transpose() * moment_of(sum) * tangents));
+  if (!(moments.values[0] > 0)) return plane;
+  const Vector3d t1 = tangents * moments.vectors.col(0);
   plane.axes = {t1, a3.cross(t1), a3};
-  plane.half_size = (3 * moments.eigenvalues()).cwiseSqrt();  // of points spread evenly
+  plane.half_size = (3 * moments.values).cwiseSqrt();  // of points spread evenly
   plane.is_smooth = true;
   return plane;
 }
@@ -185,12 +186,11 @@ void ResultantPatches::solve_normal_equations(const algebra::Vector& equations) 
     const auto own = entry(equations, vertex);
     if (!planes_[static_cast<std::size_t>(vertex)].is_smooth || own.back() > 0) continue;
     const Eigen::Map<const Eigen::MatrixXd> matrix(own.data(), terms_, terms_ + 8);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix.leftCols(terms_));
-    if (!(eigen.eigenvalues()[0] > least_eigenvalue * eigen.eigenvalues()[terms_ - 1])) continue;
+    const auto eigen = geometry::symmetric_eigen(Eigen::MatrixXd(matrix.leftCols(terms_)));
+    if (!(eigen.values[0] > least_eigenvalue * eigen.values[terms_ - 1])) continue;
     const auto result = entry(coefficients_, vertex);
-    Eigen::Map<Eigen::MatrixXd>(result.data(), terms_, 8) = eigen.eigenvectors() *
-                                                            eigen.eigenvalues().cwiseInverse().asDiagonal() *
-                                                            eigen.eigenvectors().transpose() * matrix.rightCols(8);
+    Eigen::Map<Eigen::MatrixXd>(result.data(), terms_, 8) =
+        eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose() * matrix.rightCols(8);
     result.back() = 1;
   }
   coefficients_.update_ghosts();

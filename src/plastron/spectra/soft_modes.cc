@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/eigenvalues.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/spectra/h1_matrix.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -134,8 +135,8 @@ void sort_by_kind(const MatrixXd& rigid, Eigen::Index count, MatrixXd& coefficie
   const MatrixXd of_modes = rigid * coefficients.leftCols(count);
   const MatrixXd rank = 2 * of_modes.topRows(3).transpose() * of_modes.topRows(3) +
                         of_modes.bottomRows(3).transpose() * of_modes.bottomRows(3);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(-rank);
-  coefficients.leftCols(count) = (coefficients.leftCols(count) * eigen.eigenvectors()).eval();
+  const auto eigen = geometry::symmetric_eigen(MatrixXd(-rank));
+  coefficients.leftCols(count) = (coefficients.leftCols(count) * eigen.vectors).eval();
 }
 
 }  // namespace

@@ -8,18 +8,20 @@
 #include <filesystem>
 #include <string>
 
-namespace plastron::io {
+namespace plastron::study_io {
+
+using io::Json;
 
 /// Columns aligned, units below their names, then fits, claims with what was measured, and remarks.
 std::string table_text(const study::Table& table);
 
 /// name, title, status, columns, rows, fits, claims, remarks, plot; and the settings of the case.
-Json report_json(const study::Report& report, const Provenance& provenance);
+Json report_json(const study::Report& report, const io::Provenance& provenance);
 
 /// Writes directory/NAME.svg and, last, directory/NAME.json (collective). A report without rows has no plot. Those of an
 /// earlier run stay until the new ones are complete.
 /// Throws std::runtime_error.
-void write_report(const study::Report& report, const Provenance& provenance, const std::filesystem::path& directory,
+void write_report(const study::Report& report, const io::Provenance& provenance, const std::filesystem::path& directory,
                   MPI_Comm comm);
 
-}  // namespace plastron::io
+}  // namespace plastron::study_io

@@ -1,4 +1,4 @@
-#include <plastron/io/study_report.hpp>
+#include <plastron/study_io/study_report.hpp>
 
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/plot.hpp>
@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plastron::io {
+namespace plastron::study_io {
+
+using io::AtomicFiles, io::make_directory, io::number, io::Provenance, io::remove_file, io::svg_text;
 
 namespace {
 
@@ -129,7 +131,7 @@ Json report_json(const study::Report& report, const Provenance& provenance) {
   json["plot"] = plot_json(report.plot);
   json["files"] = provenance.files;
   json["settings"] = provenance.settings;
-  json["version"] = version;
+  json["version"] = io::version;
   return json;
 }
 
@@ -155,4 +157,4 @@ void write_report(const study::Report& report, const Provenance& provenance, con
   if (!has_plot) remove_file(svg_path, comm);
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::study_io

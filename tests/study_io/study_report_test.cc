@@ -2,13 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <io/scratch_directory.hpp>
-#include <plastron/io/study_report.hpp>
+#include <plastron/study_io/study_report.hpp>
 
 #include <cmath>
 
-namespace plastron::io {
+namespace plastron::study_io {
 namespace {
 
+using io::Json, io::ScratchDirectory, io::text_of, io::world_rank;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -100,4 +101,4 @@ TEST(StudyReport, that_cannot_be_written_keeps_an_earlier_one) {
 }
 
 }  // namespace
-}  // namespace plastron::io
+}  // namespace plastron::study_io
