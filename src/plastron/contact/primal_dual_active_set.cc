@@ -1,3 +1,4 @@
+#include <plastron/contact/cold_start.hpp>
 #include <plastron/contact/dual_ascent.hpp>
 #include <plastron/contact/plain_active_set.hpp>
 #include <plastron/contact/pressed_subproblem.hpp>
@@ -40,6 +41,8 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   const bool proximal = may_take_proximal_points(problem);
   ActiveSet set = starting_set(problem, initial);
   auto first = proximal ? subproblems.solve(set) : subproblems.solve_first(initial, set);
+  if (first && problem.pressing.empty() && count_active(problem, set) == 0)
+    first = start_among_fewer(problem, subproblems, std::move(*first), observer, set, solution);
   const PlainEnd end = iterate_active_sets(problem, subproblems, std::move(first), settings, observer, set, solution);
   if (end == PlainEnd::ended) return solution;
   if (end == PlainEnd::no_minimiser && subproblems.failure() == Status::singular && proximal) {
