@@ -1,6 +1,7 @@
 // docs/gallery.md and its pictures from results: node scripts/gallery.mjs PACKAGES RESULTS [CASE...]. PACKAGES has playwright-core, RESULTS a
 // folder for each case; CASE: pictures of these alone. Numbers are those of results.json, with the digits of report.html; pictures are what "Save picture" of report.html gives.
-// scripts/gallery.json says for each case which numbers, and which picture where it is not the page's first.
+// scripts/gallery.json says for each case which numbers, and which picture where it is not the page's first; one with a
+// "place" has a picture for that place and no section.
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -99,7 +100,7 @@ try {
     const bytes = isFile ? readFileSync(join(results, entry.case, entry.picture)) : await takePicture(browser.pages()[0], entry);
     writeFileSync(join(root, 'docs', 'gallery', pictureFile(entry)), bytes);
   }
-  writeFileSync(join(root, 'docs', 'gallery.md'), [top, ...entries.map(section)].join('\n'));
+  writeFileSync(join(root, 'docs', 'gallery.md'), [top, ...entries.filter((entry) => !entry.place).map(section)].join('\n'));
 } finally {
   await browser.close();
   rmSync(profile, { recursive: true, force: true });
