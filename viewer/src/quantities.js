@@ -30,6 +30,7 @@ export function defaultQuantity(scene) {
   return pressure && pressure.rows[0].some((value) => value > 0) ? 'eta:0' : 'u:length';
 }
 
+/** The least and the largest value; the same number twice where they differ by no more than what single precision and rounding leave. */
 export function rangeOf(values) {
   let low = Infinity;
   let high = -Infinity;
@@ -38,7 +39,8 @@ export function rangeOf(values) {
       low = Math.min(low, value);
       high = Math.max(high, value);
     }
-  return low <= high ? [low, high] : [0, 0];
+  if (low > high) return [0, 0];
+  return high - low > 1e-5 * Math.max(Math.abs(low), Math.abs(high)) ? [low, high] : [(low + high) / 2, (low + high) / 2];
 }
 
 /** Four digits or so, without an exponent where that is short. */

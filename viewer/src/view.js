@@ -205,7 +205,15 @@ export class View {
     const { width, height } = this.container.getBoundingClientRect();
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     this.glWindow.setSize(Math.max(1, Math.floor(width * ratio)), Math.max(1, Math.floor(height * ratio)));
+    if (width > 0 && height > 0) this.keepWidth(width / height);
     this.render();
+  }
+
+  /** Steps back where the picture grows narrow, as when a phone is turned: what was in it stays in it. */
+  keepWidth(aspect) {
+    const room = Math.min(aspect, 1.8);
+    if (this.room) this.renderer.getActiveCamera().dolly(room / this.room);
+    this.room = room;
   }
 
   render() {
