@@ -7,6 +7,7 @@
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/report.hpp>
+#include <plastron/io/result_plots.hpp>
 #include <plastron/io/solution_file.hpp>
 
 #include <fmt/format.h>
@@ -59,7 +60,7 @@ void Output::add_text(const std::string& name, const Piece& text) {
 
 void Output::add_history(const computation::Result& result) {
   add_text("history.csv", [&] { return history_csv(result); });
-  add_text("history.svg", [&] { return svg_text(history_plot(result)); });
+  add_text("history.svg", [&] { return svg_text(history_plot(history_json(result))); });
 }
 
 std::vector<std::string> Output::finish(const computation::Result& result, Provenance provenance,
