@@ -37,12 +37,17 @@ void read_mesh(Table& root, computation::Problem& problem) {
 namespace {
 
 void read_heights(Table& output, computation::Output& given) {
+  constexpr std::size_t most = 50;
   std::vector<double> heights = output.numbers("heights").value_or(std::vector<double>{});
+  if (heights.size() > most)
+    output.report("heights", fmt::format("{} heights are too many", heights.size()), fmt::format("at most {}", most),
+                  "write solid = true for stresses all through the thickness");
   for (const double height : heights)
     if (!(std::abs(height) <= 0.5))
       output.report("heights", fmt::format("the height {:g} lies outside of the shell", height),
                     "-0.5 <= height <= 0.5",
                     "write heights as parts of the thickness: -0.5 is the lower face, 0.5 the upper one");
+  for (double& height : heights) height += 0.0;  // no -0 in names of fields
   std::ranges::sort(heights);
   const auto rest = std::ranges::unique(heights);
   heights.erase(rest.begin(), rest.end());

@@ -153,7 +153,7 @@ const std::vector<Field>& table() {
 /// Stresses at z = height e.
 void add_height(double height, std::vector<Field>& fields) {
   const double side = 2 * height;
-  const std::string at = fmt::format("_at_{:g}", height), where = fmt::format(" at z = {:g} e", height);
+  const std::string at = fmt::format("_at_{}", height), where = fmt::format(" at z = {} e", height);
   fields.push_back(field("stress" + at, {"stress_11" + at, "stress_22" + at, "stress_12" + at}, "sigma^ab", "Pa",
                          "stresses in the axes t1, t2" + where, 3,
                          [side](const PointValues& p) { return stress(p, side); }));
