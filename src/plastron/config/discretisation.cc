@@ -49,8 +49,7 @@ void read_heights(Table& output, computation::Output& given) {
                     "write heights as parts of the thickness: -0.5 is the lower face, 0.5 the upper one");
   for (double& height : heights) height += 0.0;  // no -0 in names of fields
   std::ranges::sort(heights);
-  const auto rest = std::ranges::unique(heights);
-  heights.erase(rest.begin(), rest.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   given.heights = std::move(heights);
 }
 
