@@ -127,7 +127,16 @@ QuestionCommands add_question_commands(CLI::App& program, Questions& questions) 
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   CLI::App* manual = program.add_subcommand("man", "Print the manual page; plastron man | man -l -");
-  return {.explain = explain, .make_new = make_new, .schema = schema, .completion = completion, .manual = manual};
+  CLI::App* plot = program.add_subcommand(
+      "plot", "Draw written results as SVG: convergence and contact by mesh, profiles along lines, histories of steps");
+  plot->add_option("DIR", questions.results, "Directory that plastron run wrote to; plot-*.svg are written there")
+      ->required();
+  return {.explain = explain,
+          .make_new = make_new,
+          .schema = schema,
+          .completion = completion,
+          .manual = manual,
+          .plot = plot};
 }
 
 void log_start(const CommandLine& line) {

@@ -33,6 +33,7 @@ struct Questions {
   std::filesystem::path name{};        ///< new: of the case
   std::string template_name = "bowl";  ///< new: what it begins as
   bool is_listing = false;             ///< new: tell the templates only
+  std::filesystem::path results{};     ///< plot: the directory that run wrote to
 };
 
 /// Sets up the program's description, version and footer.
@@ -58,7 +59,7 @@ CommonCommands add_common_commands(CLI::App& program, Options& options);
 
 /// The commands that compute nothing; the solver program knows their names only for its help.
 struct QuestionCommands {
-  CLI::App *explain, *make_new, *schema, *completion, *manual;
+  CLI::App *explain, *make_new, *schema, *completion, *manual, *plot;
 };
 QuestionCommands add_question_commands(CLI::App& program, Questions& questions);
 

@@ -81,6 +81,7 @@ std::optional<ExitCode> answer_question(const CommandLine& line) {
   if (line.asked.explain->parsed()) return explain(q.word);
   if (line.asked.schema->parsed()) return print_schema(q.schema);
   if (line.asked.completion->parsed()) return print_completion(line.program, q.shell);
+  if (line.asked.plot->parsed()) return plot(q.results);
   if (line.asked.manual->parsed()) return print_manual_page(line.program);
   if (line.asked.make_new->parsed()) return new_case(q.name, q.template_name, q.is_listing);
   return {};

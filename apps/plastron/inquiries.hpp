@@ -26,4 +26,7 @@ ExitCode print_schema(const std::string& of);
 ExitCode print_completion(const CLI::App& program, const std::string& shell);
 ExitCode print_manual_page(const CLI::App& program);
 
+/// Writes plot-*.svg of the results in a directory into it.
+ExitCode plot(const std::filesystem::path& directory);
+
 }  // namespace plastron::app

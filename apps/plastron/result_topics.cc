@@ -62,7 +62,7 @@ std::string text_of(const Part& part) {
 
 std::string text_of(const io::Field& field) {
   std::string arrays;
-  for (const auto array : field.arrays) arrays += fmt::format("{}{}", arrays.empty() ? "" : ", ", array);
+  for (const std::string& array : field.arrays) arrays += fmt::format("{}{}", arrays.empty() ? "" : ", ", array);
   std::string text = paragraph(field.meaning, 2) + "\n";
   text += row("symbol", 9, field.symbol) + row("unit", 9, field.unit);
   text += row("array", 9, fmt::format("{}{} in solution.vtu", arrays, field.is_vector() ? " (vector)" : ""));

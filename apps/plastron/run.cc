@@ -70,7 +70,7 @@ ExitCode run(const Options& options) {
     print_warning(case_file, text);
   };
   const bool with_report = c.wants_report && !options.without_report;
-  io::Output files(options.output, "solution", MPI_COMM_WORLD, with_report);
+  io::Output files(options.output, "solution", MPI_COMM_WORLD, with_report, c.problem.output);
   observer.instant = [&](const computation::HistoryEntry& entry, const computation::Solution& solution) {
     progress.instant(entry);
     files.add_instant(entry, solution);

@@ -1,6 +1,8 @@
 // The same scene seen otherwise: turned in space, upside down, with the faces' names exchanged; mirror images.
 #include <gtest/gtest.h>
+#include <plastron/computation/probes.hpp>
 #include <plastron/computation/solve.hpp>
+#include <plastron/computation/stress_peak.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -89,6 +91,90 @@ TEST(ASceneUpsideDown, HasTheSameEnergyWhicheverWayItsFaceIsNamed) {
                 1e-3 * a.summary.reaction.force.norm());
     }
   }
+}
+
+/// What no choice of axes changes, of everything that has components: N, M, Q and stresses at five heights.
+std::vector<double> invariants(const recovery::PointValues& p) {
+  std::vector<double> all{p.Q.norm(), shell::largest_von_mises(section_forces(p)).stress};
+  const auto add = [&](const Vector3d& tensor) {
+    const shell::Principal principal = shell::principal(tensor);
+    all.insert(all.end(), {principal.first, principal.second, tensor[0] + tensor[1]});
+  };
+  add(p.N);
+  add(p.M);
+  for (const double height : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
+    const double z = height * p.thickness;
+    add(shell::in_plane_stress(section_forces(p), z));
+    all.push_back(shell::von_mises_at(section_forces(p), z));
+    all.push_back(shell::parabolic_shear_stress(section_forces(p), z).norm());
+  }
+  const auto density = shell::energy_density(p.material, section_forces(p));
+  all.insert(all.end(), {density.membrane, density.bending, density.shear});
+  return all;
+}
+
+/// N in space, which has no axes.
+Matrix3d membrane_forces(const recovery::PointValues& p) {
+  return p.N[0] * p.t1 * p.t1.transpose() + p.N[1] * p.t2 * p.t2.transpose() +
+         p.N[2] * (p.t1 * p.t2.transpose() + p.t2 * p.t1.transpose());
+}
+
+TEST(ASceneTurnedInSpace, HasTheSameInvariantsOfResultantsAndStressesInAnyAxes) {
+  const std::vector<Probe> places{{"middle", {0.01, 0.02}}, {"inside", {0.2, 0.1}}, {"near the rim", {-0.1, 0.4}}};
+  const Matrix3d R = Eigen::AngleAxisd(0.9, Vector3d(1, -2, 2) / 3).toRotationMatrix();
+  std::vector<ProbeValue> first;
+  for (const Matrix3d& turn : {Matrix3d(Matrix3d::Identity()), R}) {
+    Problem p = bowl(turn, {bodies()[1]});
+    Result result = solve(p, MPI_COMM_SELF);
+    ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+    for (const std::optional<Vector3d>& axis :
+         {std::optional<Vector3d>(), std::optional(Vector3d(0, 1, 0)), std::optional(Vector3d(1, -2, 3))}) {
+      p.output.axis = axis;
+      choose_recovery(p.output, *result.solution);
+      const auto values = probe(*result.solution, places);
+      if (first.empty()) first = values;
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto wanted = invariants(first[i].values), found = invariants(values[i].values);
+        ASSERT_EQ(found.size(), wanted.size());
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          EXPECT_GT(std::abs(wanted[k]) + std::abs(wanted[0]), 0);
+          EXPECT_NEAR(found[k], wanted[k], 1e-7 * std::abs(wanted[k]) + 1e-10 * std::abs(wanted[1]))
+              << places[i].name << ", invariant " << k;
+        }
+        const Matrix3d N = membrane_forces(first[i].values);
+        EXPECT_LT((membrane_forces(values[i].values) - turn * N * turn.transpose()).norm(), 1e-7 * N.norm());
+      }
+    }
+  }
+}
+
+// Moments of a scene about a point are those about the origin of the scene moved there.
+TEST(AMomentPoint, IsAsGoodAsMovingTheScene) {
+  const Vector3d point(0.3, -0.2, 1.5);
+  Problem p = bowl(Matrix3d::Identity(), {bodies()[1]});
+  const Result origin = solve(p, MPI_COMM_SELF);
+  p.output.moment_point = point;
+  const Result a = solve(p, MPI_COMM_SELF);
+  p.output.moment_point = Vector3d::Zero();
+  p.charts = {{"", Chart({"x - 0.3", "y + 0.2", "1.03 - sqrt(1 - x^2 - y^2) - 1.5"}, {})}};
+  p.obstacles[0].placement = {Matrix3d::Identity(), -point};
+  const Result b = solve(p, MPI_COMM_SELF);
+  ASSERT_EQ(b.status, contact::Status::solved) << b.missed_limits;
+  const auto expect_equal = [](const certificate::Wrench& found, const certificate::Wrench& wanted) {
+    EXPECT_GT(wanted.force.norm(), 0);
+    EXPECT_LT((found.force - wanted.force).norm(), 1e-8 * wanted.force.norm());
+    EXPECT_LT((found.moment - wanted.moment).norm(), 1e-8 * wanted.force.norm());
+  };
+  EXPECT_EQ(a.summary.moment_point, point);
+  expect_equal(a.summary.loads, b.summary.loads);
+  expect_equal(a.summary.reaction, b.summary.reaction);
+  expect_equal(a.summary.support_reaction, b.summary.support_reaction);
+  expect_equal(a.summary.support_reactions.at(0).reaction, b.summary.support_reactions.at(0).reaction);
+  expect_equal(a.summary.obstacles.at(0).reaction, b.summary.obstacles.at(0).reaction);
+  expect_equal(a.summary.obstacles.at(0).zones.at(0).reaction, b.summary.obstacles.at(0).zones.at(0).reaction);
+  EXPECT_GT((origin.summary.reaction.moment - a.summary.reaction.moment).norm(),
+            0.1 * origin.summary.reaction.force.norm());
+  EXPECT_EQ(a.certificate.moment_balance, origin.certificate.moment_balance);
 }
 
 TEST(APanelSqueezedBetweenTwoPlates, HasMirrorEqualReactions) {

@@ -175,6 +175,23 @@ TEST(Case, WantsAReportUnlessItRefusesIt) {
   EXPECT_TRUE(parsed("[output]\nreport = true\n").wants_report);
 }
 
+TEST(Case, HasWhatFilesOfFieldsAndMomentsAreToBe) {
+  const computation::Output plain = parsed().problem.output;
+  EXPECT_EQ(plain.solid_layers, 0);
+  EXPECT_FALSE(plain.double_precision);
+  EXPECT_TRUE(plain.heights.empty());
+  EXPECT_EQ(plain.moment_point, Eigen::Vector3d(0, 0, 0));
+  const Case c =
+      parsed("[output]\nsolid = true\nprecision = \"double\"\nheights = [0.5, -0.25, 0.5]\nmoment_point = [1, 2, 3]\n");
+  EXPECT_EQ(c.problem.output.solid_layers, 4);
+  EXPECT_TRUE(c.problem.output.double_precision);
+  EXPECT_EQ(c.problem.output.heights, (std::vector{-0.25, 0.5}));
+  EXPECT_EQ(c.problem.output.moment_point, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(parsed("[output]\nsolid = true\nlayers = 2\n").problem.output.solid_layers, 2);
+  EXPECT_EQ(parsed("[output]\nlayers = 2\n").problem.output.solid_layers, 0);
+  EXPECT_EQ(c.effective["output"]["precision"], "double");
+}
+
 TEST(Effective, HasTheDefaultsInTheShapeOfTheFile) {
   const Case c = parsed();
   const auto& e = c.effective;

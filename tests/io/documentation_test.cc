@@ -50,7 +50,7 @@ std::string fields_table() {
   std::string text = "| in a probe | array in the .vtu file | symbol | unit | meaning |\n|---|---|---|---|---|\n";
   for (const Field& f : fields()) {
     std::string arrays;
-    for (const auto name : f.arrays) arrays += fmt::format("{}`{}`", arrays.empty() ? "" : " ", name);
+    for (const std::string& name : f.arrays) arrays += fmt::format("{}`{}`", arrays.empty() ? "" : " ", name);
     text += fmt::format("| `{}` | {}{} | {} | {} | {} |\n", dotted(f.key), arrays, f.is_vector() ? " (vector)" : "",
                         f.symbol, f.unit, f.meaning);
   }

@@ -15,7 +15,7 @@ TEST(Fields, have_names_that_occur_once) {
   std::set<std::string_view> keys, arrays;
   for (const Field& field : fields()) {
     EXPECT_TRUE(keys.insert(field.key).second) << field.key;
-    for (const auto name : field.arrays) EXPECT_TRUE(arrays.insert(name).second) << name;
+    for (const std::string& name : field.arrays) EXPECT_TRUE(arrays.insert(name).second) << name;
   }
 }
 
@@ -65,7 +65,7 @@ TEST(Fields, a_force_and_a_pressure_never_share_a_name) {
   add_units(level_quantities(), units);
   add_units(iteration_quantities(), units);
   for (const Field& field : fields())
-    for (const auto name : {field.key, field.arrays.front()}) units[last_name(name)].insert(field.unit);
+    for (const std::string& name : {field.key, field.arrays.front()}) units[last_name(name)].insert(field.unit);
   for (const auto& [name, of_name] : units) EXPECT_EQ(of_name.size(), 1U) << name << " has more than one unit";
 }
 

@@ -25,7 +25,7 @@ TEST(LineTable, has_a_row_a_point_with_every_field) {
   computation::Problem problem = pressed_plate({.degree = 2, .refinements = 2});
   problem.probes = {{"half", {0.5, 0.5}}};
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
-  Output output(scratch.path, "solution", MPI_COMM_WORLD);
+  Output output(scratch.path, "solution", MPI_COMM_WORLD, false, {.heights = {-0.375}});
   output.finish(result, {}, {{"across", {{0.25, 0.5}, {0.5, 0.5}, {1, 0.5}}}});
   std::istringstream text(text_of(scratch.path / "line-across.csv"));
   std::vector<std::vector<std::string>> rows;
@@ -43,6 +43,8 @@ TEST(LineTable, has_a_row_a_point_with_every_field) {
   EXPECT_NEAR(number(2, "M_11 [N]"), p.M[0], 1e-14 * p.M.norm());
   const double stress = shell::in_plane_stress(section_forces(p), p.thickness / 2)[0];
   EXPECT_NEAR(number(2, "stress_11_upper [Pa]"), stress, 1e-14 * std::abs(stress));
+  const double inside = shell::in_plane_stress(section_forces(p), -0.375 * p.thickness)[0];
+  EXPECT_NEAR(number(2, "stress_11_at_-0.375 [Pa]"), inside, 1e-14 * std::abs(stress));
   EXPECT_EQ(column("lambda [N m]"), rows[0].size());
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
   EXPECT_NE(std::ranges::find(json["files"], Json("line-across.csv")), json["files"].end());

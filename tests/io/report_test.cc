@@ -157,7 +157,7 @@ TEST(Report, stays_below_twelve_megabytes_for_a_hundred_thousand_points) {
   for (const Field& field : report_fields(true, true)) components += static_cast<std::size_t>(field.components);
   const double fields_size = static_cast<double>(components * most_report_points) * 16 / 3;
   const double obstacles_size = 60'000 * (12 + 6) * 4.0 / 3;
-  const std::string page = report_html({}, results_json({}, {}), nullptr);
+  const std::string page = report_html(results_json({}, {}), nullptr);
   EXPECT_LT(fields_size + obstacles_size + static_cast<double>(page.size()), 12e6);
 }
 
@@ -171,7 +171,7 @@ TEST(Report, of_texts_that_look_like_markup_shows_them_as_text) {
   write_output(result, {.title = evil, .settings = {{"obstacle", Json::array({{{"name", evil}}})}}, .files = {}},
                scratch.path, "solution", MPI_COMM_WORLD);
   const std::string page = text_of(scratch.path / "report.html");
-  const std::string plain = report_html({}, results_json({}, {.title = "plain", .settings = {}, .files = {}}), nullptr);
+  const std::string plain = report_html(results_json({}, {.title = "plain", .settings = {}, .files = {}}), nullptr);
   EXPECT_EQ(occurrences(page, "<script"), occurrences(plain, "<script"));
   EXPECT_EQ(occurrences(page, "</script"), occurrences(plain, "</script"));
   EXPECT_EQ(occurrences(page, "<!--"), occurrences(plain, "<!--"));
@@ -185,7 +185,7 @@ TEST(Report, of_steps_has_their_history) {
   computation::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
   problem.steps = {{.name = "press <slowly>", .parts = 2}};
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
-  const std::string page = report_html(result, results_json(result, {}), nullptr);
+  const std::string page = report_html(results_json(result, {}), nullptr);
   EXPECT_THAT(page, HasSubstr("<section id=\"history\">"));
   EXPECT_EQ(occurrences(page, "press &lt;slowly&gt;"), 2U);
 }

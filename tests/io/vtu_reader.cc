@@ -32,11 +32,11 @@ Bytes base64(const std::string& text, std::size_t& at, std::size_t count) {
   return bytes;
 }
 
-/// One block, as deal.II writes it: (blocks, block size, last block size, compressed size), then the block.
+/// One block, as io/vtu_piece.cc writes it: (blocks, block size, last block size, compressed size), then the block.
 Bytes decompress(const std::string& text) {
   std::size_t at = text.find_first_not_of(" \n");
   if (at == std::string::npos) throw std::runtime_error("an array is empty");
-  std::uint32_t header[4];
+  std::uint64_t header[4];
   std::memcpy(header, base64(text, at, sizeof header).data(), sizeof header);
   const Bytes packed = base64(text, at, header[3]);
   Bytes plain(header[1]);
@@ -56,7 +56,8 @@ std::vector<Value> numbers(const Bytes& bytes) {
 template <class Value>
 std::vector<Value> values(const std::string& type, const Bytes& bytes) {
   if (type == "Float32") return numbers<float, Value>(bytes);
-  if (type == "Int32") return numbers<std::int32_t, Value>(bytes);
+  if (type == "Float64") return numbers<double, Value>(bytes);
+  if (type == "Int64") return numbers<std::int64_t, Value>(bytes);
   if (type == "UInt8") return numbers<std::uint8_t, Value>(bytes);
   throw std::runtime_error("unknown type " + type);
 }

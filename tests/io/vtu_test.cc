@@ -26,7 +26,7 @@ struct Written {
 Written written(const PressedPlate& options, double displacement_scale = 1) {
   const ScratchDirectory scratch("vtu");
   Written w{.result = computation::solve(pressed_plate(options), MPI_COMM_WORLD), .file = {}, .names = {}};
-  write_vtu(*w.result.solution, scratch.path, "plate", displacement_scale);
+  write_vtu(*w.result.solution, scratch.path, "plate", {.displacement_scale = displacement_scale});
   w.file = read_vtu(scratch.path / "plate.vtu");
   w.names = scratch.names();
   return w;
@@ -57,7 +57,7 @@ TEST(Vtu, has_every_array_of_the_table_with_its_unit) {
   const Written w = written({});
   std::vector<std::string> expected{"points"};
   for (const Field& field : fields_of(true, false))
-    for (const auto name : field.arrays) {
+    for (const std::string& name : field.arrays) {
       expected.emplace_back(name);
       ASSERT_TRUE(w.file.arrays.contains(expected.back())) << name;
       const VtuArray& array = w.file.arrays.at(expected.back());
@@ -198,6 +198,43 @@ TEST(Vtu, eta_is_a_pressure_whose_integral_is_the_reaction) {
     ASSERT_GT(reaction, 100) << "the plate must press on the plane";
     EXPECT_NEAR(integral_of_eta(w.file, degree), reaction, single_precision * reaction);
   }
+}
+
+TEST(Vtu, in_double_precision_has_all_digits) {
+  const ScratchDirectory scratch("vtu");
+  const computation::Result result = computation::solve(pressed_plate({.degree = 3}), MPI_COMM_WORLD);
+  write_vtu(*result.solution, scratch.path, "single");
+  write_vtu(*result.solution, scratch.path, "double", {.is_double = true});
+  const VtuFile single = read_vtu(scratch.path / "single.vtu"), exact = read_vtu(scratch.path / "double.vtu");
+  ASSERT_EQ(exact.points, single.points);
+  ASSERT_EQ(exact.arrays.size(), single.arrays.size());
+  double rounded = 0;
+  for (const auto& [name, array] : exact.arrays)
+    for (std::size_t i = 0; i < array.values.size(); ++i) {
+      EXPECT_EQ(static_cast<float>(array.values[i]), single.arrays.at(name).values[i]) << name;
+      rounded = std::max(rounded, std::abs(array.values[i] - static_cast<float>(array.values[i])));
+    }
+  EXPECT_GT(rounded, 0);
+}
+
+TEST(Vtu, has_stresses_at_the_heights_that_are_asked_for) {
+  const ScratchDirectory scratch("vtu");
+  const computation::Result result = computation::solve(pressed_plate({}), MPI_COMM_WORLD);
+  write_vtu(*result.solution, scratch.path, "plate", {.heights = {-0.5, 0.125}, .is_double = true});
+  const VtuFile file = read_vtu(scratch.path / "plate.vtu");
+  const auto array = [&](const std::string& name) -> const VtuArray& { return file.arrays.at(name); };
+  double largest = 0;
+  for (std::size_t p = 0; p < file.points; ++p) {
+    const double middle = array("stress_11_middle").values[p], upper = array("stress_11_upper").values[p];
+    largest = std::max(largest, std::abs(upper));
+    EXPECT_EQ(array("stress_11_at_-0.5").values[p], array("stress_11_lower").values[p]);
+    EXPECT_NEAR(array("stress_11_at_0.125").values[p], middle + 0.25 * (upper - middle), 1e-12 * std::abs(upper));
+    EXPECT_EQ(array("shear_stress_1_at_-0.5").values[p], 0);
+    EXPECT_NEAR(array("shear_stress_1_at_0.125").values[p], 1.5 * (1 - 0.0625) * array("shear_stress_1").values[p],
+                1e-12 * std::abs(array("shear_stress_1").values[p]));
+  }
+  EXPECT_GT(largest, 0);
+  EXPECT_EQ(array("von_mises_at_0.125").unit, "Pa");
 }
 
 TEST(Vtu, leaves_out_ranks_without_cells) {

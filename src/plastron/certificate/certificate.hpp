@@ -41,16 +41,17 @@ struct Summary {
   assembly::Energies energy;
   double load_work = 0;  ///< l(U) [J]
   Wrench loads, reaction, support_reaction;
-  double contact_area = 0;               ///< nodal weight of the touching nodes [m^2]
-  double max_pressure = 0;               ///< max eta_i [Pa]
-  double max_normal_rotation = 0;        ///< max |r . a_3| over nodes and quadrature points
-  double max_displacement = 0;           ///< max |u| over nodes [m]
-  double max_relative_displacement = 0;  ///< max |u| / e over nodes
-  double max_rotation = 0;               ///< max |r| over nodes [rad]
-  double least_thickness = 0;            ///< min e over nodes [m]
-  double size = 0;                       ///< half the diagonal of the box that holds the nodes [m]
-  double tangency_energy = 0;            ///< energy of the penalty or stabilisation [J]
-  double multiplier_norm = 0;            ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
+  Vector3d moment_point = Vector3d::Zero();  ///< that all moments here are about, see take_moments_about() [m]
+  double contact_area = 0;                   ///< nodal weight of the touching nodes [m^2]
+  double max_pressure = 0;                   ///< max eta_i [Pa]
+  double max_normal_rotation = 0;            ///< max |r . a_3| over nodes and quadrature points
+  double max_displacement = 0;               ///< max |u| over nodes [m]
+  double max_relative_displacement = 0;      ///< max |u| / e over nodes
+  double max_rotation = 0;                   ///< max |r| over nodes [rad]
+  double least_thickness = 0;                ///< min e over nodes [m]
+  double size = 0;                           ///< half the diagonal of the box that holds the nodes [m]
+  double tangency_energy = 0;                ///< energy of the penalty or stabilisation [J]
+  double multiplier_norm = 0;                ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
   double load_norms = 0;              ///< sum of |nodal load|, couples over the shell's size [N]
   bool is_admissible_wanted = false;  ///< bounds are lifted so that the shell is out between nodes, too
@@ -83,7 +84,7 @@ struct Verdict {
   Summary summary;
   Certificate certificate;
 };
-/// (collective)
+/// With moments about the origin (collective).
 Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
 
 }  // namespace plastron::certificate

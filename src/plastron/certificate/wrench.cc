@@ -12,6 +12,8 @@ Wrench& Wrench::operator+=(const Wrench& other) {
   return *this;
 }
 
+void Wrench::move_point(const Vector3d& by) { moment -= by.cross(force); }
+
 Wrench nodal_wrench(const Vector3d& phi, const Vector3d& a3, const Eigen::Matrix<double, 6, 1>& f) {
   const Vector3d force = f.head<3>(), couple = f.tail<3>();
   return {force, phi.cross(force) + a3.cross(couple)};

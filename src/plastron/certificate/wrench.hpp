@@ -1,4 +1,4 @@
-// A system of forces, reduced to the origin.
+// A system of forces, reduced to a point.
 #pragma once
 #include <mpi.h>
 
@@ -8,12 +8,14 @@ namespace plastron::certificate {
 
 using Eigen::Vector3d;
 
-/// Resultant [N] and moment about the origin [N m].
+/// Resultant [N] and moment about a point, the origin unless it was moved [N m].
 struct Wrench {
   Vector3d force = Vector3d::Zero();
   Vector3d moment = Vector3d::Zero();
 
   Wrench& operator+=(const Wrench& other);
+  /// The moment becomes that about a point which lies `by` from the one before: moment - by x force.
+  void move_point(const Vector3d& by);
 };
 
 /// Of what works on (u, r) at a node: a force at phi and a couple on the director, phi x f + a_3 x c.

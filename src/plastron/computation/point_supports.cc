@@ -23,8 +23,10 @@ bool is_isostatic(const std::vector<assembly::Support>& supports) {
 
 /// Whether loads and the obstacle's reaction balance without the supports.
 bool in_equilibrium(const certificate::Summary& s) {
-  const double force = (s.loads.force + s.reaction.force).norm();
-  const double moment = (s.loads.moment + s.reaction.moment).norm();
+  certificate::Wrench sum = s.loads;
+  sum += s.reaction;
+  sum.move_point(-s.moment_point);  // back to the origin
+  const double force = sum.force.norm(), moment = sum.moment.norm();
   return force <= negligible * s.load_norms && moment <= negligible * s.load_norms * s.size;
 }
 

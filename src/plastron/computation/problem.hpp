@@ -54,10 +54,14 @@ struct Line {
   std::vector<Eigen::Vector2d> points{};
 };
 
-/// How stress resultants and stresses are given.
+/// How results are given.
 struct Output {
   std::optional<Eigen::Vector3d> axis{};  ///< that t1 follows, projected on the surface; empty: d phi/dx
   bool smooth = true;                     ///< recovered over patches of cells; else of each cell alone
+  Eigen::Vector3d moment_point = Eigen::Vector3d::Zero();  ///< that moments of forces are about [m]
+  std::vector<double> heights{};  ///< z / e, at which fields have stresses besides faces and middle
+  bool double_precision = false;  ///< of the numbers in .vtu files
+  int solid_layers = 0;           ///< of cells through the thickness in solid.vtu; 0: no such file
 };
 
 struct Problem {

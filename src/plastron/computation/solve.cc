@@ -5,6 +5,7 @@
 // through them, each of their parts starting from the one before.
 #include <plastron/computation/solve.hpp>
 
+#include <plastron/certificate/moment_point.hpp>
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/doubts.hpp>
 #include <plastron/computation/instants.hpp>
@@ -168,6 +169,7 @@ class Computation {
   void take(LevelResult level) {
     result_.status = level.record.status;
     result_.summary = level.verdict.summary;
+    take_moments_about(problem_.output.moment_point, result_.summary);
     result_.certificate = level.verdict.certificate;
     latest_ = std::move(level.record);
     result_.solution = std::move(level.solution);

@@ -1,6 +1,7 @@
 #include <plastron/computation/verify.hpp>
 
 #include <plastron/assembly/pressing.hpp>
+#include <plastron/certificate/moment_point.hpp>
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/doubts.hpp>
 #include <plastron/computation/instants.hpp>
@@ -34,6 +35,7 @@ Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSoluti
                                        .has_obstacle = !problem.obstacles.empty(),
                                        .formulation = problem.discretisation.tangency.formulation}};
   Result& result = verification.result;
+  take_moments_about(problem.output.moment_point, result.summary);
   MPI_Comm_size(mesh.space->layout->comm, &result.ranks);
   judge_certificate(result);
   verification.membership = membership_rows(problem, *found.discrete, found.nodal, verdict.summary);

@@ -1,6 +1,9 @@
 // [mesh], [output], [contact] and [solver].
 #include <plastron/config/sections.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace plastron::config {
 
 namespace {
@@ -31,6 +34,27 @@ void read_mesh(Table& root, computation::Problem& problem) {
   root.effective["mesh"] = mesh->effective;
 }
 
+namespace {
+
+void read_heights(Table& output, computation::Output& given) {
+  constexpr std::size_t most = 50;
+  std::vector<double> heights = output.numbers("heights").value_or(std::vector<double>{});
+  if (heights.size() > most)
+    output.report("heights", fmt::format("{} heights are too many", heights.size()), fmt::format("at most {}", most),
+                  "write solid = true for stresses all through the thickness");
+  for (const double height : heights)
+    if (!(std::abs(height) <= 0.5))
+      output.report("heights", fmt::format("the height {:g} lies outside of the shell", height),
+                    "-0.5 <= height <= 0.5",
+                    "write heights as parts of the thickness: -0.5 is the lower face, 0.5 the upper one");
+  for (double& height : heights) height += 0.0;  // no -0 in names of fields
+  std::ranges::sort(heights);
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  given.heights = std::move(heights);
+}
+
+}  // namespace
+
 bool read_output(Table& root, computation::Problem& problem) {
   auto output = root.table("output");
   if (!output) return true;
@@ -42,6 +66,12 @@ bool read_output(Table& root, computation::Problem& problem) {
                      "write the direction that t1 shall follow");
   }
   problem.output.smooth = output->text("resultants").value_or("smooth") == "smooth";
+  problem.output.moment_point = output->vector("moment_point").value_or(Eigen::Vector3d::Zero());
+  read_heights(*output, problem.output);
+  problem.output.double_precision = output->text("precision") == "double";
+  const bool is_solid = output->boolean("solid").value_or(false);
+  const int layers = output->integer("layers").value_or(1);
+  problem.output.solid_layers = is_solid ? layers : 0;
   const bool wants_report = output->boolean("report").value_or(true);
   root.effective["output"] = output->effective;
   return wants_report;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <plastron/config/geometry_schema.hpp>
 #include <plastron/config/obstacle_schema.hpp>
+#include <plastron/config/output_schema.hpp>
 #include <plastron/config/shell_schema.hpp>
 #include <plastron/config/step_schema.hpp>
 
@@ -202,29 +203,6 @@ Section arc_section() {
             .example = "0.5"},
            {.name = "from", .unit = "degrees", .fallback = "0", .meaning = "angle from the x axis where it begins"},
            {.name = "to", .unit = "degrees", .fallback = "360", .meaning = "angle where it ends"}}};
-}
-
-Section output_section() {
-  return {"output",
-          "[output]",
-          "How results are given.",
-          {{.name = "axis",
-            .kind = Kind::vector,
-            .unit = "1",
-            .meaning =
-                "t1, the first axis of N, M, Q and stresses, is this direction projected on the surface; without it, "
-                "or where it is normal to the surface, the tangent d phi/dx"},
-           {.name = "resultants",
-            .kind = Kind::word,
-            .fallback = "\"smooth\"",
-            .words = {{"smooth"}, {"by-cell"}},
-            .meaning = "N, M, Q and stresses recovered over the cells round each vertex, or of each cell alone, as the "
-                       "elements have them"},
-           {.name = "report",
-            .kind = Kind::boolean,
-            .fallback = "true",
-            .meaning = "report.html, a page with tables, plots and the shell in three dimensions; --no-report refuses "
-                       "it, too"}}};
 }
 
 Section contact_section() {

@@ -1,5 +1,7 @@
 #include <plastron/io/fields.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,10 +50,10 @@ double von_mises(const PointValues& p, double side) {
 /// `touching` is 0 or 1 at nodes; its interpolation overshoots between them.
 double contact_between(double touching) { return std::clamp(touching, 0.0, 1.0); }
 
-Field field(std::string_view key, std::vector<std::string_view> arrays, std::string_view symbol, std::string_view unit,
-            std::string_view meaning, int components, Values (*take)(const PointValues&),
+Field field(std::string key, std::vector<std::string> arrays, std::string_view symbol, std::string_view unit,
+            std::string meaning, int components, std::function<Values(const PointValues&)> take,
             Presence presence = Presence::always) {
-  return {key, std::move(arrays), symbol, unit, meaning, components, presence, take};
+  return {std::move(key), std::move(arrays), symbol, unit, std::move(meaning), components, presence, std::move(take)};
 }
 
 const std::vector<Field>& table() {
@@ -148,6 +150,25 @@ const std::vector<Field>& table() {
   return all;
 }
 
+/// Stresses at z = height e.
+void add_height(double height, std::vector<Field>& fields) {
+  const double side = 2 * height;
+  const std::string at = fmt::format("_at_{}", height), where = fmt::format(" at z = {} e", height);
+  fields.push_back(field("stress" + at, {"stress_11" + at, "stress_22" + at, "stress_12" + at}, "sigma^ab", "Pa",
+                         "stresses in the axes t1, t2" + where, 3,
+                         [side](const PointValues& p) { return stress(p, side); }));
+  fields.push_back(field("principal_stress" + at, {"stress_I" + at, "stress_II" + at}, "sigma_I, sigma_II", "Pa",
+                         "principal stresses" + where + ", the larger first", 2,
+                         [side](const PointValues& p) { return principal_stress(p, side); }));
+  fields.push_back(field("shear_stress" + at, {"shear_stress_1" + at, "shear_stress_2" + at}, "sigma^a3", "Pa",
+                         "transverse shear stresses in the axes t1, t2, of the parabola" + where, 2,
+                         [side](const PointValues& p) {
+                           return two(shell::parabolic_shear_stress(section_forces(p), side * p.thickness / 2));
+                         }));
+  fields.push_back(field("von_mises" + at, {"von_mises" + at}, "-", "Pa", "equivalent stress of von Mises" + where, 1,
+                         [side](const PointValues& p) { return one(von_mises(p, side)); }));
+}
+
 }  // namespace
 
 std::span<const Field> fields() { return table(); }
@@ -157,10 +178,11 @@ bool is_present(const Field& field, bool has_obstacle, bool has_multiplier) {
          (field.presence == Presence::with_multiplier && has_multiplier);
 }
 
-std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier) {
+std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights) {
   std::vector<Field> present;
   std::copy_if(table().begin(), table().end(), std::back_inserter(present),
                [&](const Field& f) { return is_present(f, has_obstacle, has_multiplier); });
+  for (const double height : heights) add_height(height, present);
   return present;
 }
 

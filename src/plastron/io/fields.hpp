@@ -4,7 +4,9 @@
 #include <plastron/recovery/recovery.hpp>
 
 #include <array>
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,14 +16,14 @@ namespace plastron::io {
 enum class Presence { always, with_obstacle, with_multiplier };
 
 struct Field {
-  std::string_view key;                  ///< path in a probe of results.json, steps separated by '/'
-  std::vector<std::string_view> arrays;  ///< in the .vtu file: one name for a Cartesian vector, else one a component
-  std::string_view symbol;               ///< as in docs/symbols.md
+  std::string key;                  ///< path in a probe of results.json, steps separated by '/'
+  std::vector<std::string> arrays;  ///< in the .vtu file: one name for a Cartesian vector, else one a component
+  std::string_view symbol;          ///< as in docs/symbols.md
   std::string_view unit;
-  std::string_view meaning;
+  std::string meaning;
   int components;  ///< 1 to 3
   Presence presence;
-  std::array<double, 3> (*take)(const recovery::PointValues&);
+  std::function<std::array<double, 3>(const recovery::PointValues&)> take;
 
   bool is_vector() const { return components == 3 && arrays.size() == 1; }
 };
@@ -30,7 +32,7 @@ std::span<const Field> fields();
 
 /// Whether a field has a meaning in a computation with or without obstacle and multiplier (mixed formulation).
 bool is_present(const Field& field, bool has_obstacle, bool has_multiplier);
-/// The fields that have.
-std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier);
+/// The fields that have. `heights` are those, z / e, at which stresses are wanted besides: "stress_at_0.25" and so on, which probes do not have.
+std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights = {});
 
 }  // namespace plastron::io

@@ -49,23 +49,6 @@ std::string line(const Row& row, std::string Row::value_type::*what) {
   return text + "\n";
 }
 
-/// The longest way that an obstacle has come.
-double longest_way(const certificate::Summary& summary) {
-  double way = 0;
-  for (const certificate::ObstacleContact& o : summary.obstacles) way = std::max(way, o.translation.norm());
-  return way;
-}
-
-study::Series force_over_way(const computation::Result& result, std::size_t k, bool over_time) {
-  study::Series series;
-  series.label = result.summary.obstacles[k].name;
-  for (const computation::HistoryEntry& entry : result.history) {
-    series.x.push_back(over_time ? entry.time : longest_way(entry.summary));
-    series.y.push_back(entry.summary.obstacles[k].reaction.force.norm());
-  }
-  return series;
-}
-
 }  // namespace
 
 std::string history_csv(const computation::Result& result) {
@@ -77,18 +60,6 @@ std::string history_csv(const computation::Result& result) {
     text += line(row, &Row::value_type::second);
   }
   return text;
-}
-
-study::Plot history_plot(const computation::Result& result) {
-  const bool over_time = std::ranges::none_of(
-      result.history, [](const computation::HistoryEntry& entry) { return longest_way(entry.summary) > 0; });
-  study::Plot plot;
-  plot.title = "Forces of the obstacles on the shell";
-  plot.x.label = over_time ? "time [steps]" : "way of the obstacle [m]";
-  plot.y.label = "force [N]";
-  for (std::size_t k = 0; k < result.summary.obstacles.size(); ++k)
-    plot.series.push_back(force_over_way(result, k, over_time));
-  return plot;
 }
 
 }  // namespace plastron::io

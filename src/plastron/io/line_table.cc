@@ -27,8 +27,9 @@ std::string number_text(double value) { return std::isfinite(value) ? fmt::forma
 
 }  // namespace
 
-std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier) {
-  const std::vector<Field> present = fields_of(has_obstacle, has_multiplier);
+std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
+                     std::span<const double> heights) {
+  const std::vector<Field> present = fields_of(has_obstacle, has_multiplier, heights);
   std::string text = line_header(present);
   double length = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -44,7 +45,8 @@ std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_
 }
 
 std::vector<std::string> add_lines(const computation::Solution& solution, const std::vector<computation::Line>& lines,
-                                   const std::filesystem::path& directory, AtomicFiles& files) {
+                                   std::span<const double> heights, const std::filesystem::path& directory,
+                                   AtomicFiles& files) {
   int rank = 0;
   MPI_Comm_rank(files.comm(), &rank);
   const bool has_obstacle = !solution.discrete->obstacles.empty();
@@ -54,7 +56,7 @@ std::vector<std::string> add_lines(const computation::Solution& solution, const 
     const auto points = computation::values_at(solution, line.points, fmt::format("the line \"{}\"", line.name));
     names.push_back(fmt::format("line-{}.csv", line.name));
     files.add(directory / names.back(),
-              [&] { return rank == 0 ? line_csv(points, has_obstacle, has_multiplier) : std::string(); });
+              [&] { return rank == 0 ? line_csv(points, has_obstacle, has_multiplier, heights) : std::string(); });
   }
   return names;
 }

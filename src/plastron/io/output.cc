@@ -7,6 +7,8 @@
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/report.hpp>
+#include <plastron/io/result_plots.hpp>
+#include <plastron/io/solid.hpp>
 #include <plastron/io/solution_file.hpp>
 
 #include <fmt/format.h>
@@ -27,8 +29,13 @@ bool can_be_drawn(const computation::Solution& solution, MPI_Comm comm) {
 
 }  // namespace
 
-Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report)
-    : directory_(std::move(directory)), base_name_(std::move(base_name)), files_(comm), with_report_(with_report) {
+Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report,
+               computation::Output given)
+    : directory_(std::move(directory)),
+      base_name_(std::move(base_name)),
+      files_(comm),
+      with_report_(with_report),
+      given_(std::move(given)) {
   make_directory(directory_, comm);
 }
 
@@ -44,9 +51,12 @@ void Output::add_fields(const computation::Solution& solution, double time, cons
     if (is_in_series) series_.push_back({time, name, part});
   };
   const std::string shell = base_name_ + suffix + ".vtu", obstacles = "obstacles" + suffix + ".vtu";
-  add_vtu(solution, directory_ / shell, files_);
+  add_vtu(solution, directory_ / shell, files_, {.heights = given_.heights, .is_double = given_.double_precision});
   keep(shell, 0);
   if (add_obstacle_surfaces(solution, directory_ / obstacles, files_)) keep(obstacles, 1);
+  if (given_.solid_layers == 0) return;
+  names_.push_back("solid" + suffix + ".vtu");
+  add_solid(solution, given_.solid_layers, directory_ / names_.back(), files_, given_.double_precision);
 }
 
 /// Written by the first rank alone.
@@ -59,7 +69,7 @@ void Output::add_text(const std::string& name, const Piece& text) {
 
 void Output::add_history(const computation::Result& result) {
   add_text("history.csv", [&] { return history_csv(result); });
-  add_text("history.svg", [&] { return svg_text(history_plot(result)); });
+  add_text("history.svg", [&] { return svg_text(history_plot(history_json(result))); });
 }
 
 std::vector<std::string> Output::finish(const computation::Result& result, Provenance provenance,
@@ -74,7 +84,7 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
   const auto keep_all = [this](const std::vector<std::string>& more) {
     names_.insert(names_.end(), more.begin(), more.end());
   };
-  if (is_drawn) keep_all(add_lines(*result.solution, lines, directory_, files_));
+  if (is_drawn) keep_all(add_lines(*result.solution, lines, given_.heights, directory_, files_));
   if (!series_.empty()) {
     names_.push_back(base_name_ + ".pvd");
     add_pvd(series_, directory_ / names_.back(), files_);
@@ -88,12 +98,14 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
     add_text(provenance.case_copy, [&] { return provenance.source->text; });
   }
   if (with_report_) names_.emplace_back(report_name);
+  provenance.heights = given_.heights;
   provenance.files = names_;
   if (with_report_) add_report(result, provenance, is_drawn, directory_, files_);
   add_results(result, provenance, directory_, files_);
   files_.commit();
   if (boundary.empty()) remove_contact_report(directory_, files_.comm());
   if (!with_report_) remove_file(directory_ / report_name, files_.comm());
+  if (given_.solid_layers == 0) remove_file(directory_ / solid_name, files_.comm());
   names_.emplace_back(results_name);
   return names_;
 }

@@ -11,8 +11,10 @@ namespace plastron::io {
 class Output {
  public:
   /// Makes the directory. Files of fields are base_name.vtu, obstacles.vtu, base_name.pvd that names both, and of instants
-  /// base_name-0001.vtu and so on. report.html is one of them unless `with_report` is false; then one of an earlier run is removed.
-  Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report = true);
+  /// base_name-0001.vtu and so on, with solid.vtu beside them where `given` wants one. report.html is one of them unless `with_report` is false. What is
+  /// not wanted is removed where an earlier run has left it.
+  Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report = true,
+         computation::Output given = {});
 
   /// The fields of an instant of the steps (computation::Observer::instant).
   void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
@@ -32,6 +34,7 @@ class Output {
   std::string base_name_;
   AtomicFiles files_;
   bool with_report_;
+  computation::Output given_;
   std::vector<DataSet> series_{};
   int instants_ = 0;
   std::vector<std::string> names_{};

@@ -4,9 +4,9 @@
 #include <plastron/io/plot.hpp>
 #include <plastron/io/report_case.hpp>
 #include <plastron/io/report_html.hpp>
-#include <plastron/io/report_plots.hpp>
 #include <plastron/io/report_scene.hpp>
 #include <plastron/io/report_tables.hpp>
+#include <plastron/io/result_plots.hpp>
 
 #include <fmt/format.h>
 
@@ -38,22 +38,22 @@ std::string view_html(const Json& results, const Json& scene, bool has_script) {
 }
 
 /// Pictures keep their style and names for themselves.
-std::string plots_html(const computation::Result& result) {
+std::string plots_html(const Json& results) {
   std::string html;
-  for (const study::Plot& plot : report_plots(result))
+  for (const auto& [name, plot] : result_plots(results))
     html += fmt::format("<img class=\"plot\" alt=\"{}: {} over {}\" src=\"data:image/svg+xml;base64,{}\">\n",
                         html_text(valid_utf8(plot.title)), html_text(valid_utf8(plot.y.label)),
                         html_text(valid_utf8(plot.x.label)), base64(valid_utf8(svg_text(plot, PlotLayout::narrow))));
   return html.empty() ? "" : "<div class=\"plots\">\n" + html + "</div>\n";
 }
 
-std::string content_html(const computation::Result& result, const Json& results, const Json& scene, bool has_script) {
+std::string content_html(const Json& results, const Json& scene, bool has_script) {
   return verdict_html(results) + html_section("warnings", "Warnings", warnings_html(results)) +
          key_numbers_html(results) + html_section("shell", "Deformed shell", view_html(results, scene, has_script)) +
          html_section("case", "The case", case_html(at_path(results, "settings"))) +
          html_section("balance", "Forces and moments", balance_html(results)) +
          html_section("contact", "Contact zones", contact_html(results)) +
-         html_section("probes", "Probes", probes_html(results)) + html_section("plots", "Plots", plots_html(result)) +
+         html_section("probes", "Probes", probes_html(results)) + html_section("plots", "Plots", plots_html(results)) +
          html_section("certificate", "Certificate", certificate_html(results)) +
          html_section("levels", "Meshes", levels_html(results)) +
          html_section("history", "Steps", history_html(results)) + html_section("files", "Files", files_html(results));
@@ -61,14 +61,14 @@ std::string content_html(const computation::Result& result, const Json& results,
 
 }  // namespace
 
-std::string report_html(const computation::Result& result, const Json& results, const Json& scene) {
+std::string report_html(const Json& results, const Json& scene) {
   const EmbeddedPage parts = embedded_page();
   const std::string given = plain_words(at_path(results, "title"));
   const std::string title = html_text(given.empty() ? "A shell computed by Plastron" : given);
   return filled(parts.page, {{"title", title},
                              {"style", std::string(parts.style)},
                              {"version", html_text(plain_words(at_path(results, "versions/plastron")))},
-                             {"content", content_html(result, results, scene, !parts.script.empty())},
+                             {"content", content_html(results, scene, !parts.script.empty())},
                              {"results", script_json(results)},
                              {"scene", script_json(parts.script.empty() ? Json(nullptr) : scene)},
                              {"script_source", std::string(parts.script_source)},
@@ -84,7 +84,7 @@ void add_report(const computation::Result& result, const Provenance& provenance,
   files.add(directory / report_name, [&]() -> std::string {
     if (rank != 0) return "";
     const std::string text = results_json(result, provenance).dump(-1, ' ', false, Json::error_handler_t::replace);
-    return report_html(result, Json::parse(text), scene);
+    return report_html(Json::parse(text), scene);
   });
 }
 

@@ -8,7 +8,7 @@ namespace plastron::io {
 inline constexpr std::string_view report_name = "report.html";
 
 /// The whole page, on the first rank; `scene` as of scene_json(), null where there is nothing to draw. Texts may hold anything.
-std::string report_html(const computation::Result& result, const Json& results, const Json& scene);
+std::string report_html(const Json& results, const Json& scene);
 
 /// Adds directory/report.html; `is_drawn`: the solution is there and finite (collective). Throws std::runtime_error.
 void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,

@@ -158,9 +158,10 @@ std::string balance_html(const Json& results) {
     }
   table.row(sums, "sum");
   return table.text() +
-         "<p class=\"note\">What acts on the shell; moments about the origin. Muted numbers are rounding beside the "
-         "largest of "
-         "their kind. The sum of moments is as good as the mesh on curved shells.</p>\n";
+         fmt::format(
+             "<p class=\"note\">What acts on the shell; moments about {} m. Muted numbers are rounding beside the "
+             "largest of their kind. The sum of moments is as good as the mesh on curved shells.</p>\n",
+             html_text(plain_words(at_path(results, "moment_point"))));
 }
 
 std::string contact_html(const Json& results) {

@@ -121,9 +121,9 @@ Json verification_json(const Provenance& provenance) {
 }
 
 /// The arrays of the .vtu file.
-Json fields_json(const computation::Result& result) {
+Json fields_json(const computation::Result& result, const std::vector<double>& heights) {
   Json list = Json::array();
-  for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result)))
+  for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result), heights))
     list.push_back(
         {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
   return list;
@@ -162,7 +162,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["versions"] = versions_json();
   json["files"] = provenance.files;
   json["verification"] = verification_json(provenance);
-  json["fields"] = fields_json(result);
+  json["fields"] = fields_json(result, provenance.heights);
   json["units"] = units_json();
   return json;
 }

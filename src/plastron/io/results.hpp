@@ -23,6 +23,7 @@ struct Provenance {
   std::optional<CaseSource> source{};  ///< the case file and the files that it names
   std::string solution{};              ///< the one of `files` that holds the solution with all its digits
   std::string case_copy{};             ///< the one that is a copy of the case file
+  std::vector<double> heights{};       ///< z / e at which the .vtu file has stresses besides, see fields_of()
 };
 
 inline constexpr std::string_view results_name = "results.json";

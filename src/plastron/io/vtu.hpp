@@ -9,10 +9,17 @@
 
 namespace plastron::io {
 
-/// Adds a .vtu file, whose points are phi + displacement_scale u (collective). Each cell has its own points, equidistant in its parameters, because resultants jump between cells;
-/// coordinates and values are rounded to single precision. Throws std::runtime_error.
+/// What a .vtu file holds, and how exactly.
+struct VtuChoice {
+  double displacement_scale = 1;  ///< points are phi + displacement_scale u
+  std::vector<double> heights{};  ///< z / e of further stresses, see fields_of()
+  bool is_double = false;         ///< coordinates and values in double precision; else rounded to single
+};
+
+/// Adds a .vtu file (collective). Each cell has its own points, equidistant in its parameters, because resultants jump between cells. Throws
+/// std::runtime_error.
 void add_vtu(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files,
-             double displacement_scale = 1);
+             const VtuChoice& choice = {});
 
 /// A .vtu file of a time series, beside the .pvd file.
 struct DataSet {
@@ -25,6 +32,6 @@ void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path
 
 /// Writes base_name.vtu and base_name.pvd alone and returns their names.
 std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
-                                   const std::string& base_name, double displacement_scale = 1);
+                                   const std::string& base_name, const VtuChoice& choice = {});
 
 }  // namespace plastron::io

@@ -14,6 +14,22 @@ double smallest_gap(const assembly::DiscreteShell& discrete, const obstacle::She
   return smallest;
 }
 
+/// Reaction and contact at a node: of all obstacles, and of those on either face.
+Eigen::Matrix<double, 1, 6> contact_at(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                                       std::size_t node) {
+  Eigen::Matrix<double, 1, 6> values = Eigen::Matrix<double, 1, 6>::Zero();
+  values[0] = total_pressure(solution, node);
+  values[1] = touches(solution, node) ? 1 : 0;
+  const auto& gaps = discrete.coordinates.gaps;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const std::size_t at = node * gaps.size() + k;
+    const int face = gaps[k][node].z > 0 ? 1 : 0;
+    values[2 + face] += solution.pressure.local()[at];
+    if (solution.touching.local()[at] != 0) values[4 + face] = 1;
+  }
+  return values;
+}
+
 /// Resultants of a cell alone, continued from its resultant points. All are taken into the axes of one of these first, so that what is
 /// continued does not depend on how axes turn in the cell.
 class ContinuedResultants {
@@ -79,16 +95,16 @@ void Recovery::add_nodal_values(std::size_t cell, const element::CellField& fiel
                                 std::vector<PointValues>& points) const {
   const assembly::ShellOperator& shell = discrete_.shell;
   const auto nodes = shell.space().nodes(cell);
-  Eigen::MatrixX2d contact(static_cast<Eigen::Index>(nodes.size()), 2);
+  Eigen::Matrix<double, Eigen::Dynamic, 6> contact(static_cast<Eigen::Index>(nodes.size()), 6);
   Eigen::VectorXd lambda(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto node = static_cast<std::size_t>(nodes[i]);
-    contact.row(static_cast<Eigen::Index>(i)) << total_pressure(solution_, node), touches(solution_, node) ? 1 : 0;
+    contact.row(static_cast<Eigen::Index>(i)) = contact_at(discrete_, solution_, node);
     lambda[static_cast<Eigen::Index>(i)] = solution_.lambda.layout() ? solution_.lambda.local()[node] : 0;
   }
   const element::CellField values = shell.interpolation().values(cell, at_points_, field);
   const element::CellField moved = discrete_.state_values(cell, at_points_);
-  const Eigen::MatrixX2d contact_values = reaction_at_points_ * contact;
+  const Eigen::Matrix<double, Eigen::Dynamic, 6> contact_values = reaction_at_points_ * contact;
   const Eigen::VectorXd lambda_values = at_points_.value * lambda;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto row = static_cast<Eigen::Index>(p);
@@ -101,6 +117,8 @@ void Recovery::add_nodal_values(std::size_t cell, const element::CellField& fiel
     point.pressure = contact_values(row, 0);
     point.lambda = lambda_values[row];
     point.touching = contact_values(row, 1);
+    point.face_pressure = contact_values.row(row).segment<2>(2);
+    point.face_touching = contact_values.row(row).segment<2>(4);
   }
 }
 

@@ -17,14 +17,16 @@ struct PointValues {
   double thickness = 0;                                                          ///< e [m]
   Vector3d u = Vector3d::Zero();                                                 ///< displacement [m]
   Vector3d r = Vector3d::Zero();                                                 ///< rotation of the normal [rad]
-  double gap = 0;                 ///< of the touching face, the smallest of all obstacles [m]; NaN without
-  double pressure = 0;            ///< eta, the sum of all obstacles [Pa]
-  double lambda = 0;              ///< multiplier of (M14) [N m]
-  double touching = 0;            ///< 1 in contact, 0 free; in between next to the zone's edge
-  Vector3d N = Vector3d::Zero();  ///< N_11, N_22, N_12 [N/m]
-  Vector3d M = Vector3d::Zero();  ///< M_11, M_22, M_12 [N]
-  Eigen::Vector2d Q = Eigen::Vector2d::Zero();  ///< Q_1, Q_2 [N/m]
-  shell::Material material{};                   ///< of the point's region
+  double gap = 0;       ///< of the touching face, the smallest of all obstacles [m]; NaN without
+  double pressure = 0;  ///< eta, the sum of all obstacles [Pa]
+  double lambda = 0;    ///< multiplier of (M14) [N m]
+  double touching = 0;  ///< 1 in contact, 0 free; in between next to the zone's edge
+  Eigen::Vector2d face_pressure = Eigen::Vector2d::Zero();  ///< eta on the lower and on the upper face [Pa]
+  Eigen::Vector2d face_touching = Eigen::Vector2d::Zero();  ///< `touching` of the lower and of the upper face
+  Vector3d N = Vector3d::Zero();                            ///< N_11, N_22, N_12 [N/m]
+  Vector3d M = Vector3d::Zero();                            ///< M_11, M_22, M_12 [N]
+  Eigen::Vector2d Q = Eigen::Vector2d::Zero();              ///< Q_1, Q_2 [N/m]
+  shell::Material material{};                               ///< of the point's region
 };
 
 /// N, M, Q and the thickness, from which stresses follow.

@@ -1,0 +1,136 @@
+#include <plastron/io/result_plots.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::io {
+
+namespace {
+
+/// NaN for null, which plots leave out.
+double value_of(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+double norm_of(const Json& vector) {
+  double square = 0;
+  for (const Json& component : vector) square += value_of(component) * value_of(component);
+  return std::sqrt(square);
+}
+
+/// A number of each mesh over the unknowns.
+study::Plot over_meshes(const Json& levels, const std::string& key, std::string title, std::string label) {
+  std::string series = key;
+  std::ranges::replace(series, '_', ' ');
+  study::Plot plot{.title = std::move(title), .x = {"unknowns", true}, .y = {std::move(label), false}};
+  plot.series.push_back({.label = std::move(series), .x = {}, .y = {}});
+  for (const Json& level : levels) {
+    plot.series.back().x.push_back(value_of(level.at("unknowns")));
+    plot.series.back().y.push_back(value_of(level.at(key)));
+  }
+  return plot;
+}
+
+/// Distance from the finest mesh's value, over that; the finest itself has none.
+study::Series change(const Json& levels, const std::string& key, std::string label) {
+  study::Series series{.label = std::move(label), .x = {}, .y = {}};
+  const double finest = value_of(levels.back().at(key));
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+    series.x.push_back(value_of(levels[i].at("unknowns")));
+    series.y.push_back(std::abs(value_of(levels[i].at(key)) / finest - 1));
+  }
+  return series;
+}
+
+study::Plot change_to_finest(const Json& levels, bool has_contact) {
+  study::Plot plot{.title = "Change to the finest mesh", .x = {"unknowns", true}, .y = {"|value / finest - 1|", true}};
+  plot.series.push_back(change(levels, "energy", "energy"));
+  if (has_contact) {
+    plot.series.push_back(change(levels, "reaction", "reaction"));
+    plot.series.push_back(change(levels, "contact_area", "contact area"));
+  }
+  return plot;
+}
+
+/// The longest way that an obstacle has come.
+double longest_way(const Json& instant) {
+  double way = 0;
+  for (const Json& obstacle : instant.at("obstacles")) way = std::max(way, norm_of(obstacle.at("translation")));
+  return way;
+}
+
+study::Plot contact_history(const Json& history) {
+  study::Plot plot{.title = "Contact area in steps", .x = {"time [steps]", false}, .y = {"contact area [m^2]", false}};
+  plot.series.push_back({.label = "contact area", .x = {}, .y = {}});
+  for (const Json& instant : history) {
+    plot.series.back().x.push_back(value_of(instant.at("time")));
+    plot.series.back().y.push_back(value_of(instant.at("contact_area")));
+  }
+  return plot;
+}
+
+/// What the supports carry over how far the shell has given way.
+study::Plot support_history(const Json& history) {
+  study::Plot plot{.title = "Force of the supports on the shell",
+                   .x = {"largest displacement [m]", false},
+                   .y = {"force [N]", false}};
+  plot.series.push_back({.label = "supports", .x = {}, .y = {}});
+  for (const Json& instant : history) {
+    plot.series.back().x.push_back(value_of(instant.at("max_displacement")));
+    plot.series.back().y.push_back(norm_of(instant.at("support_force")));
+  }
+  return plot;
+}
+
+void add_history_plots(const Json& history, bool has_obstacle, std::vector<NamedPlot>& plots) {
+  if (history.empty()) return;
+  if (has_obstacle) {
+    plots.push_back({"plot-history-obstacles", history_plot(history)});
+    plots.push_back({"plot-history-contact-area", contact_history(history)});
+  }
+  plots.push_back({"plot-history-supports", support_history(history)});
+}
+
+}  // namespace
+
+study::Plot history_plot(const Json& history) {
+  const bool over_time = std::ranges::none_of(history, [](const Json& instant) { return longest_way(instant) > 0; });
+  study::Plot plot;
+  plot.title = "Forces of the obstacles on the shell";
+  plot.x.label = over_time ? "time [steps]" : "way of the obstacle [m]";
+  plot.y.label = "force [N]";
+  for (const Json& instant : history) {
+    const Json& obstacles = instant.at("obstacles");
+    plot.series.resize(obstacles.size());
+    for (std::size_t k = 0; k < obstacles.size(); ++k) {
+      plot.series[k].label = obstacles[k].at("name").get<std::string>();
+      plot.series[k].x.push_back(over_time ? value_of(instant.at("time")) : longest_way(instant));
+      plot.series[k].y.push_back(norm_of(obstacles[k].at("reaction").at("force")));
+    }
+  }
+  return plot;
+}
+
+std::vector<NamedPlot> result_plots(const Json& results) {
+  std::vector<NamedPlot> plots;
+  const Json& levels = results.at("levels");
+  add_history_plots(results.at("history"), !results.at("contact").is_null(), plots);
+  if (levels.size() < 2) return plots;
+  const bool has_contact =
+      std::ranges::any_of(levels, [](const Json& level) { return value_of(level.at("active")) > 0; });
+  plots.push_back({"plot-energy", over_meshes(levels, "energy", "Energy by mesh", "stored energy [J]")});
+  if (has_contact) {
+    plots.push_back(
+        {"plot-reaction", over_meshes(levels, "reaction", "Reaction by mesh", "|force of the obstacles| [N]")});
+    plots.push_back(
+        {"plot-contact-area", over_meshes(levels, "contact_area", "Contact area by mesh", "contact area [m^2]")});
+    plots.push_back({"plot-touching-nodes", over_meshes(levels, "active", "Touching nodes by mesh", "nodes")});
+    plots.back().plot.series.front().label = "touching nodes";
+    plots.back().plot.y.is_log = true;
+  }
+  if (levels.size() > 2) plots.push_back({"plot-changes", change_to_finest(levels, has_contact)});
+  return plots;
+}
+
+}  // namespace plastron::io

@@ -1,0 +1,25 @@
+// The line plots of a result: how energy, reaction and contact settle from mesh to mesh, and the history of steps. They are made from
+// results.json, so that report.html and `plastron plot` show the same.
+#pragma once
+#include <plastron/io/quantities.hpp>
+#include <plastron/study/plot.hpp>
+
+#include <string>
+#include <vector>
+
+namespace plastron::io {
+
+/// A plot and the name of its file, without folder and ending.
+struct NamedPlot {
+  std::string name;
+  study::Plot plot;
+};
+
+/// Those that have anything to show: two meshes at least, contact, steps. Throws Json::exception where `results` is not as results_json() makes it.
+std::vector<NamedPlot> result_plots(const Json& results);
+
+/// The force of each obstacle on the shell over the longest way that one has come; over the time where none has moved. `history` is that of
+/// results.json.
+study::Plot history_plot(const Json& history);
+
+}  // namespace plastron::io

@@ -1,0 +1,97 @@
+#include <plastron/io/vtu_piece.hpp>
+
+#include <plastron/io/report_html.hpp>
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace plastron::io {
+
+namespace {
+
+/// One compressed block with VTK's header before it: number of blocks, bytes of a block, of the last one if that is smaller (else 0), and of
+/// the block as compressed.
+template <class T>
+std::string compressed(const std::vector<T>& values) {
+  const std::size_t size = values.size() * sizeof(T);
+  uLongf packed_size = compressBound(size);
+  std::vector<std::byte> packed(packed_size);
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &packed_size, reinterpret_cast<const Bytef*>(values.data()),
+                size, Z_BEST_SPEED) != Z_OK)
+    throw std::runtime_error("zlib could not compress an array of a .vtu file");
+  packed.resize(packed_size);
+  const std::array<std::uint64_t, 4> header{1, size, 0, packed_size};
+  return base64(std::as_bytes(std::span(header))) + base64(packed);
+}
+
+template <class T>
+std::string data_array(const std::string& attributes, const std::vector<T>& values) {
+  return fmt::format("        <DataArray {} format=\"binary\">\n{}\n        </DataArray>\n", attributes,
+                     compressed(values));
+}
+
+/// ParaView shows nothing of units, but they stand beside the name for whoever reads the file.
+std::string attributes_of(const GridArray& array) {
+  std::string text = fmt::format("Name=\"{}\" NumberOfComponents=\"{}\"", array.name, array.components);
+  if (!array.unit.empty()) text += fmt::format(" units=\"{}\"", array.unit);
+  // ParaView calls the components of a symmetric tensor so.
+  constexpr std::array tensor{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+  for (std::size_t c = 0; array.components == 6 && c < tensor.size(); ++c)
+    text += fmt::format(" ComponentName{}=\"{}\"", c, tensor[c]);
+  return text;
+}
+
+std::string real_array(const std::string& attributes, const std::vector<double>& values, bool is_double) {
+  if (is_double) return data_array("type=\"Float64\" " + attributes, values);
+  std::vector<float> rounded;
+  rounded.reserve(values.size());
+  for (const double value : values) rounded.push_back(static_cast<float>(value));
+  return data_array("type=\"Float32\" " + attributes, rounded);
+}
+
+std::string cells_text(const GridPiece& piece) {
+  const std::size_t cells = piece.connectivity.size() / piece.points_per_cell;
+  std::vector<std::int64_t> ends;
+  ends.reserve(cells);
+  for (std::size_t cell = 1; cell <= cells; ++cell)
+    ends.push_back(static_cast<std::int64_t>(cell * piece.points_per_cell));
+  const std::vector<std::uint8_t> types(cells, static_cast<std::uint8_t>(piece.type));
+  return "      <Cells>\n" + data_array(R"(type="Int64" Name="connectivity")", piece.connectivity) +
+         data_array(R"(type="Int64" Name="offsets")", ends) + data_array(R"(type="UInt8" Name="types")", types) +
+         "      </Cells>\n";
+}
+
+constexpr std::string_view vtu_header =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+    "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n";
+constexpr std::string_view vtu_footer = "  </UnstructuredGrid>\n</VTKFile>\n";
+
+std::string piece_text(const GridPiece& piece, bool is_double) {
+  if (piece.connectivity.empty()) return "";
+  std::string text = fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", piece.points.size() / 3,
+                                 piece.connectivity.size() / piece.points_per_cell);
+  text += "      <Points>\n" + real_array("NumberOfComponents=\"3\"", piece.points, is_double) + "      </Points>\n";
+  text += cells_text(piece) + "      <PointData>\n";
+  for (const GridArray& array : piece.point_arrays) text += real_array(attributes_of(array), array.values, is_double);
+  return text + "      </PointData>\n    </Piece>\n";
+}
+
+}  // namespace
+
+void add_grid(const std::filesystem::path& path, const std::function<GridPiece()>& own_piece, bool is_double,
+              AtomicFiles& files) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(files.comm(), &rank);
+  MPI_Comm_size(files.comm(), &ranks);
+  files.add(path, [&] {
+    std::string text(rank == 0 ? vtu_header : std::string_view());
+    text += piece_text(own_piece(), is_double);
+    if (rank == ranks - 1) text += vtu_footer;
+    return text;
+  });
+}
+
+}  // namespace plastron::io
