@@ -1,10 +1,8 @@
 #include <plastron/fem/join.hpp>
 
-#include <plastron/fem/basis.hpp>
-#include <plastron/geometry/frame.hpp>
+#include <plastron/fem/boundary_nodes.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -18,59 +16,9 @@ namespace {
 using algebra::GlobalIndex, algebra::LocalIndex;
 using Eigen::Vector3d;
 
-/// A node on a boundary of a join, as all ranks know it.
-struct EdgeNode {
-  GlobalIndex node;
-  Vector3d place, normal;
-};
-
-constexpr std::size_t packed_size = 7;
-
-int boundary_index(const CoarseMesh& coarse, const std::string& name) {
-  const auto found = std::ranges::find(coarse.boundaries, name);
-  if (found == coarse.boundaries.end())
-    throw DomainError(fmt::format("an edge of a join is not there: there is no boundary \"{}\"; the mesh has: {}", name,
-                                  fmt::join(coarse.boundaries, ", ")));
-  return static_cast<int>(found - coarse.boundaries.begin());
-}
-
-/// The nodes on a boundary, ascending, the same on every rank (collective).
-std::vector<EdgeNode> nodes_on(const Space& space, const Surface& surface, int boundary) {
-  const auto line = gauss_lobatto(space.degree + 1).points;
-  std::map<GlobalIndex, std::array<Vector3d, 2>> mine;
-  for (const BoundarySide& side : space.sides) {
-    if (side.boundary != boundary || side.cell >= space.owned_cells) continue;
-    std::vector<Vector2d> xi;
-    xi.reserve(line.size());
-    for (const double t : line) xi.push_back(side_point(space.shape(), side.side, t));
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    surface.jets(space.cells[side.cell], xi, jets, false);
-    const auto on_side = side_nodes(space.shape(), space.degree, side.side);
-    for (std::size_t i = 0; i < xi.size(); ++i) {
-      const LocalIndex node = space.nodes(side.cell)[static_cast<std::size_t>(on_side[i])];
-      mine[space.layout->global(node)] = {jets[i].value, geometry::unit_normal(jets[i])};
-    }
-  }
-  std::vector<double> packed;
-  for (const auto& [node, at] : mine) {
-    packed.push_back(static_cast<double>(node));
-    for (const Vector3d& v : at) packed.insert(packed.end(), v.begin(), v.end());
-  }
-  const auto all = algebra::gather_over_ranks(packed, space.layout->comm);
-  std::map<GlobalIndex, EdgeNode> nodes;
-  for (std::size_t i = 0; i < all.size(); i += packed_size) {
-    const auto node = static_cast<GlobalIndex>(all[i]);
-    nodes.emplace(node, EdgeNode{node, {all[i + 1], all[i + 2], all[i + 3]}, {all[i + 4], all[i + 5], all[i + 6]}});
-  }
-  std::vector<EdgeNode> list;
-  list.reserve(nodes.size());
-  for (const auto& [node, at] : nodes) list.push_back(at);
-  return list;
-}
-
-double length_of(const std::vector<EdgeNode>& nodes) {
+double length_of(const std::vector<BoundaryNode>& nodes) {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const EdgeNode& node : nodes) {
+  for (const BoundaryNode& node : nodes) {
     low = low.cwiseMin(node.place);
     high = high.cwiseMax(node.place);
   }
@@ -95,7 +43,7 @@ class Classes {
   std::map<GlobalIndex, GlobalIndex> parent_;
 };
 
-void unite_partners(const Join& join, const std::array<std::vector<EdgeNode>, 2>& sides, Classes& classes) {
+void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>, 2>& sides, Classes& classes) {
   constexpr double same_place = 1e-8, same_normal = 1e-6;
   const double length = length_of(sides[0]);
   const auto& [first, second] = join.boundaries;
@@ -103,9 +51,9 @@ void unite_partners(const Join& join, const std::array<std::vector<EdgeNode>, 2>
     throw DomainError(fmt::format(
         "the edges \"{}\" and \"{}\" cannot be joined: they have {} and {} nodes; divide both into the same cells",
         first, second, sides[0].size(), sides[1].size()));
-  for (const EdgeNode& node : sides[1]) {
-    const auto distance = [&](const EdgeNode& other) { return (other.place - node.place).norm(); };
-    const EdgeNode& partner = *std::ranges::min_element(sides[0], {}, distance);
+  for (const BoundaryNode& node : sides[1]) {
+    const auto distance = [&](const BoundaryNode& other) { return (other.place - node.place).norm(); };
+    const BoundaryNode& partner = *std::ranges::min_element(sides[0], {}, distance);
     if (!(distance(partner) <= same_place * length))
       throw DomainError(
           fmt::format("the edges \"{}\" and \"{}\" cannot be joined: the point ({:.6g}, {:.6g}, {:.6g}) of \"{}\" is "
@@ -125,27 +73,6 @@ void unite_partners(const Join& join, const std::array<std::vector<EdgeNode>, 2>
   }
 }
 
-/// The space with further ghosts; the owned nodes keep their numbers.
-void widen(Space& space, const std::set<GlobalIndex>& wanted) {
-  const algebra::Layout& before = *space.layout;
-  auto after = std::make_shared<algebra::Layout>(before);
-  for (const GlobalIndex node : wanted)
-    if (node < before.first || node >= before.first + before.owned) after->ghosts.push_back(node);
-  std::ranges::sort(after->ghosts);
-  after->ghosts.erase(std::unique(after->ghosts.begin(), after->ghosts.end()), after->ghosts.end());
-  for (LocalIndex& node : space.connectivity.nodes) {
-    if (node < before.owned) continue;
-    const auto found = std::ranges::lower_bound(after->ghosts, before.global(node));
-    node = after->owned + static_cast<LocalIndex>(found - after->ghosts.begin());
-  }
-  space.layout = std::move(after);
-}
-
-LocalIndex local_in(const algebra::Layout& layout, GlobalIndex node) {
-  if (node >= layout.first && node < layout.first + layout.owned) return static_cast<LocalIndex>(node - layout.first);
-  return layout.owned + static_cast<LocalIndex>(std::ranges::lower_bound(layout.ghosts, node) - layout.ghosts.begin());
-}
-
 }  // namespace
 
 std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Surface& surface,
@@ -154,9 +81,9 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
   Classes classes;
   std::set<int> boundaries;
   for (const Join& join : joins) {
-    std::array<std::vector<EdgeNode>, 2> sides;
+    std::array<std::vector<BoundaryNode>, 2> sides;
     for (std::size_t k = 0; k < 2; ++k) {
-      const int boundary = boundary_index(*space->coarse, join.boundaries[k]);
+      const int boundary = boundary_index(*space->coarse, join.boundaries[k], "an edge of a join");
       boundaries.insert(boundary);
       sides[k] = nodes_on(*space, surface, boundary);
     }
