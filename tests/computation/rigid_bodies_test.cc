@@ -10,6 +10,8 @@
 
 #include <Eigen/Dense>
 
+#include <numbers>
+
 #include "computation/problems.hpp"
 #include "larger.hpp"
 
@@ -17,8 +19,8 @@ namespace plastron::computation {
 namespace {
 
 using namespace test;
-using element::Formulation;
 using Eigen::Vector3d;
+using element::Formulation;
 
 constexpr auto open = std::nullopt;
 constexpr double young = 1e4, thickness = 0.05, width = 0.25, length = 1;
@@ -36,9 +38,7 @@ Problem beam(const fem::RigidBody& body) {
   return p;
 }
 
-fem::RigidBody end_plate() {
-  return {.name = "plate", .boundaries = {"right"}, .reference = {length, width / 2, 0}};
-}
+fem::RigidBody end_plate() { return {.name = "plate", .boundaries = {"right"}, .reference = {length, width / 2, 0}}; }
 
 std::unique_ptr<assembly::DiscreteShell> discretised(const Problem& p, MPI_Comm comm = MPI_COMM_WORLD) {
   fem::MeshSequence meshes = mesh_sequence(p, comm);
@@ -219,6 +219,27 @@ TEST(RigidBodies, MayBeHingesThatTakeNoMoment) {
   EXPECT_NEAR(hinge.moment_at_reference.norm(), 0, 1e-9 * std::abs(force));
 }
 
+/// Cross-sections of a tube turn as a whole, psi R / 2 = gamma_sy and psi = chi_sy: T = psi G 2 pi R e (R^2 + e^2 / 3).
+TEST(RigidBodies, TwistATubeWhoseSeamIsJoined) {
+  constexpr double wall = 0.05, pi = std::numbers::pi, moment = 1e-4;
+  Problem p;
+  p.domain = fem::Rectangle{.to = {2 * pi, 2}, .cells = {8, 2}};
+  p.charts = {{"", Chart({"sin(x)", "y", "cos(x)"}, {})}};
+  p.sections.common.thickness = Expression(wall);
+  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.joins = {{{"left", "right"}}};
+  p.supports = {clamped("bottom")};
+  p.discretisation = {.degree = 4, .refinements = 0};
+  p.rigid_bodies = {{.name = "plate", .boundaries = {"top"}, .reference = {0, 2, 0}, .moment = {0, moment, 0}}};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  const double turn = 2 * moment / (2 * pi * wall / 2.6 * (1 + wall * wall / 3));
+  const auto& plate = result.summary.body_reactions.at(0);
+  EXPECT_LT((plate.rotation - Vector3d(0, turn, 0)).norm(), 1e-5 * turn);
+  EXPECT_LT(plate.displacement.norm(), 1e-9 * turn);
+  EXPECT_NEAR(result.summary.support_reaction.moment[1], -moment, 1e-6 * moment);
+}
+
 TEST(RigidBodies, OfAnotherReferencePointMoveAlike) {
   fem::RigidBody body = end_plate();
   body.force = {0, 0.1e-4, -1e-4};
@@ -274,6 +295,16 @@ TEST(RigidBodies, MayBeHeldBySymmetryWhereTheyAreFixedAlike) {
   const Result half = solve(p, MPI_COMM_WORLD);
   expect_sound(half);
   EXPECT_NEAR(2 * half.summary.energy.total(), whole.summary.energy.total(), 1e-9 * whole.summary.energy.total());
+}
+
+TEST(RigidBodies, ThatEnterAnObstacleAreWarnedOf) {
+  const auto warnings = [](double sink) {
+    Problem p = pressed_by_its_tip();
+    p.rigid_bodies[0].fixed[2] = sink;
+    return solve(p, MPI_COMM_WORLD).warnings;
+  };
+  EXPECT_THAT(warnings(0.3), testing::Not(testing::Contains(testing::HasSubstr("\"plate\" takes the shell"))));
+  EXPECT_THAT(warnings(-0.06), testing::Contains(testing::HasSubstr("\"plate\" takes the shell")));
 }
 
 std::string refusal(const Problem& p) {

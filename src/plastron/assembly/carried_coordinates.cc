@@ -16,9 +16,8 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 const fem::PlacedBody& body_of(const fem::CarriedNodes& carried, const fem::CarriedNode& node) {
   const auto place = static_cast<std::size_t>(&node - carried.nodes.data());
-  return *std::ranges::find_if(carried.bodies, [&](const fem::PlacedBody& body) {
-    return std::ranges::binary_search(body.members, place);
-  });
+  return *std::ranges::find_if(
+      carried.bodies, [&](const fem::PlacedBody& body) { return std::ranges::binary_search(body.members, place); });
 }
 
 /// Component k of (d, length theta), if it is prescribed.
@@ -34,8 +33,7 @@ void check_row(const fem::PlacedBody& placed, const fem::CarriedNode& node, cons
   constexpr double negligible = 1e-9;
   Vector6 on_motion;
   for (int h = 0; h < 2; ++h)
-    on_motion.segment<3>(3 * h) =
-        (node.carriers[static_cast<std::size_t>(h)].second.transpose() * row).head<3>();
+    on_motion.segment<3>(3 * h) = (node.carriers[static_cast<std::size_t>(h)].second.transpose() * row).head<3>();
   double known = 0, most = scale;
   const double whole = on_motion.norm();
   for (int k = 0; k < 6; ++k)
@@ -45,10 +43,10 @@ void check_row(const fem::PlacedBody& placed, const fem::CarriedNode& node, cons
       on_motion[k] = 0;
     }
   if (on_motion.norm() > negligible * whole)
-    throw SupportError(
-        fmt::format("a support holds the shell at x = {:g}, y = {:g}, where the rigid body \"{}\" carries it; leave that "
-                    "to the body: fix its motions that the support is to hold",
-                    point.x[0], point.x[1], placed.body.name));
+    throw SupportError(fmt::format(
+        "a support holds the shell at x = {:g}, y = {:g}, where the rigid body \"{}\" carries it; leave that "
+        "to the body: fix its motions that the support is to hold",
+        point.x[0], point.x[1], placed.body.name));
   if (!(std::abs(known - value) <= negligible * most))
     throw SupportError(
         fmt::format("a support contradicts the rigid body \"{}\" at x = {:g}, y = {:g}: a component that the body "
@@ -92,8 +90,8 @@ NodeCoordinates carried_coordinates(const fem::CarriedNodes& carried, const fem:
                                     const NodalPoint& point, const NodeSupport& support, double size) {
   const fem::PlacedBody& placed = body_of(carried, node);
   check_supports(placed, node, point, support);
-  NodeCoordinates coordinates = node_coordinates(point, held(point, support, !placed.body.turns_normals), {}, {},
-                                                 Vector6::Zero(), size);
+  NodeCoordinates coordinates =
+      node_coordinates(point, held(point, support, !placed.body.turns_normals), {}, {}, Vector6::Zero(), size);
   for (int h = 0; h < 2; ++h) {
     if (placed.hosts[static_cast<std::size_t>(h)] != node.node) continue;
     for (int axis = 0; axis < 3; ++axis)

@@ -2,8 +2,8 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/assembly/carried_coordinates.hpp>
 #include <plastron/assembly/bounding_box.hpp>
+#include <plastron/assembly/carried_coordinates.hpp>
 #include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>

@@ -2,6 +2,7 @@
 
 #include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
+#include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
 
@@ -53,6 +54,21 @@ void add_reaction(const fem::PlacedBody& placed, const BodyVector& reactions, co
   balance.moment_scale += lever.norm() + body.moment_at_reference.norm();
 }
 
+double least_gap(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed, const algebra::Vector& y) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t member : placed.members) {
+    const fem::CarriedNode& at = discrete.space().carried->nodes[member];
+    if (at.node >= discrete.space().layout->owned) continue;
+    const auto node = static_cast<std::size_t>(at.node);
+    const BodyVector moved = six_of(y, node);
+    for (const auto& gaps : discrete.coordinates.gaps) {
+      const double gap = gaps[node](moved.head<3>(), geometry::tangential(moved.tail<3>(), discrete.points[node].a3));
+      if (!(gap >= least)) least = gap;  // a NaN, too
+    }
+  }
+  return algebra::min_over_ranks(least, discrete.space().layout->comm);
+}
+
 }  // namespace
 
 double distance_from_body(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed,
@@ -88,7 +104,8 @@ BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra:
     balance.bodies.push_back({.name = placed.body.name,
                               .reference = placed.body.reference,
                               .displacement = motion.displacement,
-                              .rotation = motion.rotation});
+                              .rotation = motion.rotation,
+                              .least_gap = least_gap(discrete, placed, y)});
     BodyVector reactions = add_unknowns(discrete, placed, on_unknowns, load, balance);
     for (double& r : reactions) r = algebra::sum_over_ranks(r, space.layout->comm);
     add_reaction(placed, reactions, in_lengths(placed, motion), balance);

@@ -4,6 +4,7 @@
 #include <plastron/certificate/wrench.hpp>
 #include <plastron/fem/carried_nodes.hpp>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct BodyReaction {
   /// What holds the body, zero along what is free; `reaction.moment` about the origin as everywhere.
   Wrench reaction{};
   Vector3d moment_at_reference = Vector3d::Zero();  ///< of the reaction [N m]
+  /// The smallest gap at its nodes, which no bound holds; infinite without obstacles [m].
+  double least_gap = std::numeric_limits<double>::infinity();
 };
 
 /// Of all bodies.

@@ -57,7 +57,8 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
     double error = 0;
     if (coordinates.tied[i])
       error = length_of(as_length(here - values_at(spread, i), e));
-    else if (coordinates.width < 6)  // carried nodes' bases, too: their directions span all of u, and r as the normal has it
+    else if (coordinates.width <
+             6)  // carried nodes' bases, too: their directions span all of u, and r as the normal has it
       error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
     if (!(error <= most)) most = error;  // a NaN, too
   }
@@ -147,7 +148,8 @@ std::vector<CertificateLimit> membership_rows(const Problem& problem, const asse
                 std::abs(discrete.state.time - at_the_end.time)),
        0, false, "the solution is one of the end of the loading that the case describes"},
       {"space_error", "m", space_error(discrete, solution.y), algebraic_part * length, false,
-       "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together, the edges of a rigid body as it does"}};
+       "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together, the edges "
+       "of a rigid body as it does"}};
   if (discrete.tangency.formulation == element::Formulation::mixed)
     rows.push_back(
         {"tangency_error", "1", tangency_error(discrete, solution, summary.max_rotation), tangency_part, false,

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <plastron/config/geometry_schema.hpp>
 #include <plastron/config/obstacle_schema.hpp>
+#include <plastron/config/rigid_body_schema.hpp>
 #include <plastron/config/shell_schema.hpp>
 #include <plastron/config/step_schema.hpp>
 
@@ -28,6 +29,7 @@ Section file_section() {
         .meaning = "thickness, material, density of a region"},
        {.name = "mesh", .kind = Kind::table, .fallback = "{}", .meaning = "the discretisation"},
        {.name = "join", .kind = Kind::tables, .fallback = "[]", .meaning = "edges that are joined"},
+       {.name = "rigid_body", .kind = Kind::tables, .fallback = "[]", .meaning = "rigid bodies that carry edges"},
        {.name = "support", .kind = Kind::tables, .fallback = "[]", .meaning = "prescribed displacements and rotations"},
        {.name = "load", .kind = Kind::tables, .fallback = "[]", .meaning = "dead loads"},
        {.name = "gravity", .kind = Kind::table, .fallback = "{}", .meaning = "what makes the weight of the shell"},
@@ -278,7 +280,7 @@ std::vector<Section> all_sections() {
   const auto append = [&](std::vector<Section> more) { all.insert(all.end(), more.begin(), more.end()); };
   append(shell_sections());
   append(geometry_sections());
-  append({mesh_section(), join_section(), support_section(), load_section()});
+  append({mesh_section(), join_section(), rigid_body_section(), support_section(), load_section()});
   append(obstacle_sections());
   append(step_sections());
   append({probe_section(), line_section(), arc_section(), output_section(), contact_section(), solver_section()});

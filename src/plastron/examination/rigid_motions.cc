@@ -119,7 +119,8 @@ FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<as
     }
   }
   if (coordinates.space->carried)
-    for (const fem::PlacedBody& placed : coordinates.space->carried->bodies) by_supports += motions.held_by(placed.body);
+    for (const fem::PlacedBody& placed : coordinates.space->carried->bodies)
+      by_supports += motions.held_by(placed.body);
   const MatrixXd free = kernel(by_supports);
   FreeMotions result{.unheld = MatrixXd(6, 0), .held_by_obstacle = MatrixXd(6, 0)};
   if (free.cols() == 0) return result;

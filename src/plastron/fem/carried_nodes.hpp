@@ -31,7 +31,8 @@ struct PlacedBody {
 };
 
 struct CarriedNodes {
-  std::vector<CarriedNode> nodes{};  ///< of all local nodes, ascending; their carriers are local, too. Carriers are not tied.
+  std::vector<CarriedNode>
+      nodes{};  ///< of all local nodes, ascending; their carriers are local, too. Carriers are not tied.
   std::vector<PlacedBody> bodies{};
 
   const CarriedNode* find(algebra::LocalIndex node) const;

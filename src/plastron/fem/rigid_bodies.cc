@@ -115,8 +115,8 @@ void check_determined(const PlacedBody& placed) {
 
 PlacedBody placed_body(const RigidBody& body, const Members& members) {
   if (members.size() < 2)
-    throw DomainError(fmt::format("the rigid body \"{}\" carries {} nodes; it needs two or more", body.name,
-                                  members.size()));
+    throw DomainError(
+        fmt::format("the rigid body \"{}\" carries {} nodes; it needs two or more", body.name, members.size()));
   PlacedBody placed{.body = body, .length = 0};
   for (const auto& [number, node] : members)
     placed.length = std::max(placed.length, (node.place - body.reference).norm());
@@ -194,11 +194,13 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
   std::set<GlobalIndex> wanted;
   for (const Members& of_body : members)
     for (LocalIndex i = 0; i < space->layout->local_size(); ++i)
-      if (of_body.contains(space->layout->global(i))) for (const GlobalIndex host : hosts_of(of_body)) wanted.insert(host);
+      if (of_body.contains(space->layout->global(i)))
+        for (const GlobalIndex host : hosts_of(of_body)) wanted.insert(host);
   widen(*result, wanted);
   for (std::size_t k = 0; k < bodies.size(); ++k) add_members(*result, members[k], carried->bodies[k], carried->nodes);
   std::ranges::sort(carried->nodes, {}, &CarriedNode::node);
-  for (std::size_t k = 0; k < bodies.size(); ++k) note_members(members[k], *result->layout, *carried, carried->bodies[k]);
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    note_members(members[k], *result->layout, *carried, carried->bodies[k]);
   result->carried = std::move(carried);
   return result;
 }

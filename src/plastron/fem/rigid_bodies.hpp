@@ -12,12 +12,12 @@ namespace plastron::fem {
 
 struct RigidBody {
   std::string name{};
-  std::vector<std::string> boundaries{};                   ///< whose nodes it carries
-  Eigen::Vector3d reference = Eigen::Vector3d::Zero();     ///< [m]
-  bool turns_normals = true;                               ///< false: a hinge, r is left to the shell
-  std::array<std::optional<double>, 6> fixed{};            ///< d [m], then theta [rad], where they are prescribed
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();         ///< at the reference point [N]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();        ///< about it [N m]
+  std::vector<std::string> boundaries{};                ///< whose nodes it carries
+  Eigen::Vector3d reference = Eigen::Vector3d::Zero();  ///< [m]
+  bool turns_normals = true;                            ///< false: a hinge, r is left to the shell
+  std::array<std::optional<double>, 6> fixed{};         ///< d [m], then theta [rad], where they are prescribed
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();      ///< at the reference point [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();     ///< about it [N m]
 };
 
 /// d [m] and theta [rad].
