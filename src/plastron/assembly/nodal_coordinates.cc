@@ -4,6 +4,7 @@
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/carried_coordinates.hpp>
+#include <plastron/assembly/kinked_supports.hpp>
 #include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
@@ -66,6 +67,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   for (const fem::Tie& tie : space.ties) coordinates.tied[static_cast<std::size_t>(tie.node)] = 1;
   auto node_support = node_supports(space, surface, points, supports);
   hand_to_masters(space, node_support);
+  hand_across_kinks(space, points, node_support);
   const double size = bounding_box(
                           points.size(), [&](std::size_t i) { return points[i].phi; }, space.layout->comm)
                           .longest_side();

@@ -95,8 +95,7 @@ BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra:
   BodyBalance balance;
   const fem::Space& space = discrete.space();
   if (!space.carried) return balance;
-  algebra::Vector on_unknowns = residual, load = discrete.load;
-  fem::hand_back(space, on_unknowns);
+  algebra::Vector load = discrete.load;
   fem::collect(space, load);
   fem::hand_back(space, load);
   for (const fem::PlacedBody& placed : space.carried->bodies) {
@@ -106,7 +105,7 @@ BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra:
                               .displacement = motion.displacement,
                               .rotation = motion.rotation,
                               .least_gap = least_gap(discrete, placed, y)});
-    BodyVector reactions = add_unknowns(discrete, placed, on_unknowns, load, balance);
+    BodyVector reactions = add_unknowns(discrete, placed, residual, load, balance);
     for (double& r : reactions) r = algebra::sum_over_ranks(r, space.layout->comm);
     add_reaction(placed, reactions, in_lengths(placed, motion), balance);
     if (std::ranges::any_of(placed.body.fixed, [](const auto& value) { return value.has_value(); }))

@@ -34,7 +34,7 @@ struct BodyBalance {
   Wrench reaction{};                         ///< all of them about the origin, all ranks
 };
 
-/// `residual`: A y - l, tied nodes handed on; on owned nodes (collective).
+/// `residual`: A y - l, tied and carried nodes handed on; on owned nodes (collective).
 BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
                          const algebra::Vector& residual);
 

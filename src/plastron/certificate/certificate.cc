@@ -21,7 +21,7 @@ Vector6 block6(const algebra::Vector& v, std::size_t node) {
   return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
 }
 
-/// A y + B' lambda - l per owned node, through strains; tied nodes have handed theirs to their masters, carried ones have theirs yet.
+/// A y + B' lambda - l per owned node, through strains; tied and carried nodes have handed theirs on.
 algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   algebra::Vector r(discrete.space().layout, 6);
   discrete.residual(solution.y, r);
@@ -31,6 +31,7 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
     algebra::axpy(1, f, r);
   }
   fem::collect(discrete.space(), r);
+  fem::hand_back(discrete.space(), r);
   return r;
 }
 

@@ -5,6 +5,7 @@
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/instants.hpp>
 #include <plastron/computation/relinearisation.hpp>
+#include <plastron/fem/kinks.hpp>
 #include <plastron/fem/ties.hpp>
 
 #include <Eigen/QR>
@@ -44,6 +45,15 @@ double distance_from_span(const assembly::NodeBasis& basis, int width, const Nod
   return length_of(given - span * span.colPivHouseholderQr().solve(given));
 }
 
+/// How far a node that a kink carries is from where the others take it [m].
+double kink_error(const fem::CarriedNodes& carried, const algebra::Vector& y, std::size_t node, double thickness) {
+  const fem::CarriedNode* at = carried.find(static_cast<algebra::LocalIndex>(node));
+  if (!at || !fem::is_kinked(carried, *at)) return 0;
+  Node6 rest = values_at(y, node) - at->own * values_at(y, node);
+  for (const auto& [carrier, block] : at->carriers) rest -= block * values_at(y, static_cast<std::size_t>(carrier));
+  return length_of(as_length(rest, thickness));
+}
+
 /// The largest distance of nodal values from the discrete space [m].
 double space_error(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
@@ -61,6 +71,7 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
              6)  // carried nodes' bases, too: their directions span all of u, and r as the normal has it
       error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
     if (!(error <= most)) most = error;  // a NaN, too
+    if (carried) most = std::max(most, kink_error(*carried, y, i, e));
   }
   if (carried)
     for (const fem::PlacedBody& body : carried->bodies) {

@@ -78,16 +78,18 @@ Section mesh_section() {
 }
 
 Section join_section() {
-  return {"join",
-          "[[join]]",
-          "Two edges that lie on each other in space and are joined there: a rectangle closes to a tube, or pieces of "
-          "a mesh file "
-          "make one shell. The shell must be smooth there, with a3 to the same side.",
-          {{.name = "boundaries",
-            .kind = Kind::names,
-            .required = true,
-            .meaning = "the two boundaries of the domain, divided into the same cells",
-            .example = "[\"left\", \"right\"]"}}};
+  return {
+      "join",
+      "[[join]]",
+      "Two edges that lie on each other in space and are joined there: a rectangle closes to a tube, or pieces of "
+      "a mesh file "
+      "make one shell. Where they meet at an angle, they share u and the rotation about the edge; a3 must not point to "
+      "opposite sides.",
+      {{.name = "boundaries",
+        .kind = Kind::names,
+        .required = true,
+        .meaning = "the two boundaries of the domain, divided into the same cells",
+        .example = "[\"left\", \"right\"]"}}};
 }
 
 Section support_section() {

@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Number, place, normal.
-constexpr std::size_t boundary_node_size = 7;
+/// Number, place, normal, tangent.
+constexpr std::size_t boundary_node_size = 10;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ int boundary_index(const CoarseMesh& coarse, const std::string& name, const char
 
 std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, int boundary) {
   const auto line = gauss_lobatto(space.degree + 1).points;
-  std::map<GlobalIndex, std::array<Vector3d, 2>> mine;
+  std::map<GlobalIndex, std::array<Vector3d, 3>> mine;
   for (const BoundarySide& side : space.sides) {
     if (side.boundary != boundary || side.cell >= space.owned_cells) continue;
     std::vector<Vector2d> xi;
@@ -40,10 +40,12 @@ std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, i
     for (const double t : line) xi.push_back(side_point(space.shape(), side.side, t));
     std::vector<geometry::SurfaceJet> jets(xi.size());
     surface.jets(space.cells[side.cell], xi, jets, false);
+    const Vector2d tangent = side_tangent(space.shape(), side.side);
     const auto on_side = side_nodes(space.shape(), space.degree, side.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const LocalIndex node = space.nodes(side.cell)[static_cast<std::size_t>(on_side[i])];
-      mine[space.layout->global(node)] = {jets[i].value, geometry::unit_normal(jets[i])};
+      mine[space.layout->global(node)] = {jets[i].value, geometry::unit_normal(jets[i]),
+                                          (tangent[0] * jets[i].d[0] + tangent[1] * jets[i].d[1]).normalized()};
     }
   }
   std::vector<double> packed;
@@ -55,7 +57,8 @@ std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, i
   std::map<GlobalIndex, BoundaryNode> nodes;
   for (std::size_t i = 0; i < all.size(); i += boundary_node_size) {
     const auto node = static_cast<GlobalIndex>(all[i]);
-    nodes.emplace(node, BoundaryNode{node, {all[i + 1], all[i + 2], all[i + 3]}, {all[i + 4], all[i + 5], all[i + 6]}});
+    const auto vector = [&](std::size_t at) { return Vector3d(all[i + at], all[i + at + 1], all[i + at + 2]); };
+    nodes.emplace(node, BoundaryNode{node, vector(1), vector(4), vector(7)});
   }
   std::vector<BoundaryNode> list;
   list.reserve(nodes.size());

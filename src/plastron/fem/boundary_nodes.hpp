@@ -10,7 +10,7 @@ namespace plastron::fem {
 
 struct BoundaryNode {
   algebra::GlobalIndex node;
-  Eigen::Vector3d place, normal;  ///< phi [m], a_3
+  Eigen::Vector3d place, normal, along;  ///< phi [m], a_3, unit tangent of the edge in space
 };
 
 /// Throws DomainError that says what is on no boundary: "WHAT is not there".

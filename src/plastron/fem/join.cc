@@ -1,6 +1,6 @@
 #include <plastron/fem/join.hpp>
 
-#include <plastron/fem/boundary_nodes.hpp>
+#include <plastron/fem/kinks.hpp>
 
 #include <fmt/format.h>
 
@@ -38,13 +38,20 @@ class Classes {
     if (a != b) parent_[std::max(a, b)] = std::min(a, b);
   }
   bool is_tied(GlobalIndex node) const { return parent_.contains(node); }
+  bool is_empty() const { return parent_.empty(); }
 
  private:
   std::map<GlobalIndex, GlobalIndex> parent_;
 };
 
-void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>, 2>& sides, Classes& classes) {
-  constexpr double same_place = 1e-8, same_normal = 1e-6;
+/// What joined edges make of their nodes.
+struct JoinedEdges {
+  Classes same{};
+  std::vector<Kink> kinks{};
+};
+
+void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>, 2>& sides, JoinedEdges& edges) {
+  constexpr double same_place = 1e-8, same_normal = 1e-6, opposite_normal = 1e-3;
   const double length = length_of(sides[0]);
   const auto& [first, second] = join.boundaries;
   if (sides[0].size() != sides[1].size())
@@ -60,17 +67,42 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
                       "{:.3g} m from the nearest node of \"{}\"; joined edges lie on each other in space and are "
                       "divided alike",
                       first, second, node.place[0], node.place[1], node.place[2], second, distance(partner), first));
-    if (!((partner.normal - node.normal).norm() <= same_normal))
-      throw DomainError(
-          fmt::format("the edges \"{}\" and \"{}\" cannot be joined: at ({:.6g}, {:.6g}, {:.6g}) a_3 is ({:.3g}, "
-                      "{:.3g}, {:.3g}) on one and "
-                      "({:.3g}, {:.3g}, {:.3g}) on the other; shells that meet at an angle are not joined by this "
-                      "version, and where "
-                      "a_3 points the other way, exchange x and y in one of the charts",
-                      first, second, node.place[0], node.place[1], node.place[2], partner.normal[0], partner.normal[1],
-                      partner.normal[2], node.normal[0], node.normal[1], node.normal[2]));
-    classes.unite(node.node, partner.node);
+    if ((partner.normal + node.normal).norm() <= opposite_normal)
+      throw DomainError(fmt::format(
+          "the edges \"{}\" and \"{}\" cannot be joined: at ({:.6g}, {:.6g}, {:.6g}) a_3 points to opposite sides; "
+          "exchange x and y in one of the charts",
+          first, second, node.place[0], node.place[1], node.place[2]));
+    if ((partner.normal - node.normal).norm() <= same_normal)
+      edges.same.unite(node.node, partner.node);
+    else
+      edges.kinks.push_back({{partner, node}});
   }
+}
+
+/// Nodes that are one with another, and those that others carry across a kink.
+void add_ties(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
+  const algebra::Layout before = *space.layout;
+  std::set<GlobalIndex> masters;
+  for (LocalIndex i = 0; i < before.local_size(); ++i) {
+    const GlobalIndex node = same.representative(before.global(i));
+    if (same.is_tied(before.global(i))) masters.insert(node);
+    if (const auto found = kinked.find(node); found != kinked.end())
+      for (const auto& [carrier, block] : found->second.carriers) masters.insert(carrier);
+  }
+  widen(space, masters);
+  const algebra::Layout& after = *space.layout;
+  auto carried = std::make_shared<CarriedNodes>();
+  for (LocalIndex i = 0; i < after.local_size(); ++i) {
+    const GlobalIndex node = after.global(i);
+    if (same.is_tied(node)) space.ties.push_back({i, {{local_in(after, same.representative(node)), 1.0}}});
+    const auto found = kinked.find(node);
+    if (found == kinked.end()) continue;
+    CarriedNode& at = carried->nodes.emplace_back(CarriedNode{.node = i, .own = found->second.own});
+    for (const auto& [carrier, block] : found->second.carriers)
+      at.carriers.emplace_back(local_in(after, carrier), block);
+  }
+  space.has_ties = !same.is_empty();
+  if (!kinked.empty()) space.carried = std::move(carried);
 }
 
 }  // namespace
@@ -78,7 +110,7 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
 std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Surface& surface,
                                     const std::vector<Join>& joins) {
   if (joins.empty()) return space;
-  Classes classes;
+  JoinedEdges edges;
   std::set<int> boundaries;
   for (const Join& join : joins) {
     std::array<std::vector<BoundaryNode>, 2> sides;
@@ -87,18 +119,12 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
       boundaries.insert(boundary);
       sides[k] = nodes_on(*space, surface, boundary);
     }
-    unite_partners(join, sides, classes);
+    unite_partners(join, sides, edges);
   }
   auto result = std::make_shared<Space>(*space);
-  std::set<GlobalIndex> masters;
-  for (LocalIndex i = 0; i < space->layout->local_size(); ++i)
-    if (const GlobalIndex node = space->layout->global(i); classes.is_tied(node))
-      masters.insert(classes.representative(node));
-  widen(*result, masters);
-  for (LocalIndex i = 0; i < result->layout->local_size(); ++i)
-    if (const GlobalIndex node = result->layout->global(i); classes.is_tied(node))
-      result->ties.push_back({i, {{local_in(*result->layout, classes.representative(node)), 1.0}}});
-  result->has_ties = true;
+  for (Kink& kink : edges.kinks)
+    for (BoundaryNode& node : kink.nodes) node.node = edges.same.representative(node.node);
+  add_ties(edges.same, kinked_nodes(edges.kinks), *result);
   // The shell does not end there.
   for (BoundarySide& side : result->sides)
     if (boundaries.contains(side.boundary)) side.is_inner = true;

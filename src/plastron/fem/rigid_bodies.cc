@@ -1,5 +1,6 @@
 #include <plastron/fem/rigid_bodies.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/carried_nodes.hpp>
 
@@ -177,6 +178,29 @@ Matrix6 motion_of_member(const CarriedNode& at) {
   return w;
 }
 
+/// The nodes that kinks carry and no body does. A body takes all nodes of a kink or none.
+std::vector<CarriedNode> kinked_beside(const CarriedNodes& before, const std::vector<RigidBody>& bodies,
+                                       const std::vector<Members>& members, const algebra::Layout& layout) {
+  std::vector<CarriedNode> rest;
+  for (const CarriedNode& node : before.nodes) {
+    std::vector<GlobalIndex> group{layout.global(node.node)};
+    for (const auto& [carrier, block] : node.carriers) group.push_back(layout.global(carrier));
+    bool is_taken = false;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const auto in_body = [&](GlobalIndex number) { return members[k].contains(number); };
+      if (std::ranges::none_of(group, in_body)) continue;
+      if (!bodies[k].turns_normals || !std::ranges::all_of(group, in_body))
+        throw DomainError(
+            fmt::format("the rigid body \"{}\" carries a node where shells are joined at an angle, but not all that "
+                        "meet there; give it the edges of all of them, and rotations = true",
+                        bodies[k].name));
+      is_taken = true;
+    }
+    if (!is_taken) rest.push_back(node);
+  }
+  return rest;
+}
+
 }  // namespace
 
 std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> space, const Surface& surface,
@@ -196,7 +220,15 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
     for (LocalIndex i = 0; i < space->layout->local_size(); ++i)
       if (of_body.contains(space->layout->global(i)))
         for (const GlobalIndex host : hosts_of(of_body)) wanted.insert(host);
+  if (space->carried)
+    carried->nodes = algebra::in_agreement<DomainError>(
+        space->layout->comm, [&] { return kinked_beside(*space->carried, bodies, members, *space->layout); });
   widen(*result, wanted);
+  for (CarriedNode& node : carried->nodes) {
+    const auto renumber = [&](LocalIndex& i) { i = local_in(*result->layout, space->layout->global(i)); };
+    renumber(node.node);
+    for (auto& [carrier, block] : node.carriers) renumber(carrier);
+  }
   for (std::size_t k = 0; k < bodies.size(); ++k) add_members(*result, members[k], carried->bodies[k], carried->nodes);
   std::ranges::sort(carried->nodes, {}, &CarriedNode::node);
   for (std::size_t k = 0; k < bodies.size(); ++k)
