@@ -138,6 +138,11 @@ void print_summary(const computation::Result& result) {
     if (s.support_reactions.size() > 1) print("  {:<16}{} N\n", r.boundary, vector_text(r.reaction.force));
   for (const auto& p : s.point_reactions)
     print("  at {:<12} {} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
+  for (const auto& b : s.body_reactions) {
+    print("{:<17} moved by {} m, turned by {} rad\n", b.name, vector_text(b.displacement), vector_text(b.rotation));
+    if (b.reaction.force.norm() + b.moment_at_reference.norm() > 0)
+      print("  held by         {} N, {} N m\n", vector_text(b.reaction.force), vector_text(b.moment_at_reference));
+  }
   if (result.has_obstacle) {
     for (const auto& o : s.obstacles)
       print("{:<17} {} N\n", s.obstacles.size() == 1 ? "obstacle" : o.name, vector_text(o.reaction.force));

@@ -126,8 +126,6 @@ TEST(JoinedEdges, ThatDoNotMeetAreRefused) {
   p.charts = {{"", Chart({"sin(0.9*x)", "y", "cos(0.9*x)"}, {})}};
   EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
   p = tube();
-  p.charts = {{"", Chart({"x*(2*pi - x)", "y", "sin(x)"}, {})}};  // a drop: they meet at an angle
-  EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
   p.joins = {{{"left", "middle"}}};
   EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
 }

@@ -58,6 +58,7 @@ void add_units(std::span<const Quantity<Record>> quantities, std::map<std::strin
 TEST(Fields, a_force_and_a_pressure_never_share_a_name) {
   std::map<std::string, std::set<std::string_view>> units;
   add_units(result_quantities(), units);
+  add_units(rigid_body_quantities(), units);
   add_units(contact_quantities(), units);
   add_units(admissible_quantities(), units);
   add_units(obstacle_quantities(), units);

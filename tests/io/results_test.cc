@@ -40,6 +40,7 @@ computation::Result some_result(bool has_obstacle) {
   result.summary.is_admissible_wanted = true;
   result.summary.support_reactions = {{.boundary = "rim", .reaction = {.force = {0, 0, 2}}, .nodes = 3}};
   result.summary.point_reactions = {{.at = {0.25, 1}, .force = {1e-9, 0, -2}}};
+  result.summary.body_reactions = {{.name = "plate", .rotation = {0, 0.5, 0}, .reaction = {.force = {0, 0, 3}}}};
   result.probes = {{"a point", some_point()}};
   result.levels.push_back(
       {.cells = 3'000'000'000, .history = {{.active = 7, .safeguarded = true}}, .seconds = {.mesh = 2, .assembly = 3}});
@@ -55,12 +56,15 @@ Json some_json(bool has_obstacle = true) {
 
 TEST(Results, have_every_key_that_the_documentation_promises) {
   const Json json = some_json();
-  for (const char* key : {"title",  "status",   "status_text",      "energy",  "energy_parts", "load_work",
-                          "loads",  "reaction", "support_reaction", "contact", "probes",       "certificate",
-                          "levels", "memory",   "supports",         "stress",  "obstacles",    "point_supports",
-                          "ranks",  "settings", "versions",         "files",   "fields",       "units"})
+  for (const char* key : {"title",     "status",      "status_text",    "energy",           "energy_parts",
+                          "load_work", "loads",       "reaction",       "support_reaction", "contact",
+                          "probes",    "certificate", "levels",         "memory",           "supports",
+                          "stress",    "obstacles",   "point_supports", "rigid_bodies",     "ranks",
+                          "settings",  "versions",    "files",          "fields",           "units"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["point_supports"], Json::parse(R"([{"at": [0.25, 1.0], "force": [1e-9, 0.0, -2.0]}])"));
+  EXPECT_EQ(json["rigid_bodies"][0]["rotation"], Json::parse("[0.0, 0.5, 0.0]"));
+  EXPECT_EQ(json["rigid_bodies"][0]["reaction"]["force"], Json::parse("[0.0, 0.0, 3.0]"));
   for (const char* key : {"area", "nodes", "min_gap", "max_penetration_between_nodes", "max_pressure"})
     EXPECT_TRUE(json["contact"].contains(key)) << key;
   for (const char* key : {"x", "position", "u", "r", "gap", "eta", "contact", "N", "M", "Q", "frame", "thickness"})

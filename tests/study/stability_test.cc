@@ -23,6 +23,23 @@ TEST(Stability, OfTheBowlDoesNotDegradeWithMeshSizeOrThickness) {
   for (const double value : c) EXPECT_GT(value, 1 - 1e-6);
 }
 
+TEST(Stability, OfSeveralObstaclesIsThatOfTheWorst) {
+  computation::Problem p = pressed_bowl();
+  p.discretisation = {.degree = 2, .refinements = 0};
+  StudyOptions options;
+  options.factors = {1};
+  const auto constant = [&](std::vector<obstacle::Obstacle> obstacles) {
+    p.obstacles = std::move(obstacles);
+    return numbers(stability(p, options, MPI_COMM_SELF, {}).table, "inf-sup c").at(0);
+  };
+  // Against a wall that stands steep on the shell, w = n . (v + z s) leaves the multiplier weaker.
+  const obstacle::Obstacle floor{}, wall{.shape = obstacle::HalfSpace{.point = {-2, 0, 0}, .normal = {1, 0, 0.2}}};
+  const double of_floor = constant({floor}), of_wall = constant({wall});
+  EXPECT_NE(of_floor, of_wall);
+  EXPECT_DOUBLE_EQ(constant({floor, wall}), std::min(of_floor, of_wall));
+  EXPECT_DOUBLE_EQ(constant({wall, floor}), std::min(of_floor, of_wall));
+}
+
 TEST(Stability, WithoutSupportsIsNotCoercive) {
   computation::Problem p = free_plate();
   StudyOptions options;

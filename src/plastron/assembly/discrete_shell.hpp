@@ -29,7 +29,7 @@ struct DiscreteShell {
   double tangency_factor() const;
   /// f = A y through strains, the form of normal_rotation.hpp included; needs y's ghosts (collective).
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
-  /// f = A y - l, what supports and obstacles carry, tied nodes not yet handed on; owned values, needs y's ghosts (collective).
+  /// f = A y - l, what supports and obstacles carry, tied and carried nodes not yet handed on; owned values, needs y's ghosts (collective).
   void residual(const algebra::Vector& y, algebra::Vector& f) const;
   /// (M16) at a point that the state has moved, against obstacle k.
   obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }

@@ -3,6 +3,7 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/element/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/carried_nodes.hpp>
 #include <plastron/geometry/piecewise.hpp>
 
 #include <fmt/format.h>
@@ -212,6 +213,8 @@ algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLo
     sum.throw_if_not_finite();
   });
   f.accumulate_ghosts();
+  if (shell.space().carried)
+    for (const fem::PlacedBody& body : shell.space().carried->bodies) add_body_load(shell.space(), body, f);
   return f;
 }
 

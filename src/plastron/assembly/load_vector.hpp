@@ -18,7 +18,7 @@ struct LoadError : std::invalid_argument {
 };
 
 /// Nodal forces and couples, six a node, complete on owned nodes (collective). Area loads name regions of the mesh, edge
-/// loads boundaries. The weight rho e g of the cross-sections under the acceleration g [m/s^2] is added to the loads.
+/// loads boundaries; rigid bodies of the space bring their own. The weight rho e g of the cross-sections under the acceleration g [m/s^2] is added to the loads.
 /// Loads made of pieces (geometry::is_piecewise) are integrated by subdivision of the cells in which they are not smooth.
 /// Throws LoadError on all ranks alike.
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,

@@ -3,7 +3,10 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/assembly/bounding_box.hpp>
+#include <plastron/assembly/carried_coordinates.hpp>
+#include <plastron/assembly/kinked_supports.hpp>
 #include <plastron/assembly/tied_supports.hpp>
+#include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
 #include <plastron/obstacle/error.hpp>
 
@@ -32,11 +35,11 @@ void pack(const NodeCoordinates& node, bool supported, double* out) {
   out[48] = supported;
 }
 
-/// No coordinates of its own: columns of zeros, held at zero.
-NodeCoordinates tied_node(std::size_t obstacles) {
-  NodeCoordinates node;
-  for (std::size_t k = 0; k < obstacles; ++k) node.rows.push_back({.obstacle = static_cast<int>(k), .bound_gap = NAN});
-  return node;
+/// Rows of a node that no obstacle touches.
+std::vector<ContactRow> no_rows(std::size_t obstacles) {
+  std::vector<ContactRow> rows;
+  for (std::size_t k = 0; k < obstacles; ++k) rows.push_back({.obstacle = static_cast<int>(k), .bound_gap = NAN});
+  return rows;
 }
 
 }  // namespace
@@ -64,6 +67,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   for (const fem::Tie& tie : space.ties) coordinates.tied[static_cast<std::size_t>(tie.node)] = 1;
   auto node_support = node_supports(space, surface, points, supports);
   hand_to_masters(space, node_support);
+  hand_across_kinks(space, points, node_support);
   const double size = bounding_box(
                           points.size(), [&](std::size_t i) { return points[i].phi; }, space.layout->comm)
                           .longest_side();
@@ -83,8 +87,16 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
         gaps[k] = coordinates.gaps[k][i];
         lifts[k] = state.lift(i, k);
       }
-      const NodeCoordinates node =
-          coordinates.tied[i] ? tied_node(gaps.size()) : node_coordinates(points[i], s, gaps, lifts, state.at(i), size);
+      const auto node_number = static_cast<algebra::LocalIndex>(i);
+      NodeCoordinates node;  // a tied one has no coordinates of its own: columns of zeros, held at zero
+      if (const auto* carried = space.carried ? space.carried->find(node_number) : nullptr) {
+        node = carried_coordinates(*space.carried, *carried, points[i], s, size);
+        node.rows = no_rows(gaps.size());
+      } else if (coordinates.tied[i]) {
+        node.rows = no_rows(gaps.size());
+      } else {
+        node = node_coordinates(points[i], s, gaps, lifts, state.at(i), size);
+      }
       pack(node, !s.displacement.empty() || !s.rotation.empty(), packed.local().data() + i * packed_size);
       for (ContactRow row : node.rows) {
         row.node = i;
@@ -120,7 +132,21 @@ void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y
   for (std::size_t i = 0; i < basis.size(); ++i)
     Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i).noalias() =
         basis[i].leftCols(width) * Map<const VectorXd>(z.local().data() + at(i, 0), width);
+  fem::carry(*space, y);
   fem::spread(*space, y);
+}
+
+Eigen::Matrix<double, 6, 1> NodalCoordinates::direction(std::size_t node, int k) const {
+  const auto* carried = space->carried ? space->carried->find(static_cast<algebra::LocalIndex>(node)) : nullptr;
+  if (!carried) return basis[node].col(k);
+  return carried->own * basis[node].col(k);
+}
+
+int NodalCoordinates::body_coordinate(std::size_t node, int axis) const {
+  for (int k = 0; k < width; ++k)
+    if (basis[node](axis, k) != 0) return k;
+  PLASTRON_ASSERT(false, node, axis);
+  return 0;
 }
 
 void NodalCoordinates::add_transposed(const algebra::Vector& f, algebra::Vector& z) const {
@@ -129,11 +155,13 @@ void NodalCoordinates::add_transposed(const algebra::Vector& f, algebra::Vector&
       z.block() == width && f.block() == 6 && f.owned().size() == 6 * static_cast<std::size_t>(z.layout()->owned),
       z.block(), width, f.block(), f.owned().size(), z.layout()->owned);
   algebra::Vector collected;
-  if (space->has_ties) {
+  const bool depends = space->has_ties || space->carried;
+  if (depends) {
     collected = f;
     fem::collect(*space, collected);
+    fem::hand_back(*space, collected);
   }
-  const double* forces = space->has_ties ? collected.local().data() : f.local().data();
+  const double* forces = depends ? collected.local().data() : f.local().data();
   const auto owned = static_cast<std::size_t>(z.layout()->owned);
   for (std::size_t i = 0; i < owned; ++i)
     Map<VectorXd>(z.local().data() + at(i, 0), width).noalias() +=
@@ -160,15 +188,20 @@ InCoordinates in_coordinates(const NodalCoordinates& coordinates, std::size_t ce
   const auto times = [&](const RowMatrix& b, std::span<const algebra::LocalIndex> nodes) {
     return coordinates.width == 5 ? times_bases<5>(b, coordinates, nodes) : times_bases<6>(b, coordinates, nodes);
   };
-  const auto nodes = coordinates.space->nodes(cell);
-  const auto carriers = fem::carriers(*coordinates.space, cell);
-  if (!carriers) return {{nodes.begin(), nodes.end()}, times(cartesian, nodes)};
-  RowMatrix on_carriers = RowMatrix::Zero(cartesian.rows(), 6 * carriers->weights.cols());
-  for (Eigen::Index i = 0; i < carriers->weights.rows(); ++i)
-    for (Eigen::Index j = 0; j < carriers->weights.cols(); ++j)
-      if (carriers->weights(i, j) != 0)
-        on_carriers.middleCols<6>(6 * j) += carriers->weights(i, j) * cartesian.middleCols<6>(6 * i);
-  return {carriers->nodes, times(on_carriers, carriers->nodes)};
+  const fem::Space& space = *coordinates.space;
+  const auto nodes = space.nodes(cell);
+  const auto carriers = fem::carriers(space, cell);
+  if (!carriers && !space.carried) return {{nodes.begin(), nodes.end()}, times(cartesian, nodes)};
+  fem::NodeBlocks blocks{{nodes.begin(), nodes.end()}, cartesian};
+  if (carriers) {
+    blocks = {carriers->nodes, RowMatrix::Zero(cartesian.rows(), 6 * carriers->weights.cols())};
+    for (Eigen::Index i = 0; i < carriers->weights.rows(); ++i)
+      for (Eigen::Index j = 0; j < carriers->weights.cols(); ++j)
+        if (carriers->weights(i, j) != 0)
+          blocks.matrix.middleCols<6>(6 * j) += carriers->weights(i, j) * cartesian.middleCols<6>(6 * i);
+  }
+  blocks = fem::on_carriers(space, std::move(blocks));
+  return {blocks.nodes, times(blocks.matrix, blocks.nodes)};
 }
 
 }  // namespace plastron::assembly

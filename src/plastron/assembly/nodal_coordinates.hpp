@@ -71,9 +71,15 @@ struct NodalCoordinates {
   bool is_prescribed(std::size_t node, int k) const { return lower.local()[at(node, k)] == upper.local()[at(node, k)]; }
   /// Marks of the owned coordinates that are prescribed.
   std::vector<char> prescribed() const;
-  /// y = H T z on local nodes, H the ties of fem/ties.hpp; needs z's ghosts. The result has valid ghosts.
+  /// How coordinate k moves the node's own (u, r): the column of T, and zero where that is the motion of a rigid body whose unknowns
+  /// the node keeps, or is left to such a body.
+  Eigen::Matrix<double, 6, 1> direction(std::size_t node, int k) const;
+  /// The coordinate that is component `axis` of the displacement, at a node that keeps the unknowns of a rigid body.
+  int body_coordinate(std::size_t node, int axis) const;
+  /// y = H G T z on local nodes, H the ties of fem/ties.hpp, G what carries nodes (fem/carried_nodes.hpp); needs z's ghosts. The result
+  /// has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
-  /// z += T' H' f on owned nodes; f is complete on owned nodes (collective where there are ties).
+  /// z += T' G' H' f on owned nodes; f is complete on owned nodes (collective where there are ties or carried nodes).
   void add_transposed(const algebra::Vector& f, algebra::Vector& z) const;
 };
 

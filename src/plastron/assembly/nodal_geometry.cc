@@ -1,6 +1,7 @@
 #include <plastron/assembly/nodal_geometry.hpp>
 
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/fem/kinks.hpp>
 #include <plastron/fem/ties.hpp>
 #include <plastron/geometry/frame.hpp>
 
@@ -66,6 +67,7 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   data.update_ghosts();
   weights.accumulate_ghosts();
   fem::collect(space, weights);  // a tied node is never in contact; others answer for its share
+  fem::collect_at_kinks(space, weights);
   weights.update_ghosts();
 
   std::vector<NodalPoint> points(done.size());

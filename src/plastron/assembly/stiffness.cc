@@ -1,7 +1,7 @@
 #include <plastron/assembly/stiffness.hpp>
 
 #include <plastron/assembly/normal_rotation.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/carried_nodes.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -41,7 +41,7 @@ RowMatrix element_stiffness(const ShellOperator& shell, std::size_t cell) {
 algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates,
                                  double tangency_factor) {
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_nodes(space));
+  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_carriers(space));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     auto [nodes, b] = in_coordinates(coordinates, c, shell.strain_matrix(c));
     scale_by_stiffness(shell, c, b);

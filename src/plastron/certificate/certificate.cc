@@ -21,7 +21,7 @@ Vector6 block6(const algebra::Vector& v, std::size_t node) {
   return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
 }
 
-/// A y + B' lambda - l per owned node, through strains; tied nodes have handed theirs to their masters.
+/// A y + B' lambda - l per owned node, through strains; tied and carried nodes have handed theirs on.
 algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   algebra::Vector r(discrete.space().layout, 6);
   discrete.residual(solution.y, r);
@@ -31,6 +31,7 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
     algebra::axpy(1, f, r);
   }
   fem::collect(discrete.space(), r);
+  fem::hand_back(discrete.space(), r);
   return r;
 }
 
@@ -150,7 +151,8 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
   const Vector6 rest = r - contact;
   Vector6 support = Vector6::Zero();
   for (int k = 0; k < coordinates.width; ++k) {
-    const Vector6 direction = coordinates.basis[i].col(k);
+    const Vector6 direction = coordinates.direction(i, k);
+    if (direction.isZero(0)) continue;
     const double component = direction.dot(rest);
     const double per_force = 1 / std::pow(lever(direction, discrete.points[i].thickness), 2);
     sums.all_forces += per_force * (std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2));
@@ -169,6 +171,20 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
     }
   }
   if (!support.isZero(0)) sums.at_supports.push_back({i, support});
+}
+
+/// The unknowns of rigid bodies. What all ranks know alike is counted by the first.
+void add_bodies(const BodyBalance& balance, MPI_Comm comm, Sums& sums) {
+  sums.free_residual += balance.free_residual;
+  sums.all_forces += balance.all_forces;
+  sums.support_error = std::max(sums.support_error, balance.support_error);
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  if (rank != 0) return;
+  sums.supports += balance.reaction;
+  sums.support_work += balance.support_work;
+  sums.force_scale += balance.force_scale;
+  sums.moment_scale += balance.moment_scale;
 }
 
 double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
@@ -312,6 +328,8 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
     add_node(discrete, solution, i, block6(r, i), sums);
     sums.strain_scale.add(discrete.points[i], block6(solution.y, i), size);
   }
+  BodyBalance bodies = body_balance(discrete, solution.y, r);
+  add_bodies(bodies, comm, sums);
 
   Verdict verdict{.summary = summary_of(discrete, solution, sums), .certificate = {}};
   verdict.summary.size = size;
@@ -321,6 +339,7 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   verdict.summary.is_unstrained = is_unstrained;
   verdict.summary.load_norms = load_norms(discrete, size);
   verdict.summary.support_reactions = support_reactions(discrete, sums.at_supports);
+  verdict.summary.body_reactions = std::move(bodies.bodies);
   verdict.summary.point_reactions = point_reactions(discrete, sums.at_points);
   verdict.certificate =
       certificate_of(discrete, solution, sums, verdict.summary, is_unstrained ? scale : StrainScale{});

@@ -1,5 +1,6 @@
 // The certificate of a solution (docs/model.md, section 8), recomputed from displacements, strains and bounds alone.
 #pragma once
+#include <plastron/certificate/body_reactions.hpp>
 #include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/edge_contact.hpp>
 #include <plastron/certificate/point_reactions.hpp>
@@ -61,6 +62,7 @@ struct Summary {
   bool is_unstrained = false;                        ///< displacements strain the shell no more than rounding does
   std::vector<SupportReaction> support_reactions{};  ///< boundary by boundary
   std::vector<PointReaction> point_reactions{};      ///< of the points that supports hold
+  std::vector<BodyReaction> body_reactions{};        ///< of the rigid bodies, in the case's order
   std::vector<ObstacleContact> obstacles{};          ///< one by one, in the problem's order
   EdgeContact edge;                                  ///< what of the contact lies on edges of the shell
 };

@@ -2,6 +2,7 @@
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/cell_depths.hpp>
+#include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/obstacle/error.hpp>
@@ -52,13 +53,17 @@ class CellWeights {
   const algebra::Vector& held_;
 };
 
-/// 1 where supports leave a node's gap no freedom (collective).
+/// 1 where supports leave a node's gap no freedom, or a rigid body does as it likes with it (collective).
 algebra::Vector held_nodes(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  const fem::CarriedNodes* carried = discrete.space().carried.get();
+  const auto is_carried = [&](std::size_t node) {
+    return carried && carried->find(static_cast<algebra::LocalIndex>(node)) != nullptr;
+  };
   algebra::Vector held(discrete.space().layout, static_cast<int>(coordinates.gaps.size()));
   for (const assembly::ContactRow& row : coordinates.rows)
     held.owned()[row.node * coordinates.gaps.size() + static_cast<std::size_t>(row.obstacle)] =
-        !row.is_touchable() && !row.is_left_out && !std::isnan(row.bound_gap);
+        !row.is_touchable() && !row.is_left_out && (!std::isnan(row.bound_gap) || is_carried(row.node));
   held.update_ghosts();
   return held;
 }

@@ -17,10 +17,11 @@ assembly::ShellDescription shell_description(const Problem& problem) {
 }
 
 fem::MeshSequence::Finish joining(const Problem& problem) {
-  if (problem.joins.empty()) return {};
-  return [joins = problem.joins, charts = problem.charts](std::shared_ptr<const fem::Space> space) {
+  if (problem.joins.empty() && problem.rigid_bodies.empty()) return {};
+  return [joins = problem.joins, bodies = problem.rigid_bodies,
+          charts = problem.charts](std::shared_ptr<const fem::Space> space) {
     const fem::Surface surface(space->coarse, charts);
-    return fem::joined(std::move(space), surface, joins);
+    return fem::with_rigid_bodies(fem::joined(std::move(space), surface, joins), surface, bodies);
   };
 }
 

@@ -10,7 +10,7 @@
 namespace plastron::computation {
 
 assembly::ShellDescription shell_description(const Problem& problem);
-/// Ties the nodes on the problem's joined edges, level by level.
+/// Ties the nodes on the problem's joined edges, and has its rigid bodies carry theirs, level by level.
 fem::MeshSequence::Finish joining(const Problem& problem);
 /// The coarsest mesh of the problem's cells and degree (collective).
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm);

@@ -84,6 +84,17 @@ std::vector<std::string> linear_model_warnings(const certificate::Summary& summa
   return {};
 }
 
+std::vector<std::string> body_warnings(const certificate::Summary& summary) {
+  std::vector<std::string> warnings;
+  for (const certificate::BodyReaction& body : summary.body_reactions)
+    if (-body.least_gap > notable_depth * summary.least_thickness)
+      warnings.push_back(fmt::format(
+          "the rigid body \"{}\" takes the shell {:.2g} m into an obstacle: nothing holds the nodes of a body "
+          "out of obstacles; fix the body where the obstacle would, or let it carry an edge that stays out",
+          body.name, -body.least_gap));
+  return warnings;
+}
+
 void judge_certificate(Result& result) {
   result.limits = certificate::certificate_limits({result.summary, result.certificate}, result.formulation);
   result.missed_limits.clear();

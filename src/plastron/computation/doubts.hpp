@@ -16,6 +16,9 @@ std::vector<std::string> linear_model_warnings(const certificate::Summary& summa
 /// start may have been the wrong one (collective).
 std::vector<std::string> sideways_warnings(const Solution& solution);
 
+/// Rigid bodies that take their nodes into obstacles.
+std::vector<std::string> body_warnings(const certificate::Summary& summary);
+
 /// Sets the limits of the result's certificate. A row beyond its limit makes a solved result inaccurate, and is named.
 void judge_certificate(Result& result);
 

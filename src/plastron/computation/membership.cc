@@ -5,6 +5,7 @@
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/instants.hpp>
 #include <plastron/computation/relinearisation.hpp>
+#include <plastron/fem/kinks.hpp>
 #include <plastron/fem/ties.hpp>
 
 #include <Eigen/QR>
@@ -44,11 +45,21 @@ double distance_from_span(const assembly::NodeBasis& basis, int width, const Nod
   return length_of(given - span * span.colPivHouseholderQr().solve(given));
 }
 
+/// How far a node that a kink carries is from where the others take it [m].
+double kink_error(const fem::CarriedNodes& carried, const algebra::Vector& y, std::size_t node, double thickness) {
+  const fem::CarriedNode* at = carried.find(static_cast<algebra::LocalIndex>(node));
+  if (!at || !fem::is_kinked(carried, *at)) return 0;
+  Node6 rest = values_at(y, node) - at->own * values_at(y, node);
+  for (const auto& [carrier, block] : at->carriers) rest -= block * values_at(y, static_cast<std::size_t>(carrier));
+  return length_of(as_length(rest, thickness));
+}
+
 /// The largest distance of nodal values from the discrete space [m].
 double space_error(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   algebra::Vector spread = y;
   fem::spread(discrete.space(), spread);
+  const fem::CarriedNodes* carried = discrete.space().carried.get();
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     const double e = discrete.points[i].thickness;
@@ -56,10 +67,17 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
     double error = 0;
     if (coordinates.tied[i])
       error = length_of(as_length(here - values_at(spread, i), e));
-    else if (coordinates.width < 6)
+    else if (coordinates.width <
+             6)  // carried nodes' bases, too: their directions span all of u, and r as the normal has it
       error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
     if (!(error <= most)) most = error;  // a NaN, too
+    if (carried) most = std::max(most, kink_error(*carried, y, i, e));
   }
+  if (carried)
+    for (const fem::PlacedBody& body : carried->bodies) {
+      const double error = certificate::distance_from_body(discrete, body, motion_of(discrete.space(), body, y), y);
+      if (!(error <= most)) most = error;
+    }
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
@@ -141,7 +159,8 @@ std::vector<CertificateLimit> membership_rows(const Problem& problem, const asse
                 std::abs(discrete.state.time - at_the_end.time)),
        0, false, "the solution is one of the end of the loading that the case describes"},
       {"space_error", "m", space_error(discrete, solution.y), algebraic_part * length, false,
-       "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together"}};
+       "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together, the edges "
+       "of a rigid body as it does"}};
   if (discrete.tangency.formulation == element::Formulation::mixed)
     rows.push_back(
         {"tangency_error", "1", tangency_error(discrete, solution, summary.max_rotation), tangency_part, false,

@@ -8,6 +8,7 @@
 #include <plastron/fem/domain.hpp>
 #include <plastron/fem/join.hpp>
 #include <plastron/fem/reference_cell.hpp>
+#include <plastron/fem/rigid_bodies.hpp>
 #include <plastron/geometry/chart.hpp>
 #include <plastron/obstacle/gap.hpp>
 
@@ -67,6 +68,7 @@ struct Output {
 struct Problem {
   fem::Domain domain = fem::Rectangle{};
   std::vector<fem::Join> joins{};                 ///< edges that are joined
+  std::vector<fem::RigidBody> rigid_bodies{};     ///< that carry edges
   std::map<std::string, geometry::Chart> charts;  ///< by region; the unnamed region is ""
   assembly::CrossSections sections{};             ///< thickness, material and density, by region
   std::vector<assembly::Support> supports{};

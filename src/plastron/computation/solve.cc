@@ -66,6 +66,7 @@ class Computation {
     if (result_.solution) {
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
       warn(sideways_warnings(*result_.solution), observer_, result_);
+      warn(body_warnings(result_.summary), observer_, result_);
       warn(point_support_warnings(result_, problem_.supports), observer_, result_);
       add_contact_zones(result_);
       if (result_.history.empty()) recover();

@@ -62,6 +62,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_regions(root, domain, result.problem);
   read_mesh(root, result.problem);
   read_joins(root, domain, result.problem);
+  read_rigid_bodies(root, domain, result.problem);
   read_supports(root, domain, result.problem);
   read_loads(root, domain, result.problem);
   read_gravity(root, result.problem);

@@ -2,6 +2,7 @@
 #include <plastron/config/geometry_schema.hpp>
 #include <plastron/config/obstacle_schema.hpp>
 #include <plastron/config/output_schema.hpp>
+#include <plastron/config/rigid_body_schema.hpp>
 #include <plastron/config/shell_schema.hpp>
 #include <plastron/config/step_schema.hpp>
 
@@ -29,6 +30,7 @@ Section file_section() {
         .meaning = "thickness, material, density of a region"},
        {.name = "mesh", .kind = Kind::table, .fallback = "{}", .meaning = "the discretisation"},
        {.name = "join", .kind = Kind::tables, .fallback = "[]", .meaning = "edges that are joined"},
+       {.name = "rigid_body", .kind = Kind::tables, .fallback = "[]", .meaning = "rigid bodies that carry edges"},
        {.name = "support", .kind = Kind::tables, .fallback = "[]", .meaning = "prescribed displacements and rotations"},
        {.name = "load", .kind = Kind::tables, .fallback = "[]", .meaning = "dead loads"},
        {.name = "gravity", .kind = Kind::table, .fallback = "{}", .meaning = "what makes the weight of the shell"},
@@ -77,16 +79,18 @@ Section mesh_section() {
 }
 
 Section join_section() {
-  return {"join",
-          "[[join]]",
-          "Two edges that lie on each other in space and are joined there: a rectangle closes to a tube, or pieces of "
-          "a mesh file "
-          "make one shell. The shell must be smooth there, with a3 to the same side.",
-          {{.name = "boundaries",
-            .kind = Kind::names,
-            .required = true,
-            .meaning = "the two boundaries of the domain, divided into the same cells",
-            .example = "[\"left\", \"right\"]"}}};
+  return {
+      "join",
+      "[[join]]",
+      "Two edges that lie on each other in space and are joined there: a rectangle closes to a tube, or pieces of "
+      "a mesh file "
+      "make one shell. Where they meet at an angle, they share u and the rotation about the edge; a3 must not point to "
+      "opposite sides.",
+      {{.name = "boundaries",
+        .kind = Kind::names,
+        .required = true,
+        .meaning = "the two boundaries of the domain, divided into the same cells",
+        .example = "[\"left\", \"right\"]"}}};
 }
 
 Section support_section() {
@@ -256,7 +260,7 @@ std::vector<Section> all_sections() {
   const auto append = [&](std::vector<Section> more) { all.insert(all.end(), more.begin(), more.end()); };
   append(shell_sections());
   append(geometry_sections());
-  append({mesh_section(), join_section(), support_section(), load_section()});
+  append({mesh_section(), join_section(), rigid_body_section(), support_section(), load_section()});
   append(obstacle_sections());
   append(step_sections());
   append({probe_section(), line_section(), arc_section(), output_section(), contact_section(), solver_section()});

@@ -26,6 +26,7 @@ void read_solver(Table& root, computation::Problem& problem);
 /// Whether a report is wanted.
 bool read_output(Table& root, computation::Problem& problem);
 void read_joins(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
+void read_rigid_bodies(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_loads(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_obstacles(Table& root, computation::Problem& problem);

@@ -1,4 +1,5 @@
 // [[support]].
+#include <plastron/config/named_values.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 #include <plastron/geometry/quotation.hpp>
@@ -71,40 +72,6 @@ std::optional<std::vector<Fixed>> read_fix(Table& support, const std::vector<std
   return fixed;
 }
 
-struct NamedValue {
-  std::string name;
-  toml::value value;
-};
-
-// u and r are vectors: one number, or a list of other than three, does not say which component is meant.
-bool names_no_component(Reading& reading, const std::string& name, const toml::value& value) {
-  if ((name != "u" && name != "r") || value.is_table()) return false;
-  if (value.is_array() && value.as_array().size() == 3) return false;
-  reading.report(reading.source.value(value),
-                 value.is_array() ? fmt::format("{} has {} entries, but must have 3", name, value.as_array().size())
-                                  : fmt::format("{} is a vector, and one value does not say which component", name),
-                 fmt::format("{0}.x = ..., {0}.n = ... and their like, or {0} = [three values]", name),
-                 fmt::format("for example values = {{ {0}.z = -0.02 }} or values = {{ {0} = [0, 0, -0.02] }}", name));
-  return true;
-}
-
-// { u.z = 1 }, { "u.z" = 1 } and { u = [0, 0, 1] } name components in the same way.
-std::vector<NamedValue> named_values(Reading& reading, const toml::value& table) {
-  std::vector<NamedValue> all;
-  for (const auto& [name, value] : entries(reading, table)) {
-    if (names_no_component(reading, name, value)) continue;
-    if (value.is_table()) {
-      for (const auto& [direction, inner] : entries(reading, value))
-        all.push_back({fmt::format("{}.{}", name, direction), inner});
-    } else if (value.is_array() && (name == "u" || name == "r")) {
-      for (std::size_t i = 0; i < 3; ++i) all.push_back({fmt::format("{}.{}", name, "xyz"[i]), value.as_array()[i]});
-    } else {
-      all.push_back({name, value});
-    }
-  }
-  return all;
-}
-
 void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly::Support& result,
                  nlohmann::json& effective) {
   const toml::value table = support.value("values").value();
@@ -113,7 +80,7 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
   std::vector<std::string> allowed, seen;
   for (const Fixed& component : fixed)
     if (!component.by_symmetry) allowed.push_back(component.name);
-  for (const auto& [name, value] : named_values(reading, table)) {
+  for (const auto& [name, value] : named_values(reading, table, {"u", "r"}, "n")) {
     const auto at = std::ranges::find(fixed, name, &Fixed::name);
     const Place place = reading.source.value(value);
     if (at == fixed.end() || at->by_symmetry) {

@@ -1,6 +1,7 @@
 #include <plastron/examination/rigid_motions.hpp>
 
 #include <plastron/examination/checks.hpp>
+#include <plastron/fem/carried_nodes.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>
@@ -47,6 +48,18 @@ RigidMotion RigidMotions::gap_change(const assembly::NodalPoint& point, const ob
   RigidMotion row;
   row << gap.normal, gap.z / size_ * gap.normal;
   return at(point).transpose() * row;
+}
+
+Matrix6 RigidMotions::held_by(const fem::RigidBody& body) const {
+  Matrix6 gram = Matrix6::Zero();
+  for (int c = 0; c < 6; ++c) {
+    if (!body.fixed[static_cast<std::size_t>(c)]) continue;
+    RigidMotion row = RigidMotion::Unit(c);
+    // d = c + w x (reference - centre), of rotations w = (tail / size): row . d as a functional of (c, size w)
+    if (c < 3) row.tail<3>() = (body.reference - centre_).cross(Vector3d::Unit(c)) / size_;
+    gram += row * row.transpose();
+  }
+  return gram;
 }
 
 RigidMotion RigidMotions::work(const std::vector<assembly::NodalPoint>& points, std::span<const double> forces) const {
@@ -97,7 +110,7 @@ FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<as
     const Matrix6 at_node = motions.at(points[i]);
     for (int k = 0; k < coordinates.width; ++k) {
       if (!coordinates.is_prescribed(i, k)) continue;
-      const RigidMotion row = at_node.transpose() * coordinates.basis[i].col(k);
+      const RigidMotion row = at_node.transpose() * coordinates.direction(i, k);
       by_supports += row * row.transpose();
     }
     for (const auto& gaps : coordinates.gaps) {
@@ -105,6 +118,9 @@ FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<as
       by_gap += row * row.transpose() / static_cast<double>(points.size());
     }
   }
+  if (coordinates.space->carried)
+    for (const fem::PlacedBody& placed : coordinates.space->carried->bodies)
+      by_supports += motions.held_by(placed.body);
   const MatrixXd free = kernel(by_supports);
   FreeMotions result{.unheld = MatrixXd(6, 0), .held_by_obstacle = MatrixXd(6, 0)};
   if (free.cols() == 0) return result;

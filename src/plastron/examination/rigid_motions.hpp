@@ -1,6 +1,7 @@
 // Which of the six rigid motions u = c + w x phi, r = w x a_3 the supports leave free, and what holds those.
 #pragma once
 #include <plastron/assembly/nodal_coordinates.hpp>
+#include <plastron/fem/rigid_bodies.hpp>
 
 #include <Eigen/Core>
 #include <string>
@@ -20,6 +21,8 @@ class RigidMotions {
   Eigen::Matrix<double, 6, 6> at(const assembly::NodalPoint& point) const;
   /// The change of the gap at a node for each coefficient.
   RigidMotion gap_change(const assembly::NodalPoint& point, const obstacle::Gap& gap) const;
+  /// Gram matrix of what a rigid body's prescribed components are in the motions.
+  Eigen::Matrix<double, 6, 6> held_by(const fem::RigidBody& body) const;
   /// The work of nodal forces and couples (u and r of every node in turn) for each coefficient.
   RigidMotion work(const std::vector<assembly::NodalPoint>& points, std::span<const double> forces) const;
 

@@ -15,7 +15,8 @@ struct Join {
 };
 
 /// The space with the nodes on joined edges tied to one of them each (collective). Throws DomainError on all ranks where a
-/// boundary is not there, where a node has no partner at the same place, or where the shell has a kink: the normals must agree.
+/// boundary is not there, where a node has no partner at the same place, or where normals point to opposite sides. Shells that meet at an
+/// angle turn together about their edge alone, see kinks.hpp.
 std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Surface& surface,
                                     const std::vector<Join>& joins);
 

@@ -37,6 +37,8 @@ struct Tie {
   std::vector<std::pair<algebra::LocalIndex, double>> masters{};
 };
 
+struct CarriedNodes;
+
 struct Space {
   int degree = 1;
   std::shared_ptr<const CoarseMesh> coarse{};
@@ -47,6 +49,8 @@ struct Space {
   std::vector<BoundarySide> sides{};     ///< of all of `cells`
   std::vector<Tie> ties{};               ///< of all local nodes, ascending; their masters are local, too
   bool has_ties = false;                 ///< on some rank
+  /// Nodes whose (u, r) follow from others' by matrices, see carried_nodes.hpp; null where no rank has any.
+  std::shared_ptr<const CarriedNodes> carried{};
   std::int64_t global_cells = 0;
 
   Shape shape() const { return coarse->shape; }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array recomputed_parts{"formulation",    "energy",   "energy_parts",     "load_work", "loads",
                                       "moment_point",   "reaction", "support_reaction", "size",      "tangency",
                                       "point_supports", "contact",  "obstacles",        "probes",    "certificate",
-                                      "stress",         "supports"};
+                                      "stress",         "supports", "rigid_bodies"};
 /// What in these parts tells how the solution was found.
 constexpr std::array told_only{"contact/admissible/rounds", "contact/admissible/energy_before",
                                "contact/admissible/energy_change"};

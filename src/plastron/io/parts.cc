@@ -32,6 +32,7 @@ const std::vector<Part>& parts() {
       part("", "the result as a whole, that of the last step where there are steps", result_quantities()),
       part("supports/*/", "what each boundary carries that supports hold", support_quantities()),
       part("point_supports/*/", "what each point carries that supports hold", point_support_quantities()),
+      part("rigid_bodies/*/", "what each rigid body does", rigid_body_quantities()),
       part("contact/", "contact with all obstacles; null without obstacle", contact_quantities()),
       part("contact/admissible/", "what lifted bounds cost; null unless contact.admissible", admissible_quantities()),
       part("obstacles/*/", "contact with each obstacle", obstacle_quantities()),

@@ -32,6 +32,8 @@ std::span<const Quantity<computation::Result>> result_quantities();
 std::span<const Quantity<certificate::SupportReaction>> support_quantities();
 /// Paths inside "point_supports[]".
 std::span<const Quantity<certificate::PointReaction>> point_support_quantities();
+/// Paths inside "rigid_bodies[]".
+std::span<const Quantity<certificate::BodyReaction>> rigid_body_quantities();
 /// Null as a whole where there is no obstacle; paths inside "contact".
 std::span<const Quantity<computation::Result>> contact_quantities();
 /// Null as a whole where the case wants no admissible solution; paths inside "contact.admissible".

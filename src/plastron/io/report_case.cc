@@ -119,6 +119,7 @@ std::string case_html(const Json& settings) {
       term("shell", html_text(described(at_path(settings, "shell"), {"penalty", "stabilisation"}))) +
       term("regions", each(at_path(settings, "region"), [](const Json& region) { return described(region); })) +
       term("joined edges", each(at_path(settings, "join"), [](const Json& join) { return described(join); })) +
+      term("rigid bodies", each(at_path(settings, "rigid_body"), [](const Json& body) { return described(body); })) +
       term("supports", each(at_path(settings, "support"), support_words)) +
       term("loads", each(at_path(settings, "load"), load_words)) +
       term("gravity", html_text(described(at_path(settings, "gravity")))) +

@@ -34,12 +34,15 @@ struct Carrier {
 
 std::vector<Carrier> carriers(const Json& results) {
   std::vector<Carrier> all{{"loads", "loads"}};
-  const Json& supports = at_path(results, "supports");
-  if (supports.size() > 1 && at_path(results, "point_supports").empty())
+  const Json &supports = at_path(results, "supports"), &bodies = at_path(results, "rigid_bodies");
+  if (supports.size() + bodies.size() > 1 && at_path(results, "point_supports").empty()) {
     for (std::size_t k = 0; k < supports.size(); ++k)
       all.push_back({"supports: " + plain_words(supports[k]["boundary"]), fmt::format("supports/{}/reaction", k)});
-  else
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      all.push_back({"fixed: " + plain_words(bodies[k]["name"]), fmt::format("rigid_bodies/{}/reaction", k)});
+  } else {
     all.push_back({"supports", "support_reaction"});
+  }
   const Json& obstacles = at_path(results, "obstacles");
   for (std::size_t k = 0; k < obstacles.size(); ++k)
     all.push_back({plain_words(obstacles[k]["name"]), fmt::format("obstacles/{}/reaction", k)});

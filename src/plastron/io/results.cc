@@ -44,6 +44,13 @@ Json point_supports_json(const computation::Result& result) {
   return list;
 }
 
+Json rigid_bodies_json(const computation::Result& result) {
+  Json list = Json::array();
+  for (const certificate::BodyReaction& body : result.summary.body_reactions)
+    list.push_back(record_json(rigid_body_quantities(), body));
+  return list;
+}
+
 /// Row -> its limit, whether it is kept, and why it is what it is.
 Json limits_json(const computation::Result& result) {
   Json json = Json::object();
@@ -149,6 +156,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["warnings"] = result.warnings;
   json["supports"] = supports_json(result);
   json["point_supports"] = point_supports_json(result);
+  json["rigid_bodies"] = rigid_bodies_json(result);
   json["contact"] = contact_json(result);
   json["obstacles"] = Json::array();
   for (const auto& contact : result.summary.obstacles) json["obstacles"].push_back(obstacle_json(contact));

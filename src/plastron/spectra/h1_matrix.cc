@@ -1,5 +1,6 @@
 #include <plastron/spectra/h1_matrix.hpp>
 
+#include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
 
 #include <Eigen/Cholesky>
@@ -67,7 +68,7 @@ algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::
   const double weight_of_s = length * length;
   const Vector6 weights = (Vector6() << 1, 1, 1, weight_of_s, weight_of_s, weight_of_s).finished();
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_nodes(space));
+  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_carriers(space));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const assembly::RowMatrix cartesian = shell.quadrature_bases(c).empty()
                                               ? by_components(scalar_element(shell, c, length), weights)

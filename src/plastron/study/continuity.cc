@@ -135,10 +135,8 @@ class Continuity {
     const assembly::AreaLoad extra{.force_function = [field, amplitude](double x, double y) -> Eigen::Vector3d {
       return amplitude * field(x, y);
     }};
-    computation::Problem linear = linear_and_homogeneous(problem_);
+    computation::Problem linear = with_loads_scaled(linear_and_homogeneous(problem_), 0);
     linear.area_loads = {extra};
-    linear.edge_loads.clear();
-    linear.gravity.setZero();
     const computation::Result w = solve_for(linear, "its dual norm");
     if (w.status == Status::singular)
       return leave_out("the load: without contact a rigid motion is free, so no bound is finite");

@@ -88,7 +88,8 @@ assembly::ShellDescription free_shell(const computation::Problem& problem, Formu
 }
 
 /// Empty if interrupted.
-Samples compute(const computation::Problem& problem, MPI_Comm comm, const StudyObserver& observer) {
+Samples compute(computation::Problem problem, MPI_Comm comm, const StudyObserver& observer) {
+  problem.rigid_bodies.clear();
   Samples samples{.length = computation::extent(problem)};
   if (problem.charts.size() > 1) samples.classical_left_out = refusal(problem, Formulation::classical);
   fem::MeshSequence meshes = computation::mesh_sequence(problem, comm);

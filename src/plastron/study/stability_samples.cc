@@ -74,9 +74,23 @@ class Stability {
     sample.relative_alpha = sample.alpha / (problem_.sections.softest().young() * std::pow(sample.thickness, 3));
     if (problem_.obstacles.empty()) return sample;
     tell(level, fmt::format("inf-sup constant of c, thickness times {:g}", factor));
-    const auto touching = assembly::discretise(space, surface_, without_loads(thin, true));
-    if (const auto c = spectra::contact_inf_sup(*touching, length_)) sample.c_dual = c->dual, sample.c_l2 = c->l2;
+    measure_contact(space, thin, sample);
     return sample;
+  }
+
+  /// Of each obstacle alone, the least: gaps of several may be one coordinate, and their multipliers are never in contact together then.
+  void measure_contact(const SpacePointer& space, const computation::Problem& thin, StabilitySample& sample) {
+    const auto least = [](double& known, double value) { known = std::isnan(known) ? value : std::min(known, value); };
+    const assembly::ShellDescription all = without_loads(thin, true);
+    for (const obstacle::Obstacle& obstacle : all.obstacles.all) {
+      assembly::ShellDescription alone = all;
+      alone.obstacles.all = {obstacle};
+      const auto touching = assembly::discretise(space, surface_, alone);
+      if (const auto c = spectra::contact_inf_sup(*touching, length_)) {
+        least(sample.c_dual, c->dual);
+        least(sample.c_l2, c->l2);
+      }
+    }
   }
 
   void measure_size(const assembly::DiscreteShell& discrete, StabilitySample& sample) const {

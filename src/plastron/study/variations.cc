@@ -55,6 +55,10 @@ computation::Problem with_loads_scaled(computation::Problem problem, double fact
     scale(load.force, factor);
     scale(load.couple, factor);
   }
+  for (fem::RigidBody& body : problem.rigid_bodies) {
+    body.force *= factor;
+    body.moment *= factor;
+  }
   problem.gravity *= factor;
   return problem;
 }
@@ -63,10 +67,15 @@ computation::Problem linear_and_homogeneous(computation::Problem problem) {
   problem.obstacles.clear();
   for (auto& support : problem.supports)
     for (auto& component : support.components) component.value = {};
+  for (fem::RigidBody& body : problem.rigid_bodies)
+    for (auto& value : body.fixed)
+      if (value) value = 0;
   return problem;
 }
 
 bool has_prescribed_motion(const computation::Problem& problem) {
+  for (const fem::RigidBody& body : problem.rigid_bodies)
+    if (std::ranges::any_of(body.fixed, [](const auto& value) { return value.value_or(0) != 0; })) return true;
   return std::ranges::any_of(problem.supports, [](const assembly::Support& support) {
     return std::ranges::any_of(support.components, [](const assembly::PrescribedComponent& c) {
       return !c.value.is_constant() || c.value(0, 0) != 0;

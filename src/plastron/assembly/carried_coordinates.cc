@@ -1,0 +1,138 @@
+#include <plastron/assembly/carried_coordinates.hpp>
+
+#include <plastron/assembly/contact_coordinates.hpp>
+#include <plastron/geometry/frame.hpp>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::assembly {
+
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+const fem::PlacedBody* body_of(const fem::CarriedNodes& carried, const fem::CarriedNode& node) {
+  const auto place = static_cast<std::size_t>(&node - carried.nodes.data());
+  const auto found = std::ranges::find_if(
+      carried.bodies, [&](const fem::PlacedBody& body) { return std::ranges::binary_search(body.members, place); });
+  return found == carried.bodies.end() ? nullptr : &*found;
+}
+
+/// Component k of (d, length theta), if it is prescribed.
+std::optional<double> prescribed(const fem::PlacedBody& placed, int k) {
+  const auto& value = placed.body.fixed[static_cast<std::size_t>(k)];
+  if (!value) return {};
+  return k < 3 ? *value : placed.length * *value;
+}
+
+/// One row of a support, `row` on (u, r): the body's prescribed components must say it already.
+void check_row(const fem::PlacedBody& placed, const fem::CarriedNode& node, const Vector6& row, double value,
+               double scale, const NodalPoint& point) {
+  constexpr double rounding_part = 1e-9;
+  Vector6 on_motion;
+  for (int h = 0; h < 2; ++h)
+    on_motion.segment<3>(3 * h) = (node.carriers[static_cast<std::size_t>(h)].second.transpose() * row).head<3>();
+  double known = 0, most = scale;
+  const double whole = on_motion.norm();
+  for (int k = 0; k < 6; ++k)
+    if (const auto given = prescribed(placed, k)) {
+      known += on_motion[k] * *given;
+      most = std::max(most, std::abs(on_motion[k] * *given));
+      on_motion[k] = 0;
+    }
+  if (on_motion.norm() > rounding_part * whole)
+    throw SupportError(fmt::format(
+        "a support holds the shell at x = {:g}, y = {:g}, where the rigid body \"{}\" carries it; leave that "
+        "to the body: fix its motions that the support is to hold",
+        point.x[0], point.x[1], placed.body.name));
+  if (!(std::abs(known - value) <= rounding_part * most))
+    throw SupportError(
+        fmt::format("a support contradicts the rigid body \"{}\" at x = {:g}, y = {:g}: a component that the body "
+                    "prescribes as {:g} is to be {:g}",
+                    placed.body.name, point.x[0], point.x[1], known, value));
+}
+
+void check_supports(const fem::PlacedBody& placed, const fem::CarriedNode& node, const NodalPoint& point,
+                    const NodeSupport& support) {
+  for (const auto& [direction, value] : support.displacement) {
+    Vector6 row;
+    row << direction, Vector3d::Zero();
+    check_row(placed, node, row, value, support.displacement_scale, point);
+  }
+  if (!placed.body.turns_normals) return;
+  for (const auto& [direction, value] : support.rotation) {
+    const Vector3d tangential = geometry::tangential(direction, point.a3);
+    if (tangential.norm() < 1e-9) continue;  // r . a_3 is zero there
+    Vector6 row;
+    row << Vector3d::Zero(), tangential;
+    check_row(placed, node, row, value, support.rotation_scale, point);
+  }
+}
+
+/// Of a projector.
+std::vector<Vector3d> orthonormal_range(const Eigen::Matrix3d& projector) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(projector);
+  std::vector<Vector3d> range;
+  for (int k = 0; k < 3; ++k)
+    if (modes.eigenvalues()[k] > 0.5) range.emplace_back(modes.eigenvectors().col(k));
+  return range;
+}
+
+/// The displacement held in all directions, and the rotation, too, where the body decides it.
+NodeSupport held(const NodalPoint& point, const NodeSupport& support, bool is_hinge) {
+  NodeSupport all;
+  for (int axis = 0; axis < 3; ++axis) all.displacement.emplace_back(Vector3d::Unit(axis), 0);
+  if (is_hinge) {
+    all.rotation = support.rotation;
+    all.rotation_scale = support.rotation_scale;
+  } else {
+    for (const Vector3d& direction : across(point.a3)) all.rotation.emplace_back(direction, 0);
+  }
+  return all;
+}
+
+/// u is another node's, and of r what the kink leaves: held at zero is the rest.
+NodeCoordinates kinked_coordinates(const fem::CarriedNode& node, const NodalPoint& point, const NodeSupport& support,
+                                   double size) {
+  NodeSupport all;
+  for (int axis = 0; axis < 3; ++axis) all.displacement.emplace_back(Vector3d::Unit(axis), 0);
+  all.rotation_scale = support.rotation_scale;
+  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - node.own.bottomRightCorner<3, 3>();
+  for (const Vector3d& direction : orthonormal_range(rest)) all.rotation.emplace_back(direction, 0);
+  all.rotation.insert(all.rotation.end(), support.rotation.begin(), support.rotation.end());
+  NodeCoordinates coordinates = node_coordinates(point, all, {}, {}, Vector6::Zero(), size);
+  if (support.rotation.empty()) {  // r . a_3 is free where no support holds r
+    coordinates.lower[5] = -std::numeric_limits<double>::infinity();
+    coordinates.upper[5] = std::numeric_limits<double>::infinity();
+  }
+  return coordinates;
+}
+
+}  // namespace
+
+NodeCoordinates carried_coordinates(const fem::CarriedNodes& carried, const fem::CarriedNode& node,
+                                    const NodalPoint& point, const NodeSupport& support, double size) {
+  const fem::PlacedBody* body = body_of(carried, node);
+  if (!body) return kinked_coordinates(node, point, support, size);
+  const fem::PlacedBody& placed = *body;
+  check_supports(placed, node, point, support);
+  NodeCoordinates coordinates =
+      node_coordinates(point, held(point, support, !placed.body.turns_normals), {}, {}, Vector6::Zero(), size);
+  for (int h = 0; h < 2; ++h) {
+    if (placed.hosts[static_cast<std::size_t>(h)] != node.node) continue;
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t k = 0; k < 6; ++k) {
+        if (coordinates.basis(axis, static_cast<Eigen::Index>(k)) == 0) continue;
+        const auto value = prescribed(placed, 3 * h + axis);
+        coordinates.lower[k] = value.value_or(-std::numeric_limits<double>::infinity());
+        coordinates.upper[k] = value.value_or(std::numeric_limits<double>::infinity());
+      }
+  }
+  return coordinates;
+}
+
+}  // namespace plastron::assembly

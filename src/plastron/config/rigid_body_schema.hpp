@@ -1,0 +1,9 @@
+// What [[rigid_body]] declares.
+#pragma once
+#include <plastron/config/schema.hpp>
+
+namespace plastron::config {
+
+Section rigid_body_section();
+
+}  // namespace plastron::config

@@ -1,0 +1,271 @@
+#include <plastron/fem/rigid_bodies.hpp>
+
+#include <plastron/algebra/agreement.hpp>
+#include <plastron/fem/boundary_nodes.hpp>
+#include <plastron/fem/carried_nodes.hpp>
+
+#include <fmt/format.h>
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <map>
+
+namespace plastron::fem {
+
+namespace {
+
+using algebra::GlobalIndex, algebra::LocalIndex;
+using Eigen::Matrix3d, Eigen::Vector3d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Where a body's nodes lie, by number, as all ranks know it.
+using Members = std::map<GlobalIndex, BoundaryNode>;
+
+/// The node that each node is, where joined edges make two of them one; none where it hangs between several (collective).
+std::map<GlobalIndex, std::optional<GlobalIndex>> tied_to(const Space& space) {
+  std::vector<double> packed;
+  for (const Tie& tie : space.ties) {
+    if (tie.node >= space.layout->owned) continue;
+    packed.push_back(static_cast<double>(space.layout->global(tie.node)));
+    packed.push_back(tie.masters.size() == 1 ? static_cast<double>(space.layout->global(tie.masters[0].first)) : -1);
+  }
+  std::map<GlobalIndex, std::optional<GlobalIndex>> result;
+  const auto all = algebra::gather_over_ranks(packed, space.layout->comm);
+  for (std::size_t i = 0; i < all.size(); i += 2) {
+    auto& master = result[static_cast<GlobalIndex>(all[i])];
+    if (all[i + 1] >= 0) master = static_cast<GlobalIndex>(all[i + 1]);
+  }
+  return result;
+}
+
+Members members_of(const RigidBody& body, const Space& space, const Surface& surface,
+                   const std::map<GlobalIndex, std::optional<GlobalIndex>>& tied) {
+  Members members;
+  const std::string what = fmt::format("an edge of the rigid body \"{}\"", body.name);
+  for (const std::string& boundary : body.boundaries)
+    for (BoundaryNode node : nodes_on(space, surface, boundary_index(*space.coarse, boundary, what.c_str()))) {
+      if (const auto tie = tied.find(node.node); tie != tied.end()) {
+        if (!tie->second) continue;
+        node.node = *tie->second;
+      }
+      members.emplace(node.node, node);
+    }
+  return members;
+}
+
+Matrix3d cross_matrix(const Vector3d& v) {
+  Matrix3d m;
+  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
+  return m;
+}
+
+/// On (d, length theta), theta x v = -[v]x theta.
+Matrix6 motion_at(const RigidBody& body, const BoundaryNode& node, double length) {
+  Matrix6 w = Matrix6::Zero();
+  w.topLeftCorner<3, 3>().setIdentity();
+  w.topRightCorner<3, 3>() = -cross_matrix(node.place - body.reference) / length;
+  if (body.turns_normals) w.bottomRightCorner<3, 3>() = -cross_matrix(node.normal) / length;
+  return w;
+}
+
+/// D W: displacements as they are, rotations times length^2.
+Matrix6 weighted(Matrix6 w, double length) {
+  w.bottomRows<3>() *= length * length;
+  return w;
+}
+
+/// What the body's motions leave undetermined: part of the largest eigenvalue of their Gram matrix.
+constexpr double no_motion = 1e-10;
+
+std::vector<int> free_components(const RigidBody& body) {
+  std::vector<int> free;
+  for (int k = 0; k < 6; ++k)
+    if (!body.fixed[static_cast<std::size_t>(k)]) free.push_back(k);
+  return free;
+}
+
+Vector6 given_load(const PlacedBody& placed) {
+  Vector6 load;
+  load << placed.body.force, placed.body.moment / placed.length;
+  return load;
+}
+
+/// The solution of gram x = load where there is one.
+Vector6 multipliers(const PlacedBody& placed) {
+  Eigen::CompleteOrthogonalDecomposition<Matrix6> solver;
+  solver.setThreshold(no_motion);
+  return solver.compute(placed.gram).solve(given_load(placed));
+}
+
+void check_determined(const PlacedBody& placed) {
+  const auto free = free_components(placed.body);
+  const double scale = placed.gram.diagonal().maxCoeff();
+  if (!free.empty() &&
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(placed.gram(free, free)).eigenvalues()[0] < no_motion * scale)
+    throw DomainError(
+        fmt::format("the rigid body \"{}\" is free to turn about the line on which its nodes lie: with rotations = "
+                    "false they do not hold it; fix a rotation of it about that line, or leave rotations = true",
+                    placed.body.name));
+  const Vector6 load = given_load(placed);
+  if ((placed.gram * multipliers(placed) - load).norm() > 1e-8 * load.norm())
+    throw DomainError(
+        fmt::format("the moment on the rigid body \"{}\" has a part about the line on which its nodes lie, and with "
+                    "rotations = false they cannot carry it; leave that part out, for what is fixed there takes it all",
+                    placed.body.name));
+}
+
+PlacedBody placed_body(const RigidBody& body, const Members& members) {
+  if (members.size() < 2)
+    throw DomainError(
+        fmt::format("the rigid body \"{}\" carries {} nodes; it needs two or more", body.name, members.size()));
+  PlacedBody placed{.body = body, .length = 0};
+  for (const auto& [number, node] : members)
+    placed.length = std::max(placed.length, (node.place - body.reference).norm());
+  for (const auto& [number, node] : members) {
+    const Matrix6 w = motion_at(body, node, placed.length);
+    placed.gram += w.transpose() * weighted(w, placed.length);
+  }
+  check_determined(placed);
+  return placed;
+}
+
+void check_disjoint(const std::vector<RigidBody>& bodies, const std::vector<Members>& members) {
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      for (const auto& [number, node] : members[k])
+        if (members[j].contains(number))
+          throw DomainError(
+              fmt::format("the rigid bodies \"{}\" and \"{}\" both carry the node at ({:.6g}, {:.6g}, {:.6g}); bodies "
+                          "that share nodes are one body: give it all their boundaries",
+                          bodies[j].name, bodies[k].name, node.place[0], node.place[1], node.place[2]));
+}
+
+/// The hosts are the first two nodes, so that all ranks agree.
+std::array<GlobalIndex, 2> hosts_of(const Members& members) {
+  return {members.begin()->first, std::next(members.begin())->first};
+}
+
+void add_members(const Space& space, const Members& members, PlacedBody& placed, std::vector<CarriedNode>& nodes) {
+  const algebra::Layout& layout = *space.layout;
+  const auto hosts = hosts_of(members);
+  for (LocalIndex i = 0; i < layout.local_size(); ++i) {
+    const auto found = members.find(layout.global(i));
+    if (found == members.end()) continue;
+    for (std::size_t h = 0; h < 2; ++h) placed.hosts[h] = local_in(layout, hosts[h]);
+    const Matrix6 w = motion_at(placed.body, found->second, placed.length);
+    CarriedNode at{.node = i};
+    if (!placed.body.turns_normals) at.own.bottomRightCorner<3, 3>().setIdentity();
+    for (int h = 0; h < 2; ++h) {
+      Matrix6 block = Matrix6::Zero();
+      block.leftCols<3>() = w.middleCols<3>(3 * h);
+      at.carriers.emplace_back(placed.hosts[static_cast<std::size_t>(h)], block);
+    }
+    nodes.push_back(std::move(at));
+  }
+}
+
+/// Its members among the carried nodes, which are ascending.
+void note_members(const Members& members, const algebra::Layout& layout, const CarriedNodes& carried,
+                  PlacedBody& placed) {
+  for (std::size_t i = 0; i < carried.nodes.size(); ++i)
+    if (members.contains(layout.global(carried.nodes[i].node))) placed.members.push_back(i);
+}
+
+/// W of a carried node: the displacements of its two hosts are (d, length theta).
+Matrix6 motion_of_member(const CarriedNode& at) {
+  Matrix6 w;
+  w << at.carriers[0].second.leftCols<3>(), at.carriers[1].second.leftCols<3>();
+  return w;
+}
+
+/// The nodes that kinks carry and no body does. A body takes all nodes of a kink or none.
+std::vector<CarriedNode> kinked_beside(const CarriedNodes& before, const std::vector<RigidBody>& bodies,
+                                       const std::vector<Members>& members, const algebra::Layout& layout) {
+  std::vector<CarriedNode> rest;
+  for (const CarriedNode& node : before.nodes) {
+    std::vector<GlobalIndex> group{layout.global(node.node)};
+    for (const auto& [carrier, block] : node.carriers) group.push_back(layout.global(carrier));
+    bool is_taken = false;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const auto in_body = [&](GlobalIndex number) { return members[k].contains(number); };
+      if (std::ranges::none_of(group, in_body)) continue;
+      if (!bodies[k].turns_normals || !std::ranges::all_of(group, in_body))
+        throw DomainError(
+            fmt::format("the rigid body \"{}\" carries a node where shells are joined at an angle, but not all that "
+                        "meet there; give it the edges of all of them, and rotations = true",
+                        bodies[k].name));
+      is_taken = true;
+    }
+    if (!is_taken) rest.push_back(node);
+  }
+  return rest;
+}
+
+}  // namespace
+
+std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> space, const Surface& surface,
+                                               const std::vector<RigidBody>& bodies) {
+  if (bodies.empty()) return space;
+  const auto tied = tied_to(*space);
+  std::vector<Members> members;
+  auto carried = std::make_shared<CarriedNodes>();
+  for (const RigidBody& body : bodies) {
+    members.push_back(members_of(body, *space, surface, tied));
+    carried->bodies.push_back(placed_body(body, members.back()));
+  }
+  check_disjoint(bodies, members);
+  auto result = std::make_shared<Space>(*space);
+  std::set<GlobalIndex> wanted;
+  for (const Members& of_body : members)
+    for (LocalIndex i = 0; i < space->layout->local_size(); ++i)
+      if (of_body.contains(space->layout->global(i)))
+        for (const GlobalIndex host : hosts_of(of_body)) wanted.insert(host);
+  if (space->carried)
+    carried->nodes = algebra::in_agreement<DomainError>(
+        space->layout->comm, [&] { return kinked_beside(*space->carried, bodies, members, *space->layout); });
+  widen(*result, wanted);
+  for (CarriedNode& node : carried->nodes) {
+    const auto renumber = [&](LocalIndex& i) { i = local_in(*result->layout, space->layout->global(i)); };
+    renumber(node.node);
+    for (auto& [carrier, block] : node.carriers) renumber(carrier);
+  }
+  for (std::size_t k = 0; k < bodies.size(); ++k) add_members(*result, members[k], carried->bodies[k], carried->nodes);
+  std::ranges::sort(carried->nodes, {}, &CarriedNode::node);
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    note_members(members[k], *result->layout, *carried, carried->bodies[k]);
+  result->carried = std::move(carried);
+  return result;
+}
+
+BodyMotion motion_of(const Space& space, const PlacedBody& placed, const algebra::Vector& y) {
+  Vector6 sum = Vector6::Zero();
+  for (const std::size_t member : placed.members) {
+    const CarriedNode& at = space.carried->nodes[member];
+    if (at.node >= space.layout->owned) continue;
+    const Eigen::Map<const Vector6> moved(y.local().data() + 6 * static_cast<std::size_t>(at.node));
+    sum += weighted(motion_of_member(at), placed.length).transpose() * moved;
+  }
+  for (double& component : sum) component = algebra::sum_over_ranks(component, space.layout->comm);
+  Vector6 motion = Vector6::Zero();
+  for (int k = 0; k < 6; ++k)
+    if (const auto& value = placed.body.fixed[static_cast<std::size_t>(k)])
+      motion[k] = k < 3 ? *value : placed.length * *value;
+  sum -= placed.gram * motion;
+  const auto free = free_components(placed.body);
+  const Eigen::MatrixXd of_free = placed.gram(free, free);
+  const Eigen::VectorXd solution = of_free.ldlt().solve(Eigen::VectorXd(sum(free)));
+  for (std::size_t k = 0; k < free.size(); ++k) motion[free[k]] = solution[static_cast<Eigen::Index>(k)];
+  return {motion.head<3>(), motion.tail<3>() / placed.length};
+}
+
+void add_body_load(const Space& space, const PlacedBody& placed, algebra::Vector& f) {
+  const Vector6 x = multipliers(placed);
+  for (const std::size_t member : placed.members) {
+    const CarriedNode& at = space.carried->nodes[member];
+    if (at.node >= space.layout->owned) continue;
+    Eigen::Map<Vector6>(f.local().data() + 6 * static_cast<std::size_t>(at.node)) +=
+        weighted(motion_of_member(at), placed.length) * x;
+  }
+}
+
+}  // namespace plastron::fem
