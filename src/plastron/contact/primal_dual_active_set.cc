@@ -30,8 +30,9 @@ void continue_safely(const BoxProblem& problem, PressedSubproblem& subproblems, 
 }  // namespace
 
 BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<const Activity> initial,
-                                         algebra::Preconditioner& preconditioner, const Settings& settings,
+                                         algebra::Preconditioner& preconditioner, const Settings& asked,
                                          const Observer& observer) {
+  Settings settings = asked;
   if (problem.equations && !problem.pressing.empty())
     return solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_primal_dual_active_set);
   BoxSolution solution = unsolved(problem, Status::iteration_limit);
@@ -41,8 +42,10 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   const bool proximal = may_take_proximal_points(problem);
   ActiveSet set = starting_set(problem, initial);
   auto first = proximal ? subproblems.solve(set) : subproblems.solve_first(initial, set);
-  if (first && problem.pressing.empty() && count_active(problem, set) == 0)
+  if (first && problem.pressing.empty() && count_active(problem, set) == 0) {
+    settings.detect_free_motions = false;  // what holds without any bound holds with more of them
     first = start_among_fewer(problem, subproblems, std::move(*first), observer, set, solution);
+  }
   const PlainEnd end = iterate_active_sets(problem, subproblems, std::move(first), settings, observer, set, solution);
   if (end == PlainEnd::ended) return solution;
   if (end == PlainEnd::no_minimiser && subproblems.failure() == Status::singular && proximal) {
