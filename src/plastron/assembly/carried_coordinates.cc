@@ -2,9 +2,9 @@
 
 #include <plastron/assembly/contact_coordinates.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +75,10 @@ void check_supports(const fem::PlacedBody& placed, const fem::CarriedNode& node,
 
 /// Of a projector.
 std::vector<Vector3d> orthonormal_range(const Eigen::Matrix3d& projector) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(projector);
+  const auto modes = geometry::symmetric_eigen(projector);
   std::vector<Vector3d> range;
   for (int k = 0; k < 3; ++k)
-    if (modes.eigenvalues()[k] > 0.5) range.emplace_back(modes.eigenvectors().col(k));
+    if (modes.values[k] > 0.5) range.emplace_back(modes.vectors.col(k));
   return range;
 }
 

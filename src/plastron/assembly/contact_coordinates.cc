@@ -1,10 +1,14 @@
 #include <plastron/assembly/contact_coordinates.hpp>
 
-#include <Eigen/Dense>
+#include <plastron/geometry/symmetric_eigen.hpp>
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace plastron::assembly {
 
@@ -91,11 +95,11 @@ MatrixXd dual_basis(const MatrixXd& F) {
 
 /// Columns C with F C = 1, and such that F maps the rest to zero. Displacements alone move the gaps where they can.
 std::vector<ContactColumn> around_gaps(const GapRows& rows, const MatrixXd& F) {
-  constexpr double well_apart = 0.05;
+  constexpr double well_apart = 0.05;  // least singular value of U
   const auto m = static_cast<Index>(rows.u.size()), p = F.rows();
   const MatrixXd U = F.leftCols(m);
   MatrixXd columns = MatrixXd::Zero(F.cols(), F.cols());
-  if (p <= m && U.jacobiSvd().singularValues().minCoeff() > well_apart) {
+  if (p <= m && geometry::symmetric_eigen(MatrixXd(U * U.transpose())).values[0] > well_apart * well_apart) {
     columns.topLeftCorner(m, m) = dual_basis(U);
     for (Index k = m; k < F.cols(); ++k) {
       columns.block(0, k, m, 1) = -columns.topLeftCorner(m, p) * F.col(k);

@@ -3,9 +3,10 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/carried_nodes.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <map>
@@ -92,16 +93,20 @@ Vector6 given_load(const PlacedBody& placed) {
 
 /// The solution of gram x = load where there is one.
 Vector6 multipliers(const PlacedBody& placed) {
-  Eigen::CompleteOrthogonalDecomposition<Matrix6> solver;
-  solver.setThreshold(no_motion);
-  return solver.compute(placed.gram).solve(given_load(placed));
+  const auto modes = geometry::symmetric_eigen(Eigen::MatrixXd(placed.gram));
+  const Vector6 load = given_load(placed);
+  Vector6 x = Vector6::Zero();
+  for (Eigen::Index k = 0; k < 6; ++k)
+    if (modes.values[k] > no_motion * modes.values[5])
+      x += modes.vectors.col(k).dot(load) / modes.values[k] * modes.vectors.col(k);
+  return x;
 }
 
 void check_determined(const PlacedBody& placed) {
   const auto free = free_components(placed.body);
   const double scale = placed.gram.diagonal().maxCoeff();
   if (!free.empty() &&
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(placed.gram(free, free)).eigenvalues()[0] < no_motion * scale)
+      geometry::symmetric_eigen(Eigen::MatrixXd(placed.gram(free, free))).values[0] < no_motion * scale)
     throw DomainError(
         fmt::format("the rigid body \"{}\" is free to turn about the line on which its nodes lie: with rotations = "
                     "false they do not hold it; fix a rotation of it about that line, or leave rotations = true",

@@ -26,7 +26,7 @@ Page page_of(const study::Plot& plot, PlotLayout layout) {
   if (layout == PlotLayout::wide)
     return {.width = 920,
             .height = 500,
-            .left = 84,
+            .left = 106,
             .right = 590,
             .top = 48,
             .bottom = 436,

@@ -147,17 +147,24 @@ std::string balance_html(const Json& results) {
   const auto all = carriers(results);
   HtmlTable table({"<", "force X [N]", "Y", "Z", "moment X [N m]", "Y", "Z"});
   std::vector<std::string> sums{"sum"};
+  // Where symmetry leaves no moment at all, the forces with the largest displacement for a lever tell what is rounding.
+  const auto scale = [&](const char* what) {
+    const Json& lever = at_path(results, "size/max_displacement");
+    const double least = std::string_view(what) == "/moment" && lever.is_number()
+                             ? scale_of(results, all, "/force") * lever.get<double>()
+                             : 0;
+    return std::max(least, scale_of(results, all, what));
+  };
   for (const Carrier& carrier : all) {
     std::vector<std::string> cells{html_text(carrier.name)};
-    for (const char* what : {"/force", "/moment"})
-      add_vector(results, carrier.path + what, scale_of(results, all, what), cells);
+    for (const char* what : {"/force", "/moment"}) add_vector(results, carrier.path + what, scale(what), cells);
     table.row(cells);
   }
   for (const char* what : {"/force", "/moment"})
     for (int d = 0; d < 3; ++d) {
       double sum = 0;
       for (const Carrier& carrier : all) sum += component(results, fmt::format("{}{}/{}", carrier.path, what, d));
-      sums.push_back(html_number(number(sum), "", scale_of(results, all, what)));
+      sums.push_back(html_number(number(sum), "", scale(what)));
     }
   table.row(sums, "sum");
   return table.text() +
