@@ -54,6 +54,14 @@ target_include_directories(plastron_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DI
 target_link_libraries(plastron_dealii INTERFACE ${DEAL_II_TARGET_RELEASE} MPI::MPI_CXX)
 target_compile_options(plastron_dealii INTERFACE -fopenmp-simd)
 
+# PETSc's own dependencies, in whose packages they come along.
+plastron_find(LAPACK)
+find_path(CHOLMOD_INCLUDE_DIR suitesparse/cholmod.h REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+add_library(plastron_cholmod INTERFACE IMPORTED GLOBAL)
+target_include_directories(plastron_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(plastron_cholmod INTERFACE ${CHOLMOD_LIBRARY} LAPACK::LAPACK)
+
 add_library(plastron_gmsh INTERFACE IMPORTED GLOBAL)
 target_include_directories(plastron_gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
 target_link_libraries(plastron_gmsh INTERFACE ${GMSH_LIBRARY})

@@ -17,13 +17,43 @@ namespace plastron::app {
 Progress::Progress(const computation::Problem& problem, bool quiet)
     : has_obstacle_(!problem.obstacles.empty()),
       quiet_(quiet),
+      is_by_accuracy_(problem.accuracy.has_value()),
       status_(quiet),
       meshes_(problem.discretisation.refinements + 1),
       number_of_parts_(static_cast<int>(computation::instants(problem).size())),
       meshes_left_(meshes_) {
-  if (!quiet_)
+  if (!quiet_) print_header(problem);
+}
+
+namespace {
+
+/// Room for a goal's name above its estimates.
+std::size_t width_of(const std::string& name) { return std::max<std::size_t>(9, geometry::shortened(name, 24).size()); }
+
+}  // namespace
+
+void Progress::print_header(const computation::Problem& problem) const {
+  if (!is_by_accuracy_) {
     print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16} {:>9}\n", "level", "cells", "unknowns", "contact", "steps",
           "min gap [m]", "energy [J]", "time [s]");
+    return;
+  }
+  print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>9}  estimated errors, relative\n", "mesh", "cells", "unknowns", "contact",
+        "steps", "time [s]");
+  std::string names, asked;
+  for (const computation::Accuracy::Goal& goal : problem.accuracy->goals) {
+    names += fmt::format("  {:>{}}", geometry::shortened(goal.name, 24), width_of(goal.name));
+    asked += fmt::format("  {:>{}.1e}", goal.tolerance, width_of(goal.name));
+  }
+  print("{:>52}{}\n{:>52}{}\n", "", names, "asked for", asked);
+}
+
+void Progress::print_goals(int level, const computation::Level& r) const {
+  print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>9.2f}", level, r.cells, r.unknowns, r.active, r.iterations,
+        r.seconds.total());
+  for (const computation::GoalRecord& goal : r.goals)
+    print("  {:>{}}", goal.has_estimate ? fmt::format("{:.1e}", goal.relative_estimate()) : "-", width_of(goal.name));
+  print("{}\n", r.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(r.status)));
 }
 
 computation::Observer Progress::observer() {
@@ -36,7 +66,9 @@ computation::Observer Progress::observer() {
 
 std::string Progress::place(int level) const {
   if (parts_) return fmt::format("part {} of {}", parts_->number_done() + 2, number_of_parts_);
-  return fmt::format("level {} of {}", level, meshes_ - 1);
+  if (!is_by_accuracy_) return fmt::format("level {} of {}", level, meshes_ - 1);
+  return most_missed_ > 1 ? fmt::format("mesh {}, the last missed a goal by a factor of {:.2g}", level, most_missed_)
+                          : fmt::format("mesh {}", level);
 }
 
 void Progress::phase(int level, std::string_view name) {
@@ -62,9 +94,17 @@ void Progress::iteration(int level, const contact::Iteration& i) {
 void Progress::level(int level, const computation::Level& r) {
   status_.clear();
   log_level(level, r);
-  meshes_left_.done(status_.seconds());
-  if (level == meshes_ - 1 && number_of_parts_ > 1) parts_.emplace(number_of_parts_ - 1, status_.seconds());
+  most_missed_ = 0;
+  for (const computation::GoalRecord& goal : r.goals) most_missed_ = std::max(most_missed_, goal.excess());
+  if (!is_by_accuracy_) meshes_left_.done(status_.seconds());
+  if (!is_by_accuracy_ && level == meshes_ - 1 && number_of_parts_ > 1)
+    parts_.emplace(number_of_parts_ - 1, status_.seconds());
   if (quiet_) return;
+  if (is_by_accuracy_) {
+    print_goals(level, r);
+    if (is_first_rank()) std::fflush(stdout);
+    return;
+  }
   const std::string gap = has_obstacle_ ? fmt::format("{:.3e}", r.min_gap) : "-";
   print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16.9e} {:>9.2f}{}\n", level, r.cells, r.unknowns, r.active,
         r.iterations, gap, r.energy, r.seconds.total(),
@@ -118,6 +158,19 @@ void print_lifts(const computation::Result& result) {
         level.lift_rounds, result.summary.largest_lift, change);
 }
 
+/// Estimated errors, relative to the numbers themselves where those are more than the rounding of what they sum.
+void print_estimates(const computation::Result& result) {
+  if (!result.estimates) return;
+  constexpr double rounding = 1e-6;
+  double forces = 0;
+  for (const certificate::ObstacleContact& obstacle : result.summary.obstacles)
+    forces += obstacle.reaction.force.norm();
+  for (const estimation::GoalEstimate& g : result.estimates->goals)
+    if (std::abs(g.value) > (g.name == "reaction" ? rounding * forces : 0))
+      print("estimated error   of {} {:.2g} % of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value), g.value,
+            g.unit);
+}
+
 }  // namespace
 
 void print_summary(const computation::Result& result) {
@@ -127,6 +180,7 @@ void print_summary(const computation::Result& result) {
   const double total = std::max(s.energy.total(), 1e-300);
   print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(),
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);
+  print_estimates(result);
   print("largest           |u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad\n", s.max_displacement,
         s.max_relative_displacement, s.max_rotation);
   print("                  von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) m, z = {:.3g} m\n",

@@ -29,9 +29,13 @@ class Progress {
   std::string place(int level) const;
   std::optional<double> end() const { return parts_ ? parts_->end() : meshes_left_.end(); }
 
-  bool has_obstacle_, quiet_;
+  void print_header(const computation::Problem& problem) const;
+  void print_goals(int level, const computation::Level& record) const;
+
+  bool has_obstacle_, quiet_, is_by_accuracy_;
   StatusLine status_;
-  int meshes_, number_of_parts_, last_level_ = -1;
+  int meshes_, number_of_parts_, last_level_ = -1;  ///< meshes_ is not known where accuracy is asked for
+  double most_missed_ = 0;  ///< of all goals of the last mesh: the estimated error over its tolerance
   MeshesLeft meshes_left_;
   std::optional<PartsLeft> parts_{};  ///< of the steps, once the meshes are done
   int iterations_ = 0;

@@ -8,6 +8,7 @@
 #include "stage_progress.hpp"
 #include "terminal.hpp"
 
+#include <plastron/study/adaptivity.hpp>
 #include <plastron/study/kinds.hpp>
 #include <plastron/study_io/study_report.hpp>
 
@@ -51,7 +52,8 @@ void print_report(const study::Report& report, const config::Case& c, const Stud
 ExitCode study_case(const StudyCommand& command) {
   const config::Case c = read_case(command.case_file, command.settings);
   const study::Kind& kind = kind_of(command.kind);
-  const auto findings = examine_together([&] { return study::examine(kind, c.problem, command.options); });
+  const computation::Problem problem = kind.grades_meshes ? c.problem : study::on_uniform_meshes(c.problem);
+  const auto findings = examine_together([&] { return study::examine(kind, problem, command.options); });
   print_findings(findings, command.case_file.string(), false);
   if (examination::has_errors(findings)) return bad_input;
   std::optional<OutputDirectory> output;
@@ -62,7 +64,7 @@ ExitCode study_case(const StudyCommand& command) {
   }
 
   StageProgress progress(command.quiet);
-  const study::Report report = kind.run(c.problem, command.options, MPI_COMM_WORLD, progress.observer());
+  const study::Report report = kind.run(problem, command.options, MPI_COMM_WORLD, progress.observer());
   progress.finish();
   if (exit_code(report.status) == bad_input) {
     log_status(report.status, contact::explain(report.status));

@@ -3,6 +3,8 @@
 #include "event_log.hpp"
 #include "layout.hpp"
 
+#include <plastron/algebra/launcher.hpp>
+
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
@@ -19,9 +21,8 @@ std::optional<int> known_rank;
 
 /// The rank that the launcher of a parallel job gave this process; 0 if there is none.
 int rank_in_environment() {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "SLURM_PROCID"})
-    if (const char* value = std::getenv(name)) return std::atoi(value);
-  return 0;
+  const char* rank = algebra::rank_of_launcher();
+  return rank ? std::atoi(rank) : 0;
 }
 
 bool is_quotation(std::string_view line) {

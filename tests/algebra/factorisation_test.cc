@@ -91,6 +91,50 @@ TEST(Factorisation, analyses_once_and_factorises_many_times) {
   EXPECT_GT(F.seconds_numeric(), 0);
 }
 
+// On one rank pins of movable unknowns, and a few others, are had without another factor; several ranks factorise anew. The solutions are the same.
+TEST(Factorisation, solves_for_any_pins_when_some_unknowns_are_movable) {
+  const Matrix A = ladder_matrix(0.1);
+  const auto movable = pin_every(*A.layout(), 3);
+  Factorisation F(A, movable);
+  for (const GlobalIndex period : {20, 0, 40, 4, 0, 3, 5, 6, 1, 2}) {  // 0 after 20 lets go of four in a border
+    const auto pinned = pin_every(*A.layout(), period);
+    ASSERT_TRUE(F.factorise(pinned));
+    expect_solves(A, F, pinned);
+  }
+}
+
+TEST(Factorisation, factorises_once_for_all_pins_of_movable_unknowns_on_one_rank) {
+  const Matrix A = ladder_matrix(0.1);
+  const auto none = pin_every(*A.layout(), 0);
+  EXPECT_TRUE(Factorisation(A).nearest_pins(none).empty());
+  Factorisation F(A, pin_every(*A.layout(), 3));
+  EXPECT_TRUE(F.nearest_pins(none).empty());
+  int ranks = 1;
+  MPI_Comm_size(A.layout()->comm, &ranks);
+  for (const GlobalIndex period : {3, 0, 6, 9, 10}) {  // 10: eight that are not movable, a border
+    const auto pinned = pin_every(*A.layout(), period);
+    ASSERT_TRUE(F.factorise(pinned));
+    expect_solves(A, F, pinned);
+    if (ranks == 1) {
+      EXPECT_EQ(F.factorisations(), 1);
+      EXPECT_EQ(F.nearest_pins(none), none);
+    }
+  }
+}
+
+TEST(Factorisation, takes_pins_of_movable_unknowns_that_alone_hold_the_structure) {
+  const auto elements = chain(9);
+  const auto layout = layout_for(9, elements);
+  Matrix A(layout, 1, connectivity(*layout, elements));
+  for (const auto& element : elements)  // springs in a row that nothing holds
+    if (owns(*layout, element.front())) A.add(local_nodes(*layout, element), std::vector<double>{1, -1, -1, 1});
+  A.finish();
+  std::vector<char> first(static_cast<std::size_t>(layout->owned), 0);
+  for (LocalIndex i = 0; i < layout->owned; ++i) first[static_cast<std::size_t>(i)] = layout->global(i) == 0;
+  Factorisation F(A, first);
+  EXPECT_TRUE(F.factorise(first));
+}
+
 TEST(Factorisation, tells_a_matrix_that_is_not_positive_definite_and_recovers) {
   const Matrix A = ladder_matrix(-3.0);
   Factorisation F(A);

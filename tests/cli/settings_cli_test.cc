@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+
+#include <fstream>
 #include <set>
 
 #include "cli/program.hpp"
@@ -17,10 +19,16 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-/// The rollers of `plastron new`, in steps.
+/// The rollers of `plastron new`, in steps, on two given meshes.
 fs::path rollers(const Scratch& scratch) {
+  const fs::path file = scratch.path / "rollers.toml";
   EXPECT_EQ(plastron({"new", "rollers.toml", "--template", "rollers"}, scratch.path).exit_code, 0);
-  return scratch.path / "rollers.toml";
+  std::string text = text_of(file);
+  const std::size_t begin = text.find("[accuracy]"), end = text.find("\n[", begin);
+  EXPECT_NE(end, std::string::npos);
+  text.replace(begin, end - begin, "[mesh]\ndegree = 4\nrefinements = 1\n");
+  std::ofstream(file) << text;
+  return file;
 }
 
 nlohmann::json results_in(const fs::path& directory) {

@@ -202,8 +202,11 @@ TEST(Effective, HasTheDefaultsInTheShapeOfTheFile) {
   EXPECT_EQ(e["shell"]["formulation"], "tangent");
   EXPECT_EQ(e["geometry"]["domain"]["disk"]["centre"], nlohmann::json::array({0.0, 0.0}));
   EXPECT_EQ(e["geometry"]["chart"], nlohmann::json::array({"x", "y", "0"}));
+  // Meshes follow from the accuracy.
   EXPECT_EQ(e["mesh"],
-            (nlohmann::json{{"cells", "quadrilateral"}, {"degree", 2}, {"tying", true}, {"refinements", 3}}));
+            (nlohmann::json{
+                {"cells", "quadrilateral"}, {"degree", 4}, {"tying", true}, {"layers", "auto"}, {"refinements", 0}}));
+  EXPECT_EQ(e["accuracy"], (nlohmann::json{{"energy", 1e-3}, {"max_unknowns", 2e6}}));
   EXPECT_EQ(e["solver"]["gap_tolerance"], 1e-11);
   EXPECT_EQ(e["load"], nlohmann::json::array());
 }

@@ -22,7 +22,8 @@ TEST(Declarations, NameEveryKeyOnceAndSayWhatItMeans) {
     for (const Key& key : s.keys) {
       EXPECT_TRUE(keys.insert(key.name).second) << s.path << "." << key.name;
       EXPECT_FALSE(key.meaning.empty()) << key.name;
-      EXPECT_EQ(key.kind == Kind::word, !key.words.empty() && key.name != "fix") << key.name;
+      EXPECT_EQ(key.kind == Kind::word || key.kind == Kind::word_or_false, !key.words.empty() && key.name != "fix")
+          << key.name;
       EXPECT_FALSE(key.required && !key.fallback.empty()) << key.name << " is required and has a default";
       EXPECT_FALSE(key.required && !s.path.empty() && key.example.empty()) << key.name;
     }
@@ -41,7 +42,7 @@ TEST(Ranges, AreWrittenAsInequalities) {
 TEST(Defaults, OfTheFileAreThoseOfTheProgram) {
   const Case c = parse_case(
       "[shell]\nE = 1\nnu = 0\nthickness = 1\n[geometry]\ndomain = { disk = { radius = 1 } }\nchart = [\"x\", \"y\", "
-      "0]\n"
+      "0]\n[mesh]\n"
       "[[obstacle]]\nhalf_space = {}\n",
       "case.toml");
   const computation::Problem fresh;

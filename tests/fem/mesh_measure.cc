@@ -95,10 +95,13 @@ Vector2d position(const Space& space, const Cell& cell, const Vector2d& xi) {
 }
 
 void expect_cells_fit(const CoarseMesh& mesh) {
+  double size = 1;
+  for (const Vector2d& v : mesh.vertices) size = std::max(size, v.lpNorm<Eigen::Infinity>());
+  const double rounding = 1e-14 * size;
   for (const CoarseCell& cell : mesh.cells) {
     for (int k = 0; k < corner_count(mesh.shape); ++k) {
       const Vector2d at = cell.map(corner(mesh.shape, k)).value;
-      EXPECT_LT((at - mesh.vertices[static_cast<std::size_t>(cell.vertices[k])]).norm(), 1e-14);
+      EXPECT_LT((at - mesh.vertices[static_cast<std::size_t>(cell.vertices[k])]).norm(), rounding);
     }
     for (const Vector2d& xi : lattice(mesh.shape, 3)) EXPECT_GT(jacobian(cell.map(xi)), 0);
     EXPECT_GE(cell.region, 0);
@@ -111,7 +114,7 @@ void expect_cells_fit(const CoarseMesh& mesh) {
       const auto at = [&](const Side& s) {
         return mesh.cells[s.cell].map(side_point(mesh.shape, s.side, s.forward ? t : 1 - t)).value;
       };
-      EXPECT_LT((at(all.front()) - at(all.back())).norm(), 1e-14);
+      EXPECT_LT((at(all.front()) - at(all.back())).norm(), rounding);
     }
   }
   for (const BoundaryEdge& edge : mesh.edges) {

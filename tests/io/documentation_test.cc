@@ -43,6 +43,7 @@ std::string quantities_table() {
          rows("rigid_bodies[].", rigid_body_quantities()) + rows("contact.", contact_quantities()) +
          rows("contact.admissible.", admissible_quantities()) + rows("obstacles[].", obstacle_quantities()) +
          rows("obstacles[].zones[].", zone_quantities()) + rows("history[].", history_quantities()) +
+         rows("estimates.", estimate_quantities()) + rows("estimates.goals[].", goal_quantities()) +
          rows("certificate.", certificate_quantities()) + rows("levels[].", level_quantities()) +
          rows("levels[].history[].", iteration_quantities());
 }

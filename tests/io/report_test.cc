@@ -1,4 +1,5 @@
 // report.html: its data are those of results.json and of the solution, nothing of the case becomes markup, and it stays small.
+#include <plastron/io/base64.hpp>
 #include <plastron/io/output.hpp>
 #include <plastron/io/report.hpp>
 #include <plastron/io/report_html.hpp>
@@ -145,13 +146,27 @@ TEST(Report, merges_cells_to_blocks_where_there_are_too_many_points) {
   }
 }
 
+std::vector<std::int64_t> uniform(std::int64_t cells, std::size_t levels) {
+  std::vector<std::int64_t> by_level(levels + 1, 0);
+  by_level.back() = cells;
+  return by_level;
+}
+
+TEST(Report, merges_the_smallest_cells_of_a_graded_mesh_only) {
+  const std::vector<std::int64_t> cells{3, 4, 0, 64};  // 64 of an eighth, in a coarse cell of their own
+  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, cells, 4 * 71).merged_levels, 0);
+  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, cells, 4 * 70).count, 3 + 4 + 16);
+  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, cells, 4 * 20).count, 3 + 4 + 4);
+  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, cells, 4 * 5).count, 3 + 1 + 1);
+}
+
 TEST(Report, stays_below_twelve_megabytes_for_a_hundred_thousand_points) {
-  const DrawnCells drawn = drawn_cells(fem::Shape::quadrilateral, 3, 6400, 5, most_report_points);
+  const DrawnCells drawn = drawn_cells(fem::Shape::quadrilateral, 3, uniform(6400, 5), most_report_points);
   EXPECT_EQ(drawn.subdivisions, 1);  // of 102 400 points a cell keeps four
   EXPECT_EQ(drawn.merged_levels, 0);
   EXPECT_LE(drawn.count * 4, most_report_points);
-  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, 1 << 20, 10, most_report_points).merged_levels, 4);
-  EXPECT_EQ(drawn_cells(fem::Shape::triangle, 2, 100'000, 0, most_report_points).count, 0);
+  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, uniform(1 << 20, 10), most_report_points).merged_levels, 4);
+  EXPECT_EQ(drawn_cells(fem::Shape::triangle, 2, uniform(100'000, 0), most_report_points).count, 0);
   // As large as it becomes: all components of all fields at all points, and the rest of the page.
   std::size_t components = 0;
   for (const Field& field : report_fields(true, true)) components += static_cast<std::size_t>(field.components);

@@ -41,6 +41,8 @@ computation::Result some_result(bool has_obstacle) {
   result.summary.support_reactions = {{.boundary = "rim", .reaction = {.force = {0, 0, 2}}, .nodes = 3}};
   result.summary.point_reactions = {{.at = {0.25, 1}, .force = {1e-9, 0, -2}}};
   result.summary.body_reactions = {{.name = "plate", .rotation = {0, 0.5, 0}, .reaction = {.force = {0, 0, 3}}}};
+  result.estimates = {.cells = {1e-6}, .energy_norm_squared = 1e-6};
+  result.estimates->goals = {{.name = "energy", .unit = "J", .value = 2, .estimate = -0.25, .contact_edge = 0.5}};
   result.probes = {{"a point", some_point()}};
   result.levels.push_back(
       {.cells = 3'000'000'000, .history = {{.active = 7, .safeguarded = true}}, .seconds = {.mesh = 2, .assembly = 3}});
@@ -56,11 +58,11 @@ Json some_json(bool has_obstacle = true) {
 
 TEST(Results, have_every_key_that_the_documentation_promises) {
   const Json json = some_json();
-  for (const char* key : {"title",     "status",      "status_text",    "energy",           "energy_parts",
-                          "load_work", "loads",       "reaction",       "support_reaction", "contact",
-                          "probes",    "certificate", "levels",         "memory",           "supports",
-                          "stress",    "obstacles",   "point_supports", "rigid_bodies",     "ranks",
-                          "settings",  "versions",    "files",          "fields",           "units"})
+  for (const char* key : {"title",        "status",   "status_text",      "energy",   "energy_parts", "load_work",
+                          "loads",        "reaction", "support_reaction", "contact",  "probes",       "certificate",
+                          "levels",       "memory",   "supports",         "stress",   "obstacles",    "point_supports",
+                          "rigid_bodies", "ranks",    "settings",         "versions", "files",        "fields",
+                          "units",        "estimates"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["point_supports"], Json::parse(R"([{"at": [0.25, 1.0], "force": [1e-9, 0.0, -2.0]}])"));
   EXPECT_EQ(json["rigid_bodies"][0]["rotation"], Json::parse("[0.0, 0.5, 0.0]"));
@@ -72,6 +74,16 @@ TEST(Results, have_every_key_that_the_documentation_promises) {
   for (const char* key : {"cells", "nodes", "unknowns", "active", "iterations", "factorisations", "status", "energy",
                           "reaction", "min_gap", "linear_residual", "seconds", "history"})
     EXPECT_TRUE(json["levels"][0].contains(key)) << key;
+}
+
+TEST(Results, tell_the_estimated_error_of_what_was_asked_for) {
+  const Json goal = some_json()["estimates"]["goals"][0];
+  EXPECT_EQ(goal["name"], Json("energy"));
+  EXPECT_EQ(goal["difference"], Json(-0.25));
+  EXPECT_EQ(goal["error"], Json(0.75));
+  computation::Result none = some_result(true);
+  none.estimates.reset();
+  EXPECT_TRUE(results_json(none, {})["estimates"].is_null());
 }
 
 TEST(Results, list_the_warnings_in_words) {

@@ -65,6 +65,10 @@ TEST(Vtu, has_every_array_of_the_table_with_its_unit) {
       EXPECT_EQ(array.components, field.is_vector() ? 3 : 1) << name;
       EXPECT_EQ(array.values.size(), w.file.points * static_cast<std::size_t>(array.components)) << name;
     }
+  const VtuArray& errors = w.file.arrays.at("error_indicator");
+  expected.emplace_back("error_indicator");
+  EXPECT_EQ(errors.unit, "J");
+  EXPECT_EQ(errors.values.size(), w.file.cells);
   EXPECT_EQ(w.file.arrays.size(), expected.size());
 }
 

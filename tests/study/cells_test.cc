@@ -47,8 +47,11 @@ std::vector<const Kind*> all_kinds() {
   return all;
 }
 
-void expect_computed(const Kind& kind, const Problem& problem) {
+void expect_computed(const Kind& kind, Problem problem) {
   SCOPED_TRACE(kind.name);
+  // Its own accuracy is far for elements of degree 1.
+  if (kind.name == "adaptivity")
+    problem.accuracy = computation::Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 3000};
   ASSERT_FALSE(examination::has_errors(study::examine(kind, problem, few())));
   const Report report = kind.run(problem, few(), MPI_COMM_SELF, {});
   EXPECT_EQ(report.status, contact::Status::solved);

@@ -22,12 +22,13 @@ StudyOptions few() {
   return options;
 }
 
-/// Of a quantity in `unit`; NaN for seconds, which are never the same.
+/// Of a quantity in `unit`; NaN for seconds, which are never the same, and for a column of quantities of several kinds.
 double scale_of(const std::string& unit, const Units& u) {
   const double work = u.force * u.length;
   const std::map<std::string, double> scales{
       {"1", 1},      {"%", 1},    {"m", u.length},   {"m^2", u.length * u.length}, {"N", u.force},
-      {"N m", work}, {"J", work}, {"1/J", 1 / work}, {"J^{1/2}", std::sqrt(work)}, {"s", NAN}};
+      {"N m", work}, {"J", work}, {"1/J", 1 / work}, {"J^{1/2}", std::sqrt(work)}, {"s", NAN},
+      {"-", NAN}};
   const auto found = scales.find(unit);
   if (found != scales.end()) return found->second;
   ADD_FAILURE() << "no scale of " << unit;

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace plastron::algebra {
 
@@ -20,8 +21,10 @@ Price price_of(const FactorisationCost& cost);
 
 class Factorisation : public Preconditioner {
  public:
-  /// Symbolic analysis of the pattern of A (collective). A must outlive this object.
-  explicit Factorisation(const Matrix& A);
+  /// Symbolic analysis of the pattern of A (collective). A must outlive this object. movable[i] != 0 for owned unknowns whose pins will
+  /// probably change, some hundreds of them: once A is factorised, pinning others of these alone is a dense problem of their number and no
+  /// factorisation. Empty: none. Several ranks have no such shortcut.
+  explicit Factorisation(const Matrix& A, std::span<const char> movable = {});
   Factorisation(Factorisation&&) noexcept;
   Factorisation& operator=(Factorisation&&) noexcept;
   ~Factorisation() override;
@@ -38,12 +41,13 @@ class Factorisation : public Preconditioner {
   Pinning pin(std::span<const char> pinned, double shift) override;
   void apply(const Vector& r, Vector& z) const override { solve(r, z); }
   bool is_exact() const override { return true; }
+  std::vector<char> nearest_pins(std::span<const char> wanted) const override;
   SoftestMotion softest_motion(const Operator& operate, std::span<const char> pinned,
                                const Vector& diagonal) const override;
   Price price() const override { return price_of(cost()); }
 
   FactorisationCost cost() const;
-  int factorisations() const;  ///< numeric factorisations so far
+  int factorisations() const;  ///< numeric factorisations so far, those of movable unknowns alone not counted
   double seconds_symbolic() const;
   double seconds_numeric() const;  ///< all of them together
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "petsc_check.hpp"
 
@@ -18,60 +19,7 @@ void declare_positive_definite(Mat mat) {
 
 }  // namespace
 
-PinnedMatrix::PinnedMatrix(const Matrix::Storage& A) {
-  int ranks = 1;
-  MPI_Comm_size(A.layout->comm, &ranks);
-  alone_ = ranks == 1;
-  const GlobalIndex unknowns = A.layout->global_size * A.block;
-  if (unknowns > std::numeric_limits<PetscInt>::max())
-    throw std::runtime_error("more unknowns than PETSc's 32-bit indices can number");
-  if (alone_)
-    create_on_one_rank(A);
-  else
-    create_on_several_ranks(A);
-  declare_positive_definite(mat_);
-}
-
-PinnedMatrix::~PinnedMatrix() { MatDestroy(&mat_); }
-
-void PinnedMatrix::create_on_one_rank(const Matrix::Storage& A) {
-  const auto m = static_cast<std::size_t>(A.block);
-  const std::size_t nodes = A.global.size();
-  const std::size_t entries = A.column.size() * m * m - nodes * (m * (m - 1) / 2);
-  if (entries > static_cast<std::size_t>(std::numeric_limits<PetscInt>::max()))
-    throw std::runtime_error("more matrix entries than PETSc's 32-bit indices can number: use several ranks");
-  column_.reserve(entries);
-  row_start_.assign(1, 0);
-  for (std::size_t row = 0; row < nodes; ++row)
-    for (std::size_t a = 0; a < m; ++a) {
-      for (std::size_t k = A.row_begin(static_cast<LocalIndex>(row)); k < A.row_end(static_cast<LocalIndex>(row)); ++k)
-        for (std::size_t b = A.column[k] == static_cast<LocalIndex>(row) ? a : 0; b < m; ++b)
-          column_.push_back(static_cast<PetscInt>(static_cast<std::size_t>(A.column[k]) * m + b));
-      row_start_.push_back(static_cast<PetscInt>(column_.size()));
-    }
-  values_.assign(entries, 0.0);
-  const auto size = static_cast<PetscInt>(nodes * m);
-  petsc_check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, size, size, row_start_.data(), column_.data(),
-                                          values_.data(), &mat_),
-              "wrapping a matrix");
-}
-
-void PinnedMatrix::create_on_several_ranks(const Matrix::Storage& A) {
-  const LocalIndex owned = A.layout->owned;
-  std::vector<PetscInt> blocks_here(static_cast<std::size_t>(owned), 0);
-  std::vector<PetscInt> blocks_elsewhere = blocks_here;
-  for (LocalIndex row = 0; row < owned; ++row)
-    for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k)
-      ++(A.column[k] < owned ? blocks_here : blocks_elsewhere)[static_cast<std::size_t>(row)];
-  const PetscInt size = owned * A.block;
-  petsc_check(MatCreateSBAIJ(A.layout->comm, A.block, size, size, PETSC_DETERMINE, PETSC_DETERMINE, 0,
-                             blocks_here.data(), 0, blocks_elsewhere.data(), &mat_),
-              "creating a distributed matrix");
-  petsc_check(MatSetOption(mat_, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_TRUE), "fixing a pattern");
-  fill_blocked_rows(A);  // the pattern exists for PETSc only once it has values
-}
-
-void PinnedMatrix::mark_pinned(const Matrix::Storage& A, std::span<const char> pinned) {
+std::vector<double> pinned_diagonal(const Matrix::Storage& A, std::span<const char> pinned) {
   const auto m = static_cast<std::size_t>(A.block);
   const auto owned = static_cast<std::size_t>(A.layout->owned) * m;
   in_agreement(A.layout->comm, [&] {
@@ -84,45 +32,45 @@ void PinnedMatrix::mark_pinned(const Matrix::Storage& A, std::span<const char> p
   for (std::size_t i = 0; i < owned; ++i) largest = std::max(largest, diagonal_of(i));
   largest = max_over_ranks(largest, A.layout->comm);
   if (!(largest > 0)) largest = 1;
-  pinned_diagonal_.assign(A.global.size() * m, 0.0);
+  std::vector<double> result(A.global.size() * m, 0.0);
   for (std::size_t i = 0; i < owned; ++i)
-    if (pinned[i]) pinned_diagonal_[i] = diagonal_of(i) > 0 ? diagonal_of(i) : largest;
-  A.exchange->to_ghosts(pinned_diagonal_, A.block);
+    if (pinned[i]) result[i] = diagonal_of(i) > 0 ? diagonal_of(i) : largest;
+  A.exchange->to_ghosts(result, A.block);
+  return result;
 }
 
-void PinnedMatrix::fill(const Matrix::Storage& A, std::span<const char> pinned, double shift) {
+PinnedMatrix::PinnedMatrix(const Matrix::Storage& A) {
+  const GlobalIndex unknowns = A.layout->global_size * A.block;
+  if (unknowns > std::numeric_limits<PetscInt>::max())
+    throw std::runtime_error("more unknowns than PETSc's 32-bit indices can number");
+  create(A);
+  declare_positive_definite(mat_);
+}
+
+PinnedMatrix::~PinnedMatrix() { MatDestroy(&mat_); }
+
+void PinnedMatrix::create(const Matrix::Storage& A) {
+  const LocalIndex owned = A.layout->owned;
+  std::vector<PetscInt> blocks_here(static_cast<std::size_t>(owned), 0);
+  std::vector<PetscInt> blocks_elsewhere = blocks_here;
+  for (LocalIndex row = 0; row < owned; ++row)
+    for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k)
+      ++(A.column[k] < owned ? blocks_here : blocks_elsewhere)[static_cast<std::size_t>(row)];
+  const PetscInt size = owned * A.block;
+  petsc_check(MatCreateSBAIJ(A.layout->comm, A.block, size, size, PETSC_DETERMINE, PETSC_DETERMINE, 0,
+                             blocks_here.data(), 0, blocks_elsewhere.data(), &mat_),
+              "creating a distributed matrix");
+  petsc_check(MatSetOption(mat_, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_TRUE), "fixing a pattern");
+  fill_rows(A);  // the pattern exists for PETSc only once it has values
+}
+
+void PinnedMatrix::fill(const Matrix::Storage& A, std::vector<double> pinned_diagonal, double shift) {
   diagonal_factor_ = 1 + shift;
-  mark_pinned(A, pinned);
-  if (alone_)
-    fill_arrays(A);
-  else
-    fill_blocked_rows(A);
+  pinned_diagonal_ = std::move(pinned_diagonal);
+  fill_rows(A);
 }
 
-void PinnedMatrix::fill_arrays(const Matrix::Storage& A) {
-  const auto m = static_cast<std::size_t>(A.block);
-  double* values = nullptr;  // values_, but asked for, so that PETSc knows they change
-  petsc_check(MatSeqSBAIJGetArray(mat_, &values), "writing to a matrix");
-  double* target = values;
-  for (LocalIndex row = 0; row < A.layout->owned; ++row)
-    for (std::size_t a = 0; a < m; ++a) {
-      const double row_pin = pinned_diagonal_[static_cast<std::size_t>(row) * m + a];
-      for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k) {
-        const bool on_diagonal = A.column[k] == row;
-        const double* source = A.block_at(k) + a * m;
-        const double* column_pin = pinned_diagonal_.data() + static_cast<std::size_t>(A.column[k]) * m;
-        for (std::size_t b = on_diagonal ? a : 0; b < m; ++b) {
-          const bool replaced = row_pin != 0 || column_pin[b] != 0;
-          const bool is_diagonal = on_diagonal && a == b;
-          const double kept = is_diagonal ? diagonal_factor_ * source[b] : source[b];
-          *target++ = !replaced ? kept : (is_diagonal ? row_pin : 0.0);
-        }
-      }
-    }
-  petsc_check(MatSeqSBAIJRestoreArray(mat_, &values), "ending the writing to a matrix");
-}
-
-void PinnedMatrix::fill_blocked_rows(const Matrix::Storage& A) {
+void PinnedMatrix::fill_rows(const Matrix::Storage& A) {
   const auto m = static_cast<std::size_t>(A.block);
   if (pinned_diagonal_.empty()) pinned_diagonal_.assign(A.global.size() * m, 0.0);
   std::vector<PetscInt> columns;

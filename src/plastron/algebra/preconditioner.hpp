@@ -6,6 +6,7 @@
 #include <plastron/algebra/vector.hpp>
 
 #include <span>
+#include <vector>
 
 namespace plastron::algebra {
 
@@ -30,6 +31,8 @@ class Preconditioner {
   /// Makes it ready for A + shift diag(A), shift >= 0, with the unknowns pinned for which pinned[i] != 0 (owned scalar unknowns). After
   /// anything but `done` it cannot be applied before the next pin(). All ranks are told the same. (collective)
   virtual Pinning pin(std::span<const char> pinned, double shift) = 0;
+  /// Of all sets of pins that can be had at little cost from where it stands the one nearest to `wanted`; empty if none but pinning anew.
+  virtual std::vector<char> nearest_pins(std::span<const char> /*wanted*/) const { return {}; }
   /// z = M^{-1} r with M symmetric and positive definite, about A on the unknowns that are not pinned. Zero where r is zero on
   /// pinned unknowns. Owned values. (collective)
   virtual void apply(const Vector& r, Vector& z) const = 0;

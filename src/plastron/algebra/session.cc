@@ -1,18 +1,55 @@
+#include <plastron/algebra/launcher.hpp>
 #include <plastron/algebra/session.hpp>
 #include <plastron/algebra/threads.hpp>
 
 #include <slepcsys.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "petsc_use.hpp"
 
 namespace plastron::algebra {
 namespace {
 
+/// While it lives, Open MPI starts a process that no launcher has started without a daemon beside it and without a look at the networks of
+/// the machine: 0.3 s, most of a small run. Other implementations of MPI do not know these names. What the user has set stays.
+class StartAlone {
+ public:
+  StartAlone() {
+    if (rank_of_launcher()) return;
+    for (const auto& [name, value] : settings)
+      if (setenv_if_absent(name, value)) mine_.emplace_back(name);
+  }
+  ~StartAlone() {
+    for (const std::string& name : mine_) unsetenv(name.c_str());  // programs that this one starts may be parallel ones
+  }
+  StartAlone(const StartAlone&) = delete;
+  StartAlone& operator=(const StartAlone&) = delete;
+
+ private:
+  struct Setting {
+    const char *name, *value;
+  };
+  static constexpr std::array settings{Setting{"OMPI_MCA_ess_singleton_isolated", "1"}, Setting{"OMPI_MCA_pml", "ob1"},
+                                       Setting{"OMPI_MCA_btl", "self"}};
+
+  static bool setenv_if_absent(const char* name, const char* value) {
+    return !std::getenv(name) && setenv(name, value, 0) == 0;
+  }
+
+  std::vector<std::string> mine_{};
+};
+
 bool start_mpi(int& argc, char**& argv) {
   int runs = 0;
   MPI_Initialized(&runs);
-  if (!runs) MPI_Init(&argc, &argv);
-  return !runs;
+  if (runs) return false;
+  const StartAlone alone;
+  MPI_Init(&argc, &argv);
+  return true;
 }
 
 bool mpi_has_ended() {

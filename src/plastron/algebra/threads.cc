@@ -11,7 +11,7 @@ namespace {
 /// More have not been measured.
 constexpr int most_by_default = 2;
 
-int most_threads = 1;
+int limit = 1;
 
 // Looked up by name, since another BLAS or OpenMP lacks them.
 void call_if_there(const char* name, int value) {
@@ -38,13 +38,15 @@ int usable_cores() {
 void restrict_threads(int threads, int ranks) {
   const int by_default =
       ranks > 1 ? 1 : std::min({most_by_default, usable_cores(), ask_if_there("openblas_get_num_threads", 1)});
-  most_threads = threads > 0 ? threads : by_default;
+  limit = threads > 0 ? threads : by_default;
   set_blas_threads(1);
   call_if_there("omp_set_num_threads", 1);
   call_if_there("omp_set_max_active_levels", 0);
 }
 
-int threads_for(double operations) { return operations < many_operations ? 1 : most_threads; }
+int most_threads() { return limit; }
+
+int threads_for(double operations) { return operations < many_operations ? 1 : limit; }
 
 BlasThreads::BlasThreads(int threads) : threads_(threads) {
   if (threads_ > 1) set_blas_threads(threads_);

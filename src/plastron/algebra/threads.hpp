@@ -15,6 +15,9 @@ int usable_cores();
 /// with 0 two where there are as many cores, and one if several ranks share the machine. Called once, by Session.
 void restrict_threads(int threads, int ranks);
 
+/// How many threads there may be at a time: 1 before restrict_threads().
+int most_threads();
+
 /// For a factorisation of so many operations.
 int threads_for(double operations);
 

@@ -1,13 +1,13 @@
 #include <plastron/assembly/kinked_supports.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/assembly/handed_supports.hpp>
 #include <plastron/fem/kinks.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
-
-#include <algorithm>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
 
 namespace plastron::assembly {
 
@@ -63,43 +63,25 @@ std::vector<Row> split_rotation(const fem::CarriedNode& node, const NodalPoint& 
   return {};
 }
 
-/// master, 0 for u and 1 for r, direction, value, scale.
-void add_handed(std::int64_t master, bool is_rotation, const std::vector<Row>& rows, double scale,
-                std::vector<double>& out) {
-  for (const auto& [d, value] : rows)
-    out.insert(out.end(), {static_cast<double>(master), is_rotation ? 1.0 : 0.0, d[0], d[1], d[2], value, scale});
-}
-
 }  // namespace
 
 void hand_across_kinks(const fem::Space& space, const std::vector<NodalPoint>& points,
                        std::vector<NodeSupport>& supports) {
   if (!space.carried) return;
-  constexpr std::size_t handed_row_size = 7;
   const algebra::Layout& layout = *space.layout;
-  std::vector<double> handed;
+  HandedSupports handed;
   algebra::in_agreement<SupportError>(layout.comm, [&] {
     for (const fem::CarriedNode& node : space.carried->nodes) {
       if (node.node >= layout.owned || !fem::is_kinked(*space.carried, node)) continue;
       NodeSupport& own = supports[static_cast<std::size_t>(node.node)];
       const auto other = layout.global(node.carriers[0].first);
-      add_handed(other, false, own.displacement, own.displacement_scale, handed);
-      add_handed(other, true, split_rotation(node, points[static_cast<std::size_t>(node.node)], own),
-                 own.rotation_scale, handed);
+      handed.add_displacement(other, own.displacement, own.displacement_scale);
+      handed.add_rotation(other, split_rotation(node, points[static_cast<std::size_t>(node.node)], own),
+                          own.rotation_scale);
       own.displacement.clear();
     }
   });
-  const auto all = algebra::gather_over_ranks(handed, layout.comm);
-  for (std::size_t i = 0; i < all.size(); i += handed_row_size) {
-    const auto master = static_cast<std::int64_t>(all[i]) - layout.first;
-    if (master < 0 || master >= layout.owned) continue;
-    NodeSupport& at = supports[static_cast<std::size_t>(master)];
-    const bool is_rotation = all[i + 1] != 0;
-    (is_rotation ? at.rotation : at.displacement)
-        .emplace_back(Vector3d(all[i + 2], all[i + 3], all[i + 4]), all[i + 5]);
-    double& scale = is_rotation ? at.rotation_scale : at.displacement_scale;
-    scale = std::max(scale, all[i + 6]);
-  }
+  handed.deliver(layout, supports);
 }
 
 }  // namespace plastron::assembly

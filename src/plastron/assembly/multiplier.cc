@@ -26,7 +26,7 @@ CellGradient gradients(const element::BasisAt& basis, const VectorXd& values) {
 /// Raises the index and multiplies by the area: a^{ab} g_b sqrt(a) weight.
 void raise(const ShellOperator& shell, std::size_t cell, CellGradient& g) {
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-    const QuadraturePoint& p = shell.point(cell, q);
+    const QuadraturePoint p = shell.point(cell, q);
     g.row(q) = p.area * (g.row(q) * p.frame.metric_con).eval();
   }
 }
@@ -41,31 +41,19 @@ std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const al
 }
 
 void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& q) {
-  const element::BasisAt& basis = shell.tables().quadrature;
+  PLASTRON_ASSERT(y.block() == 6 && q.block() == 1, y.block(), q.block());
   q.fill(0);
-  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
-    raise(shell, c, g);
-    const VectorXd values = basis.d1.transpose() * g.col(0) + basis.d2.transpose() * g.col(1);
-    const auto nodes = shell.space().nodes(c);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      q.local()[static_cast<std::size_t>(nodes[i])] += values[static_cast<Eigen::Index>(i)];
-  }
+  shell.kernels().add_coupling(shell.packed(), y.local().data(), q.local().data());
   q.accumulate_ghosts();
   fem::collect(shell.space(), q);
 }
 
 void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector& multiplier, algebra::Vector& f) {
+  PLASTRON_ASSERT(multiplier.block() == 1 && f.block() == 6, multiplier.block(), f.block());
   algebra::Vector lambda = multiplier;
   fem::spread(shell.space(), lambda);
   f.fill(0);
-  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    CellGradient g = gradients(shell.tables().quadrature, gather_scalar(shell.space().nodes(c), lambda));
-    raise(shell, c, g);
-    element::CellField forces = element::CellField::Zero(shell.tables().nodes_per_cell(), 6);
-    add_normal_rotation_forces(shell, c, g, forces);
-    shell.scatter(c, forces, f);
-  }
+  shell.kernels().add_coupling_transposed(shell.packed(), lambda.local().data(), f.local().data());
   f.accumulate_ghosts();
 }
 
@@ -76,7 +64,7 @@ algebra::Matrix gradient_matrix(const ShellOperator& shell) {
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     RowMatrix k = RowMatrix::Zero(basis.value.cols(), basis.value.cols());
     for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-      const QuadraturePoint& p = shell.point(c, q);
+      const QuadraturePoint p = shell.point(c, q);
       Eigen::Matrix2Xd g(2, basis.value.cols());
       g << basis.d1.row(q), basis.d2.row(q);
       k += p.area * g.transpose() * p.frame.metric_con * g;

@@ -69,32 +69,45 @@ std::vector<Vector3d> directions(Direction direction, const Vector3d& a3, const 
 }
 
 /// The edge frames of one boundary at the owned nodes on it, by local node.
-std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_on(const fem::Space& space, const fem::Surface& surface,
-                                                                  int boundary) {
-  const auto line = fem::gauss_lobatto(space.degree + 1).points;  // the nodes of a side on either shape
-  std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames;
-  std::vector<int> slot(static_cast<std::size_t>(space.layout->owned), -1);
-  for (const fem::BoundarySide& edge : space.sides) {
-    if (edge.boundary != boundary) continue;
+class FramesOn {
+ public:
+  FramesOn(const fem::Space& space, const fem::Surface& surface, int boundary)
+      : space_(space), surface_(surface), slot_(static_cast<std::size_t>(space.layout->owned), -1) {
+    for (const fem::BoundarySide& side : space.sides)
+      if (side.boundary == boundary) add(side, false);
+    for (const fem::BoundarySide& side : space.twin_sides)
+      if (side.boundary == boundary) add(side, true);
+  }
+  std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> take() { return std::move(frames_); }
+
+ private:
+  /// `is_twin`: the side runs the other way.
+  void add(const fem::BoundarySide& edge, bool is_twin) {
+    const auto line = fem::gauss_lobatto(space_.degree + 1).points;  // the nodes of a side on either shape
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
-    for (const double t : line) xi.push_back(fem::side_point(space.shape(), edge.side, t));
+    for (const double t : line) xi.push_back(fem::side_point(space_.shape(), edge.side, t));
     std::vector<geometry::SurfaceJet> jets(xi.size());
-    surface.jets(space.cells[edge.cell], xi, jets, false);
-    const auto on_side = fem::side_nodes(space.shape(), space.degree, edge.side);
+    surface_.jets(space_.cells[edge.cell], xi, jets, false);
+    const auto on_side = fem::side_nodes(space_.shape(), space_.degree, edge.side);
+    const Eigen::Vector2d tangent = (is_twin ? -1 : 1) * fem::side_tangent(space_.shape(), edge.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
-      const algebra::LocalIndex node = space.nodes(edge.cell)[static_cast<std::size_t>(on_side[i])];
-      if (node >= space.layout->owned) continue;
-      int& s = slot[static_cast<std::size_t>(node)];
+      const algebra::LocalIndex node = space_.nodes(edge.cell)[static_cast<std::size_t>(on_side[i])];
+      if (node >= space_.layout->owned) continue;
+      int& s = slot_[static_cast<std::size_t>(node)];
       if (s < 0) {
-        s = static_cast<int>(frames.size());
-        frames.emplace_back(node, EdgeFrames{});
+        s = static_cast<int>(frames_.size());
+        frames_.emplace_back(node, EdgeFrames{});
       }
-      frames[static_cast<std::size_t>(s)].second.add(edge_frame(jets[i], fem::side_tangent(space.shape(), edge.side)));
+      frames_[static_cast<std::size_t>(s)].second.add(edge_frame(jets[i], tangent));
     }
   }
-  return frames;
-}
+
+  const fem::Space& space_;
+  const fem::Surface& surface_;
+  std::vector<int> slot_;
+  std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> frames_{};
+};
 
 }  // namespace
 
@@ -146,7 +159,7 @@ NodeFrames nodes_of(const Support& support, const fem::Space& space, const fem::
   if (found == names.end())
     throw SupportError(
         fmt::format("there is no boundary \"{}\"; the mesh has: {}", support.boundary, fmt::join(names, ", ")));
-  return frames_on(space, surface, static_cast<int>(found - names.begin()));
+  return FramesOn(space, surface, static_cast<int>(found - names.begin())).take();
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ CellGradient normal_rotation_gradients(const ShellOperator& shell, std::size_t c
       shell.interpolation().fields(cell, shell.tables().quadrature, shell.quadrature_bases(cell), field);
   CellGradient gradients(rows.value.rows(), 2);
   for (int q = 0; q < shell.tables().points_per_cell(); ++q)
-    gradients.row(q) = shell::normal_rotation_gradient(rows.at(q), shell.point(cell, q).frame);
+    gradients.row(q) = shell::normal_rotation_gradient(rows.at(q), shell.frame_at(cell, q));
   return gradients;
 }
 
@@ -29,7 +29,7 @@ void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, co
   element::FieldRows dual = element::FieldRows::zero(stresses.rows());
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
     LocalField<double> at_point = shell::zero_field();
-    shell::add_normal_rotation_dual(stresses.row(q), shell.point(cell, q).frame, at_point);
+    shell::add_normal_rotation_dual(stresses.row(q), shell.frame_at(cell, q), at_point);
     dual.add_dual(q, at_point);
   }
   shell.interpolation().add_forces(cell, shell.tables().quadrature, shell.quadrature_bases(cell), std::move(dual),
@@ -38,16 +38,7 @@ void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, co
 
 void add_normal_rotation_form(const ShellOperator& shell, double factor, const algebra::Vector& y, algebra::Vector& f) {
   algebra::Vector sum(f.layout(), 6);
-  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
-    for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-      const QuadraturePoint& p = shell.point(c, q);
-      g.row(q) = factor * stiffness_at(p) * (g.row(q) * p.frame.metric_con).eval();
-    }
-    element::CellField forces = element::CellField::Zero(shell.tables().nodes_per_cell(), 6);
-    add_normal_rotation_forces(shell, c, g, forces);
-    shell.scatter(c, forces, sum);
-  }
+  shell.kernels().add_normal_rotation(shell.packed(), factor, y.local().data(), sum.local().data());
   sum.accumulate_ghosts();
   algebra::axpy(1, sum, f);
 }
@@ -57,7 +48,7 @@ double tangency_energy(const ShellOperator& shell, double factor, const algebra:
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
     for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-      const QuadraturePoint& p = shell.point(c, q);
+      const QuadraturePoint p = shell.point(c, q);
       sum += factor / 2 * stiffness_at(p) * g.row(q).dot(g.row(q) * p.frame.metric_con);
     }
   }
@@ -69,7 +60,7 @@ RowMatrix scaled_normal_rotation_matrix(const ShellOperator& shell, std::size_t 
   RowMatrix matrix(2 * shell.tables().points_per_cell(), columns);
   Eigen::RowVectorXd row(columns);
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-    const QuadraturePoint& p = shell.point(cell, q);
+    const QuadraturePoint p = shell.point(cell, q);
     const Eigen::Matrix2d root = (factor * stiffness_at(p) * p.frame.metric_con).llt().matrixU();
     for (int a = 0; a < 2; ++a) {
       LocalField<double> dual = shell::zero_field();

@@ -10,47 +10,38 @@ using geometry::Vector3d;
 using shell::LocalField;
 
 ShellOperator::ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
-                             CrossSections sections, bool tying, bool is_covariant)
+                             CrossSections sections, bool tying, bool is_covariant, const PackKernels& kernels)
     : space_(std::move(space)),
       surface_(std::move(surface)),
       sections_(std::move(sections)),
       tables_(element::element_tables(space_->shape(), space_->degree, tying)),
       interpolation_(space_, surface_, tables_, is_covariant),
+      packs_(*space_, *surface_, sections_, tables_, kernels),
       sampling_bases_(tables_.samplings.size()) {
   check_regions(sections_, *space_->coarse);
-  const std::size_t cells = space_->owned_cells;
-  points_.resize(cells * tables_.weights.size());
-  for (const element::Sampling& sampling : tables_.samplings)
-    sampling_points_.emplace_back(cells * sampling.basis.xi.size());
-  for (std::size_t c = 0; c < cells; ++c) prepare_cell(c);
+  if (!is_covariant) return;
+  for (std::size_t c = 0; c < space_->owned_cells; ++c) {
+    std::ranges::move(interpolation_.bases(c, tables_.quadrature.xi), std::back_inserter(quadrature_bases_));
+    for (std::size_t s = 0; s < tables_.samplings.size(); ++s)
+      std::ranges::move(interpolation_.bases(c, tables_.samplings[s].basis.xi), std::back_inserter(sampling_bases_[s]));
+  }
 }
 
-void ShellOperator::prepare_cell(std::size_t cell) {
-  const fem::Cell& where = space_->cells[cell];
-  const auto& xi = tables_.quadrature.xi;
-  std::vector<SurfaceJet> jets(xi.size());
-  std::vector<double> x(xi.size()), y(xi.size()), e(xi.size());
-  surface_->jets(where, xi, jets);
-  surface_->positions(where, xi, x, y);
-  const CrossSection& own = section(cell);
-  own.thickness.evaluate(x, y, e);
-  for (std::size_t q = 0; q < xi.size(); ++q) {
-    const geometry::Frame frame = geometry::frame_at(jets[q]);
-    points_[cell * xi.size() + q] = {frame, shell::section_stiffness(own.material, e[q], frame.metric_con), e[q],
-                                     own.material.young(), frame.sqrt_a * tables_.weights[q]};
-  }
-  std::ranges::move(interpolation_.bases(cell, xi), std::back_inserter(quadrature_bases_));
-  for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
-    const auto& sample_xi = tables_.samplings[s].basis.xi;
-    // Without tying the strains are sampled at the quadrature points, whose jets are there already.
-    if (tables_.tying) {
-      jets.resize(sample_xi.size());
-      surface_->jets(where, sample_xi, jets, false);
-    }
-    for (std::size_t t = 0; t < sample_xi.size(); ++t)
-      sampling_points_[s][cell * sample_xi.size() + t] = {jets[t].d, geometry::unit_normal(jets[t])};
-    std::ranges::move(interpolation_.bases(cell, sample_xi), std::back_inserter(sampling_bases_[s]));
-  }
+QuadraturePoint ShellOperator::point(std::size_t cell, int q) const {
+  PLASTRON_ASSERT(cell < space_->owned_cells && q >= 0 && q < tables_.points_per_cell(), cell, space_->owned_cells, q,
+                  tables_.points_per_cell());
+  const auto p = static_cast<std::size_t>(q);
+  const geometry::Frame frame = packs_.frame(cell, p);
+  const double thickness = packs_.thickness(cell, p);
+  const shell::Material& material = section(cell).material;
+  return {frame, shell::section_stiffness(material, thickness, frame.metric_con), thickness, material.young(),
+          frame.sqrt_a * tables_.weights[p]};
+}
+
+std::vector<SamplingPoint> ShellOperator::sampling_points(std::size_t sampling, std::size_t cell) const {
+  std::vector<SamplingPoint> points(tables_.samplings[sampling].basis.xi.size());
+  for (std::size_t t = 0; t < points.size(); ++t) points[t] = packs_.sampling_point(sampling, cell, t);
+  return points;
 }
 
 void ShellOperator::assert_is_field([[maybe_unused]] const algebra::Vector& y,
@@ -74,13 +65,14 @@ element::CellField ShellOperator::gather(std::size_t cell, const algebra::Vector
 ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::size_t cell,
                                                             const element::CellField& field) const {
   const element::BasisAt& basis = tables_.samplings[s].basis;
-  const SamplingPoint* geometry = sampling_points(s, cell);
+  const std::vector<SamplingPoint> geometry = sampling_points(s, cell);
   const element::FieldRows rows = interpolation_.fields(cell, basis, sampling_bases(s, cell), field);
   SampledStrain sampled(rows.value.rows(), 5);
   for (Eigen::Index t = 0; t < sampled.rows(); ++t) {
     const LocalField<double> v = rows.at(t);
-    sampled.row(t).head<3>() = shell::membrane_strain(v, geometry[t].a_cov);
-    sampled.row(t).tail<2>() = shell::shear_strain(v, geometry[t].a_cov, geometry[t].a3);
+    const SamplingPoint& at = geometry[static_cast<std::size_t>(t)];
+    sampled.row(t).head<3>() = shell::membrane_strain(v, at.a_cov);
+    sampled.row(t).tail<2>() = shell::shear_strain(v, at.a_cov, at.a3);
   }
   return sampled;
 }
@@ -90,7 +82,7 @@ CellStrain ShellOperator::strains(std::size_t cell, const element::CellField& fi
   CellStrain strains = CellStrain::Zero(tables_.points_per_cell(), 8);
   const element::FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), field);
   for (int q = 0; q < tables_.points_per_cell(); ++q)
-    strains.row(q).segment<3>(3) = shell::bending_strain(rows.at(q), point(cell, q).frame);
+    strains.row(q).segment<3>(3) = shell::bending_strain(rows.at(q), frame_at(cell, q));
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const element::Sampling& sampling = tables_.samplings[s];
     const SampledStrain sampled = sampled_strains(s, cell, field);
@@ -129,7 +121,7 @@ CellStrain ShellOperator::weighted_stresses(std::size_t cell, const CellStrain& 
   PLASTRON_ASSERT(strains.rows() == tables_.points_per_cell(), strains.rows(), tables_.points_per_cell());
   CellStrain stresses(strains.rows(), 8);
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
-    const QuadraturePoint& p = point(cell, q);
+    const QuadraturePoint p = point(cell, q);
     stresses.row(q).head<3>() = p.area * (p.stiffness.membrane * strains.row(q).head<3>().transpose());
     stresses.row(q).segment<3>(3) = p.area * (p.stiffness.bending * strains.row(q).segment<3>(3).transpose());
     stresses.row(q).tail<2>() = p.area * (p.stiffness.shear * strains.row(q).tail<2>().transpose());
@@ -143,7 +135,7 @@ element::CellField ShellOperator::forces(std::size_t cell, const CellStrain& str
   element::FieldRows bending = element::FieldRows::zero(tables_.points_per_cell());
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
     LocalField<double> dual = shell::zero_field();
-    shell::add_bending_dual(stresses.row(q).segment<3>(3), point(cell, q).frame, dual);
+    shell::add_bending_dual(stresses.row(q).segment<3>(3), frame_at(cell, q), dual);
     bending.add_dual(q, dual);
   }
   interpolation_.add_forces(cell, tables_.quadrature, quadrature_bases(cell), std::move(bending), forces);
@@ -157,12 +149,13 @@ element::CellField ShellOperator::forces(std::size_t cell, const CellStrain& str
         for (const int m : sampling.membrane) sampled(t, m) += weight * stresses(q, m);
         for (const int d : sampling.shear) sampled(t, 3 + d) += weight * stresses(q, 6 + d);
       }
-    const SamplingPoint* geometry = sampling_points(s, cell);
+    const std::vector<SamplingPoint> geometry = sampling_points(s, cell);
     element::FieldRows rows = element::FieldRows::zero(points);
     for (Eigen::Index t = 0; t < points; ++t) {
+      const SamplingPoint& at = geometry[static_cast<std::size_t>(t)];
       LocalField<double> dual = shell::zero_field();
-      shell::add_membrane_dual(sampled.row(t).head<3>(), geometry[t].a_cov, dual);
-      shell::add_shear_dual(sampled.row(t).tail<2>(), geometry[t].a_cov, geometry[t].a3, dual);
+      shell::add_membrane_dual(sampled.row(t).head<3>(), at.a_cov, dual);
+      shell::add_shear_dual(sampled.row(t).tail<2>(), at.a_cov, at.a3, dual);
       rows.add_dual(t, dual);
     }
     interpolation_.add_forces(cell, sampling.basis, sampling_bases(s, cell), std::move(rows), forces);
@@ -174,27 +167,30 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
   const int columns = 6 * tables_.nodes_per_cell();
   RowMatrix b = RowMatrix::Zero(8 * tables_.points_per_cell(), columns);
   Eigen::RowVectorXd row(columns);
-  for (int q = 0; q < tables_.points_per_cell(); ++q)
+  for (int q = 0; q < tables_.points_per_cell(); ++q) {
+    const geometry::Frame frame = frame_at(cell, q);
     for (int c = 0; c < 3; ++c) {
       LocalField<double> dual = shell::zero_field();
-      shell::add_bending_dual(Vector3d::Unit(c), point(cell, q).frame, dual);
+      shell::add_bending_dual(Vector3d::Unit(c), frame, dual);
       interpolation_.write_row(cell, tables_.quadrature, q, quadrature_bases(cell), dual, row);
       b.row(8 * q + 3 + c) = row;
     }
+  }
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const element::Sampling& sampling = tables_.samplings[s];
-    const SamplingPoint* geometry = sampling_points(s, cell);
+    const std::vector<SamplingPoint> geometry = sampling_points(s, cell);
     std::vector<RowMatrix> sampled(sampling.membrane.size() + sampling.shear.size(),
                                    RowMatrix(static_cast<Eigen::Index>(sampling.basis.xi.size()), columns));
     std::vector<int> component(sampling.membrane);
     for (const int d : sampling.shear) component.push_back(6 + d);
     for (Eigen::Index t = 0; t < sampled[0].rows(); ++t)
       for (std::size_t k = 0; k < component.size(); ++k) {
+        const SamplingPoint& at = geometry[static_cast<std::size_t>(t)];
         LocalField<double> dual = shell::zero_field();
         if (component[k] < 3)
-          shell::add_membrane_dual(Vector3d::Unit(component[k]), geometry[t].a_cov, dual);
+          shell::add_membrane_dual(Vector3d::Unit(component[k]), at.a_cov, dual);
         else
-          shell::add_shear_dual(Eigen::Vector2d::Unit(component[k] - 6), geometry[t].a_cov, geometry[t].a3, dual);
+          shell::add_shear_dual(Eigen::Vector2d::Unit(component[k] - 6), at.a_cov, at.a3, dual);
         interpolation_.write_row(cell, sampling.basis, t, sampling_bases(s, cell), dual, row);
         sampled[k].row(t) = row;
       }
@@ -218,24 +214,42 @@ void ShellOperator::scatter(std::size_t cell, const element::CellField& forces, 
 
 void ShellOperator::apply(const algebra::Vector& y, algebra::Vector& f) const {
   PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before apply()");
+  assert_is_field(y, "multiplied");
+  assert_is_field(f, "to be the product");
   f.fill(0);
-  for (std::size_t c = 0; c < space_->owned_cells; ++c)
-    scatter(c, forces(c, weighted_stresses(c, strains(c, gather(c, y)))), f);
+  if (has_packed_strains())
+    kernels().add_product(packed(), y.local().data(), f.local().data());
+  else
+    for (std::size_t c = 0; c < space_->owned_cells; ++c)
+      scatter(c, forces(c, weighted_stresses(c, strains(c, gather(c, y)))), f);
   f.accumulate_ghosts();
 }
 
-Energies ShellOperator::energies(const algebra::Vector& y) const {
-  PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before energies()");
+Energies ShellOperator::energies_cell_by_cell(const algebra::Vector& y) const {
   Energies sum;
   for (std::size_t c = 0; c < space_->owned_cells; ++c) {
     const CellStrain s = strains(c, gather(c, y));
     for (int q = 0; q < tables_.points_per_cell(); ++q) {
+      const QuadraturePoint p = point(c, q);
       const shell::Strain<double> strain{s.row(q).head<3>(), s.row(q).segment<3>(3), s.row(q).tail<2>()};
-      const shell::EnergyDensity density = shell::energy_density(point(c, q).stiffness, strain);
-      sum.membrane += point(c, q).area * density.membrane;
-      sum.bending += point(c, q).area * density.bending;
-      sum.shear += point(c, q).area * density.shear;
+      const shell::EnergyDensity density = shell::energy_density(p.stiffness, strain);
+      sum.membrane += p.area * density.membrane;
+      sum.bending += p.area * density.bending;
+      sum.shear += p.area * density.shear;
     }
+  }
+  return sum;
+}
+
+Energies ShellOperator::energies(const algebra::Vector& y) const {
+  PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before energies()");
+  assert_is_field(y, "asked for its energy");
+  Energies sum;
+  if (has_packed_strains()) {
+    const PackEnergies packs = kernels().energies(packed(), y.local().data());
+    sum = {packs.membrane, packs.bending, packs.shear};
+  } else {
+    sum = energies_cell_by_cell(y);
   }
   const MPI_Comm comm = space_->layout->comm;
   return {algebra::sum_over_ranks(sum.membrane, comm), algebra::sum_over_ranks(sum.bending, comm),

@@ -1,8 +1,10 @@
 // The discrete shell on one mesh: strains of a nodal field, and the bilinear form a(., .) of (M8) as an operator that
-// goes through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D6).
+// goes through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D6). Products and
+// energies of the whole shell take cells in packs (cell_packs.hpp); what takes a single cell is the plain form of the same.
 #pragma once
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/cell_packs.hpp>
 #include <plastron/assembly/cross_sections.hpp>
 #include <plastron/element/interpolation.hpp>
 #include <plastron/shell/energy.hpp>
@@ -41,7 +43,8 @@ class ShellOperator {
   /// Precondition: the surface is regular and the thickness positive at the quadrature points. Covariant interpolation
   /// is that of (M15). Throws fem::DomainError for cross-sections of regions that the mesh does not have.
   ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
-                CrossSections sections, bool tying, bool is_covariant);
+                CrossSections sections, bool tying, bool is_covariant,
+                const PackKernels& kernels = *pack_kernels().front());
 
   const fem::Space& space() const { return *space_; }
   const std::shared_ptr<const fem::Space>& space_pointer() const { return space_; }
@@ -79,26 +82,24 @@ class ShellOperator {
   /// 1/2 a(y, y) by its three parts, over all ranks (collective).
   Energies energies(const algebra::Vector& y) const;
 
-  const QuadraturePoint& point(std::size_t cell, int q) const {
-    PLASTRON_ASSERT(cell < space_->owned_cells && q >= 0 && q < tables_.points_per_cell(), cell, space_->owned_cells, q,
-                    tables_.points_per_cell());
-    return points_[cell * static_cast<std::size_t>(tables_.points_per_cell()) + static_cast<std::size_t>(q)];
+  geometry::Frame frame_at(std::size_t cell, int q) const { return packs_.frame(cell, static_cast<std::size_t>(q)); }
+  /// Computed from what is stored.
+  QuadraturePoint point(std::size_t cell, int q) const;
+
+  /// The owned cells as the loops over packs read them. Not for covariant interpolation, whose strains they do not know.
+  PackedCells packed() const {
+    PLASTRON_ASSERT(has_packed_strains());
+    return packs_.view(*space_);
   }
+  const PackKernels& kernels() const { return packs_.kernels(); }
+  bool has_packed_strains() const { return !interpolation_.is_covariant(); }
 
  private:
-  struct SamplingPoint {
-    std::array<geometry::Vector3d, 2> a_cov;
-    geometry::Vector3d a3;
-  };
   /// Sampled membrane and shear strains: a row per sampling point, gamma_11 gamma_22 2gamma_12 2delta_1 2delta_2.
   using SampledStrain = Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor>;
 
   /// Asserts six values for every node that this rank sees.
   void assert_is_field(const algebra::Vector& y, const char* what) const;
-  void prepare_cell(std::size_t cell);
-  const SamplingPoint* sampling_points(std::size_t sampling, std::size_t cell) const {
-    return sampling_points_[sampling].data() + cell * tables_.samplings[sampling].basis.xi.size();
-  }
   static element::Interpolation::Bases bases_at(const std::vector<geometry::MovingBasis>& all, std::size_t cell,
                                                 std::size_t count) {
     return all.empty() ? element::Interpolation::Bases{}
@@ -107,6 +108,10 @@ class ShellOperator {
   element::Interpolation::Bases sampling_bases(std::size_t sampling, std::size_t cell) const {
     return bases_at(sampling_bases_[sampling], cell, tables_.samplings[sampling].basis.xi.size());
   }
+  /// Of this rank's cells.
+  Energies energies_cell_by_cell(const algebra::Vector& y) const;
+  /// Of a sampling in a cell.
+  std::vector<SamplingPoint> sampling_points(std::size_t sampling, std::size_t cell) const;
   SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const element::CellField& field) const;
 
   std::shared_ptr<const fem::Space> space_;
@@ -114,10 +119,9 @@ class ShellOperator {
   CrossSections sections_;
   element::ElementTables tables_;
   element::Interpolation interpolation_;
-  std::vector<geometry::MovingBasis> quadrature_bases_;             // like points_; empty if Cartesian
-  std::vector<std::vector<geometry::MovingBasis>> sampling_bases_;  // like sampling_points_
-  std::vector<QuadraturePoint> points_;                             // owned cells x quadrature points
-  std::vector<std::vector<SamplingPoint>> sampling_points_;         // per sampling: owned cells x its points
+  CellPacks packs_;
+  std::vector<geometry::MovingBasis> quadrature_bases_;  // owned cells x quadrature points; empty if Cartesian
+  std::vector<std::vector<geometry::MovingBasis>> sampling_bases_;  // per sampling: owned cells x its points
 };
 
 }  // namespace plastron::assembly

@@ -9,23 +9,29 @@ namespace plastron::assembly {
 
 namespace {
 
-/// C' B with C C' the weighted section stiffness at each point, so that the element matrix is (C' B)' (C' B).
-void scale_by_stiffness(const ShellOperator& shell, std::size_t cell, RowMatrix& b) {
-  for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-    const QuadraturePoint& p = shell.point(cell, q);
-    const double root = std::sqrt(p.area);
-    const Eigen::Matrix3d membrane = root * p.stiffness.membrane.llt().matrixU().toDenseMatrix();
-    const Eigen::Matrix3d bending = root * p.stiffness.bending.llt().matrixU().toDenseMatrix();
-    const Eigen::Matrix2d shear = root * p.stiffness.shear.llt().matrixU().toDenseMatrix();
-    b.middleRows<3>(8 * q) = (membrane * b.middleRows<3>(8 * q)).eval();
-    b.middleRows<3>(8 * q + 3) = (bending * b.middleRows<3>(8 * q + 3)).eval();
-    b.middleRows<2>(8 * q + 6) = (shear * b.middleRows<2>(8 * q + 6)).eval();
+/// Multiplies rows from `first` on by the transpose of the Cholesky factor of a point's stiffness times its area, in place.
+template <int size>
+void scale_rows(const Eigen::Matrix<double, size, size>& stiffness, double area, Eigen::Index first, RowMatrix& b) {
+  const Eigen::Matrix<double, size, size> upper = std::sqrt(area) * stiffness.llt().matrixU().toDenseMatrix();
+  for (int i = 0; i < size; ++i) {
+    b.row(first + i) *= upper(i, i);
+    for (int j = i + 1; j < size; ++j) b.row(first + i) += upper(i, j) * b.row(first + j);
   }
 }
 
-RowMatrix gram(const RowMatrix& b) {
-  RowMatrix k = RowMatrix::Zero(b.cols(), b.cols());
-  k.selfadjointView<Eigen::Lower>().rankUpdate(b.transpose());
+/// C' B with C C' the weighted section stiffness at each point, so that the element matrix is (C' B)' (C' B).
+void scale_by_stiffness(const ShellOperator& shell, std::size_t cell, RowMatrix& b) {
+  for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
+    const QuadraturePoint p = shell.point(cell, q);
+    scale_rows(p.stiffness.membrane, p.area, 8 * q, b);
+    scale_rows(p.stiffness.bending, p.area, 8 * q + 3, b);
+    scale_rows(p.stiffness.shear, p.area, 8 * q + 6, b);
+  }
+}
+
+RowMatrix gram(const ShellOperator& shell, const RowMatrix& b) {
+  RowMatrix k(b.cols(), b.cols());
+  shell.kernels().gram(b.data(), static_cast<int>(b.rows()), static_cast<int>(b.cols()), k.data());
   k.triangularView<Eigen::StrictlyUpper>() = k.transpose();
   return k;
 }
@@ -35,7 +41,7 @@ RowMatrix gram(const RowMatrix& b) {
 RowMatrix element_stiffness(const ShellOperator& shell, std::size_t cell) {
   RowMatrix b = shell.strain_matrix(cell);
   scale_by_stiffness(shell, cell, b);
-  return gram(b);
+  return gram(shell, b);
 }
 
 algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates,
@@ -45,9 +51,9 @@ algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordina
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     auto [nodes, b] = in_coordinates(coordinates, c, shell.strain_matrix(c));
     scale_by_stiffness(shell, c, b);
-    RowMatrix k = gram(b);
+    RowMatrix k = gram(shell, b);
     if (tangency_factor > 0)
-      k += gram(in_coordinates(coordinates, c, scaled_normal_rotation_matrix(shell, c, tangency_factor)).matrix);
+      k += gram(shell, in_coordinates(coordinates, c, scaled_normal_rotation_matrix(shell, c, tangency_factor)).matrix);
     matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
   }
   matrix.finish();

@@ -28,7 +28,14 @@ class Marching {
         solution_(solution),
         gaps_(discrete.coordinates.gaps[obstacle]),
         touching_(touching),
-        labels_(labels) {}
+        labels_(labels),
+        hangs_or_holds_(static_cast<std::size_t>(space_.layout->local_size()), 0) {
+    for (const fem::Tie& tie : space_.ties) {
+      if (tie.masters.size() < 2) continue;
+      hangs_or_holds_[static_cast<std::size_t>(tie.node)] = 1;
+      for (const auto& [master, weight] : tie.masters) hangs_or_holds_[static_cast<std::size_t>(master)] = 1;
+    }
+  }
 
   std::vector<Segment> operator()() {
     const auto subs = sub_cells(space_.shape(), space_.degree);
@@ -90,7 +97,16 @@ class Marching {
     const algebra::Layout& layout = *space_.layout;
     return {.nodes = sorted(layout.global(a), layout.global(b)),
             .names = sorted(layout.global(representative(space_, a)), layout.global(representative(space_, b))),
+            .reach = reach(a, b),
             .point = {}};
+  }
+
+  /// Of an end between two nodes that hang or that others hang on: some more than their distance.
+  double reach(LocalIndex a, LocalIndex b) const {
+    constexpr double some_more = 1.5;
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    if (!hangs_or_holds_[i] || !hangs_or_holds_[j]) return 0;
+    return some_more * (discrete_.points[i].phi - discrete_.points[j].phi).norm();
   }
 
   /// How far from the touching node towards the other the end lies.
@@ -140,18 +156,20 @@ class Marching {
   const std::vector<obstacle::Gap>& gaps_;
   const TouchingNodes& touching_;
   const ZoneLabels& labels_;
+  std::vector<char> hangs_or_holds_;  ///< a node hangs, or others hang on it
   std::size_t cell_ = 0;
   std::vector<Segment> segments_{};
   std::vector<CellEnd> new_ends_{};  // of the last segments, two each
 };
 
-constexpr std::size_t numbers_per_end = 12, numbers_per_segment = 2 + 2 * numbers_per_end;
+constexpr std::size_t numbers_per_end = 13, numbers_per_segment = 2 + 2 * numbers_per_end;
 
 void pack(const Segment& segment, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {static_cast<double>(segment.zone), segment.is_rim ? 1.0 : 0.0});
   for (const SegmentEnd& end : segment.ends) {
     for (const auto& pair : {end.nodes, end.names})
       for (const GlobalIndex i : pair) numbers.push_back(static_cast<double>(i));
+    numbers.push_back(end.reach);
     numbers.insert(numbers.end(), end.point.x.begin(), end.point.x.end());
     for (const Vector3d& v : {end.point.place, end.point.displacement})
       numbers.insert(numbers.end(), v.begin(), v.end());
@@ -163,9 +181,11 @@ Segment unpacked(const double* n) {
   for (std::size_t k = 0; k < 2; ++k) {
     const double* e = n + 2 + k * numbers_per_end;
     const auto index = [e](int i) { return static_cast<GlobalIndex>(e[i]); };
-    segment.ends[k] = {.nodes = {index(0), index(1)},
-                       .names = {index(2), index(3)},
-                       .point = {.x = {e[4], e[5]}, .place = {e[6], e[7], e[8]}, .displacement = {e[9], e[10], e[11]}}};
+    segment.ends[k] = {
+        .nodes = {index(0), index(1)},
+        .names = {index(2), index(3)},
+        .reach = e[4],
+        .point = {.x = {e[5], e[6]}, .place = {e[7], e[8], e[9]}, .displacement = {e[10], e[11], e[12]}}};
   }
   return segment;
 }

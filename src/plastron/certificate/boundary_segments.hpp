@@ -12,6 +12,7 @@ namespace plastron::certificate {
 struct SegmentEnd {
   std::array<algebra::GlobalIndex, 2> nodes{};  ///< between which it lies; equal at a node
   std::array<algebra::GlobalIndex, 2> names{};  ///< the same with nodes that are one across joined edges by one number
+  double reach = 0;  ///< where nodes hang, the two cells of a side see points of it so far from each other at most [m]
   BoundaryPoint point{};
 };
 

@@ -301,6 +301,12 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
     field->update_ghosts();
     fem::spread(discrete.space(), *field);
   }
+  for (const fem::Tie& tie : discrete.space().ties)  // between touching masters and free ones a node does either
+    for (std::size_t k = 0; k < static_cast<std::size_t>(obstacles); ++k) {
+      double& touches =
+          solution.touching.local()[static_cast<std::size_t>(tie.node) * static_cast<std::size_t>(obstacles) + k];
+      touches = touches > 0.5 ? 1 : 0;
+    }
   return solution;
 }
 

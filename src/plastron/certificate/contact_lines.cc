@@ -3,8 +3,11 @@
 #include <plastron/certificate/place_order.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace plastron::certificate {
 
@@ -19,9 +22,15 @@ struct Step {
   const SegmentEnd& end() const { return segment->ends[static_cast<std::size_t>(1 - from)]; }
   Step reversed() const { return {segment, 1 - from}; }
 };
-using Chain = std::vector<Step>;
 
-bool is_closed(const Chain& chain) { return chain.back().end().names == chain.front().start().names; }
+struct Chain {
+  std::vector<Step> steps{};
+  bool is_mended = false;  ///< its loose ends have been found to be one
+
+  const SegmentEnd& start() const { return steps.front().start(); }
+  const SegmentEnd& end() const { return steps.back().end(); }
+  bool is_closed() const { return is_mended || end().names == start().names; }
+};
 
 /// Chains segments where their ends have the same name.
 class Chaining {
@@ -45,7 +54,7 @@ class Chaining {
   Chain chain_from(Step step) {
     Chain chain;
     while (true) {
-      chain.push_back(step);
+      chain.steps.push_back(step);
       used_.emplace(step.segment, true);
       const auto& next = at_.at(step.end().names);
       const auto found = std::ranges::find_if(next, [&](const Step& s) { return !used_.contains(s.segment); });
@@ -59,28 +68,92 @@ class Chaining {
 };
 
 Chain reversed(const Chain& chain) {
-  Chain back(chain.rbegin(), chain.rend());
-  for (Step& step : back) step = step.reversed();
+  Chain back{{chain.steps.rbegin(), chain.steps.rend()}, chain.is_mended};
+  for (Step& step : back.steps) step = step.reversed();
   return back;
 }
+
+double length_of(const Step& step) { return (step.end().point.place - step.start().point.place).norm(); }
+
+/// Joins the loose ends of lines that run across a side on which nodes hang: the small cells and the large one see the line end at
+/// different points of it, no farther from each other than its nodes.
+class Mending {
+ public:
+  explicit Mending(std::vector<Chain> chains) : chains_(std::move(chains)) {}
+
+  std::vector<Chain> operator()() {
+    while (join_nearest()) {
+    }
+    return std::move(chains_);
+  }
+
+ private:
+  /// An end of a chain: at its start, or at its end.
+  struct End {
+    std::size_t chain;
+    bool is_start;
+  };
+
+  const SegmentEnd& at(const End& end) const {
+    return end.is_start ? chains_[end.chain].start() : chains_[end.chain].end();
+  }
+  std::vector<End> loose_ends() const {
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < chains_.size(); ++i)
+      for (const bool is_start : {true, false})
+        if (!chains_[i].is_closed() && at({i, is_start}).reach > 0) ends.push_back({i, is_start});
+    return ends;
+  }
+
+  bool join_nearest() {
+    const std::vector<End> ends = loose_ends();
+    double nearest = std::numeric_limits<double>::infinity();
+    std::pair<std::size_t, std::size_t> pair;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      for (std::size_t j = i + 1; j < ends.size(); ++j) {
+        const double distance = (at(ends[i]).point.place - at(ends[j]).point.place).norm();
+        const bool is_short = ends[i].chain == ends[j].chain && chains_[ends[i].chain].steps.size() < 3;
+        if (is_short || distance >= nearest || distance > std::max(at(ends[i]).reach, at(ends[j]).reach)) continue;
+        nearest = distance;
+        pair = {i, j};
+      }
+    if (!std::isfinite(nearest)) return false;
+    join(ends[pair.first], ends[pair.second]);
+    return true;
+  }
+
+  void join(const End& a, const End& b) {
+    if (a.chain == b.chain) {
+      chains_[a.chain].is_mended = true;
+      return;
+    }
+    Chain first = a.is_start ? reversed(chains_[a.chain]) : chains_[a.chain];
+    const Chain second = b.is_start ? chains_[b.chain] : reversed(chains_[b.chain]);
+    first.steps.insert(first.steps.end(), second.steps.begin(), second.steps.end());
+    chains_[std::min(a.chain, b.chain)] = std::move(first);
+    chains_.erase(chains_.begin() + static_cast<std::ptrdiff_t>(std::max(a.chain, b.chain)));
+  }
+
+  std::vector<Chain> chains_;
+};
 
 using Places = std::vector<std::array<std::int64_t, 3>>;
 
 Places places_of(const Chain& chain, double size) {
   Places places;
-  for (const Step& step : chain) places.push_back(in_units(step.start().point.place, size));
-  places.push_back(in_units(chain.back().end().point.place, size));
+  for (const Step& step : chain.steps) places.push_back(in_units(step.start().point.place, size));
+  places.push_back(in_units(chain.end().point.place, size));
   return places;
 }
 
 /// Of all ways to run through a line the one whose places come first.
 Chain in_order(const Chain& chain, double size) {
   std::vector<Chain> ways{chain, reversed(chain)};
-  if (is_closed(chain))
+  if (chain.is_closed())
     for (Chain& way : ways) {
       const Places places = places_of(way, size);
       const auto first = std::min_element(places.begin(), places.end() - 1);
-      std::rotate(way.begin(), way.begin() + (first - places.begin()), way.end());
+      std::rotate(way.steps.begin(), way.steps.begin() + (first - places.begin()), way.steps.end());
     }
   return places_of(ways[1], size) < places_of(ways[0], size) ? ways[1] : ways[0];
 }
@@ -97,15 +170,16 @@ void drop_repeated(std::vector<BoundaryPoint>& points, double size) {
 }
 
 ContactLine line_of(const Chain& chain, double size) {
-  ContactLine line{.is_closed = is_closed(chain), .is_rim = chain.front().segment->is_rim};
+  ContactLine line{.is_closed = chain.is_closed(), .is_rim = chain.steps.front().segment->is_rim};
   const SegmentEnd* last = nullptr;
-  for (const Step& step : chain) {
-    // The same place on the other side of a joined edge.
+  for (const Step& step : chain.steps) {
+    // The same place on the other side of a joined edge, or of a side on which nodes hang.
     if (!last || last->nodes != step.start().nodes) line.points.push_back(step.start().point);
     line.points.push_back(step.end().point);
-    line.length += (step.end().point.place - step.start().point.place).norm();
+    line.length += length_of(step);
     last = &step.end();
   }
+  if (chain.is_mended) line.points.push_back(line.points.front());
   drop_repeated(line.points, size);
   return line;
 }
@@ -118,7 +192,8 @@ std::vector<ContactLine> contact_lines(const std::vector<Segment>& segments, dou
     std::vector<const Segment*> those;
     for (const Segment& s : segments)
       if (s.is_rim == rim) those.push_back(&s);
-    for (const Chain& chain : Chaining(those).chains()) lines.push_back(line_of(in_order(chain, size), size));
+    for (const Chain& chain : Mending(Chaining(those).chains())())
+      lines.push_back(line_of(in_order(chain, size), size));
   }
   const auto key = [size](const ContactLine& line) {
     return std::tuple(line.is_rim, -in_units(line.length, size), in_units(line.points.front().place, size));

@@ -16,15 +16,17 @@ std::vector<std::string> supported_boundaries(const assembly::DiscreteShell& dis
 /// At every node, for each name: positive where the node lies on that boundary (collective).
 algebra::Vector marks_of(const fem::Space& space, const std::vector<std::string>& names) {
   algebra::Vector marks(space.layout, static_cast<int>(names.size()));
-  for (const fem::BoundarySide& side : space.sides) {
-    if (side.cell >= space.owned_cells || side.boundary < 0) continue;
+  const auto mark = [&](const fem::BoundarySide& side) {
+    if (side.cell >= space.owned_cells || side.boundary < 0) return;
     const auto found = std::ranges::find(names, space.coarse->boundaries[static_cast<std::size_t>(side.boundary)]);
-    if (found == names.end()) continue;
+    if (found == names.end()) return;
     const auto name = static_cast<std::size_t>(found - names.begin());
     for (const int node : fem::side_nodes(space.shape(), space.degree, side.side))
       marks.local()[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(node)]) * names.size() +
                     name] = 1;
-  }
+  };
+  std::ranges::for_each(space.sides, mark);
+  std::ranges::for_each(space.twin_sides, mark);
   marks.accumulate_ghosts();
   return marks;
 }

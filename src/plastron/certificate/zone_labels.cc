@@ -48,8 +48,9 @@ DisjointSets local_components(const fem::Space& space, const TouchingNodes& touc
     }
   }
   for (const fem::Tie& tie : space.ties)
-    if (const auto master = representative(space, tie.node); touching[tie.node] && touching[master])
-      sets.unite(static_cast<std::size_t>(tie.node), static_cast<std::size_t>(master));
+    for (const auto& [master, weight] : tie.masters)
+      if (touching[tie.node] && touching[master])
+        sets.unite(static_cast<std::size_t>(tie.node), static_cast<std::size_t>(master));
   return sets;
 }
 

@@ -1,5 +1,6 @@
 #include <plastron/computation/cell_sizes.hpp>
 
+#include <plastron/computation/start_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
 
@@ -46,7 +47,7 @@ double longest_side(fem::Shape shape, const CornerPoints& corners) {
 std::vector<CellSize> cell_sizes(const Problem& problem) {
   constexpr int enough_cells = 256;
   const Discretisation& d = problem.discretisation;
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, d.cells), 1, MPI_COMM_SELF);
+  fem::MeshSequence meshes(start_mesh(problem).coarse, 1, MPI_COMM_SELF);
   int level = 0;
   for (; meshes.space()->global_cells < enough_cells; ++level) meshes.refine({});
   const fem::Surface surface(meshes.space()->coarse, problem.charts);

@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/computation/gap.hpp>
+#include <plastron/computation/start_mesh.hpp>
 
 namespace plastron::computation {
 
@@ -27,8 +28,7 @@ fem::MeshSequence::Finish joining(const Problem& problem) {
 
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {
   // Every rank reads the mesh file by itself, and may find another one or none.
-  auto coarse = algebra::in_agreement<fem::DomainError>(
-      comm, [&] { return fem::coarse_mesh(problem.domain, problem.discretisation.cells); });
+  auto coarse = algebra::in_agreement<fem::DomainError>(comm, [&] { return start_mesh(problem).coarse; });
   return {std::move(coarse), problem.discretisation.degree, comm, joining(problem)};
 }
 

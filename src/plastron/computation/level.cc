@@ -8,6 +8,8 @@
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/computation/stopwatch.hpp>
 #include <plastron/contact/solve.hpp>
+#include <plastron/estimation/estimate.hpp>
+#include <plastron/estimation/kept_pins.hpp>
 
 namespace plastron::computation {
 
@@ -23,6 +25,23 @@ std::vector<contact::Activity> first_guess(const assembly::DiscreteShell& discre
       activity[coordinates.at(row.node, row.coordinate)] =
           row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
   return activity;
+}
+
+/// Unknowns whose side the mesh before leaves open: their nodes lie between its nodes in the contact zone and those outside. Empty if there are none.
+std::vector<char> undecided(const assembly::DiscreteShell& discrete, const algebra::Vector& touched) {
+  constexpr double rounding = 1e-9;
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  std::vector<char> marks(coordinates.lower.owned().size(), 0);
+  bool some = false;
+  for (const assembly::ContactRow& row : coordinates.rows) {
+    const double part =
+        touched.owned()[row.node * static_cast<std::size_t>(touched.block()) + static_cast<std::size_t>(row.obstacle)];
+    if (!row.binds || part < rounding || part > 1 - rounding) continue;
+    const std::size_t i = coordinates.at(row.node, row.coordinate);
+    marks[i] = coordinates.lower.owned()[i] != coordinates.upper.owned()[i];
+    some = some || marks[i] != 0;
+  }
+  return some ? marks : std::vector<char>{};
 }
 
 /// A support holds the touching face inside of an obstacle: K is empty. No bound says so, for nothing can move there.
@@ -42,6 +61,16 @@ Level record_of(Level level, const contact::BoxSolution& z) {
   return level;
 }
 
+/// What a contact problem is solved with. Kept to its end, for estimates of errors use its factor.
+struct LinearAlgebra {
+  LinearAlgebra(algebra::Matrix matrix, const std::vector<char>& movable, MPI_Comm comm)
+      : A(std::move(matrix)), F(A, movable), pins(F, comm) {}
+  algebra::Matrix A;
+  algebra::Factorisation F;
+  estimation::KeptPins pins;
+  std::optional<contact::BoxProblem> box{};
+};
+
 /// A level on its way: its shell, linearised as far as it has come.
 class LevelRun {
  public:
@@ -56,21 +85,26 @@ class LevelRun {
   contact::BoxSolution solve(std::span<const contact::Activity> guess, bool detect_free_motions) {
     Stopwatch watch;
     tell("assembly");
-    const algebra::Matrix A = assembly::stiffness_matrix(*discrete_);
+    last_.reset();
+    algebra::Matrix A = assembly::stiffness_matrix(*discrete_);
     seconds.assembly += watch.lap();
     tell("analysis");
-    algebra::Factorisation F(A);
+    contact::Settings settings = task_.settings;
+    settings.detect_free_motions = settings.detect_free_motions && detect_free_motions;
+    const bool knows_zone = task_.touched && !settings.detect_free_motions;
+    last_ = std::make_unique<LinearAlgebra>(std::move(A),
+                                            knows_zone ? undecided(*discrete_, *task_.touched) : std::vector<char>{},
+                                            discrete_->space().layout->comm);
+    const algebra::Factorisation& F = last_->F;
     seconds.analysis += watch.lap();
     tell("contact");
-    const contact::BoxProblem box = assembly::box_problem(*discrete_, A);
+    const contact::BoxProblem& box = last_->box.emplace(assembly::box_problem(*discrete_, last_->A));
     const contact::Observer follow{.iteration =
                                        [&](const contact::Iteration& i) {
                                          if (observer_.iteration) observer_.iteration(task_.number, i);
                                        },
                                    .stop = [&] { return wants_to_stop(observer_, discrete_->space().layout->comm); }};
-    contact::Settings settings = task_.settings;
-    settings.detect_free_motions = settings.detect_free_motions && detect_free_motions;
-    contact::BoxSolution z = contact::solve(box, guess, F, settings, follow);
+    contact::BoxSolution z = contact::solve(box, guess, last_->pins, settings, follow);
     if (!z.positions.empty()) press(*discrete_, z.positions);
     if (held_inside_obstacle(*discrete_)) z.status = contact::Status::infeasible;
     seconds.factorisation += F.seconds_numeric();
@@ -78,6 +112,17 @@ class LevelRun {
     factorisations += F.factorisations();
     history.insert(history.end(), z.iterations.begin(), z.iterations.end());
     return z;
+  }
+
+  /// Errors of the solution of the last solve(), and of what is asked for.
+  estimation::Estimates estimate(const contact::BoxSolution& z, const certificate::NodalSolution& nodal) {
+    Stopwatch watch;
+    tell("estimates");
+    last_->pins.keep();
+    auto estimates = estimation::estimate({.discrete = *discrete_, .nodal = nodal, .box = *last_->box, .z = z},
+                                          last_->pins, *task_.goals);
+    seconds.estimates = watch.lap();
+    return estimates;
   }
 
   void tell(std::string_view phase) const {
@@ -89,6 +134,7 @@ class LevelRun {
  private:
   const LevelTask& task_;
   std::unique_ptr<assembly::DiscreteShell> discrete_;
+  std::unique_ptr<LinearAlgebra> last_{};
   const Observer& observer_;
 };
 
@@ -189,6 +235,8 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   run.tell("certificate");
   const certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);
   run.seconds.certificate = watch.lap();
+  std::optional<estimation::Estimates> estimates;
+  if (task.goals && z.status == contact::Status::solved) estimates = run.estimate(z, nodal);
 
   Level record = record_of(measured(run.discrete(), nodal, verdict), z);
   record.iterations = static_cast<int>(run.history.size());
@@ -198,7 +246,9 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   record.lift_rounds = lifted.rounds;
   record.energy_before_lifts = lifted.energy_before.value_or(record.energy);
   record.seconds = run.seconds;
-  return {std::move(record), {run.take(), std::move(nodal)}, verdict};
+  Solution solution{.discrete = run.take(), .nodal = std::move(nodal)};
+  if (estimates) solution.cell_errors = estimates->cells;
+  return {std::move(record), std::move(solution), verdict, std::move(estimates)};
 }
 
 }  // namespace plastron::computation

@@ -4,6 +4,7 @@
 #include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/contact/settings.hpp>
+#include <plastron/estimation/functionals.hpp>
 
 #include <memory>
 #include <optional>
@@ -17,14 +18,16 @@ struct LevelTask {
   Linearisation linearisation{};
   bool admissible = false;  ///< see Problem
   std::optional<algebra::Vector>
-      touched{};      ///< contact zone of the mesh before, interpolated, or of the instant before; empty at first
-  Seconds seconds{};  ///< spent on the mesh and on `discrete`
+      touched{};  ///< contact zone of the mesh before, interpolated, or of the instant before; empty at first
+  std::optional<std::vector<estimation::Goal>> goals{};  ///< whose errors are estimated, with that of the solution
+  Seconds seconds{};                                     ///< spent on the mesh and on `discrete`
 };
 
 struct LevelResult {
   Level record;
   Solution solution;
   certificate::Verdict verdict;
+  std::optional<estimation::Estimates> estimates{};  ///< if asked for, of a solution that was found
 };
 
 /// Whether the supports alone hold the shell: then the active set's first step of all went through with nothing in contact. Other solvers'

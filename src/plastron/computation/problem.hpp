@@ -12,6 +12,7 @@
 #include <plastron/geometry/chart.hpp>
 #include <plastron/obstacle/gap.hpp>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,12 +20,30 @@
 
 namespace plastron::computation {
 
+enum class Layers {
+  none,      ///< the domain's own coarsest mesh
+  automatic  ///< with rows of thin cells along the edges, see start_mesh.hpp
+};
+
 struct Discretisation {
   fem::Shape cells = fem::Shape::quadrilateral;
   int degree = 2;     ///< k, 1 to 8; 1 or 2 on triangles
   bool tying = true;  ///< (M22); triangles are never tied
   element::Tangency tangency{};
+  Layers layers = Layers::none;
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
+};
+
+/// What is to be accurate, in place of a number of refinements: meshes are refined until estimated errors are below tolerances.
+struct Accuracy {
+  struct Goal {
+    std::string name;      ///< of goal_names()
+    double tolerance = 0;  ///< of the error, relative
+  };
+  std::vector<Goal> goals{};
+  double max_unknowns = 2e6;
+  double max_seconds = std::numeric_limits<double>::infinity();
+  bool is_uniform = false;  ///< all cells are divided, for comparison
 };
 
 /// How the gaps of curved obstacles are met (M16).
@@ -80,6 +99,7 @@ struct Problem {
   std::vector<Probe> probes{};
   std::vector<Line> lines{};
   Discretisation discretisation{};
+  std::optional<Accuracy> accuracy{};
   contact::Settings contact{};
   Linearisation linearisation{};
   Output output{};

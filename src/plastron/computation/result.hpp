@@ -2,8 +2,12 @@
 #pragma once
 #include <plastron/certificate/certificate_limits.hpp>
 #include <plastron/contact/problem.hpp>
+#include <plastron/estimation/estimates.hpp>
 #include <plastron/recovery/recovery.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,7 +25,33 @@ struct Seconds {
   double factorisation = 0;   ///< numeric factorisations, all of them
   double iteration = 0;       ///< the rest of the active-set iteration: residuals, triangular solves
   double certificate = 0;
-  double total() const { return mesh + discretisation + assembly + analysis + factorisation + iteration + certificate; }
+  double estimates = 0;  ///< of errors, on the finest mesh
+  double total() const {
+    return mesh + discretisation + assembly + analysis + factorisation + iteration + certificate + estimates;
+  }
+};
+
+/// A number that is asked for, as one mesh has it.
+struct GoalRecord {
+  std::string name{};
+  double value = 0;
+  double estimate = 0;   ///< signed: of the exact value minus `value`, as far as the sign can be known
+  double error = 0;      ///< the largest that |exact value - value| is thought to be
+  double tolerance = 0;  ///< of the error, over `scale`
+  double scale = 0;      ///< |value|, or what numbers of its kind amount to if that is more
+  double dual_energy = 0;
+  bool has_estimate = true;
+
+  double relative_estimate() const { return scale > 0 ? error / scale : 0; }
+  /// Of an absolute error. A value of zero allows none.
+  double allowed() const { return std::max(tolerance * scale, std::numeric_limits<double>::min()); }
+  /// The error over what is allowed, with room for estimates that are too small: half of the true error is not rare
+  /// (docs/methods/accuracy.md).
+  double excess() const {
+    constexpr double safety = 2;
+    return safety * error / allowed();
+  }
+  bool is_met() const { return has_estimate && excess() <= 1; }
 };
 
 /// One mesh of the sequence.
@@ -44,6 +74,7 @@ struct Level {
   double linear_residual = 0;        ///< of the last linear solve, relative
   contact::Tolerances tolerances{};  ///< that bounds and signs were held to
   double max_rotation = 0;           ///< max |r| [rad]
+  std::vector<GoalRecord> goals{};   ///< where accuracy is asked for
   std::vector<contact::Iteration> history{};
   Seconds seconds{};
 };
@@ -59,6 +90,8 @@ struct Solution {
   std::unique_ptr<assembly::DiscreteShell> discrete;
   certificate::NodalSolution nodal;
   recovery::Choice recovery{};  ///< of the fields; see choose_recovery()
+  /// Squared error in the energy norm of each owned cell, estimated [J]; empty where nobody wanted to know.
+  std::vector<double> cell_errors{};
 };
 
 /// Where the shell is strained most.
@@ -97,6 +130,8 @@ struct Result {
   std::vector<std::string> warnings{};  ///< what to doubt in the result, in words for the user
   double peak_memory = 0;               ///< over all ranks together [bytes]
   std::optional<Solution> solution{};   ///< empty when nothing could be solved
+  /// Of the errors of the last solution; empty where there is none, or where nobody wanted to know.
+  std::optional<estimation::Estimates> estimates{};
 
   /// How the solution was found: on the finest mesh, at the last instant.
   const Level& last_level() const { return history.empty() ? levels.back() : history.back().level; }

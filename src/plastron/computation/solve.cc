@@ -6,8 +6,10 @@
 #include <plastron/computation/solve.hpp>
 
 #include <plastron/certificate/moment_point.hpp>
+#include <plastron/computation/adaptivity.hpp>
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/doubts.hpp>
+#include <plastron/computation/goal_names.hpp>
 #include <plastron/computation/instants.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/locking.hpp>
@@ -58,10 +60,10 @@ class Computation {
     result_.formulation = problem_.discretisation.tangency.formulation;
     result_.warnings = locking_warnings(problem_);
     MPI_Comm_size(comm_, &result_.ranks);
-    bool goes_on = true;
-    for (int number = 0; goes_on && number <= problem_.discretisation.refinements; ++number) goes_on = mesh(number);
-    if (goes_on && !problem_.steps.empty()) note(instants_.front());
-    for (std::size_t i = 1; goes_on && i < instants_.size(); ++i) goes_on = advance(instants_[i]);
+    bool goes_on = problem_.accuracy ? meshes_by_accuracy() : uniform_meshes();
+    if (goes_on && !problem_.steps.empty()) goes_on = begin();
+    for (std::size_t i = 1; goes_on && i < instants_.size(); ++i)
+      goes_on = advance(instants_[i], continued_at(instants_[i]));
     if (result_.solution && problem_.steps.empty()) judge_certificate(result_);
     if (result_.solution) {
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
@@ -82,12 +84,66 @@ class Computation {
     return {.time = instant.time, .load_factor = instant.load_factor, .force_factors = instant.force_factors};
   }
 
+  /// Each divides all cells of the one before. Whether the computation goes on, here and in all that follow.
+  bool uniform_meshes() {
+    bool goes_on = true;
+    for (int number = 0; goes_on && number <= problem_.discretisation.refinements; ++number) goes_on = mesh(number);
+    return goes_on;
+  }
+
+  /// As many as the goals ask for at the first instant, and then at the last one. Whether the computation goes on.
+  bool meshes_by_accuracy() {
+    for (int i = 0; i < problem_.discretisation.refinements; ++i) meshes_.refine({});
+    if (!meshes_for_goals()) return false;
+    if (instants_.size() == 1) return true;
+    on_mesh_ = &instants_.back();
+    marks_.assign(meshes_.space()->owned_cells, 0);
+    return meshes_for_goals() || result_.status != contact::Status::interrupted;  // it may be out of reach at once
+  }
+
+  /// At one instant, from the present mesh on.
+  bool meshes_for_goals() {
+    // Joined edges must be divided alike, and nodes of a rigid body must not hang.
+    const bool is_uniform = problem_.accuracy->is_uniform || !meshes_.is_graded() || !problem_.joins.empty() ||
+                            !problem_.rigid_bodies.empty();
+    const bool is_first = on_mesh_ == &instants_.front();
+    AccuracyLoop loop(problem_, is_uniform);
+    for (bool wants_more = true; wants_more;) {
+      const int number = static_cast<int>(result_.levels.size());
+      if (!mesh(number)) return false;
+      wants_more = loop.wants_more(result_, *meshes_.space()) && (is_first || result_.estimates);
+      result_.levels.back().goals = loop.goals();
+      if (observer_.level) observer_.level(number, result_.levels.back());
+      marks_ = loop.marks();
+      if (is_first) continue;
+      for (signed char& mark : marks_) mark = std::max<signed char>(mark, 0);  // what the first instant needs stays
+    }
+    missed_accuracy_ = loop.missed();
+    return true;
+  }
+
+  /// The first instant on the finest mesh: as it is, or anew if another one was solved there. Whether the computation goes on.
+  bool begin() {
+    const Instant& first = instants_.front();
+    if (on_mesh_ != &first) return advance(first, state_at(first));
+    note(first);
+    return true;
+  }
+
+  /// What errors are estimated of: the goals where accuracy is asked for, else energy and reaction.
+  std::vector<estimation::Goal> goals() const {
+    if (problem_.accuracy) return estimated_goals(problem_);
+    std::vector<estimation::Goal> goals{{"energy", estimation::Energy{}}};
+    if (!problem_.obstacles.empty()) goals.push_back({"reaction", estimation::ObstacleForce{}});
+    return goals;
+  }
+
   /// Where pressed obstacles have come to, to linearise there; at the start if that is to be where gaps are linearised.
   std::vector<double> positions() const {
     return problem_.linearisation.once ? std::vector<double>{} : result_.solution->discrete->positions();
   }
 
-  /// The first instant on the next mesh, whose first guess and state come from the mesh before. Whether the computation goes on.
+  /// An instant, the first unless told otherwise, on the next mesh, whose first guess and state come from the mesh before. Whether the computation goes on.
   bool mesh(int number) {
     result_.status = contact::Status::interrupted;
     if (wants_to_stop(observer_, comm_)) return false;
@@ -96,7 +152,9 @@ class Computation {
                    .settings = problem_.contact,
                    .linearisation = problem_.linearisation,
                    .admissible = problem_.admissible};
-    assembly::State start = state_at(instants_.front());
+    const bool is_end = number == problem_.discretisation.refinements && instants_.size() == 1;
+    if (problem_.accuracy || is_end) task.goals = goals();
+    assembly::State start = state_at(*on_mesh_);
     if (number > 0) refine(task, start);
     task.seconds.mesh = watch.lap();
     if (observer_.phase) observer_.phase(number, "geometry");
@@ -104,7 +162,7 @@ class Computation {
     task.seconds.discretisation = watch.lap();
     LevelResult level = solve_level(task, std::move(discrete), observer_);
     if (level.record.status == contact::Status::interrupted) return false;  // the mesh before is the result
-    if (observer_.level) observer_.level(number, level.record);
+    if (observer_.level && !problem_.accuracy) observer_.level(number, level.record);
     if (observer_.solution) observer_.solution(number, level.solution);
     result_.levels.push_back(level.record);
     take(std::move(level));
@@ -117,7 +175,11 @@ class Computation {
     const bool was_deformed = before.is_deformed();
     start.positions = positions();
     if (!observer_.stop) result_.solution.reset();  // one mesh at a time in memory, unless this may be the last one
-    meshes_.refine(std::span(fields).first(was_deformed ? 2 : 1));
+    const auto carried = std::span(fields).first(was_deformed ? 2 : 1);
+    if (problem_.accuracy)
+      meshes_.refine(carried, marks_);
+    else
+      meshes_.refine(carried);
     task.touched = std::move(fields[0]);
     if (was_deformed) {
       start.displacement = std::move(fields[1]);
@@ -127,8 +189,16 @@ class Computation {
       task.settings.detect_free_motions = false;
   }
 
-  /// The next instant on the finest mesh, from the contact zone and the state of the one before. Whether the computation goes on.
-  bool advance(const Instant& instant) {
+  /// What an instant takes from the solution at hand.
+  assembly::State continued_at(const Instant& instant) const {
+    assembly::State start = state_at(instant);
+    start.positions = positions();
+    if (result_.solution->discrete->state.is_deformed()) start.displacement = result_.solution->nodal.y;
+    return start;
+  }
+
+  /// An instant on the finest mesh, from a state and the contact zone of the solution at hand. Whether the computation goes on.
+  bool advance(const Instant& instant, assembly::State start) {
     if (wants_to_stop(observer_, comm_)) {
       result_.status = contact::Status::interrupted;
       return false;
@@ -139,12 +209,10 @@ class Computation {
                    .linearisation = problem_.linearisation,
                    .admissible = problem_.admissible,
                    .touched = std::move(result_.solution->nodal.touching)};
+    if (&instant == &instants_.back()) task.goals = goals();
     if (supports_hold(result_.levels.front().history, problem_.contact.solver))
       task.settings.detect_free_motions = false;
-    assembly::State start = state_at(instant);
-    start.positions = positions();
     auto discrete = std::move(result_.solution->discrete);
-    if (discrete->state.is_deformed()) start.displacement = std::move(result_.solution->nodal.y);
     result_.solution.reset();
     linearise(*discrete, std::move(start));
     task.seconds.discretisation = watch.lap();
@@ -154,12 +222,25 @@ class Computation {
       return false;
     }
     take(std::move(level));
+    if (problem_.accuracy && result_.estimates) judge_accuracy_at_end();
     note(instant);
     return result_.status == contact::Status::solved || result_.status == contact::Status::inaccurate;
   }
 
+  /// Reached step by step, the last instant may be another one than what the mesh was made for.
+  void judge_accuracy_at_end() {
+    const std::string missed = shortfall(goal_records(problem_, *result_.estimates, result_.summary));
+    if (missed.empty()) return;
+    missed_accuracy_ +=
+        fmt::format("{}at the last instant, reached step by step, {}", missed_accuracy_.empty() ? "" : "; ", missed);
+  }
+
   /// A solved end does not hide what missed a limit on the way.
   void adopt_worst_status() {
+    if (result_.status == contact::Status::solved && !missed_accuracy_.empty()) {
+      result_.status = contact::Status::accuracy_not_reached;
+      result_.missed_limits = missed_accuracy_;
+    }
     for (const HistoryEntry& entry : result_.history)
       if (result_.status == contact::Status::solved && entry.status != contact::Status::solved) {
         result_.status = entry.status;
@@ -174,6 +255,7 @@ class Computation {
     result_.certificate = level.verdict.certificate;
     latest_ = std::move(level.record);
     result_.solution = std::move(level.solution);
+    result_.estimates = std::move(level.estimates);
     if (is_beyond_linear_ || result_.status != contact::Status::solved) return;  // what is no solution says nothing
     auto warnings = linear_model_warnings(result_.summary);
     is_beyond_linear_ = !warnings.empty();
@@ -210,6 +292,9 @@ class Computation {
   std::shared_ptr<const fem::Surface> surface_;
   Result result_{};
   Level latest_{};
+  const Instant* on_mesh_ = &instants_.front();  ///< that is solved on each mesh
+  std::vector<signed char> marks_{};             ///< of the present mesh, where accuracy is asked for
+  std::string missed_accuracy_{};
   bool is_beyond_linear_ = false;
 };
 

@@ -8,6 +8,7 @@ namespace plastron::computation {
 std::string status_text(const Result& result) {
   std::string text(contact::explain(result.status));
   if (result.status == contact::Status::inaccurate) text += fmt::format(" Beyond its limit: {}.", result.missed_limits);
+  if (result.status == contact::Status::accuracy_not_reached) text += fmt::format(" {}.", result.missed_limits);
   return text;
 }
 

@@ -14,6 +14,9 @@ class Stopwatch {
     return seconds;
   }
 
+  /// Since the last lap, which goes on.
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count(); }
+
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -11,11 +11,35 @@
 #include <plastron/computation/stress_peak.hpp>
 #include <plastron/computation/zones.hpp>
 
+#include <algorithm>
+#include <set>
+
 namespace plastron::computation {
 
-FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm) {
+namespace {
+
+/// Divides what is larger than the cells wanted, until nothing is or there are more cells than wanted.
+void refine_to(std::span<const fem::CellPlace> cells, fem::MeshSequence& meshes) {
+  const std::set<fem::CellPlace> wanted(cells.begin(), cells.end());
+  const auto total = static_cast<std::int64_t>(cells.size());
+  for (bool goes_on = true; goes_on && meshes.space()->global_cells < total;) {
+    const fem::Space& space = *meshes.space();
+    std::vector<signed char> marks;
+    for (std::size_t c = 0; c < space.owned_cells; ++c)
+      marks.push_back(wanted.contains(fem::place_of(space.cells[c])) ? 0 : 1);
+    goes_on = algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks, 1)}, space.layout->comm) > 0;
+    if (goes_on) meshes.refine({}, marks);
+  }
+}
+
+}  // namespace
+
+FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, std::span<const fem::CellPlace> cells) {
   fem::MeshSequence meshes = mesh_sequence(problem, comm);
-  for (int number = 0; number < problem.discretisation.refinements; ++number) meshes.refine({});
+  if (problem.accuracy)
+    refine_to(cells, meshes);
+  else
+    for (int number = 0; number < problem.discretisation.refinements; ++number) meshes.refine({});
   return {.space = meshes.space(),
           .surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts)};
 }

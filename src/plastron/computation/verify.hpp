@@ -9,6 +9,7 @@
 #include <mpi.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace plastron::computation {
@@ -24,8 +25,9 @@ struct FinestMesh {
   std::shared_ptr<const fem::Space> space{};
   std::shared_ptr<const fem::Surface> surface{};
 };
-/// The mesh that solve() ends on (collective). Throws fem::DomainError.
-FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm);
+/// The mesh that solve() ends on; where that follows from estimates, the mesh of these cells, which all ranks give whole. Cells that no such
+/// mesh has give another mesh (collective). Throws fem::DomainError.
+FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, std::span<const fem::CellPlace> cells = {});
 
 struct Verification {
   /// As solve() would have left it, with a single level; the status is solved or inaccurate.

@@ -70,6 +70,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_steps(root, result.problem);
   read_probes(root, domain, result.problem);
   read_lines(root, domain, result.problem);
+  read_accuracy(root, result.problem);
   read_contact(root, result.problem);
   read_solver(root, result.problem);
   result.wants_report = read_output(root, result.problem);

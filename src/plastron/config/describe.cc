@@ -92,6 +92,7 @@ std::string describe(const Section& section) {
   for (const Key& key : section.keys)
     text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(key.name), description(key.kind), key.unit,
                         fallback(key), allowed(key), key.meaning);
+  if (!section.other_keys.empty()) text += fmt::format("\nOther keys are {}.\n", section.other_keys);
   return text;
 }
 

@@ -20,6 +20,16 @@ void check_triangles(Table& mesh, computation::Discretisation& d) {
   mesh.effective["tying"] = false;
 }
 
+/// What is not written suits meshes that follow from estimated errors: a start mesh as it is, which knows edge layers, of high degree.
+void suit_accuracy(Table& mesh, computation::Discretisation& d) {
+  const bool is_triangular = d.cells == fem::Shape::triangle;
+  if (!mesh.has("refinements")) mesh.effective["refinements"] = d.refinements = 0;
+  if (!mesh.has("degree")) mesh.effective["degree"] = d.degree = is_triangular ? 2 : 4;
+  if (mesh.has("layers") || is_triangular) return;
+  d.layers = computation::Layers::automatic;
+  mesh.effective["layers"] = "auto";
+}
+
 }  // namespace
 
 void read_mesh(Table& root, computation::Problem& problem) {
@@ -29,7 +39,9 @@ void read_mesh(Table& root, computation::Problem& problem) {
   if (mesh->text("cells") == "triangle") d.cells = fem::Shape::triangle;
   d.degree = mesh->integer("degree").value_or(d.degree);
   d.tying = mesh->boolean("tying").value_or(d.tying);
+  if (mesh->word_or_false("layers") == "auto") d.layers = computation::Layers::automatic;
   d.refinements = mesh->integer("refinements").value_or(d.refinements);
+  if (root.has("accuracy") || !root.has("mesh")) suit_accuracy(*mesh, d);
   if (d.cells == fem::Shape::triangle) check_triangles(*mesh, d);
   root.effective["mesh"] = mesh->effective;
 }

@@ -59,6 +59,8 @@ Schema schema_of(const Key& key, Kind kind, const std::string& path) {
       return text();
     case Kind::word:
       return word_of(key);
+    case Kind::word_or_false:
+      return any_of({word_of(key), {{"enum", {false}}}});
     case Kind::boolean:
       return {{"type", "boolean"}};
     case Kind::integer:
@@ -144,7 +146,7 @@ Schema schema_of(const Section& section) {
   }
   if (!required.empty()) table["required"] = required;
   for (const std::string& name : section.exactly_one) table["oneOf"].push_back({{"required", Schema::array({name})}});
-  table["additionalProperties"] = false;
+  table["additionalProperties"] = section.other_keys.empty() ? Schema(false) : number("number", {});
   return table;
 }
 

@@ -6,9 +6,9 @@ Section rigid_body_section() {
   return {
       "rigid_body",
       "[[rigid_body]]",
-      "A rigid body that carries edges of the shell, an end plate or a clamp: their nodes move as u = d + theta x (phi "
-      "- "
-      "reference), r = theta x a3, with six unknowns for all of them. Obstacles do not hold these nodes; how deep the "
+      "A rigid body that carries edges of the shell, an end plate or a clamp: their nodes move as "
+      "u = d + theta x (phi - reference), r = theta x a3, with six unknowns for all of them. Obstacles do not hold "
+      "these nodes; how deep the "
       "shell enters there is measured and reported.",
       {{.name = "name",
         .kind = Kind::name,

@@ -28,6 +28,7 @@ Section file_section() {
         .kind = Kind::tables,
         .fallback = "[]",
         .meaning = "thickness, material, density of a region"},
+       {.name = "accuracy", .kind = Kind::table, .fallback = "{}", .meaning = "how accurate results are to be"},
        {.name = "mesh", .kind = Kind::table, .fallback = "{}", .meaning = "the discretisation"},
        {.name = "join", .kind = Kind::tables, .fallback = "[]", .meaning = "edges that are joined"},
        {.name = "rigid_body", .kind = Kind::tables, .fallback = "[]", .meaning = "rigid bodies that carry edges"},
@@ -53,10 +54,42 @@ Section constants_section() {
       {}};
 }
 
+Section accuracy_section() {
+  const Range tolerance = {.low = 1e-10, .high = 0.5};
+  return {
+      "accuracy",
+      "[accuracy]",
+      "What is to be accurate, and how: meshes are refined where it matters until twice all estimated errors are below "
+      "their tolerances on two meshes in a row. Tolerances are relative to the number's own size, or to a thousandth "
+      "of the "
+      "largest of its kind "
+      "where that is more: a component that vanishes by symmetry has no digits; that of all obstacles together is "
+      "relative "
+      "to the sum of what each bears. Without [mesh] and [accuracy] the "
+      "tolerances of energy and reaction are 1e-3. Triangles, joined edges and rigid bodies: all cells are refined "
+      "alike.",
+      {{.name = "energy", .range = tolerance, .meaning = "tolerance of the stored energy"},
+       {.name = "reaction", .range = tolerance, .meaning = "tolerance of the norm of the obstacles' reaction"},
+       {.name = "contact_area", .range = tolerance, .meaning = "tolerance of the area of the contact zones"},
+       {.name = "max_unknowns",
+        .fallback = "2e6",
+        .range = {.low = 1},
+        .meaning = "no mesh has more unknowns; if that does not do, the status is accuracy_not_reached"},
+       {.name = "max_seconds",
+        .unit = "s",
+        .range = Range::above_to(0, std::numeric_limits<double>::infinity()),
+        .meaning = "no mesh is begun that would end later; if that does not do, the status is accuracy_not_reached"}},
+      {},
+      "tolerances of other numbers of results.json, by their names in quotes: \"probe.NAME.u.z\" and its like for u, "
+      "r, N, M, Q; "
+      "\"support.BOUNDARY.force.z\"; \"obstacle.NAME.force.z\", .area and, of one that a force presses, .position; "
+      "load_work"};
+}
+
 Section mesh_section() {
   return {"mesh",
           "[mesh]",
-          "The finite elements.",
+          "The finite elements, where they are not left to [accuracy].",
           {{.name = "cells",
             .kind = Kind::word,
             .fallback = "\"quadrilateral\"",
@@ -66,16 +99,27 @@ Section mesh_section() {
             .kind = Kind::integer,
             .fallback = "2",
             .range = between(1, 8),
-            .meaning = "degree of u and r"},
+            .meaning = "degree of u and r; where meshes follow from [accuracy] 4 if not given, 2 on triangles"},
            {.name = "tying",
             .kind = Kind::boolean,
             .fallback = "true",
             .meaning = "strains tied against locking; false on triangles"},
+           {.name = "layers",
+            .kind = Kind::word_or_false,
+            .fallback = "false",
+            .words = {{"auto"}},
+            .meaning = "\"auto\": rows of long thin cells along the edges, as wide as the edge layers of the shell ask "
+                       "for, and cells between them "
+                       "that on the finest mesh are small enough for an error of about 1e-3 (methods/layers.md); a "
+                       "mesh that is read is left as it "
+                       "is; `plastron check` says what the rows are. Where meshes follow from [accuracy] \"auto\" if "
+                       "not given, on triangles false"},
            {.name = "refinements",
             .kind = Kind::integer,
             .fallback = "3",
             .range = between(0, 12),
-            .meaning = "uniform refinements of the coarsest mesh; every level is solved"}}};
+            .meaning = "uniform refinements of the coarsest mesh; every level is solved. With [accuracy], or without "
+                       "[mesh], 0 if not given, and only the last level begins the meshes that follow"}}};
 }
 
 Section join_section() {
@@ -260,7 +304,7 @@ std::vector<Section> all_sections() {
   const auto append = [&](std::vector<Section> more) { all.insert(all.end(), more.begin(), more.end()); };
   append(shell_sections());
   append(geometry_sections());
-  append({mesh_section(), join_section(), rigid_body_section(), support_section(), load_section()});
+  append({accuracy_section(), mesh_section(), join_section(), rigid_body_section(), support_section(), load_section()});
   append(obstacle_sections());
   append(step_sections());
   append({probe_section(), line_section(), arc_section(), output_section(), contact_section(), solver_section()});

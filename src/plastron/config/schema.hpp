@@ -10,8 +10,9 @@ namespace plastron::config {
 
 enum class Kind {
   text,
-  name,  ///< a text of few characters that the user chooses
-  word,  ///< one of Key::words
+  name,           ///< a text of few characters that the user chooses
+  word,           ///< one of Key::words
+  word_or_false,  ///< or false
   boolean,
   integer,
   number,         ///< a number or an expression of the constants
@@ -67,6 +68,7 @@ struct Section {
   std::string meaning;
   std::vector<Key> keys;
   std::vector<std::string> exactly_one{};  ///< keys of which one is given, and no other
+  std::string other_keys{};                ///< what other keys are, each a number; empty: there are none
 };
 
 const std::vector<Section>& sections();

@@ -46,6 +46,8 @@ std::string description(Kind kind) {
       return "a name in quotes";
     case Kind::word:
       return "a word in quotes";
+    case Kind::word_or_false:
+      return "a word in quotes or false";
     case Kind::boolean:
       return "true or false";
     case Kind::integer:

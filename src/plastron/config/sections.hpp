@@ -21,6 +21,8 @@ std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& prob
 std::optional<fem::Domain> read_domain(Table& geometry);
 void read_charts(Table& geometry, const fem::Domain& domain, computation::Problem& problem);
 void read_mesh(Table& root, computation::Problem& problem);
+/// After probes, supports and obstacles, whose names it knows.
+void read_accuracy(Table& root, computation::Problem& problem);
 void read_contact(Table& root, computation::Problem& problem);
 void read_solver(Table& root, computation::Problem& problem);
 /// Whether a report is wanted.

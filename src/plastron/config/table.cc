@@ -53,8 +53,16 @@ nlohmann::json as_json(const geometry::Expression& field) {
 
 Table::Table(Reading& reading, const Section& section, toml::value value)
     : reading_(&reading), section_(&section), value_(std::move(value)) {
+  if (!section.other_keys.empty()) return;
   for (const auto& [name, entry] : entries(reading, value_))
     if (std::ranges::count(section.keys, name, &Key::name) == 0) report_unknown(name, entry);
+}
+
+std::vector<std::pair<std::string, toml::value>> Table::other_entries() const {
+  auto all = entries(*reading_, value_);
+  std::erase_if(all,
+                [&](const auto& entry) { return std::ranges::count(section_->keys, entry.first, &Key::name) > 0; });
+  return all;
 }
 
 Place Table::place() const { return reading_->source.value(value_); }
@@ -178,6 +186,17 @@ std::optional<std::string> Table::text(const std::string& name) {
     auto word = key.kind == Kind::name ? read_name(reading, item) : read_text(reading, item);
     return word && check_word(key, item, *word) ? word : std::nullopt;
   });
+}
+
+std::optional<std::string> Table::word_or_false(const std::string& name) {
+  auto word = read(name, [&](Reading& reading, const Item& item) -> std::optional<std::string> {
+    if (item.value.is_boolean() && !item.value.as_boolean()) return "";
+    if (!item.value.is_string()) report_kind(reading, item, Kind::word_or_false);
+    if (!item.value.is_string() || !check_word(declared(name), item, item.value.as_string().str)) return {};
+    return item.value.as_string().str;
+  });
+  if (word && word->empty()) effective[name] = false;
+  return word;
 }
 
 std::optional<std::vector<std::string>> Table::texts(const std::string& name) {

@@ -35,6 +35,8 @@ class Table {
   std::optional<std::array<int, 2>> cell_counts(const std::string& name);
   /// A text; where words are declared, one of them that this version can do.
   std::optional<std::string> text(const std::string& name);
+  /// One of the declared words, or "" for false.
+  std::optional<std::string> word_or_false(const std::string& name);
   std::optional<std::vector<std::string>> texts(const std::string& name);
   /// A name that is not empty, one of `known` if that has any; messages call it a `what`.
   std::optional<std::string> known_name(const std::string& name, const std::string& what,
@@ -46,6 +48,8 @@ class Table {
   std::optional<assembly::VectorExpression> field_vector(const std::string& name);
   std::optional<Table> table(const std::string& name) const;
   std::vector<Table> tables(const std::string& name) const;
+  /// The keys that are not declared, in the order of the file: for sections that have other keys.
+  std::vector<std::pair<std::string, toml::value>> other_entries() const;
 
   nlohmann::json effective = nlohmann::json::object();
 

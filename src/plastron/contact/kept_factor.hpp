@@ -12,7 +12,7 @@ namespace plastron::contact {
 /// pinning another set of unknowns. `per_unknown`: operations of a factorisation by one thread that take as long as an unknown in two
 /// products, which form strains (benchmarks/step_cost; docs/performance.md).
 inline int affordable_steps(const algebra::Price& price, double unknowns) {
-  constexpr double per_unknown = 19000;
+  constexpr double per_unknown = 2200;
   const double step = price.apply + per_unknown * unknowns;
   return step > 0 ? static_cast<int>(price.pin / step) : 0;
 }

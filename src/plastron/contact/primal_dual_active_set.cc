@@ -38,12 +38,12 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   BoxSolution solution = unsolved(problem, Status::iteration_limit);
   if (!bounds_are_consistent(problem)) return unsolved(problem, Status::infeasible);
   if (!every_force_can_be_carried(problem)) return unsolved(problem, Status::not_carried);
-  PressedSubproblem subproblems(problem, preconditioner, settings);
+  PressedSubproblem subproblems(problem, preconditioner, settings);  // sees what becomes of the settings
   const bool proximal = may_take_proximal_points(problem);
   ActiveSet set = starting_set(problem, initial);
   auto first = proximal ? subproblems.solve(set) : subproblems.solve_first(initial, set);
   if (first && problem.pressing.empty() && count_active(problem, set) == 0) {
-    settings.detect_free_motions = false;  // what holds without any bound holds with more of them
+    settings.detect_free_motions = false;  // from here on: what holds without any bound holds with more of them
     first = start_among_fewer(problem, subproblems, std::move(*first), observer, set, solution);
   }
   const PlainEnd end = iterate_active_sets(problem, subproblems, std::move(first), settings, observer, set, solution);

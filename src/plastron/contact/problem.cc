@@ -6,9 +6,20 @@ namespace plastron::contact {
 
 std::span<const Status> statuses() {
   using enum Status;
-  static constexpr std::array all{solved,      iteration_limit,       cycling,    infeasible,  singular,    not_held,
-                                  not_carried, linear_solver_stalled, not_finite, interrupted, gap_not_met, inaccurate};
-  static_assert(all.size() == static_cast<std::size_t>(inaccurate) + 1, "inaccurate is the last");
+  static constexpr std::array all{solved,
+                                  iteration_limit,
+                                  cycling,
+                                  infeasible,
+                                  singular,
+                                  not_held,
+                                  not_carried,
+                                  linear_solver_stalled,
+                                  not_finite,
+                                  interrupted,
+                                  gap_not_met,
+                                  inaccurate,
+                                  accuracy_not_reached};
+  static_assert(all.size() == static_cast<std::size_t>(accuracy_not_reached) + 1, "it is the last");
   return all;
 }
 
@@ -38,6 +49,8 @@ std::string_view to_string(Status status) {
       return "interrupted";
     case Status::gap_not_met:
       return "gap_not_met";
+    case Status::accuracy_not_reached:
+      return "accuracy_not_reached";
   }
   return "unknown";
 }
@@ -79,6 +92,10 @@ std::string_view explain(Status status) {
       return "The gaps of curved obstacles, linearised where the shell was found, did not come to rest; use a smaller "
              "load or a finer "
              "mesh, or write linearised = true for the gaps of the undeformed shell.";
+    case Status::accuracy_not_reached:
+      return "The contact problem was solved, but not as accurately as was asked for: the best mesh that the limits of "
+             "unknowns and "
+             "time allow is reported; allow more, or ask for less.";
     case Status::interrupted:
       return "The computation was interrupted; what is reported is of the last mesh that was finished.";
   }

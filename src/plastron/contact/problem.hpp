@@ -59,7 +59,8 @@ enum class Status {
   not_finite,             ///< numbers overflowed or are no numbers
   interrupted,            ///< somebody asked to stop
   gap_not_met,            ///< solved, but what the bounds were linearised at is another point; set by who linearises
-  inaccurate              ///< solved, but what was recomputed independently misses its limit; set by who recomputes
+  inaccurate,             ///< solved, but what was recomputed independently misses its limit; set by who recomputes
+  accuracy_not_reached    ///< solved, but the estimated errors are above what was asked for; set by who estimates
 };
 std::string_view to_string(Status status);
 /// One sentence for the user: what happened and what to do.

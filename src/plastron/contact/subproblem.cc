@@ -53,8 +53,23 @@ std::optional<SubproblemPoint> SubproblemSolver::solve_first(std::span<const Act
 
 std::optional<SubproblemPoint> SubproblemSolver::solve(const ActiveSet& set) {
   PLASTRON_ASSERT(set.size() == problem_.load.owned().size(), set.size(), problem_.load.owned().size());
+  follow(set);
   if (auto point = solve_with_kept_factor(set)) return point;
   return solve_anew(set);
+}
+
+/// Pins where the preconditioner can at little cost, so that it is about `set` as nearly as it can be without being made anew.
+void SubproblemSolver::follow(const ActiveSet& set) {
+  if (settings_.detect_free_motions || !pinned_) return;
+  const std::vector<char> pins = preconditioner_.nearest_pins(held(set));
+  if (pins.empty()) return;
+  ActiveSet nearest = set;
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if (pins[i] != (set[i] != Activity::free)) nearest[i] = (*pinned_)[i];
+  if (preconditioner_.pin(pins, problem_.shift) == algebra::Pinning::done)
+    pinned_ = std::move(nearest);
+  else
+    pinned_.reset();
 }
 
 std::optional<SubproblemPoint> SubproblemSolver::solve_anew(const ActiveSet& set) {
@@ -106,8 +121,9 @@ std::optional<SubproblemPoint> SubproblemSolver::solve_with_kept_factor(const Ac
   if (settings_.detect_free_motions || problem_.equations || !pinned_ || !nearby_.layout()) return {};
   if (!preconditioner_.is_exact()) return {};
   const auto unknowns = static_cast<double>(nearby_.layout()->global_size) * nearby_.block();
-  const int steps =
-      steps_to_try(settings_.kept_factor, preconditioner_.price(), unknowns, count_changes(problem_, *pinned_, set));
+  const std::int64_t changes = count_changes(problem_, *pinned_, set);
+  if (changes == 0) return refine(set, algebra::Vector(nearby_.layout(), nearby_.block()));
+  const int steps = steps_to_try(settings_.kept_factor, preconditioner_.price(), unknowns, changes);
   if (steps == 0) return {};
   algebra::Vector z = nearby_;
   hold(set, z);

@@ -45,6 +45,7 @@ class SubproblemSolver {
 
  private:
   bool pin(const ActiveSet& set);
+  void follow(const ActiveSet& set);
   std::optional<SubproblemPoint> solve_with_kept_factor(const ActiveSet& set);
   void hold(const ActiveSet& set, algebra::Vector& z) const;
   algebra::CgResult solve_linear(const ActiveSet& set, const algebra::Vector& load, const algebra::CgSettings& settings,

@@ -35,6 +35,7 @@ class Interpolation {
   Interpolation(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
                 const ElementTables& tables, bool is_covariant);
 
+  bool is_covariant() const { return is_covariant_; }
   /// The moving bases at points of a cell; none for Cartesian interpolation.
   std::vector<geometry::MovingBasis> bases(std::size_t cell, std::span<const Vector2d> xi) const;
 

@@ -2,6 +2,7 @@
 #include <plastron/computation/cell_sizes.hpp>
 #include <plastron/computation/extent.hpp>
 #include <plastron/computation/locking.hpp>
+#include <plastron/computation/start_mesh.hpp>
 #include <plastron/examination/checks.hpp>
 
 #include <algorithm>
@@ -38,6 +39,12 @@ void check_precision(Examined& examined) {
       "may spoil about {:.1g} of forces and energy, and the certificate may call the result inaccurate; take fewer "
       "refinements, a lower degree or a thicker shell",
       residual);
+}
+
+void check_start_mesh(Examined& examined) {
+  const auto& problem = examined.problem;
+  const std::string text = computation::describe(computation::start_mesh(problem), problem);
+  if (!text.empty()) examined.add(Severity::note, "{}", text);
 }
 
 }  // namespace plastron::examination

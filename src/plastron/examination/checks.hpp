@@ -69,6 +69,8 @@ void check_locking(Examined& examined);
 void check_precision(Examined& examined);
 /// What rounding spoils of forces and energy where a shell bends, relative: the order of magnitude.
 double rounding_residual(const computation::Problem& problem);
+/// What rows of cells the mesh begins with, for the user to know.
+void check_start_mesh(Examined& examined);
 /// Probes lie in the domain.
 void check_lines(Examined& examined);
 void check_probes(Examined& examined);

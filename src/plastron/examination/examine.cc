@@ -4,6 +4,7 @@
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/gap.hpp>
+#include <plastron/computation/start_mesh.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 
@@ -19,7 +20,7 @@ std::shared_ptr<const fem::Space> sample_mesh(const computation::Problem& proble
   constexpr int enough_cells = 256;
   const computation::Discretisation& d = problem.discretisation;
   const int degree = d.cells == fem::Shape::triangle ? d.degree : std::clamp(d.degree, 2, 4);
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, d.cells), degree, MPI_COMM_SELF,
+  fem::MeshSequence meshes(computation::start_mesh(problem).coarse, degree, MPI_COMM_SELF,
                            computation::joining(problem));
   while (meshes.space()->global_cells < enough_cells) meshes.refine({});
   return meshes.space();
@@ -51,7 +52,7 @@ std::vector<Finding> findings_of(const computation::Problem& problem) {
     if (has_errors(examined.findings)) return examined.findings;
   }
   for (const auto check : {check_normals, check_seams, check_finite, check_surfaces, check_locking, check_precision,
-                           check_probes, check_lines})
+                           check_start_mesh, check_probes, check_lines})
     check(examined);
   // Values that are not finite would be found again, in other words.
   if (!has_errors(examined.findings)) check_inside_cells(examined);

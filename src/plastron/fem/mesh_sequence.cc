@@ -95,11 +95,27 @@ MeshSequence::MeshSequence(MeshSequence&&) noexcept = default;
 
 std::shared_ptr<const Space> MeshSequence::space() const { return storage_->finished; }
 
-void MeshSequence::refine(std::span<algebra::Vector> fields) {
+bool MeshSequence::is_graded() const { return std::holds_alternative<QuadrilateralSequence>(storage_->levels); }
+
+void MeshSequence::refine(std::span<algebra::Vector> fields) { refine_where(fields, {}); }
+
+void MeshSequence::refine(std::span<algebra::Vector> fields, std::span<const signed char> marks) {
+  PLASTRON_ASSERT(marks.size() == space()->owned_cells, marks.size(), space()->owned_cells);
+  const std::int64_t mine = std::ranges::count(marks, 1);
+  if (is_graded())
+    refine_where(fields, marks);
+  else if (algebra::sum_over_ranks(mine, space()->layout->comm) > 0)
+    refine_where(fields, {});
+}
+
+void MeshSequence::refine_where(std::span<algebra::Vector> fields, Marks marks) {
   const bool has_own_layout = storage_->finished->layout != storage_->bare()->layout;
   if (has_own_layout)
     for (algebra::Vector& field : fields) field = on_layout(storage_->bare()->layout, field);
-  std::visit([&](auto& levels) { levels.refine(fields); }, storage_->levels);
+  if (auto* cells = std::get_if<QuadrilateralSequence>(&storage_->levels))
+    cells->refine(fields, marks);
+  else
+    std::get<TriangleSequence>(storage_->levels).refine(fields);
   storage_->finish_level();
   if (storage_->finished->layout != storage_->bare()->layout)
     for (algebra::Vector& field : fields) field = on_layout(storage_->finished->layout, field);

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,16 @@ class MeshSequence {
   /// Divides every cell in four; every field (block values per node of the current space) is replaced by its
   /// interpolant on the new one (collective).
   void refine(std::span<algebra::Vector> fields);
+  /// The same cell by cell: marks of the owned cells are 1 to divide in four, 0 to keep, -1 to make one again with its three sisters if these
+  /// are marked, too. Neighbours differ by one level at most, so that more cells may be divided and fewer
+  /// joined than marked. Triangles are all divided if some are marked. (collective)
+  void refine(std::span<algebra::Vector> fields, std::span<const signed char> marks);
+  /// Whether cells can be divided one by one: quadrilaterals can.
+  bool is_graded() const;
 
  private:
+  using Marks = std::optional<std::span<const signed char>>;
+  void refine_where(std::span<algebra::Vector> fields, Marks marks);
   struct Storage;
   std::unique_ptr<Storage> storage_;
 };

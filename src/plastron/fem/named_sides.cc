@@ -34,8 +34,9 @@ NamedSides::NamedSides(const CoarseMesh& coarse)
     const auto first = std::ranges::lower_bound(edges, ends, {}, &MeshEdge::ends);
     const auto last = std::ranges::upper_bound(edges, ends, {}, &MeshEdge::ends);
     for (auto edge = first; edge != last; ++edge)
-      if (last - first == 1 || edge->is_forward == (a < b))
-        at(edge->cell, edge->side).boundaries.push_back(named.boundary);
+      (last - first == 1 || edge->is_forward == (a < b) ? at(edge->cell, edge->side).boundaries
+                                                        : at(edge->cell, edge->side).twin_boundaries)
+          .push_back(named.boundary);
   }
   for (std::size_t i = 0; i < edges.size(); ++i) {
     Side& side = at(edges[i].cell, edges[i].side);
@@ -52,8 +53,10 @@ void NamedSides::add_sides_of_last_cell(Space& space) const {
   for (int side = 0; side < sides; ++side) {
     const Side& coarse = sides_[static_cast<std::size_t>(cell.coarse) * static_cast<std::size_t>(sides) +
                                 static_cast<std::size_t>(side)];
-    if (coarse.boundaries.empty() || !lies_on_coarse_side(shape_, cell, side)) continue;
+    if ((coarse.boundaries.empty() && coarse.twin_boundaries.empty()) || !lies_on_coarse_side(shape_, cell, side))
+      continue;
     for (const int boundary : coarse.boundaries) space.sides.push_back({last, side, boundary, coarse.is_inner});
+    for (const int boundary : coarse.twin_boundaries) space.twin_sides.push_back({last, side, boundary, true});
   }
 }
 

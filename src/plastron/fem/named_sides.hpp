@@ -19,6 +19,7 @@ class NamedSides {
   Shape shape_;
   struct Side {
     std::vector<int> boundaries;  ///< indices into CoarseMesh::boundaries; -1 alone on an unnamed part of the boundary
+    std::vector<int> twin_boundaries{};  ///< those that the cell on the other side lists
     bool is_inner = false;
   };
   Side& at(std::size_t coarse_cell, int side);

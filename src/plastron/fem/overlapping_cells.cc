@@ -26,8 +26,13 @@ Box box_of(const CoarseCell& cell) {
   const auto add_all = [&](const std::vector<Vector2d>& nodes) {
     for (const Vector2d& p : nodes) box.add(p);
   };
-  if (const auto* square = std::get_if<LagrangeMap>(&cell.map.map)) add_all(square->nodes);
-  if (const auto* triangle = std::get_if<TriangleLagrangeMap>(&cell.map.map)) add_all(triangle->nodes);
+  if (const auto* square = std::get_if<LagrangeMap>(&cell.map.map))
+    add_all(square->nodes);
+  else if (const auto* triangle = std::get_if<TriangleLagrangeMap>(&cell.map.map))
+    add_all(triangle->nodes);
+  else
+    for (const double s : {0.0, 0.5, 1.0})
+      for (const double t : {0.0, 0.5, 1.0}) box.add(cell.map({s, t}).value);
   return box;
 }
 

@@ -2,6 +2,7 @@
 // (docs/decisions/0008-mesh-files.md).
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/mesh_build.hpp>
+#include <plastron/fem/polygon.hpp>
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -66,34 +67,13 @@ MeshData meshed(double scale) {
   return data;
 }
 
-bool is_convex_quadrilateral(const std::vector<Vector2d>& p) {
-  if (p.size() != 4) return false;
-  double sign = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vector2d a = p[(i + 1) % 4] - p[i], b = p[(i + 2) % 4] - p[(i + 1) % 4];
-    const double turn = a[0] * b[1] - a[1] * b[0];
-    if (turn * sign < 0 || std::abs(turn) < 1e-3 * a.norm() * b.norm()) return false;
-    sign = turn;
-  }
-  return true;
-}
-
-double signed_area(const std::vector<Vector2d>& p) {
-  double area = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vector2d& q = p[(i + 1) % p.size()];
-    area += (p[i][0] * q[1] - q[0] * p[i][1]) / 2;
-  }
-  return area;
-}
-
 CoarseMesh single_cell(const Polygon& polygon) {
   CoarseMesh mesh;
   mesh.vertices = polygon.corners;
   mesh.regions = {""};
   mesh.boundaries = boundary_names(Domain{polygon});
   for (int i = 0; i < 4; ++i) mesh.edges.push_back({{i, (i + 1) % 4}, i});
-  const bool anticlockwise = signed_area(polygon.corners) > 0;
+  const bool anticlockwise = signed_area(polygon) > 0;
   const std::array<int, 4> v = anticlockwise ? std::array{0, 1, 3, 2} : std::array{0, 3, 1, 2};
   const auto& p = polygon.corners;
   mesh.cells.push_back({v, 0, {LagrangeMap{1, {p[v[0]], p[v[1]], p[v[2]], p[v[3]]}}}});
@@ -111,13 +91,11 @@ double scale_of(const Polygon& polygon) {
 }
 
 /// Curve i is the side from corner i to the next, beginning with 1.
-void draw(const Polygon& polygon, double scale) {
+void draw(const Polygon& polygon, double length, double scale) {
   const auto& p = polygon.corners;
-  double perimeter = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) perimeter += (p[(i + 1) % p.size()] - p[i]).norm() / scale;
   std::vector<int> points, lines;
   for (const Vector2d& c : p)
-    points.push_back(gmsh::model::geo::addPoint(c[0] / scale, c[1] / scale, 0, perimeter / 8));
+    points.push_back(gmsh::model::geo::addPoint(c[0] / scale, c[1] / scale, 0, length / scale));
   for (std::size_t i = 0; i < p.size(); ++i)
     lines.push_back(gmsh::model::geo::addLine(points[i], points[(i + 1) % p.size()], static_cast<int>(i) + 1));
   gmsh::model::geo::addPlaneSurface({gmsh::model::geo::addCurveLoop(lines)}, 1);
@@ -126,13 +104,49 @@ void draw(const Polygon& polygon, double scale) {
 
 }  // namespace
 
+double signed_area(const Polygon& polygon) {
+  const auto& p = polygon.corners;
+  double area = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector2d& q = p[(i + 1) % p.size()];
+    area += (p[i][0] * q[1] - q[0] * p[i][1]) / 2;
+  }
+  return area;
+}
+
+double perimeter(const Polygon& polygon) {
+  const auto& p = polygon.corners;
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) sum += (p[(i + 1) % p.size()] - p[i]).norm();
+  return sum;
+}
+
+double inner_width(const Polygon& polygon) { return 2 * std::abs(signed_area(polygon)) / perimeter(polygon); }
+
+bool is_convex_quadrilateral(const Polygon& polygon) {
+  const auto& p = polygon.corners;
+  if (p.size() != 4) return false;
+  double sign = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vector2d a = p[(i + 1) % 4] - p[i], b = p[(i + 2) % 4] - p[(i + 1) % 4];
+    const double turn = a[0] * b[1] - a[1] * b[0];
+    if (turn * sign < 0 || std::abs(turn) < 1e-3 * a.norm() * b.norm()) return false;
+    sign = turn;
+  }
+  return true;
+}
+
 CoarseMesh mesh_polygon(const Polygon& polygon, Shape shape) {
-  if (is_convex_quadrilateral(polygon.corners))
+  if (is_convex_quadrilateral(polygon))
     return shape == Shape::triangle ? cut_crosswise(single_cell(polygon)) : single_cell(polygon);
+  return gmsh_polygon(polygon, shape, perimeter(polygon) / 8);
+}
+
+CoarseMesh gmsh_polygon(const Polygon& polygon, Shape shape, double length) {
   const GmshSession session;
   try {
     const double scale = scale_of(polygon);
-    draw(polygon, scale);
+    draw(polygon, length, scale);
     gmsh::option::setNumber("Mesh.RecombineAll", shape == Shape::quadrilateral ? 1 : 0);
     gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", shape == Shape::quadrilateral ? 1 : 0);
     gmsh::model::mesh::generate(2);

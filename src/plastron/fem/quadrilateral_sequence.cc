@@ -1,5 +1,6 @@
 #include <plastron/fem/quadrilateral_sequence.hpp>
 
+#include <plastron/fem/hanging_nodes.hpp>
 #include <plastron/fem/named_sides.hpp>
 
 #include <deal.II/base/multithread_info.h>
@@ -9,6 +10,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <p4est.h>
@@ -95,6 +97,8 @@ struct QuadrilateralSequence::Storage {
   void create();
   void flatten();
   std::shared_ptr<const algebra::Layout> make_layout();
+  std::vector<HangingNode> hanging_nodes() const;
+  void mark_cells(const Marks& marks);
   template <class Accessor>
   void add_cell(const Accessor& cell, const std::vector<unsigned int>& from_lexicographic, Space& target) const;
   DealVector make_vector() const { return {dofs.locally_owned_dofs(), relevant, triangulation.get_communicator()}; }
@@ -141,6 +145,35 @@ void QuadrilateralSequence::Storage::add_cell(const Accessor& cell, const std::v
   sides->add_sides_of_last_cell(target);
 }
 
+/// Those that this rank owns.
+std::vector<HangingNode> QuadrilateralSequence::Storage::hanging_nodes() const {
+  dealii::AffineConstraints<double> constraints(relevant);
+  dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
+  std::vector<HangingNode> all;
+  for (const auto& line : constraints.get_lines()) {
+    if (!dofs.locally_owned_dofs().is_element(line.index)) continue;
+    HangingNode& node = all.emplace_back(HangingNode{.node = static_cast<algebra::GlobalIndex>(line.index)});
+    for (const auto& [master, weight] : line.entries)
+      node.masters.emplace_back(static_cast<algebra::GlobalIndex>(master), weight);
+  }
+  return all;
+}
+
+void QuadrilateralSequence::Storage::mark_cells(const Marks& marks) {
+  if (!marks) {
+    triangulation.set_all_refine_flags();
+    return;
+  }
+  std::size_t next = 0;
+  for (const auto& cell : dofs.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    const signed char mark = (*marks)[next++];
+    if (mark > 0) cell->set_refine_flag();
+    if (mark < 0 && cell->level() > 0) cell->set_coarsen_flag();
+  }
+  PLASTRON_ASSERT(next == marks->size(), next, marks->size());
+}
+
 void QuadrilateralSequence::Storage::flatten() {
   dofs.distribute_dofs(element);
   Space flat{.degree = static_cast<int>(element.degree), .coarse = coarse, .layout = make_layout()};
@@ -152,6 +185,7 @@ void QuadrilateralSequence::Storage::flatten() {
   for (const auto& cell : dofs.active_cell_iterators())
     if (cell->is_ghost()) add_cell(cell, from_lexicographic, flat);
   flat.global_cells = static_cast<std::int64_t>(triangulation.n_global_active_cells());
+  tie_hanging_nodes(flat, hanging_nodes());
   space = std::make_shared<const Space>(std::move(flat));
 }
 
@@ -167,7 +201,7 @@ QuadrilateralSequence::QuadrilateralSequence(QuadrilateralSequence&&) noexcept =
 
 std::shared_ptr<const Space> QuadrilateralSequence::space() const { return storage_->space; }
 
-void QuadrilateralSequence::refine(std::span<algebra::Vector> fields) {
+void QuadrilateralSequence::refine(std::span<algebra::Vector> fields, Marks marks) {
   Storage& s = *storage_;
   // deal.II carries scalar fields: one vector for each component of each node field.
   std::vector<DealVector> before;
@@ -186,7 +220,7 @@ void QuadrilateralSequence::refine(std::span<algebra::Vector> fields) {
   }
 
   dealii::parallel::distributed::SolutionTransfer<2, DealVector> transfer(s.dofs);
-  s.triangulation.set_all_refine_flags();
+  s.mark_cells(marks);
   s.triangulation.prepare_coarsening_and_refinement();
   if (!inputs.empty()) transfer.prepare_for_coarsening_and_refinement(inputs);
   s.triangulation.execute_coarsening_and_refinement();

@@ -1,11 +1,12 @@
-// Nested meshes of quadrilaterals: a distributed quadtree over the coarse mesh, refined level by level. The only file
-// that sees deal.II's meshes.
+// Nested meshes of quadrilaterals: a distributed quadtree over the coarse mesh, refined level by level,
+// everywhere or where asked for. The only file that sees deal.II's meshes.
 #pragma once
 #include <plastron/fem/space.hpp>
 
 #include <mpi.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace plastron::fem {
@@ -17,9 +18,12 @@ class QuadrilateralSequence {
   ~QuadrilateralSequence();
   QuadrilateralSequence(QuadrilateralSequence&&) noexcept;
 
+  /// Of the owned cells, one by one; none divides all.
+  using Marks = std::optional<std::span<const signed char>>;
+
   std::shared_ptr<const Space> space() const;
   /// See MeshSequence::refine.
-  void refine(std::span<algebra::Vector> fields);
+  void refine(std::span<algebra::Vector> fields, Marks marks);
 
  private:
   struct Storage;

@@ -8,7 +8,9 @@
 #include <plastron/algebra/matrix.hpp>
 #include <plastron/fem/coarse_mesh.hpp>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -21,6 +23,10 @@ struct Cell {
   Vector2d corner = Vector2d::Zero();  ///< the cell's xi = 0 in the coarse cell's coordinates
   double size = 1;                     ///< side in the coarse cell's coordinates, with the sign above
 };
+
+/// Where a cell lies, in integers: corner = (i, j) / |divisions| in its coarse cell, size = 1 / divisions.
+using CellPlace = std::array<std::int32_t, 4>;  ///< coarse cell, divisions, i, j
+CellPlace place_of(const Cell& cell);
 
 /// A side of a cell on the boundary of the domain or on a named curve inside of it. A side with several names is listed
 /// once for each; a side on an inner curve is listed for one of its two cells (named_sides.hpp).
@@ -47,8 +53,10 @@ struct Space {
   std::size_t owned_cells = 0;
   algebra::Connectivity connectivity{};  ///< nodes of all of `cells`
   std::vector<BoundarySide> sides{};     ///< of all of `cells`
-  std::vector<Tie> ties{};               ///< of all local nodes, ascending; their masters are local, too
-  bool has_ties = false;                 ///< on some rank
+  /// Of inner curves, seen from the cells on their other side: where cells differ in size these have nodes that `sides` has not.
+  std::vector<BoundarySide> twin_sides{};
+  std::vector<Tie> ties{};  ///< of all local nodes, ascending; their masters are local, too
+  bool has_ties = false;    ///< on some rank
   /// Nodes whose (u, r) follow from others' by matrices, see carried_nodes.hpp; null where no rank has any.
   std::shared_ptr<const CarriedNodes> carried{};
   std::int64_t global_cells = 0;

@@ -10,16 +10,19 @@
 
 namespace plastron::fem {
 
+const geometry::Chart& chart_of_region(const std::map<std::string, geometry::Chart>& charts,
+                                       const std::string& region) {
+  auto found = charts.find(region);
+  if (found == charts.end() && charts.size() == 1 && charts.begin()->first.empty()) found = charts.begin();
+  if (found == charts.end())
+    throw DomainError(
+        fmt::format("the region \"{}\" has no chart; write chart = {{ {} = [...], ... }}", region, region));
+  return found->second;
+}
+
 Surface::Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts)
     : coarse_(std::move(coarse)) {
-  for (const std::string& region : coarse_->regions) {
-    auto found = charts.find(region);
-    if (found == charts.end() && charts.size() == 1 && charts.begin()->first.empty()) found = charts.begin();
-    if (found == charts.end())
-      throw DomainError(
-          fmt::format("the region \"{}\" has no chart; write chart = {{ {} = [...], ... }}", region, region));
-    charts_.push_back(found->second);
-  }
+  for (const std::string& region : coarse_->regions) charts_.push_back(chart_of_region(charts, region));
   for (const auto& [name, chart] : charts)
     if (!name.empty() && std::ranges::find(coarse_->regions, name) == coarse_->regions.end())
       throw DomainError(fmt::format("there is a chart for the region \"{}\", which the mesh does not have; it has: {}",

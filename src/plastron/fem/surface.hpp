@@ -12,6 +12,9 @@
 
 namespace plastron::fem {
 
+/// The chart of a region: the one of its name, or the only one there is if that has no name. Throws DomainError if there is none.
+const geometry::Chart& chart_of_region(const std::map<std::string, geometry::Chart>& charts, const std::string& region);
+
 class Surface {
  public:
   /// One chart per region name of the mesh. Throws DomainError for missing or unknown regions.

@@ -41,6 +41,10 @@ const std::vector<Part>& parts() {
       part("obstacles/*/zones/*/", "each connected contact zone", zone_quantities()),
       probes("probes/*/", "fields at each [[probe]], by its name"),
       probes("history/*/probes/*/", "fields at each [[probe]] then"),
+      part("estimates/",
+           "how far the last solution is thought to be from the exact one; null where that was not estimated",
+           estimate_quantities()),
+      part("estimates/goals/*/", "the error of each number that was asked for", goal_quantities()),
       part("certificate/", "how well the result satisfies the equations", certificate_quantities()),
       part("levels/*/", "each mesh of the sequence", level_quantities()),
       part("levels/*/history/*/", "each active-set iteration on it", iteration_quantities())};

@@ -221,6 +221,7 @@ std::span<const Quantity<computation::Level>> level_quantities() {
       {"seconds/iteration", "s", "the rest of the active-set iteration",
        [](const Level& l) { return number(l.seconds.iteration); }},
       {"seconds/certificate", "s", "the certificate", [](const Level& l) { return number(l.seconds.certificate); }},
+      {"seconds/estimates", "s", "estimates of errors", [](const Level& l) { return number(l.seconds.estimates); }},
       {"seconds/total", "s", "all of these", [](const Level& l) { return number(l.seconds.total()); }},
   };
   return all;

@@ -38,6 +38,10 @@ std::span<const Quantity<certificate::BodyReaction>> rigid_body_quantities();
 std::span<const Quantity<computation::Result>> contact_quantities();
 /// Null as a whole where the case wants no admissible solution; paths inside "contact.admissible".
 std::span<const Quantity<computation::Result>> admissible_quantities();
+/// Null as a whole where errors were not estimated; paths inside "estimates".
+std::span<const Quantity<computation::Result>> estimate_quantities();
+/// Paths inside "estimates.goals[]".
+std::span<const Quantity<estimation::GoalEstimate>> goal_quantities();
 /// Paths inside "obstacles[]".
 std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities();
 /// Paths inside "history[]".

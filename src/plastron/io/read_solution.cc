@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -25,24 +26,70 @@ std::uintmax_t size_of_file(const std::filesystem::path& path) {
   return size;
 }
 
+/// The file up to its cells.
+class SolutionFile {
+ public:
+  explicit SolutionFile(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) {
+    size_ = size_of_file(path_);
+    if (!file_) refuse("the file cannot be read");
+    if (size_ < sizeof header_) refuse("the file is too short to hold a solution");
+    read(&header_, sizeof header_);
+    check_format();
+  }
+
+  /// To be asked before cells are read, and after what else the header says was found to be right: that explains more.
+  void check_size() const {
+    constexpr std::int64_t most_cells = std::int64_t{1} << 40;  // keeps sizes from overflowing
+    const auto cells = static_cast<std::uintmax_t>(std::min(header_.cells, most_cells));
+    const std::uintmax_t wanted = preamble_size(header_) + cells * record_size(header_, nodes_per_cell());
+    if (size_ != wanted)
+      refuse(fmt::format("the file has {} bytes where its header makes {}: it is not complete, or not whole", size_,
+                         wanted));
+  }
+
+  const SolutionHeader& header() const { return header_; }
+  int nodes_per_cell() const {
+    const auto shape = header_.corners == 3 ? fem::Shape::triangle : fem::Shape::quadrilateral;
+    return fem::nodes_per_cell(shape, static_cast<int>(header_.degree));
+  }
+  void read(void* to, std::size_t bytes) {
+    if (!file_.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes))) refuse("the file cannot be read");
+  }
+  void skip(std::size_t bytes) { file_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur); }
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw UnusableResults(fmt::format("{}: {}", path_.string(), what));
+  }
+
+ private:
+  void check_format() const {
+    constexpr std::uint32_t most_obstacles = 10000;
+    const SolutionHeader ours;
+    if (header_.magic != ours.magic) refuse("this is no solution of Plastron: the file begins otherwise");
+    if (header_.version != ours.version)
+      refuse(fmt::format("the file has version {} of the format; this program reads version {}", header_.version,
+                         ours.version));
+    const bool is_sound = (header_.corners == 3 || header_.corners == 4) && header_.degree >= 1 &&
+                          header_.degree <= 8 && header_.obstacles <= most_obstacles && header_.has_multiplier <= 1 &&
+                          header_.has_lifts <= 1 && header_.is_deformed <= 1 && header_.cells >= 0 &&
+                          std::isfinite(header_.time) && std::isfinite(header_.load_factor);
+    if (!is_sound) refuse("the header holds values that no solution has");
+  }
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  std::uintmax_t size_ = 0;
+  SolutionHeader header_{};
+};
+
 class SolutionReader {
  public:
   SolutionReader(std::filesystem::path path, const fem::Space& space, const SolutionShape& shape)
-      : path_(std::move(path)), space_(space), shape_(shape), file_(path_, std::ios::binary) {
-    const std::uintmax_t size = size_of_file(path_);
-    if (!file_) refuse("the file cannot be read");
-    if (size < sizeof header_) refuse("the file is too short to hold a solution");
-    read(&header_, sizeof header_);
-    check_format();
+      : file_(std::move(path)), header_(file_.header()), space_(space), shape_(shape) {
     check_problem();
-    const std::uintmax_t wanted = preamble_size(header_) + static_cast<std::uintmax_t>(header_.cells) *
-                                                               record_size(header_, space_.nodes_per_cell());
-    if (size != wanted)
-      refuse(fmt::format("the file has {} bytes where its header makes {}: it is not complete, or not whole", size,
-                         wanted));
+    file_.check_size();
     obstacles_.resize(header_.obstacles);
     for (ObstacleRecord& record : obstacles_) {
-      read(&record, sizeof record);
+      file_.read(&record, sizeof record);
       if (!std::isfinite(record[0]) || !std::isfinite(record[1])) refuse("an obstacle's position is not finite");
     }
   }
@@ -53,14 +100,14 @@ class SolutionReader {
   /// Calls take(node, values) for each node of each cell that this rank owns.
   template <class Take>
   void for_nodes(const Take& take) {
-    std::map<CellPlace, std::size_t> mine;
+    std::map<fem::CellPlace, std::size_t> mine;
     for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) mine.emplace(cell_head(space_, cell).place, cell);
     const std::size_t per_node = header_.values_per_node();
     std::vector<double> values(static_cast<std::size_t>(space_.nodes_per_cell()) * per_node);
     for (std::int64_t record = 0; record < header_.cells; ++record) {
       CellHead head;
-      read(&head, sizeof head);
-      read(values.data(), values.size() * sizeof(double));
+      file_.read(&head, sizeof head);
+      file_.read(values.data(), values.size() * sizeof(double));
       const auto found = mine.find(head.place);
       if (found == mine.end()) continue;
       check_record(head, found->second, values);
@@ -72,22 +119,10 @@ class SolutionReader {
     if (!mine.empty()) refuse("the file has not all cells of the case's finest mesh, or some twice");
   }
 
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw UnusableResults(fmt::format("{}: {}", path_.string(), what));
-  }
+  [[noreturn]] void refuse(const std::string& what) const { file_.refuse(what); }
 
  private:
-  void read(void* to, std::size_t bytes) {
-    if (!file_.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes))) refuse("the file cannot be read");
-  }
-  void check_format() const {
-    const SolutionHeader ours;
-    if (header_.magic != ours.magic) refuse("this is no solution of Plastron: the file begins otherwise");
-    if (header_.version != ours.version)
-      refuse(fmt::format("the file has version {} of the format; this program reads version {}", header_.version,
-                         ours.version));
-  }
-  /// The mesh and the problem have to be those of the file. Also what keeps sizes from overflowing.
+  /// The mesh and the problem have to be those of the file.
   void check_problem() const {
     const auto same = [this](const char* what, std::int64_t found, std::int64_t wanted) {
       if (found != wanted) refuse(fmt::format("the file has {} {}, the case makes it {}", found, what, wanted));
@@ -99,8 +134,6 @@ class SolutionReader {
     same("lifts a gap", header_.has_lifts, shape_.has_lifts ? 1 : 0);
     same("cells", header_.cells, space_.global_cells);
     same("nodes", header_.nodes, space_.layout->global_size);
-    if (header_.is_deformed > 1 || !std::isfinite(header_.time) || !std::isfinite(header_.load_factor))
-      refuse("the header holds values that no solution has");
   }
   void check_record(const CellHead& head, std::size_t cell, const std::vector<double>& values) const {
     const CellHead ours = cell_head(space_, cell);
@@ -116,11 +149,10 @@ class SolutionReader {
         refuse(fmt::format("a value in the cell at ({:g}, {:g}) is not finite", ours.at[0], ours.at[1]));
   }
 
-  std::filesystem::path path_;
+  SolutionFile file_;
+  SolutionHeader header_;
   const fem::Space& space_;
   const SolutionShape& shape_;
-  std::ifstream file_;
-  SolutionHeader header_{};
   std::vector<ObstacleRecord> obstacles_{};
 };
 
@@ -158,6 +190,23 @@ void check_ghosts(algebra::Vector& field, const std::vector<char>& is_read, cons
 }
 
 }  // namespace
+
+std::vector<fem::CellPlace> stored_cells(const std::filesystem::path& path, MPI_Comm comm) {
+  return algebra::in_agreement<UnusableResults>(comm, [&] {
+    SolutionFile file(path);
+    file.check_size();
+    const std::size_t record = record_size(file.header(), file.nodes_per_cell());
+    file.skip(file.header().obstacles * sizeof(ObstacleRecord));
+    std::vector<fem::CellPlace> places(static_cast<std::size_t>(file.header().cells));
+    for (fem::CellPlace& place : places) {
+      CellHead head;
+      file.read(&head, sizeof head);
+      file.skip(record - sizeof head);
+      place = head.place;
+    }
+    return places;
+  });
+}
 
 computation::StoredSolution read_solution(const std::filesystem::path& path,
                                           const std::shared_ptr<const fem::Space>& space, const SolutionShape& shape) {

@@ -1,5 +1,6 @@
 #include <plastron/io/report.hpp>
 
+#include <plastron/io/base64.hpp>
 #include <plastron/io/embedded_page.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/report_case.hpp>

@@ -1,6 +1,5 @@
 #include <plastron/io/report_html.hpp>
 
-#include <deal.II/base/utilities.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,13 +45,6 @@ std::string script_json(const Json& json) {
     result += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return result;
 }
-
-std::string base64(std::span<const std::byte> bytes) {
-  const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
-  return dealii::Utilities::encode_base64({first, first + bytes.size()});
-}
-
-std::string base64(const std::string& bytes) { return base64(std::as_bytes(std::span(bytes.data(), bytes.size()))); }
 
 std::string html_number(const Json& value, std::string_view path, double scale) {
   if (value.is_null()) return "<span class=\"rounding\">none</span>";

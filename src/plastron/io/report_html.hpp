@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <initializer_list>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,10 +17,6 @@ std::string valid_utf8(const std::string& text);
 std::string html_text(std::string_view text);
 /// JSON that no HTML parser takes for markup inside of a script element: every '<' is written \u003c.
 std::string script_json(const Json& json);
-/// Standard alphabet, with padding.
-std::string base64(std::span<const std::byte> bytes);
-std::string base64(const std::string& bytes);
-
 /// Seven digits, or "none" for null; three digits and muted where it is rounding beside `scale`. The span carries the place in results.json and
 /// all digits for who looks: data-path, title.
 std::string html_number(const Json& value, std::string_view path = "", double scale = 0);

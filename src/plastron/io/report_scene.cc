@@ -1,8 +1,8 @@
 #include <plastron/io/report_scene.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/io/base64.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
-#include <plastron/io/report_html.hpp>
 #include <plastron/io/report_surface.hpp>
 #include <plastron/io/thinned_surface.hpp>
 

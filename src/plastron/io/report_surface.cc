@@ -21,21 +21,22 @@ struct PointRecords {
 
 std::int64_t points_in(fem::Shape shape, int subdivisions) { return fem::nodes_per_cell(shape, subdivisions); }
 
-/// A cell's block of 2^merged cells a side: in the coarse cell's coordinates, like fem::Cell.
+/// A cell's block of finest cells, 2^merged a side, or the cell itself where it is larger: in the coarse cell's coordinates, like fem::Cell.
 struct Block {
   Key key;
   fem::Cell cell;
 };
 
-Block block_of(const fem::Cell& cell, fem::Shape shape, int merged) {
-  const double size = std::ldexp(std::abs(cell.size), merged);
+Block block_of(const fem::Cell& cell, fem::Shape shape, const DrawnCells& drawn) {
+  const double finest = std::ldexp(1.0, -drawn.levels);
+  const double size = std::max(std::abs(cell.size), std::ldexp(finest, drawn.merged_levels));
   const Eigen::Vector2d middle = (cell.corner + cell.size * fem::centre(shape)) / size;
   const Eigen::Vector2d low(std::floor(middle[0]), std::floor(middle[1]));
   const bool is_turned = shape == fem::Shape::triangle && (middle - low).sum() > 1;
   const Eigen::Vector2d corner = is_turned ? (low + Eigen::Vector2d::Ones()).eval() : low;
-  return {
-      {cell.coarse, static_cast<std::int64_t>(low[1]), 2 * static_cast<std::int64_t>(low[0]) + (is_turned ? 1 : 0), 0},
-      {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
+  const auto place = [&](double multiple) { return static_cast<std::int64_t>(multiple * size / finest); };
+  return {{cell.coarse, place(low[1]), 2 * place(low[0]) + (is_turned ? 1 : 0), 0},
+          {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
 }
 
 /// Whether corner k of the cell is that of its block.
@@ -63,7 +64,7 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
                                     solution.recovery);
   const int slots = static_cast<int>(points_in(shape, drawn.subdivisions));
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
-    const Block block = block_of(space.cells[cell], shape, drawn.merged_levels);
+    const Block block = block_of(space.cells[cell], shape, drawn);
     std::vector<int> wanted;
     for (int k = 0; k < slots; ++k)
       if (drawn.merged_levels == 0 || is_blocks_corner(space.cells[cell], block.cell, shape, k)) wanted.push_back(k);
@@ -110,22 +111,33 @@ std::vector<std::vector<float>> in_rows(const PointRecords& records) {
   return result;
 }
 
-/// How often the coarse cells were refined; the same everywhere.
-int refinement_levels(const fem::Space& space) {
-  int levels = space.owned_cells > 0 ? -std::ilogb(std::abs(space.cells.front().size)) : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &levels, 1, MPI_INT, MPI_MAX, space.layout->comm);
-  return levels;
+/// How many cells there are, on all ranks, that are coarse ones divided 0, 1, 2, ... times; the last ones are the finest.
+std::vector<std::int64_t> cells_by_level(const fem::Space& space) {
+  constexpr int most_levels = 64;
+  std::vector<std::int64_t> counts(most_levels, 0);
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+    ++counts.at(static_cast<std::size_t>(-std::ilogb(std::abs(space.cells[cell].size))));
+  MPI_Allreduce(MPI_IN_PLACE, counts.data(), most_levels, MPI_INT64_T, MPI_SUM, space.layout->comm);
+  while (counts.size() > 1 && counts.back() == 0) counts.pop_back();
+  return counts;
 }
 
 }  // namespace
 
-DrawnCells drawn_cells(fem::Shape shape, int degree, std::int64_t cells, int levels, std::int64_t most_points) {
+DrawnCells drawn_cells(fem::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
+                       std::int64_t most_points) {
+  const int levels = static_cast<int>(cells_by_level.size()) - 1;
+  const auto blocks = [&](int merged) {
+    double count = 0;  // cells of several sizes make up a block together
+    for (int level = 0; level <= levels; ++level)
+      count += std::ldexp(static_cast<double>(cells_by_level[static_cast<std::size_t>(level)]),
+                          -2 * std::max(0, level - levels + merged));
+    return std::llround(count);
+  };
   for (int n = degree; n >= 1; --n)
-    if (cells * points_in(shape, n) <= most_points) return {n, 0, cells};
-  for (int merged = 1; merged <= levels; ++merged) {
-    const std::int64_t blocks = cells >> (2 * merged);
-    if (blocks * points_in(shape, 1) <= most_points) return {1, merged, blocks};
-  }
+    if (blocks(0) * points_in(shape, n) <= most_points) return {n, 0, levels, blocks(0)};
+  for (int merged = 1; merged <= levels; ++merged)
+    if (blocks(merged) * points_in(shape, 1) <= most_points) return {1, merged, levels, blocks(merged)};
   return {};
 }
 
@@ -144,7 +156,7 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
   SampledSurface surface;
   surface.fields =
       report_fields(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
-  surface.cells = drawn_cells(space.shape(), space.degree, space.global_cells, refinement_levels(space), most_points);
+  surface.cells = drawn_cells(space.shape(), space.degree, cells_by_level(space), most_points);
   if (surface.cells.count == 0) return surface;
   surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);
   const PointRecords mine =

@@ -5,20 +5,23 @@
 #include <plastron/io/fields.hpp>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace plastron::io {
 
 /// Cells that are drawn, which may be blocks of the mesh's own.
 struct DrawnCells {
-  int subdivisions = 1;    ///< lattice of points in each: fem::lattice
-  int merged_levels = 0;   ///< a drawn cell is a block of 2^merged_levels cells a side, back in their coarse cell
+  int subdivisions = 1;   ///< lattice of points in each: fem::lattice
+  int merged_levels = 0;  ///< a drawn cell is a block of 2^merged_levels of the finest cells a side, or one larger cell
+  int levels = 0;         ///< how often the coarse cells were divided for the finest ones
   std::int64_t count = 0;  ///< 0: the page cannot hold the surface
 };
 
-/// The finest drawing of at most `most_points` points: subdivisions up to the degree, then one a cell, then blocks of cells as far as these come
-/// from one coarse cell, refined `levels` times.
-DrawnCells drawn_cells(fem::Shape shape, int degree, std::int64_t cells, int levels, std::int64_t most_points);
+/// The finest drawing of at most `most_points` points: subdivisions up to the degree, then one a cell, then blocks of the smallest cells as far
+/// as these come from one coarse cell. `cells_by_level`: how many were divided 0, 1, 2, ... times.
+DrawnCells drawn_cells(fem::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
+                       std::int64_t most_points);
 
 struct SampledSurface {
   DrawnCells cells;

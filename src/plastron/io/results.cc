@@ -79,6 +79,14 @@ Json contact_json(const computation::Result& result) {
   return json;
 }
 
+Json estimates_json(const computation::Result& result) {
+  if (!result.estimates) return nullptr;
+  Json json = record_json(estimate_quantities(), result);
+  json["goals"] = Json::array();
+  for (const auto& goal : result.estimates->goals) json["goals"].push_back(record_json(goal_quantities(), goal));
+  return json;
+}
+
 Json level_json(const computation::Level& level) {
   Json json = record_json(level_quantities(), level);
   json["history"] = Json::array();
@@ -133,6 +141,12 @@ Json fields_json(const computation::Result& result, const std::vector<double>& h
   for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result), heights))
     list.push_back(
         {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
+  if (result.estimates)
+    list.push_back({{"key", "error_indicator"},
+                    {"arrays", {"error_indicator"}},
+                    {"symbol", "a(e, e)"},
+                    {"unit", "J"},
+                    {"meaning", "of a cell: its part of the squared error in the energy norm, as estimated"}});
   return list;
 }
 
@@ -162,6 +176,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   for (const auto& contact : result.summary.obstacles) json["obstacles"].push_back(obstacle_json(contact));
   json["probes"] = probes_json(result.probes, result);
   json["history"] = history_json(result);
+  json["estimates"] = estimates_json(result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
   json["certificate_limits"] = limits_json(result);
   json["levels"] = Json::array();

@@ -123,6 +123,7 @@ Json results_schema() {
   }
   Json& contact = schema["properties"]["contact"];
   contact["type"] = contact["properties"]["admissible"]["type"] = Json::array({"object", "null"});
+  schema["properties"]["estimates"]["type"] = Json::array({"object", "null"});
   add_others(schema);
   return schema;
 }

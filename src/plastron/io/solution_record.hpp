@@ -34,12 +34,9 @@ static_assert(sizeof(SolutionHeader) == 64);
 /// Of each obstacle, after the header: how far its force had pressed it where its gaps are linearised, and from there [m].
 using ObstacleRecord = std::array<double, 2>;
 
-/// Where a cell lies, in integers: corner = (i, j) / |divisions| in its coarse cell, size = 1 / divisions.
-using CellPlace = std::array<std::int32_t, 4>;  ///< coarse cell, divisions, i, j
-
 /// The start of a record; values of its nodes follow, node by node.
 struct CellHead {
-  CellPlace place{};
+  fem::CellPlace place{};
   std::array<double, 6> at{};  ///< xi = (0, 0), (1, 0) and (0, 1) in Omega: another mesh has others
 };
 static_assert(sizeof(CellHead) == 64);

@@ -63,6 +63,8 @@ GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& 
       fields_of(!solution.discrete->obstacles.empty(),
                 solution.discrete->tangency.formulation == element::Formulation::mixed, choice.heights);
   piece.point_arrays = arrays_of(present);
+  if (solution.cell_errors.size() == space.owned_cells)
+    piece.cell_arrays.push_back({.name = "error_indicator", .unit = "J", .values = solution.cell_errors});
   const recovery::Recovery recovery(*solution.discrete, solution.nodal, xi, solution.recovery);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
     for (const recovery::PointValues& point : recovery(cell)) {

@@ -1,16 +1,26 @@
 #include <plastron/io/vtu_piece.hpp>
 
-#include <plastron/io/report_html.hpp>
+#include <plastron/algebra/threads.hpp>
+#include <plastron/io/base64.hpp>
 
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
+#include <future>
 #include <stdexcept>
 
 namespace plastron::io {
 
 namespace {
+
+/// Whether another thread pays.
+bool has_many_values(const GridArray& array) {
+  constexpr std::size_t many_values = 10000;
+  return array.values.size() >= many_values;
+}
 
 /// One compressed block with VTK's header before it: number of blocks, bytes of a block, of the last one if that is smaller (else 0), and of
 /// the block as compressed.
@@ -69,14 +79,36 @@ constexpr std::string_view vtu_header =
     "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n";
 constexpr std::string_view vtu_footer = "  </UnstructuredGrid>\n</VTKFile>\n";
 
+/// To compress them is most of the work of writing fields, hence by as many threads as there may be.
+std::vector<std::string> arrays_text(const std::vector<GridArray>& arrays, bool is_double) {
+  std::vector<std::string> texts(arrays.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t k = next++; k < texts.size(); k = next++)
+      texts[k] = real_array(attributes_of(arrays[k]), arrays[k].values, is_double);
+  };
+  std::vector<std::future<void>> others;
+  for (int thread = 1; thread < algebra::most_threads() && std::ranges::any_of(arrays, has_many_values); ++thread)
+    others.push_back(std::async(std::launch::async, work));
+  work();
+  for (auto& other : others) other.get();
+  return texts;
+}
+
 std::string piece_text(const GridPiece& piece, bool is_double) {
   if (piece.connectivity.empty()) return "";
   std::string text = fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", piece.points.size() / 3,
                                  piece.connectivity.size() / piece.points_per_cell);
   text += "      <Points>\n" + real_array("NumberOfComponents=\"3\"", piece.points, is_double) + "      </Points>\n";
   text += cells_text(piece) + "      <PointData>\n";
-  for (const GridArray& array : piece.point_arrays) text += real_array(attributes_of(array), array.values, is_double);
-  return text + "      </PointData>\n    </Piece>\n";
+  for (const std::string& array : arrays_text(piece.point_arrays, is_double)) text += array;
+  text += "      </PointData>\n";
+  if (!piece.cell_arrays.empty()) {
+    text += "      <CellData>\n";
+    for (const std::string& array : arrays_text(piece.cell_arrays, is_double)) text += array;
+    text += "      </CellData>\n";
+  }
+  return text + "    </Piece>\n";
 }
 
 }  // namespace

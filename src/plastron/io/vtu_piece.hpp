@@ -26,6 +26,7 @@ struct GridPiece {
   std::vector<double> points{};              ///< three coordinates each
   std::vector<std::int64_t> connectivity{};  ///< points of the piece, cell after cell, in VTK's order
   std::vector<GridArray> point_arrays{};
+  std::vector<GridArray> cell_arrays{};
 };
 
 /// Adds a .vtu file of the pieces of all ranks; those without cells are left out. Numbers are rounded to single precision unless `is_double`, then

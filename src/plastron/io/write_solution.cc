@@ -1,15 +1,11 @@
 #include <plastron/io/solution_file.hpp>
 #include <plastron/io/solution_record.hpp>
 
-#include <cmath>
-
 namespace plastron::io {
 
 CellHead cell_head(const fem::Space& space, std::size_t cell) {
   const fem::Cell& c = space.cells[cell];
-  const auto divisions = static_cast<std::int32_t>(std::lround(1 / c.size));
-  const auto in_parts = [&](double x) { return static_cast<std::int32_t>(std::lround(x * std::abs(divisions))); };
-  CellHead head{.place = {c.coarse, divisions, in_parts(c.corner[0]), in_parts(c.corner[1])}};
+  CellHead head{.place = fem::place_of(c)};
   const fem::CellMap& map = space.coarse->cells[static_cast<std::size_t>(c.coarse)].map;
   std::size_t next = 0;
   for (const Eigen::Vector2d& xi : {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)})

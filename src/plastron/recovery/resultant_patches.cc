@@ -66,10 +66,11 @@ void add_points(const Vector3d& vertex, const CellResultants& cell, std::span<do
 
 }  // namespace
 
-ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution)
+ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution, int degree)
     : space_(discrete.space()),
       corners_(fem::corner_count(space_.shape())),
-      terms_(Eigen::Index{space_.degree + 1} * (space_.degree + 2) / 2),
+      degree_(degree),
+      terms_(Eigen::Index{degree + 1} * (degree + 2) / 2),
       vertices_(space_) {
   const auto resultants = all_resultants(discrete, solution);
   find_planes(discrete, resultants);
@@ -136,7 +137,7 @@ ResultantPatches::Plane ResultantPatches::plane_of(algebra::LocalIndex vertex, c
 
 Eigen::RowVectorXd ResultantPatches::basis(const Plane& plane, const Vector3d& position) const {
   const Vector3d d = position - plane.position;
-  const int degree = space_.degree;
+  const int degree = degree_;
   std::array<std::vector<double>, 2> chebyshev;
   const std::array<double, 2> s{d.dot(plane.axes.t1) / plane.half_size[0], d.dot(plane.axes.t2) / plane.half_size[1]};
   for (std::size_t a = 0; a < 2; ++a) {

@@ -13,8 +13,11 @@ namespace plastron::recovery {
 
 class ResultantPatches {
  public:
-  /// (collective)
-  ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
+  /// Polynomials of the elements' degree (collective).
+  ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution)
+      : ResultantPatches(discrete, solution, discrete.space().degree) {}
+  /// Polynomials of another degree, of which the points of a patch have to know enough.
+  ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution, int degree);
 
   /// At the point xi of an owned cell, whose position and axes are given, in these axes; empty if no vertex of the cell has a patch.
   std::optional<Resultants> at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
@@ -38,6 +41,7 @@ class ResultantPatches {
 
   const fem::Space& space_;
   int corners_;
+  int degree_;
   Eigen::Index terms_;  ///< of a polynomial
   Vertices vertices_;
   std::vector<Plane> planes_{};

@@ -17,6 +17,8 @@ constexpr std::array<std::string_view, 1> of_stability{"factors"};
 std::span<const KindName> kind_names() {
   static constexpr std::array all{
       KindName{"convergence", "how fast the error falls with the mesh size", of_convergence},
+      KindName{"adaptivity",
+               "what an accuracy costs on graded and on uniform meshes, and whether estimated errors are true"},
       KindName{"penalty", "whether the penalised solution converges as p goes to zero"},
       KindName{"thickness", "what happens as the thickness goes to zero", of_thickness},
       KindName{"continuity", "whether the solution depends continuously on load, thickness and obstacle",

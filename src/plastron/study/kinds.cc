@@ -1,5 +1,6 @@
 #include <plastron/study/kinds.hpp>
 
+#include <plastron/study/adaptivity.hpp>
 #include <plastron/study/compare.hpp>
 #include <plastron/study/compare_solvers.hpp>
 #include <plastron/study/continuity.hpp>
@@ -20,7 +21,7 @@ using Variants = decltype(Kind::variants);
 
 Kind kind_of(std::string_view name, Run run, Variants variants = nullptr) {
   const KindName& of = *find_kind_name(name);
-  return {of.name, of.question, run, of.options, variants};
+  return {of.name, of.question, run, of.options, variants, run == adaptivity};
 }
 
 }  // namespace
@@ -28,6 +29,7 @@ Kind kind_of(std::string_view name, Run run, Variants variants = nullptr) {
 std::span<const Kind> kinds() {
   static const std::array all{
       kind_of("convergence", convergence),
+      kind_of("adaptivity", adaptivity),
       kind_of("penalty", penalty, penalty_variants),
       kind_of("thickness", thickness, thickness_study_variants),
       kind_of("continuity", continuity, continuity_variants),

@@ -43,6 +43,7 @@ struct Kind {
   std::span<const std::string_view> options{};
   /// What it computes beside the case and cannot do without; null if nothing of its own could be refused.
   std::vector<Variant> (*variants)(const computation::Problem&, const StudyOptions&) = nullptr;
+  bool grades_meshes = false;  ///< meshes follow from the case's accuracy; others compare uniform ones
 };
 
 /// All studies, in the order of kind_names(). A new one is a line there and one in kinds.cc.

@@ -1,0 +1,15 @@
+// Whether a launcher of parallel jobs (mpiexec, srun) started this process; known before MPI starts, from the environment alone.
+#pragma once
+#include <cstdlib>
+#include <initializer_list>
+
+namespace plastron::algebra {
+
+/// The rank that the launcher gave this process, as text; null if there was none.
+inline const char* rank_of_launcher() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "SLURM_PROCID"})
+    if (const char* value = std::getenv(name)) return value;
+  return nullptr;
+}
+
+}  // namespace plastron::algebra

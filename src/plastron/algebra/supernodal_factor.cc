@@ -1,0 +1,221 @@
+#include "supernodal_factor.hpp"
+
+#include <plastron/algebra/threads.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace plastron::algebra {
+namespace {
+
+/// Unknowns beside the movable ones for which a border is made: so many that their right-hand sides cost about as much as half a factorisation,
+/// by counts.
+std::size_t largest_border(const FactorisationCost& cost) {
+  constexpr double per_entry = 24, fewest = 8, most = 48;
+  return static_cast<std::size_t>(std::clamp(cost.operations / (per_entry * cost.entries + 1), fewest, most));
+}
+
+/// Where the entry of block k stands in the lower half, and its value, for all entries: take(row, column, value).
+template <class Take>
+void for_entries(const Matrix::Storage& A, const std::vector<int>& place, const std::vector<double>& pins, double shift,
+                 const Take& take) {
+  const auto m = static_cast<std::size_t>(A.block);
+  for (LocalIndex row = 0; row < A.layout->owned; ++row)
+    for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k) {
+      const bool on_diagonal = A.column[k] == row;
+      const std::size_t i0 = static_cast<std::size_t>(row) * m, j0 = static_cast<std::size_t>(A.column[k]) * m;
+      const double* B = A.block_at(k);
+      for (std::size_t a = 0; a < m; ++a)
+        for (std::size_t b = on_diagonal ? a : 0; b < m; ++b) {
+          const std::size_t i = i0 + a, j = j0 + b;
+          double value = i == j ? (1 + shift) * B[a * m + b] : B[a * m + b];
+          if (pins[i] != 0 || pins[j] != 0) value = i == j ? pins[i] : 0.0;
+          const auto [column, below] = std::minmax(place[i], place[j]);
+          take(below, column, value);
+        }
+    }
+}
+
+/// The lower half by columns, in the order of elimination; the caller frees it.
+cholmod_sparse* lower_half(const Matrix::Storage& A, const std::vector<int>& place, const std::vector<double>& pins,
+                           double shift, cholmod_common& common) {
+  const std::size_t n = A.owned_unknowns();
+  std::vector<int> start(n + 1, 0);
+  for_entries(A, place, pins, shift, [&](int, int column, double) { ++start[static_cast<std::size_t>(column) + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  cholmod_sparse* half =
+      cholmod_allocate_sparse(n, n, static_cast<std::size_t>(start.back()), 0, 1, -1, CHOLMOD_REAL, &common);
+  cholmod_check(common, "making room for a matrix");
+  std::ranges::copy(start, static_cast<int*>(half->p));
+  int* rows = static_cast<int*>(half->i);
+  double* values = static_cast<double*>(half->x);
+  for_entries(A, place, pins, shift, [&](int row, int column, double value) {
+    const int k = start[static_cast<std::size_t>(column)]++;
+    rows[k] = row;
+    values[k] = value;
+  });
+  return half;
+}
+
+/// Columns of ours as CHOLMOD sees them.
+cholmod_dense columns_of(std::vector<double>& values, std::size_t count) {
+  cholmod_dense dense{};
+  dense.nzmax = values.size();
+  dense.nrow = dense.d = values.size() / count;
+  dense.ncol = count;
+  dense.x = values.data();
+  dense.xtype = CHOLMOD_REAL;
+  dense.dtype = CHOLMOD_DOUBLE;
+  return dense;
+}
+
+}  // namespace
+
+SupernodalFactor::SupernodalFactor(const Matrix::Storage& A, std::span<const char> movable)
+    : A_(A), movable_(movable.begin(), movable.end()) {
+  cholmod_start(&common_);
+  common_.print = 0;
+  analyse();
+}
+
+SupernodalFactor::~SupernodalFactor() {
+  cholmod_free_factor(&factor_, &common_);
+  cholmod_finish(&common_);
+}
+
+void SupernodalFactor::analyse() {
+  cholmod_free_factor(&factor_, &common_);
+  elimination_ = eliminate(A_, movable_, common_, factor_);
+}
+
+std::vector<char> SupernodalFactor::nearest_pins(std::span<const char> wanted) const {
+  if (movable_.empty() || !is_factorised_) return {};
+  std::vector<char> pins(wanted.begin(), wanted.end());
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < pins.size(); ++i) others += !movable_[i] && (wanted[i] != 0) != is_pinned_in_factor(i);
+  if (others <= largest_border(cost())) return pins;
+  for (std::size_t i = 0; i < pins.size(); ++i)
+    if (!movable_[i]) pins[i] = is_pinned_in_factor(i);
+  return pins;
+}
+
+bool SupernodalFactor::is_within_reach(const std::vector<double>& pinned_diagonal, double shift) const {
+  if (movable_.empty() || !is_factorised_ || shift != shift_) return false;
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < movable_.size(); ++i)
+    others += !movable_[i] && (pinned_diagonal[i] != 0) != is_pinned_in_factor(i);
+  return others <= largest_border(cost());
+}
+
+bool SupernodalFactor::factorise(const std::vector<double>& pinned_diagonal, double shift) {
+  border_ = PinBorder();
+  if (!is_within_reach(pinned_diagonal, shift) && !factorise_all(pinned_diagonal, shift)) return false;
+  pins_ = pinned_diagonal;
+  return movable_.empty() || (pin_tail() && pin_border());
+}
+
+/// With nothing pinned among the movable. Where that leaves a motion free, none are movable from here on.
+bool SupernodalFactor::factorise_all(const std::vector<double>& pinned_diagonal, double shift) {
+  const double begin = MPI_Wtime();
+  std::vector<double> pins = pinned_diagonal;
+  for (std::size_t i = 0; i < movable_.size(); ++i)
+    if (movable_[i]) pins[i] = 0;
+  cholmod_sparse* half = lower_half(A_, elimination_.place, pins, shift, common_);
+  {
+    const BlasThreads threads(threads_for(elimination_.cost.operations));
+    cholmod_factorize(half, factor_, &common_);
+  }
+  cholmod_free_sparse(&half, &common_);
+  ++factorisations_;
+  cholmod_check(common_, "factorising a matrix");
+  seconds_ += MPI_Wtime() - begin;
+  is_factorised_ = common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
+  shift_ = shift;
+  factor_pins_ = std::move(pins);
+  if (is_factorised_) take_tail();
+  if (is_factorised_ || movable_.empty()) return is_factorised_;
+  movable_.clear();
+  analyse();
+  return factorise_all(pinned_diagonal, shift);
+}
+
+void SupernodalFactor::take_tail() {
+  const auto size = static_cast<std::size_t>(elimination_.last), n = factor_->n, first = n - size;
+  if (size == 0) {
+    tail_ = TailComplement();
+    return;
+  }
+  std::vector<double> L(size * size, 0.0);
+  const int *super = static_cast<int*>(factor_->super), *pi = static_cast<int*>(factor_->pi),
+            *px = static_cast<int*>(factor_->px), *s = static_cast<int*>(factor_->s);
+  const double* x = static_cast<double*>(factor_->x);
+  for (std::size_t k = 0; k < factor_->nsuper; ++k) {
+    const int length = pi[k + 1] - pi[k];
+    for (int c = 0; c < super[k + 1] - super[k]; ++c) {
+      const auto column = static_cast<std::size_t>(super[k] + c);
+      for (int r = c; column >= first && r < length; ++r)
+        L[(column - first) * size + static_cast<std::size_t>(s[pi[k] + r]) - first] = x[px[k] + c * length + r];
+    }
+  }
+  tail_ = TailComplement(size, std::move(L));
+}
+
+bool SupernodalFactor::pin_tail() {
+  std::vector<char> pinned(tail_.size());
+  const std::size_t first = A_.owned_unknowns() - tail_.size();
+  for (std::size_t i = 0; i < movable_.size(); ++i)
+    if (movable_[i]) pinned[static_cast<std::size_t>(elimination_.place[i]) - first] = pins_[i] != 0;
+  return tail_.pin(pinned);
+}
+
+bool SupernodalFactor::pin_border() {
+  std::vector<std::size_t> let_go, pinned;
+  std::vector<char> free(movable_.size());
+  for (std::size_t i = 0; i < movable_.size(); ++i) {
+    free[i] = movable_[i] ? pins_[i] == 0 : !is_pinned_in_factor(i);
+    if (!movable_[i] && pins_[i] == 0 && is_pinned_in_factor(i)) let_go.push_back(i);
+    if (!movable_[i] && pins_[i] != 0 && !is_pinned_in_factor(i)) pinned.push_back(i);
+  }
+  border_ = PinBorder(A_, shift_, std::move(let_go), std::move(pinned), free,
+                      [this](std::vector<double>& columns, std::size_t count) { solve_free(columns, count); });
+  return border_.is_regular();
+}
+
+/// In place, with the pins of factor and tail; right-hand sides are zero where pinned. Some at a time: they share the reading of the factor.
+void SupernodalFactor::solve_free(std::vector<double>& columns, std::size_t count) {
+  constexpr std::size_t at_a_time = 8;
+  const std::size_t n = A_.owned_unknowns();
+  std::vector<double> ordered, space;
+  for (std::size_t first = 0; first < count; first += at_a_time) {
+    const std::size_t some = std::min(at_a_time, count - first);
+    ordered.resize(some * n);
+    space.resize(some * std::max<std::size_t>(1, factor_->maxesize));
+    const auto place = [&](std::size_t c, std::size_t i) {
+      return c * n + static_cast<std::size_t>(elimination_.place[i]);
+    };
+    for (std::size_t c = 0; c < some; ++c)
+      for (std::size_t i = 0; i < n; ++i) ordered[place(c, i)] = columns[(first + c) * n + i];
+    cholmod_dense right = columns_of(ordered, some), work = columns_of(space, some);
+    cholmod_super_lsolve(factor_, &right, &work, &common_);
+    for (std::size_t c = 0; c < some; ++c)
+      tail_.solve(std::span(ordered).subspan((c + 1) * n - tail_.size(), tail_.size()));
+    cholmod_super_ltsolve(factor_, &right, &work, &common_);
+    for (std::size_t c = 0; c < some; ++c)
+      for (std::size_t i = 0; i < n; ++i) columns[(first + c) * n + i] = ordered[place(c, i)];
+  }
+}
+
+void SupernodalFactor::solve(std::span<const double> b, std::span<double> x) {
+  if (b.empty()) return;
+  const bool moves = !movable_.empty();
+  std::vector<double> columns(b.begin(), b.end()), at_let_go;
+  for (const std::size_t i : border_.let_go()) at_let_go.push_back(b[i]);
+  for (std::size_t i = 0; moves && i < b.size(); ++i)
+    if (pins_[i] != 0 || is_pinned_in_factor(i)) columns[i] = 0;
+  solve_free(columns, 1);
+  border_.correct(at_let_go, columns);
+  for (std::size_t i = 0; i < b.size(); ++i) x[i] = moves && pins_[i] != 0 ? b[i] / pins_[i] : columns[i];
+}
+
+}  // namespace plastron::algebra

@@ -1,0 +1,30 @@
+// The unknowns eliminated last, when all others are gone: with the factor's last block L they have the Schur complement S = L L', dense. Pinning
+// some of them is a matter of S alone: the others F get the factor of S_FF.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace plastron::algebra {
+
+class TailComplement {
+ public:
+  TailComplement() = default;
+  /// L by columns, `size` x `size`, zero above the diagonal.
+  TailComplement(std::size_t size, std::vector<double> factor);
+
+  /// Factorises S without the pinned ones. False if a pivot is not positive.
+  bool pin(const std::vector<char>& pinned);
+  /// From v = L^{-1} b, as the elimination of the others leaves it, to L' z with S_FF z_F = b_F and z = 0 where pinned.
+  void solve(std::span<double> v) const;
+  std::size_t size() const { return size_; }
+
+ private:
+  std::size_t size_ = 0;
+  std::vector<double> factor_{};      ///< L
+  std::vector<double> complement_{};  ///< S, its lower half
+  std::vector<std::size_t> free_{};
+  std::vector<double> free_factor_{};  ///< of S_FF
+};
+
+}  // namespace plastron::algebra

@@ -1,0 +1,162 @@
+#include <plastron/assembly/cell_packs.hpp>
+
+#include <plastron/element/line_tables.hpp>
+
+namespace plastron::assembly {
+
+using geometry::SurfaceJet;
+using geometry::Vector3d;
+
+CellPacks::Table::Table(const Eigen::MatrixXd& table)
+    : values(static_cast<std::size_t>(table.size())),
+      transposed(values.size()),
+      rows(static_cast<int>(table.rows())),
+      columns(static_cast<int>(table.cols())) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<RowMajor>(values.data(), table.rows(), table.cols()) = table;
+  Eigen::Map<RowMajor>(transposed.data(), table.cols(), table.rows()) = table.transpose();
+}
+
+CellPacks::CellPacks(const fem::Space& space, const fem::Surface& surface, const CrossSections& sections,
+                     const element::ElementTables& tables, const PackKernels& kernels)
+    : kernels_(&kernels),
+      kind_(tables.shape == fem::Shape::triangle ? PackedCells::Kind::plain
+            : tables.tying                       ? PackedCells::Kind::tied
+                                                 : PackedCells::Kind::square),
+      xi_(tables.quadrature.xi),
+      weights_(tables.weights) {
+  set_tables(tables);
+  std::size_t sampling_points = 0;
+  for (const auto& xi : sampling_xi_) sampling_points += xi.size();
+  const std::size_t packs = (space.owned_cells + lanes() - 1) / lanes();
+  const auto lines = [&](std::size_t quantities) { return (packs * quantities * lanes() + 7) / 8; };
+  points_.resize(lines(xi_.size() * PackedCells::point_size));
+  samplings_.resize(lines(sampling_points * PackedCells::sampling_size));
+  materials_.resize(lines(PackedCells::material_size));
+  for (std::size_t to = 0; to < packs * lanes(); ++to) {
+    // Lanes without a cell compute something finite.
+    const fem::Cell& cell = space.cells[std::min(to, space.owned_cells - 1)];
+    const CrossSection& section = sections.at(*space.coarse, cell);
+    set_points(surface, section, cell, to);
+    set_sampling_points(surface, cell, to);
+    const shell::Material& m = section.material;
+    const double quantities[] = {m.lambda_plane_stress(), m.mu, m.shear_correction * m.mu, m.young()};
+    for (std::size_t k = 0; k < std::size(quantities); ++k)
+      data(materials_)[place(to, 1, 0, PackedCells::material_size) + k * lanes()] = quantities[k];
+  }
+}
+
+void CellPacks::set_tables(const element::ElementTables& tables) {
+  if (kind_ == PackedCells::Kind::plain) {
+    cell_value_ = Table(tables.quadrature.value);
+    cell_d1_ = Table(tables.quadrature.d1);
+    cell_d2_ = Table(tables.quadrature.d2);
+    return;
+  }
+  const element::LineTables line = element::line_tables(tables.degree);
+  value_ = Table(line.full.value);
+  d_ = Table(line.full.d);
+  if (kind_ == PackedCells::Kind::square) return;
+  reduced_value_ = Table(line.reduced.value);
+  reduced_d_ = Table(line.reduced.d);
+  from_reduced_ = Table(line.from_reduced);
+  for (const element::Sampling& sampling : tables.samplings) sampling_xi_.push_back(sampling.basis.xi);
+}
+
+void CellPacks::set_points(const fem::Surface& surface, const CrossSection& section, const fem::Cell& cell,
+                           std::size_t to) {
+  std::vector<SurfaceJet> jets(xi_.size());
+  std::vector<double> x(xi_.size()), y(xi_.size()), e(xi_.size());
+  surface.jets(cell, xi_, jets);
+  surface.positions(cell, xi_, x, y);
+  section.thickness.evaluate(x, y, e);
+  for (std::size_t q = 0; q < xi_.size(); ++q) {
+    const Vector3d a3 = geometry::unit_normal(jets[q]);
+    double* out = data(points_) + place(to, xi_.size(), q, PackedCells::point_size);
+    const auto put = [&](double quantity) {
+      *out = quantity;
+      out += lanes();
+    };
+    for (const Vector3d& a : jets[q].d)
+      for (const double component : a) put(component);
+    for (const std::size_t k : {0, 2, 1}) put(jets[q].dd[k].dot(a3));
+    put(e[q]);
+  }
+}
+
+void CellPacks::set_sampling_points(const fem::Surface& surface, const fem::Cell& cell, std::size_t to) {
+  std::size_t points = 0, first = 0;
+  for (const auto& xi : sampling_xi_) points += xi.size();
+  for (std::size_t set = 0; set < sampling_xi_.size(); ++set) {
+    std::vector<SurfaceJet> jets(sampling_xi_[set].size());
+    surface.jets(cell, sampling_xi_[set], jets, false);
+    for (std::size_t t = 0; t < jets.size(); ++t) {
+      double* out = data(samplings_) + place(to, points, first + t, PackedCells::sampling_size);
+      const Vector3d a3 = geometry::unit_normal(jets[t]);
+      const Vector3d& one = set == 1 ? jets[t].d[1] : jets[t].d[0];
+      const Vector3d& other = set == 2 ? jets[t].d[1] : a3;
+      for (std::size_t k = 0; k < 3; ++k) {
+        out[k * lanes()] = one[static_cast<Eigen::Index>(k)];
+        out[(3 + k) * lanes()] = other[static_cast<Eigen::Index>(k)];
+      }
+    }
+    first += jets.size();
+  }
+}
+
+geometry::Frame CellPacks::frame(std::size_t cell, std::size_t q) const {
+  const double* in = point(cell, q);
+  const auto vector = [&](std::size_t first) {
+    return Vector3d(in[first * lanes()], in[(first + 1) * lanes()], in[(first + 2) * lanes()]);
+  };
+  // A jet with this curvature: its second derivatives along the tangents matter to nobody.
+  SurfaceJet jet{.d = {vector(0), vector(3)}};
+  const Vector3d a3 = geometry::unit_normal(jet);
+  jet.dd = {in[6 * lanes()] * a3, in[8 * lanes()] * a3, in[7 * lanes()] * a3};
+  return geometry::frame_at(jet);
+}
+
+SamplingPoint CellPacks::sampling_point(std::size_t set, std::size_t cell, std::size_t t) const {
+  if (sampling_xi_.empty()) {
+    const geometry::Frame f = frame(cell, t);
+    return {f.a_cov, f.a3};
+  }
+  std::size_t points = 0, first = 0;
+  for (std::size_t s = 0; s < sampling_xi_.size(); ++s) {
+    if (s == set) first = points;
+    points += sampling_xi_[s].size();
+  }
+  const double* in = data(samplings_) + place(cell, points, first + t, PackedCells::sampling_size);
+  const Vector3d one(in[0], in[lanes()], in[2 * lanes()]), other(in[3 * lanes()], in[4 * lanes()], in[5 * lanes()]);
+  switch (static_cast<element::TiedGroup>(set)) {
+    case element::TiedGroup::along_1:
+      return {.a_cov = {one, Vector3d::Zero()}, .a3 = other};
+    case element::TiedGroup::along_2:
+      return {.a_cov = {Vector3d::Zero(), one}, .a3 = other};
+    case element::TiedGroup::mixed:
+      break;
+  }
+  return {.a_cov = {one, other}};
+}
+
+PackedCells CellPacks::view(const fem::Space& space) const {
+  return {.kind = kind_,
+          .cells = space.owned_cells,
+          .nodes_per_cell = space.nodes_per_cell(),
+          .points_per_cell = static_cast<int>(weights_.size()),
+          .nodes = space.owned_cells ? space.nodes(0).data() : nullptr,
+          .points = data(points_),
+          .samplings = data(samplings_),
+          .materials = data(materials_),
+          .weights = weights_.data(),
+          .value = value_.view(),
+          .d = d_.view(),
+          .reduced_value = reduced_value_.view(),
+          .reduced_d = reduced_d_.view(),
+          .from_reduced = from_reduced_.view(),
+          .cell_value = cell_value_.view(),
+          .cell_d1 = cell_d1_.view(),
+          .cell_d2 = cell_d2_.view()};
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,29 @@
+#include <plastron/assembly/pack_kernels.hpp>
+
+#include <vector>
+
+namespace plastron::assembly {
+
+// Each in an object file of its own, for the compiler is told the instructions by file (src/plastron/CMakeLists.txt).
+extern const PackKernels common_kernels;
+#ifdef __x86_64__
+extern const PackKernels avx2_kernels;
+extern const PackKernels avx512_kernels;
+#endif
+
+std::span<const PackKernels* const> pack_kernels() {
+  static const std::vector<const PackKernels*> available = [] {
+    std::vector<const PackKernels*> kernels;
+#ifdef __x86_64__
+    __builtin_cpu_init();
+    const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (has_avx2 && __builtin_cpu_supports("avx512f")) kernels.push_back(&avx512_kernels);
+    if (has_avx2) kernels.push_back(&avx2_kernels);
+#endif
+    kernels.push_back(&common_kernels);
+    return kernels;
+  }();
+  return available;
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,103 @@
+// The formulas of shell/ at a point of a pack of cells: frame and section stiffness from what is stored, strains (M4-M6), stresses (M8)
+// and the transposed strain maps. Tests hold them to shell/'s.
+#pragma once
+#include <plastron/assembly/pack_lanes.hpp>
+
+namespace plastron::assembly::PLASTRON_PACK_NAMESPACE {
+
+struct Vector {
+  Pack x, y, z;
+};
+inline Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vector operator*(const Pack& s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
+inline Pack dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// Three quantities `step` apart.
+inline Vector vector_at(const Pack* at, int step) { return {at[0], at[step], at[2 * step]}; }
+inline void put(const Vector& v, Pack* at, int step) {
+  at[0] = v.x;
+  at[step] = v.y;
+  at[2 * step] = v.z;
+}
+
+/// Strains or stresses: 11, 22, 12, and the two of shear.
+struct Strains {
+  Pack membrane[3], bending[3], shear[2];
+};
+
+struct Frame {
+  Vector a1, a2, a3, da1, da2;  ///< tangents, normal, its derivatives
+  Pack g11, g12, g22;           ///< a^{ab}
+  Pack sqrt_a, thickness;
+};
+
+inline Frame frame_at(const Pack* point) {
+  Frame f;
+  f.a1 = vector_at(point, 1);
+  f.a2 = vector_at(point + 3, 1);
+  const Vector n = cross(f.a1, f.a2);
+  const Pack squared = dot(n, n), inverse = 1 / squared;
+  f.sqrt_a = square_root(squared);
+  f.a3 = (f.sqrt_a * inverse) * n;
+  f.g11 = inverse * dot(f.a2, f.a2);
+  f.g22 = inverse * dot(f.a1, f.a1);
+  f.g12 = -inverse * dot(f.a1, f.a2);
+  const Pack b11 = point[6], b22 = point[7], b12 = point[8];
+  f.da1 = -(b11 * f.g11 + b12 * f.g12) * f.a1 + -(b11 * f.g12 + b12 * f.g22) * f.a2;
+  f.da2 = -(b12 * f.g11 + b22 * f.g12) * f.a1 + -(b12 * f.g12 + b22 * f.g22) * f.a2;
+  f.thickness = point[9];
+  return f;
+}
+
+struct Derivatives {
+  Vector u1, u2, r1, r2;  ///< d_1 u, d_2 u, d_1 r, d_2 r
+};
+
+/// (M4), (M6)
+inline void set_membrane_and_shear(const Derivatives& d, const Vector& r, const Frame& f, Strains& s) {
+  s.membrane[0] = dot(d.u1, f.a1);
+  s.membrane[1] = dot(d.u2, f.a2);
+  s.membrane[2] = dot(d.u1, f.a2) + dot(d.u2, f.a1);
+  s.shear[0] = dot(d.u1, f.a3) + dot(r, f.a1);
+  s.shear[1] = dot(d.u2, f.a3) + dot(r, f.a2);
+}
+/// (M5)
+inline void set_bending(const Derivatives& d, const Frame& f, Strains& s) {
+  s.bending[0] = dot(d.u1, f.da1) + dot(d.r1, f.a1);
+  s.bending[1] = dot(d.u2, f.da2) + dot(d.r2, f.a2);
+  s.bending[2] = dot(d.u1, f.da2) + dot(d.u2, f.da1) + dot(d.r1, f.a2) + dot(d.r2, f.a1);
+}
+
+/// (M8): stresses times the area of the point.
+inline Strains stresses_of(const Strains& s, const Frame& f, const Pack* material, double weight) {
+  const Pack e = f.thickness, scale = weight * f.sqrt_a * e, bending = scale * e * e * (1.0 / 12);
+  const Pack l = material[0], mu = material[1], both = l + 2 * mu;
+  const Pack c00 = both * f.g11 * f.g11, c02 = both * f.g11 * f.g12, c11 = both * f.g22 * f.g22,
+             c12 = both * f.g22 * f.g12, mixed = f.g11 * f.g22, square = f.g12 * f.g12,
+             c01 = l * mixed + 2 * mu * square, c22 = l * square + mu * (mixed + square);
+  const auto times = [&](const Pack* strain, Pack factor, Pack* stress) {
+    stress[0] = factor * (c00 * strain[0] + c01 * strain[1] + c02 * strain[2]);
+    stress[1] = factor * (c01 * strain[0] + c11 * strain[1] + c12 * strain[2]);
+    stress[2] = factor * (c02 * strain[0] + c12 * strain[1] + c22 * strain[2]);
+  };
+  Strains n;
+  times(s.membrane, scale, n.membrane);
+  times(s.bending, bending, n.bending);
+  const Pack shear = scale * material[2];
+  n.shear[0] = shear * (f.g11 * s.shear[0] + f.g12 * s.shear[1]);
+  n.shear[1] = shear * (f.g12 * s.shear[0] + f.g22 * s.shear[1]);
+  return n;
+}
+
+inline Derivatives bending_dual(const Pack* m, const Frame& f) {
+  return {m[0] * f.da1 + m[2] * f.da2, m[2] * f.da1 + m[1] * f.da2, m[0] * f.a1 + m[2] * f.a2,
+          m[2] * f.a1 + m[1] * f.a2};
+}
+inline void add_membrane_and_shear_dual(const Strains& n, const Frame& f, Derivatives& d) {
+  d.u1 = d.u1 + (n.membrane[0] * f.a1 + n.membrane[2] * f.a2 + n.shear[0] * f.a3);
+  d.u2 = d.u2 + (n.membrane[2] * f.a1 + n.membrane[1] * f.a2 + n.shear[1] * f.a3);
+}
+
+}  // namespace plastron::assembly::PLASTRON_PACK_NAMESPACE

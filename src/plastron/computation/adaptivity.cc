@@ -1,0 +1,175 @@
+#include <plastron/computation/adaptivity.hpp>
+
+#include <plastron/algebra/vector.hpp>
+#include <plastron/computation/goal_names.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::computation {
+
+namespace {
+
+/// Of the owned cells: the largest part that any goal's error has in a cell, over what is allowed.
+std::vector<double> indicators(const fem::Space& space, const std::vector<GoalRecord>& records,
+                               const estimation::Estimates& estimates) {
+  std::vector<double> all(space.owned_cells, 0.0);
+  for (std::size_t g = 0; g < records.size(); ++g) {
+    const std::vector<double>& cells = estimates.goals[g].cells;
+    for (std::size_t c = 0; c < cells.size(); ++c) all[c] = std::max(all[c], std::abs(cells[c]) / records[g].allowed());
+  }
+  return all;
+}
+
+/// The largest threshold above which cells make up `share` of the whole, to within a hundredth, so that cells that are alike by symmetry
+/// are not told apart by rounding (collective).
+double threshold(const std::vector<double>& indicators, double share, MPI_Comm comm) {
+  double sum = 0, most = 0;
+  for (const double x : indicators) {
+    sum += x;
+    most = std::max(most, x);
+  }
+  const double whole = algebra::sum_over_ranks(sum, comm);
+  double at = algebra::max_over_ranks(most, comm);
+  if (!(whole > 0)) return std::numeric_limits<double>::infinity();
+  constexpr double step = 0.97;
+  for (double part = 0; part < share * whole;) {
+    at *= step;
+    double mine = 0;
+    for (const double x : indicators)
+      if (x > at) mine += x;
+    part = algebra::sum_over_ranks(mine, comm);
+  }
+  return at;
+}
+
+/// Sum of the norms of what obstacles bear [N].
+double obstacle_forces(const certificate::Summary& summary) {
+  double sum = 0;
+  for (const certificate::ObstacleContact& obstacle : summary.obstacles) sum += obstacle.reaction.force.norm();
+  return sum;
+}
+
+/// What an error is relative to where the value itself is smaller: components that vanish by symmetry have no digits, nor has the sum of
+/// obstacles that press against each other.
+double least_scale(const estimation::Functional& functional, const certificate::Summary& summary) {
+  using namespace estimation;
+  constexpr double as_good_as_zero = 1e-3;  // of the largest of a kind of numbers
+  const double forces = std::max(summary.load_norms, obstacle_forces(summary));
+  if (const auto* force = std::get_if<ObstacleForce>(&functional))
+    return force->obstacle || force->component ? as_good_as_zero * forces : obstacle_forces(summary);
+  if (std::holds_alternative<SupportForce>(functional)) return as_good_as_zero * forces;
+  if (const auto* point = std::get_if<PointDisplacement>(&functional))
+    return as_good_as_zero * (point->component < 3 ? summary.max_displacement : summary.max_rotation);
+  return std::holds_alternative<ObstaclePosition>(functional) ? as_good_as_zero * summary.max_displacement : 0;
+}
+
+}  // namespace
+
+std::vector<GoalRecord> goal_records(const Problem& problem, const estimation::Estimates& estimates,
+                                     const certificate::Summary& summary) {
+  const std::vector<estimation::Goal> goals = estimated_goals(problem);
+  std::vector<GoalRecord> records;
+  for (std::size_t g = 0; g < goals.size(); ++g) {
+    const estimation::GoalEstimate& found = estimates.goals[g];
+    const double least = least_scale(goals[g].functional, summary);
+    records.push_back({.name = found.name,
+                       .value = found.value,
+                       .estimate = found.estimate,
+                       .error = found.error(),
+                       .tolerance = problem.accuracy->goals[g].tolerance,
+                       .scale = std::max(std::abs(found.value), least),
+                       .dual_energy = found.dual_energy,
+                       .has_estimate = found.has_dual});
+  }
+  return records;
+}
+
+std::string shortfall(const std::vector<GoalRecord>& goals) {
+  std::string text;
+  for (const GoalRecord& goal : goals) {
+    if (goal.is_met()) continue;
+    text += text.empty() ? "" : "; ";
+    text += goal.has_estimate ? fmt::format("{}: the estimated error is {:.2g} of its value, which may be half of {:g}",
+                                            goal.name, goal.relative_estimate(), goal.tolerance)
+                              : fmt::format("{}: its error cannot be estimated", goal.name);
+  }
+  return text;
+}
+
+std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRecord>& goals,
+                               const estimation::Estimates& estimates, double share) {
+  const std::vector<double> weights = indicators(space, goals, estimates);
+  const double above = threshold(weights, share, space.layout->comm);
+  // A cell made of four has their error times about 2^(2k + 2): it must stay negligible then.
+  const double below = 0.01 * above * std::exp2(-2 * space.degree - 2);
+  std::vector<signed char> result;
+  result.reserve(weights.size());
+  for (const double x : weights) result.push_back(x > above ? 1 : x < below ? -1 : 0);
+  return result;
+}
+
+bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
+  const MPI_Comm comm = space.layout->comm;
+  const auto& estimates = result.estimates;
+  const std::vector<GoalRecord> before = std::move(goals_);
+  goals_ = estimates ? goal_records(problem_, *estimates, result.summary) : std::vector<GoalRecord>{};
+  missed_ = estimates ? shortfall(goals_) : "there are no estimates";
+  if (missed_.empty() && is_settled(before)) return false;
+  const std::int64_t divided = mark(space, estimates);
+  const double growth = 1 + 3 * static_cast<double>(divided) / static_cast<double>(space.global_cells);
+  const std::string limit = obstacle(result.levels.back(), growth, comm);
+  if (limit.empty()) return true;
+  if (missed_.empty()) missed_ = "the goals are met on one mesh only";
+  missed_ += "; " + limit;
+  return false;
+}
+
+/// All cells where no goal has errors in cells that could be told apart. How many are to be divided (collective).
+std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates) {
+  constexpr double rounding = 1e-6;  // of what is allowed: which cells have most of it would be chance
+  if (estimates && !is_uniform_ && worst_excess() > rounding) {
+    marks_ = computation::marks(space, goals_, *estimates, share_to_divide());
+    const auto divided = algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, 1)}, space.layout->comm);
+    if (divided > 0) return divided;
+  }
+  marks_.assign(space.owned_cells, 1);
+  return space.global_cells;
+}
+
+bool AccuracyLoop::is_settled(const std::vector<GoalRecord>& before) const {
+  if (before.size() != goals_.size()) return false;
+  for (std::size_t g = 0; g < goals_.size(); ++g) {
+    const double change = std::abs(goals_[g].value - before[g].value);
+    if (!before[g].is_met() || !(change <= goals_[g].allowed())) return false;
+  }
+  return true;
+}
+
+double AccuracyLoop::worst_excess() const {
+  double worst = 0;
+  for (const GoalRecord& goal : goals_) worst = std::max(worst, goal.excess());
+  return worst;
+}
+
+double AccuracyLoop::share_to_divide() const {
+  constexpr double most = 0.8, half = 0.5;
+  const double excess = std::max(worst_excess(), 1.0);  // a mesh that only confirms must be another one, too
+  return std::min(1 - half / excess, most);             // what is left undivided is half of what is allowed
+}
+
+std::string AccuracyLoop::obstacle(const Level& level, double growth, MPI_Comm comm) const {
+  constexpr double cost_exponent = 1.3;  // of a mesh, in its unknowns (docs/performance.md)
+  if (growth * static_cast<double>(level.unknowns) > problem_.accuracy->max_unknowns)
+    return fmt::format("the next mesh would have about {:.2g} unknowns, and max_unknowns = {:g}",
+                       growth * static_cast<double>(level.unknowns), problem_.accuracy->max_unknowns);
+  const double end = since_start_.seconds() + level.seconds.total() * std::pow(growth, cost_exponent);
+  if (algebra::max_over_ranks(end, comm) > problem_.accuracy->max_seconds)
+    return fmt::format("the next mesh would end later than max_seconds = {:g}", problem_.accuracy->max_seconds);
+  return "";
+}
+
+}  // namespace plastron::computation

@@ -1,0 +1,57 @@
+// From estimated errors to the next mesh: what is accurate enough, which cells are to be divided, and when to give up.
+#pragma once
+#include <plastron/computation/problem.hpp>
+#include <plastron/computation/result.hpp>
+#include <plastron/computation/stopwatch.hpp>
+#include <plastron/fem/space.hpp>
+
+#include <string>
+#include <vector>
+
+namespace plastron::computation {
+
+/// Goals of a case as one mesh has them, whose solution the summary is of.
+std::vector<GoalRecord> goal_records(const Problem& problem, const estimation::Estimates& estimates,
+                                     const certificate::Summary& summary);
+
+/// Marks of the owned cells for fem::MeshSequence::refine: those are divided that make up `share` of all errors, each goal's weighed by
+/// what it allows (Doerfler, SIAM J. Numer. Anal. 33, 1996). Cells join again whose part stays negligible then (collective).
+std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRecord>& goals,
+                               const estimation::Estimates& estimates, double share);
+
+/// Which goals are not met, and by how much, in words; empty if all are.
+std::string shortfall(const std::vector<GoalRecord>& goals);
+
+/// Mesh after mesh, until all goals are met on two in a row, and have not changed from one to the other by more than their
+/// tolerances either, or a limit is hit.
+class AccuracyLoop {
+ public:
+  /// `is_uniform`: all cells are divided, or none.
+  AccuracyLoop(const Problem& problem, bool is_uniform) : problem_(problem), is_uniform_(is_uniform) {}
+
+  /// Takes note of the result on a mesh; there are no estimates if its contact problem was not solved. Whether there is to be another (collective).
+  bool wants_more(const Result& result, const fem::Space& space);
+  /// Of the mesh that was judged last.
+  const std::vector<signed char>& marks() const { return marks_; }
+  const std::vector<GoalRecord>& goals() const { return goals_; }
+  /// Why goals are not met, in words; empty if they are.
+  const std::string& missed() const { return missed_; }
+
+ private:
+  std::int64_t mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates);
+  bool is_settled(const std::vector<GoalRecord>& before) const;
+  /// Of the goal that is furthest from being met.
+  double worst_excess() const;
+  double share_to_divide() const;
+  /// Which limit stands against a next mesh with so many times the unknowns; empty if none (collective).
+  std::string obstacle(const Level& level, double growth, MPI_Comm comm) const;
+
+  const Problem& problem_;
+  bool is_uniform_;
+  Stopwatch since_start_{};
+  std::vector<GoalRecord> goals_{};
+  std::vector<signed char> marks_{};
+  std::string missed_{};
+};
+
+}  // namespace plastron::computation

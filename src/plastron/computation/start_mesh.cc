@@ -1,0 +1,241 @@
+#include <plastron/computation/start_mesh.hpp>
+
+#include <plastron/fem/kept_nodes.hpp>
+#include <plastron/fem/polygon.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+namespace plastron::computation {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Measured on a saddle and on shells in contact, docs/methods/layers.md.
+constexpr double row_widths = 3.5;  ///< of a row over that of its layer
+constexpr double cells_per_layer_degree =
+    0.68;                               ///< size of a cell inside over the degree and the width of the layers there
+constexpr double contact_nodes = 700;   ///< of the finest mesh, where contact zones may have their edge anywhere
+constexpr double largest_share = 0.25;  ///< of the domain that a row may take
+constexpr int most_cells_across = 64;
+
+/// How much room rows have that lie along a boundary, in Omega.
+struct Room {
+  const EdgeLayer& layer;
+  double operator()(const fem::Rectangle& r) const {
+    if (layer.boundary >= 2) return r.to[1] - r.from[1];
+    const auto& breaks = r.breaks;
+    if (breaks.empty()) return r.to[0] - r.from[0];
+    return layer.boundary == 0 ? breaks.front() - r.from[0] : r.to[0] - breaks.back();
+  }
+  double operator()(const fem::Disk& d) const { return d.radius; }
+  double operator()(const fem::Annulus& a) const { return a.outer - a.inner; }
+  double operator()(const fem::Polygon& polygon) const { return fem::inner_width(polygon); }
+  double operator()(const fem::MeshFile&) const { return 0; }
+};
+
+/// Boundaries beside which the shell goes on: no edge is there.
+std::set<int> boundaries_within(const Problem& problem) {
+  const auto names = fem::boundary_names(problem.domain);
+  std::set<int> result;
+  const auto add = [&](const std::string& name) {
+    const auto place = std::ranges::find(names, name);
+    if (place != names.end()) result.insert(static_cast<int>(place - names.begin()));
+  };
+  for (const assembly::Support& support : problem.supports)
+    if (support.symmetry) add(support.boundary);
+  for (const fem::Join& join : problem.joins)
+    for (const std::string& name : join.boundaries) add(name);
+  return result;
+}
+
+/// Whether joined edges stay alike whatever rows the others have: opposite sides of a rectangle.
+bool keeps_joins_alike(const Problem& problem) {
+  if (problem.joins.empty()) return true;
+  const std::set<std::string> pair(problem.joins[0].boundaries.begin(), problem.joins[0].boundaries.end());
+  return problem.joins.size() == 1 && std::holds_alternative<fem::Rectangle>(problem.domain) &&
+         (pair == std::set<std::string>{"left", "right"} || pair == std::set<std::string>{"bottom", "top"});
+}
+
+/// The rows of each boundary and the layers they are for. A boundary has rows in all its regions or in none.
+std::pair<fem::Rows, std::vector<EdgeLayer>> rows_of(const Problem& problem) {
+  fem::Rows rows;
+  std::vector<EdgeLayer> kept;
+  const auto within = boundaries_within(problem);
+  const auto boundaries = static_cast<int>(fem::boundary_names(problem.domain).size());
+  const auto layers = edge_layers(problem);
+  for (int b = 0; b < boundaries; ++b) {
+    std::vector<std::vector<double>> distances;
+    bool fits = false;
+    for (const EdgeLayer& layer : layers)
+      if (layer.boundary == b) {
+        const double most = largest_share * std::visit(Room{layer}, problem.domain);
+        const double row = row_widths * layer.width_in_omega;
+        if (row <= most && !within.contains(b)) {
+          fits = true;
+          kept.push_back(layer);
+        }
+        distances.push_back({row <= most ? row : most});
+      }
+    if (!fits) std::ranges::fill(distances, std::vector<double>{});
+    rows.distances.push_back(std::move(distances));
+  }
+  // Joined edges, maybe turned over, meet the rows of both neighbours.
+  if (!problem.joins.empty()) {
+    auto& a = within.contains(0) ? rows.distances[2] : rows.distances[0];
+    auto& b = within.contains(0) ? rows.distances[3] : rows.distances[1];
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+      for (std::size_t k = 0; k < std::min(a[i].size(), b[i].size()); ++k)
+        a[i][k] = b[i][k] = std::min(a[i][k], b[i][k]);
+  }
+  return {std::move(rows), std::move(kept)};
+}
+
+/// The size of cells between the rows on the finest mesh [m].
+double size_inside(const Problem& problem, const Interior& inside) {
+  const int degree = problem.discretisation.degree;
+  double size = cells_per_layer_degree * degree * inside.width;
+  if (!problem.obstacles.empty() && !problem.accuracy)
+    size = std::min(size, degree * std::sqrt(inside.area / contact_nodes));
+  return size;
+}
+
+double last_or_nothing(const std::vector<std::vector<double>>& distances) {
+  return distances.front().empty() ? 0 : distances.front().back();
+}
+
+/// Cells between the rows, as fem::Rows counts them, of cells of a size in metres.
+struct InnerCells {
+  const fem::Rows& rows;
+  const Interior& inside;
+  double size;
+
+  int count(double length) const {
+    constexpr double rounding = 0.05;  // a cell may be that much larger
+    const double cells = std::ceil(length / size - rounding);
+    if (!(cells > 1)) return 1;  // also where the chart has no curvature to speak of
+    return static_cast<int>(std::min(cells, 1.0 * most_cells_across));
+  }
+  std::array<int, 2> operator()(const fem::Rectangle& r) const {
+    const Vector2d taken(last_or_nothing(rows.distances[0]) + last_or_nothing(rows.distances[1]),
+                         last_or_nothing(rows.distances[2]) + last_or_nothing(rows.distances[3]));
+    const Vector2d length = (r.to - r.from - taken).cwiseProduct(inside.stretch);
+    return {std::max(r.cells[0], count(length[0])), std::max(r.cells[1], count(length[1]))};
+  }
+  /// 5 m^2 cells of about the same area.
+  std::array<int, 2> operator()(const fem::Disk&) const {
+    const int m = count(std::sqrt(inside.area / 5));
+    return {m, m};
+  }
+  std::array<int, 2> operator()(const fem::Annulus& a) const {
+    const double stretch = inside.stretch.mean();
+    const int around = 2 * count(std::numbers::pi * (a.inner + a.outer) / 2 * stretch);
+    const double between = a.outer - a.inner - last_or_nothing(rows.distances[0]) - last_or_nothing(rows.distances[1]);
+    return {std::max(6, around), count(between * stretch)};
+  }
+  std::array<int, 2> operator()(const fem::Polygon& polygon) const {
+    const auto& p = polygon.corners;
+    const double stretch = inside.stretch.mean();
+    if (!fem::is_convex_quadrilateral(polygon)) {
+      const int along = count(fem::perimeter(polygon) / 2 * stretch);
+      return {along, along};
+    }
+    const auto side = [&](std::size_t i) { return (p[(i + 1) % 4] - p[i]).norm(); };
+    return {count((side(0) + side(2)) / 2 * stretch), count((side(1) + side(3)) / 2 * stretch)};
+  }
+  std::array<int, 2> operator()(const fem::MeshFile&) const { return {1, 1}; }
+};
+
+/// At least two cells along the longer side on the finest mesh: one cell of whatever degree sees little.
+double largest_size(const Interior& inside) { return std::sqrt(inside.area) / 2; }
+
+/// A point that is held has to be a node.
+bool has_points(const fem::CoarseMesh& coarse, const Problem& problem) {
+  const auto nodes = fem::kept_nodes(coarse, problem.discretisation.degree);
+  const double tolerance = fem::point_tolerance(coarse);
+  return std::ranges::all_of(problem.supports, [&](const assembly::Support& s) {
+    return !s.point ||
+           std::ranges::any_of(nodes, [&](const Vector2d& x) { return (x - *s.point).norm() <= tolerance; });
+  });
+}
+
+}  // namespace
+
+StartMesh start_mesh(const Problem& problem) {
+  const Discretisation& d = problem.discretisation;
+  const auto plain = [&](const std::string& why) {
+    return StartMesh{.coarse = fem::coarse_mesh(problem.domain, d.cells), .rows = {}, .no_rows = why};
+  };
+  if (d.layers == Layers::none) return plain("");
+  if (std::holds_alternative<fem::MeshFile>(problem.domain)) return plain("a mesh that is read is left as it is");
+  if (!keeps_joins_alike(problem)) return plain("joined edges must have the same cells on both sides");
+  auto [rows, layers] = rows_of(problem);
+  const Interior inside = interior(problem);
+  const double size = std::min(size_inside(problem, inside), largest_size(inside)) * std::exp2(d.refinements);
+  rows.inner = std::visit(InnerCells{rows, inside, size}, problem.domain);
+  StartMesh mesh{.coarse = {}, .rows = std::move(layers)};
+  try {
+    mesh.coarse = fem::layered_mesh(problem.domain, d.cells, rows);
+  } catch (const fem::DomainError& error) {
+    return plain(error.what());
+  }
+  if (!has_points(mesh.coarse, problem)) return plain("points that are held would be no nodes");
+  return mesh;
+}
+
+int recommended_degree(const Problem& problem) {
+  if (problem.discretisation.cells == fem::Shape::triangle) return 2;
+  return problem.obstacles.empty() ? 8 : 3;
+}
+
+std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinements) {
+  std::set<std::pair<int, int>> sides;
+  for (const fem::CoarseCell& cell : coarse.cells)
+    for (int side = 0; side < fem::corner_count(coarse.shape); ++side) {
+      const auto [from, to] = fem::side_corners(coarse.shape, side);
+      sides.insert(
+          std::minmax(cell.vertices[static_cast<std::size_t>(from)], cell.vertices[static_cast<std::size_t>(to)]));
+    }
+  const std::int64_t n = static_cast<std::int64_t>(degree) << refinements;  // nodes are those of one cell of degree n
+  const bool is_triangle = coarse.shape == fem::Shape::triangle;
+  const std::int64_t in_cell = is_triangle ? (n - 1) * (n - 2) / 2 : (n - 1) * (n - 1);
+  std::set<int> vertices;
+  for (const fem::CoarseCell& cell : coarse.cells)
+    for (const int v : cell.vertices)
+      if (v >= 0) vertices.insert(v);
+  return static_cast<std::int64_t>(vertices.size()) + static_cast<std::int64_t>(sides.size()) * (n - 1) +
+         static_cast<std::int64_t>(coarse.cells.size()) * in_cell;
+}
+
+std::string describe(const StartMesh& mesh, const Problem& problem) {
+  const Discretisation& d = problem.discretisation;
+  if (d.layers == Layers::none) return "";
+  const int width = element::is_relaxed(d.tangency.formulation) ? 6 : 5;
+  const auto unknowns = [&](int refinements) { return width * node_count(mesh.coarse, d.degree, refinements); };
+  const auto names = fem::boundary_names(problem.domain), regions = fem::region_names(problem.domain);
+  std::vector<std::string> rows;
+  for (const EdgeLayer& layer : mesh.rows) {
+    const std::string& region = regions[static_cast<std::size_t>(layer.region)];
+    rows.push_back(fmt::format("{}{} {:.3g} m", names[static_cast<std::size_t>(layer.boundary)],
+                               region.empty() ? "" : " of " + region, row_widths * layer.width));
+  }
+  const std::string what = !mesh.no_rows.empty() ? fmt::format("no rows along edges: {}", mesh.no_rows)
+                           : rows.empty() ? "no rows along edges: layers are none, or wider than a quarter of the shell"
+                                          : fmt::format("rows along {} wide", fmt::join(rows, ", "));
+  const std::string finest =
+      d.refinements == 0 ? "" : fmt::format(", {} after {} refinements", unknowns(d.refinements), d.refinements);
+  const int degree = recommended_degree(problem);
+  const std::string advice =
+      problem.accuracy || degree == d.degree ? "" : fmt::format("; degree {} is recommended", degree);
+  return fmt::format("{}; {} cells, {} unknowns of degree {}{}{}", what, mesh.coarse.cells.size(), unknowns(0),
+                     d.degree, finest, advice);
+}
+
+}  // namespace plastron::computation

@@ -1,0 +1,67 @@
+#include <plastron/estimation/derivatives.hpp>
+
+#include <plastron/assembly/pressing.hpp>
+#include <plastron/estimation/point_values.hpp>
+#include <plastron/estimation/reactions.hpp>
+
+#include <algorithm>
+
+namespace plastron::estimation {
+
+namespace {
+
+/// With nothing in it.
+Derivative zero(const Solved& solved) {
+  const algebra::Vector none(solved.box.load.layout(), solved.box.load.block());
+  return {.dual = {.load = none, .held = none}};
+}
+
+/// 1/2 a(U, U): by its own strain errors, and through the reactions at the values where the solution is held.
+Derivative derivative_of(const Energy& /*energy*/, const Solved& solved) {
+  Derivative result = zero(solved);
+  result.value = solved.discrete.shell.energies(solved.nodal.y).total();
+  for (std::size_t i = 0; i < solved.z.activity.size(); ++i)
+    if (solved.z.activity[i] != contact::Activity::free) result.dual.held.owned()[i] = -solved.z.z.owned()[i];
+  result.weighs_gaps = true;
+  return result;
+}
+
+Derivative derivative_of(const LoadWork& /*work*/, const Solved& solved) {
+  Derivative result = zero(solved);
+  result.value = algebra::dot(solved.discrete.load, solved.nodal.y);
+  result.dual.load = solved.box.load;
+  return result;
+}
+
+Derivative derivative_of(const ContactArea& area, const Solved& solved) {
+  Derivative result = zero(solved);
+  const algebra::Vector& touching = solved.nodal.touching;
+  double sum = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(touching.layout()->owned); ++i) {
+    const auto own = touching.owned().subspan(i * static_cast<std::size_t>(touching.block()),
+                                              static_cast<std::size_t>(touching.block()));
+    const bool counts =
+        area.obstacle ? own[*area.obstacle] != 0 : std::ranges::any_of(own, [](double t) { return t != 0; });
+    if (counts && !solved.discrete.coordinates.tied[i]) sum += solved.discrete.points[i].weight;
+  }
+  result.value = algebra::sum_over_ranks(sum, touching.layout()->comm);
+  return result;
+}
+
+Derivative derivative_of(const ObstaclePosition& position, const Solved& solved) {
+  Derivative result = zero(solved);
+  result.value = solved.discrete.positions()[position.obstacle];
+  const auto pressed = assembly::pressed_obstacles(solved.discrete);
+  result.dual.positions.assign(pressed.size(), 0);
+  const auto found = std::ranges::find(pressed, position.obstacle);
+  if (found != pressed.end()) result.dual.positions[static_cast<std::size_t>(found - pressed.begin())] = 1;
+  return result;
+}
+
+}  // namespace
+
+Derivative derivative(const Functional& functional, const Solved& solved) {
+  return std::visit([&](const auto& f) { return derivative_of(f, solved); }, functional);
+}
+
+}  // namespace plastron::estimation

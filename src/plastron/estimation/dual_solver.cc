@@ -1,0 +1,99 @@
+#include <plastron/estimation/dual_solver.hpp>
+
+#include <plastron/contact/pressing.hpp>
+
+#include <Eigen/LU>
+
+#include <limits>
+
+namespace plastron::estimation {
+
+namespace {
+
+constexpr double linear_tolerance = 1e-8;
+
+contact::ActiveSet all_prescribed(contact::ActiveSet set) {
+  for (contact::Activity& activity : set)
+    if (activity != contact::Activity::free) activity = contact::Activity::prescribed;
+  return set;
+}
+
+contact::BoxProblem without_bounds(const contact::BoxProblem& problem) {
+  contact::BoxProblem dual{.matrix = problem.matrix,
+                           .apply = problem.apply,
+                           .load = algebra::Vector(problem.load.layout(), problem.load.block()),
+                           .lower = problem.lower,
+                           .upper = problem.upper,
+                           .equations = problem.equations,
+                           .shift = problem.shift};
+  dual.lower.fill(-std::numeric_limits<double>::infinity());
+  dual.upper.fill(std::numeric_limits<double>::infinity());
+  return dual;
+}
+
+}  // namespace
+
+DualSolver::DualSolver(const contact::BoxProblem& problem, const contact::BoxSolution& solution,
+                       algebra::Preconditioner& preconditioner)
+    : problem_(problem),
+      set_(all_prescribed(solution.activity)),
+      dual_(without_bounds(problem)),
+      settings_{.linear_tolerance = linear_tolerance, .detect_free_motions = false},
+      solver_(dual_, preconditioner, settings_) {
+  for (const contact::PressingForce& force : problem.pressing)
+    shapes_.push_back(contact::held_shape(force, solution.activity));
+}
+
+std::optional<algebra::Vector> DualSolver::solve_held(const algebra::Vector& load, const algebra::Vector& held) {
+  dual_.load = load;
+  for (std::size_t i = 0; i < set_.size(); ++i)
+    if (set_[i] != contact::Activity::free) dual_.lower.owned()[i] = dual_.upper.owned()[i] = held.owned()[i];
+  auto point =
+      is_pinned_ ? solver_.refine(set_, algebra::Vector(load.layout(), load.block())) : solver_.solve_anew(set_);
+  if (!point) return {};
+  is_pinned_ = true;
+  point->z.update_ghosts();
+  return std::move(point->z);
+}
+
+bool DualSolver::find_responses() {
+  const algebra::Vector no_load(problem_.load.layout(), problem_.load.block());
+  for (std::size_t k = 0; k < shapes_.size(); ++k) {
+    if (algebra::max_abs(shapes_[k]) == 0) continue;
+    auto z = solve_held(no_load, shapes_[k]);
+    if (!z) return false;
+    responses_.push_back({k, std::move(*z)});
+  }
+  return true;
+}
+
+/// What a z of this load answers to a pressing force: sum of (A z - load)_i shape_i.
+double DualSolver::reaction(std::size_t force, const algebra::Vector& load, const algebra::Vector& z) const {
+  algebra::Vector residual(load.layout(), load.block());
+  problem_.apply(z, residual);
+  algebra::axpy(-1, load, residual);
+  return algebra::dot(shapes_[force], residual);
+}
+
+std::optional<algebra::Vector> DualSolver::solve(const DualLoad& dual) {
+  if (responses_.empty() && !find_responses()) return {};
+  auto z = solve_held(dual.load, dual.held);
+  if (!z || responses_.empty()) return z;
+  const auto count = static_cast<Eigen::Index>(responses_.size());
+  const algebra::Vector no_load(problem_.load.layout(), problem_.load.block());
+  Eigen::MatrixXd border(count, count);
+  Eigen::VectorXd missing(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const std::size_t force = responses_[static_cast<std::size_t>(k)].force;
+    const double wanted = force < dual.positions.size() ? dual.positions[force] : 0;
+    missing[k] = wanted - reaction(force, dual.load, *z);
+    for (Eigen::Index l = 0; l < count; ++l)
+      border(k, l) = reaction(force, no_load, responses_[static_cast<std::size_t>(l)].z);
+  }
+  const Eigen::VectorXd ways = border.fullPivLu().solve(missing);
+  for (Eigen::Index k = 0; k < count; ++k) algebra::axpy(ways[k], responses_[static_cast<std::size_t>(k)].z, *z);
+  z->update_ghosts();
+  return z;
+}
+
+}  // namespace plastron::estimation

@@ -1,0 +1,116 @@
+#include <plastron/estimation/estimate.hpp>
+
+#include <plastron/estimation/contact_edge.hpp>
+#include <plastron/estimation/strain_errors.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace plastron::estimation {
+
+namespace {
+
+using AllErrors = std::vector<StrainErrors>;
+
+double over_ranks(const std::vector<double>& cells, MPI_Comm comm) {
+  return algebra::sum_over_ranks(std::accumulate(cells.begin(), cells.end(), 0.0), comm);
+}
+
+/// What the dual z says of J(u) - J(u_h), cell by cell: int e_u : C : e_z less what tying takes from either.
+void add_dual_shares(const assembly::ShellOperator& shell, const AllErrors& u, const AllErrors& z,
+                     std::vector<double>& cells) {
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    cells[c] += energy_product(shell, c, u[c], z[c]) - tying_product(u[c], z[c]) - tying_product(z[c], u[c]);
+}
+
+/// The part of E(u) - E(u_h) that needs no dual: 1/2 a(e, e) less what tying takes.
+void add_energy_shares(const assembly::ShellOperator& shell, const AllErrors& u, std::vector<double>& cells) {
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    cells[c] += energy_product(shell, c, u[c], u[c]) / 2 - tying_product(u[c], u[c]);
+}
+
+/// The edge of a contact zone lies anywhere between two nodes: half of their distance along it, which is the k-th part of a cell.
+double area_share(const assembly::ShellOperator& shell, std::size_t cell) {
+  double area = 0;
+  for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(cell, q).area;
+  return area / (2.0 * shell.space().degree);
+}
+
+bool weighs_nothing(const DualLoad& dual) {
+  return algebra::max_abs(dual.load) == 0 && algebra::max_abs(dual.held) == 0 &&
+         std::ranges::all_of(dual.positions, [](double p) { return p == 0; });
+}
+
+class GoalEstimator {
+ public:
+  GoalEstimator(const Solved& solved, algebra::Preconditioner& preconditioner, const AllErrors& primal,
+                const ContactEdge& edge)
+      : solved_(solved), primal_(primal), edge_(edge), duals_(solved.box, solved.z, preconditioner) {}
+
+  GoalEstimate operator()(const Goal& goal) {
+    const assembly::ShellOperator& shell = solved_.discrete.shell;
+    const Derivative d = derivative(goal.functional, solved_);
+    GoalEstimate result{.name = goal.name,
+                        .unit = unit_of(goal.functional),
+                        .value = d.value,
+                        .cells = std::vector<double>(shell.space().owned_cells, 0)};
+    if (std::holds_alternative<Energy>(goal.functional)) add_energy_shares(shell, primal_, result.cells);
+    std::vector<double> at_edge(edge_.crossed().size(), 0);
+    if (std::holds_alternative<ContactArea>(goal.functional))
+      std::ranges::transform(edge_.crossed(), at_edge.begin(), [&](std::size_t c) { return area_share(shell, c); });
+    if (!weighs_nothing(d.dual)) {
+      const auto z = duals_.solve(d.dual);
+      result.has_dual = z.has_value();
+      if (z) at_edge = add_dual(d, *z, result);
+    }
+    sum_up(at_edge, result);
+    return result;
+  }
+
+ private:
+  /// Returns the shares of the contact zone's edge.
+  std::vector<double> add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) const {
+    algebra::Vector y(z.layout(), 6);
+    solved_.discrete.coordinates.to_cartesian(z, y);
+    result.dual_energy = solved_.discrete.shell.energies(y).total();
+    add_dual_shares(solved_.discrete.shell, primal_, strain_errors(solved_.discrete, y), result.cells);
+    return edge_.shares(d, z, y);
+  }
+
+  /// Where the edge of a contact zone crosses a cell, nothing there has a sign that is known.
+  void sum_up(const std::vector<double>& at_edge, GoalEstimate& result) const {
+    std::vector<double> smooth = result.cells;
+    double edge = 0;
+    for (std::size_t i = 0; i < at_edge.size(); ++i) {
+      const std::size_t cell = edge_.crossed()[i];
+      smooth[cell] = 0;
+      result.cells[cell] = std::max(std::abs(result.cells[cell]), at_edge[i]);
+      edge += result.cells[cell];
+    }
+    const MPI_Comm comm = solved_.discrete.space().layout->comm;
+    result.estimate = over_ranks(smooth, comm);
+    result.contact_edge = algebra::sum_over_ranks(edge, comm);
+  }
+
+  const Solved& solved_;
+  const AllErrors& primal_;
+  const ContactEdge& edge_;
+  DualSolver duals_;
+};
+
+}  // namespace
+
+Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner, std::span<const Goal> goals) {
+  const assembly::ShellOperator& shell = solved.discrete.shell;
+  const AllErrors primal = strain_errors(solved.discrete, solved.nodal.y);
+  const ContactEdge edge(solved);
+  Estimates estimates{.cells = std::vector<double>(primal.size()), .crossed = edge.crossed()};
+  for (std::size_t c = 0; c < primal.size(); ++c) estimates.cells[c] = energy_product(shell, c, primal[c], primal[c]);
+  estimates.energy_norm_squared = over_ranks(estimates.cells, shell.space().layout->comm);
+  GoalEstimator estimator(solved, preconditioner, primal, edge);
+  for (const Goal& goal : goals) estimates.goals.push_back(estimator(goal));
+  return estimates;
+}
+
+}  // namespace plastron::estimation

@@ -1,0 +1,11 @@
+// Displacements and resultants at a point of Omega as functionals. A force at a point has infinite energy in Naghdi's model, growing like
+// a logarithm; a couple and a resultant likewise, faster.
+#pragma once
+#include <plastron/estimation/derivatives.hpp>
+
+namespace plastron::estimation {
+
+Derivative derivative_of(const PointDisplacement& point, const Solved& solved);
+Derivative derivative_of(const PointResultant& point, const Solved& solved);
+
+}  // namespace plastron::estimation

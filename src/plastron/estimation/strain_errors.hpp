@@ -1,0 +1,29 @@
+// What recovery says of the error of a field's strains, cell by cell: resultants smoothed over patches (recovery/resultant_patches.hpp)
+// converge an order faster than those of the element, so their difference stands for the error. Tied strains (M22) err in another way,
+// too: they are not those of the displacements, which matters to forces and is kept beside it. docs/methods/estimates.md has the identities.
+#pragma once
+#include <plastron/certificate/certificate.hpp>
+
+#include <vector>
+
+namespace plastron::estimation {
+
+using assembly::CellStrain;
+
+/// Rows are the quadrature points of a cell.
+struct StrainErrors {
+  CellStrain error;            ///< recovered strains minus those of the element
+  CellStrain stresses;         ///< recovered resultants times area
+  CellStrain incompatibility;  ///< strains of the displacements minus the tied ones of the element; zero without tying
+};
+
+/// Of the owned cells, for the field y (block 6, current ghosts) (collective).
+std::vector<StrainErrors> strain_errors(const assembly::DiscreteShell& discrete, const algebra::Vector& y);
+
+/// int e_u : C : e_z over an owned cell.
+double energy_product(const assembly::ShellOperator& shell, std::size_t cell, const StrainErrors& u,
+                      const StrainErrors& z);
+/// int sigma*(u) : incompatibility(z).
+double tying_product(const StrainErrors& u, const StrainErrors& z);
+
+}  // namespace plastron::estimation

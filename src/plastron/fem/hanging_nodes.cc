@@ -1,0 +1,103 @@
+#include <plastron/fem/hanging_nodes.hpp>
+
+#include <plastron/algebra/vector.hpp>
+#include <plastron/fem/boundary_nodes.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace plastron::fem {
+
+namespace {
+
+using algebra::GlobalIndex, algebra::LocalIndex;
+using Masters = std::map<GlobalIndex, double>;
+
+/// Weights are of order one; below this they are zero.
+constexpr double rounding = 1e-13;
+
+/// What the local nodes hang on, as their owners know it; nodes that are free have no entry (collective).
+class OneStep {
+ public:
+  OneStep(const Space& space, const std::vector<HangingNode>& owned) {
+    // The number of masters, then their numbers and weights.
+    algebra::Vector packed(space.layout, 1 + 2 * (space.degree + 1));
+    const auto block = static_cast<std::size_t>(packed.block());
+    for (const HangingNode& hanging : owned) {
+      double* at = packed.local().data() + static_cast<std::size_t>(hanging.node - space.layout->first) * block;
+      *at++ = static_cast<double>(hanging.masters.size());
+      for (const auto& [master, weight] : hanging.masters) {
+        *at++ = static_cast<double>(master);
+        *at++ = weight;
+      }
+    }
+    packed.update_ghosts();
+    for (LocalIndex i = 0; i < space.layout->local_size(); ++i) {
+      const double* at = packed.local().data() + static_cast<std::size_t>(i) * block;
+      if (*at == 0) continue;
+      Masters& masters = of_node_[space.layout->global(i)];
+      for (int k = 0; k < static_cast<int>(at[0]); ++k)
+        masters[static_cast<GlobalIndex>(at[1 + 2 * k])] += at[2 + 2 * k];
+    }
+  }
+
+  const std::map<GlobalIndex, Masters>& all() const { return of_node_; }
+
+  /// The free nodes that a node follows.
+  Masters resolved(GlobalIndex node) const {
+    Masters free, open{{node, 1.0}};
+    while (!open.empty()) {
+      const auto [next, factor] = *open.begin();
+      open.erase(open.begin());
+      const auto found = of_node_.find(next);
+      if (found == of_node_.end())
+        free[next] += factor;
+      else
+        for (const auto& [master, weight] : found->second) open[master] += factor * weight;
+    }
+    std::erase_if(free, [](const auto& entry) { return std::abs(entry.second) < rounding; });
+    return free;
+  }
+
+ private:
+  std::map<GlobalIndex, Masters> of_node_{};
+};
+
+/// Masters that this rank does not see.
+std::set<GlobalIndex> unseen(const algebra::Layout& layout, const OneStep& hanging) {
+  std::set<GlobalIndex> nodes;
+  for (const auto& [node, masters] : hanging.all())
+    for (const auto& [master, weight] : masters) {
+      const bool is_owned = master >= layout.first && master < layout.first + layout.owned;
+      if (!is_owned && !std::ranges::binary_search(layout.ghosts, master)) nodes.insert(master);
+    }
+  return nodes;
+}
+
+}  // namespace
+
+void tie_hanging_nodes(Space& space, const std::vector<HangingNode>& owned) {
+  const MPI_Comm comm = space.layout->comm;
+  if (algebra::sum_over_ranks(static_cast<std::int64_t>(owned.size()), comm) == 0) return;
+  OneStep hanging(space, owned);
+  // A master may hang in its turn, on masters that only its owner knows of.
+  for (auto missing = unseen(*space.layout, hanging);
+       algebra::sum_over_ranks(static_cast<std::int64_t>(missing.size()), comm) > 0;
+       missing = unseen(*space.layout, hanging)) {
+    widen(space, missing);
+    hanging = OneStep(space, owned);
+  }
+  const algebra::Layout& layout = *space.layout;
+  for (LocalIndex i = 0; i < layout.local_size(); ++i) {
+    const GlobalIndex node = layout.global(i);
+    if (!hanging.all().contains(node)) continue;
+    Tie& tie = space.ties.emplace_back(Tie{.node = i});
+    for (const auto& [master, weight] : hanging.resolved(node))
+      tie.masters.emplace_back(local_in(layout, master), weight);
+  }
+  space.has_ties = true;
+}
+
+}  // namespace plastron::fem

@@ -1,0 +1,14 @@
+// Coarse cells divided into lattices of cells, each with its part of the exact map.
+#pragma once
+#include <plastron/fem/coarse_mesh.hpp>
+
+#include <array>
+#include <span>
+
+namespace plastron::fem {
+
+/// Each quadrilateral in parts[c][0] x parts[c][1] cells along its own coordinates. Precondition: neighbours have as many along their common
+/// side.
+CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const std::array<int, 2>> parts);
+
+}  // namespace plastron::fem

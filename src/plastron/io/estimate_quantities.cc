@@ -1,0 +1,42 @@
+#include <plastron/io/quantities.hpp>
+
+#include <cmath>
+
+namespace plastron::io {
+
+std::span<const Quantity<computation::Result>> estimate_quantities() {
+  using computation::Result;
+  static const std::vector<Quantity<Result>> all{
+      {"energy_norm/squared", "J", "a(e, e) of the error e of the solution",
+       [](const Result& r) { return number(r.estimates->energy_norm_squared); }},
+      {"energy_norm/relative", "1", "its root over that of a(U, U)",
+       [](const Result& r) {
+         return number(std::sqrt(r.estimates->energy_norm_squared / (2 * r.summary.energy.total())));
+       }},
+  };
+  return all;
+}
+
+std::span<const Quantity<estimation::GoalEstimate>> goal_quantities() {
+  using estimation::GoalEstimate;
+  static const std::vector<Quantity<GoalEstimate>> all{
+      {"name", "-", "of the number whose error this is", [](const GoalEstimate& g) { return Json(g.name); },
+       Form::text},
+      {"unit", "-", "of the numbers here", [](const GoalEstimate& g) { return Json(g.unit); }, Form::text},
+      {"value", "see unit", "what was computed", [](const GoalEstimate& g) { return number(g.value); }},
+      {"difference", "see unit", "exact value minus this, away from the edges of contact zones",
+       [](const GoalEstimate& g) { return number(g.estimate); }},
+      {"contact_edge", "see unit", "what the edges of contact zones may add to the difference, of either sign",
+       [](const GoalEstimate& g) { return number(g.contact_edge); }},
+      {"error", "see unit", "size of the difference and of what contact edges may add, together",
+       [](const GoalEstimate& g) { return number(g.error()); }},
+      {"has_dual", "-", "the dual problem could be solved; without, its part of the difference is missing",
+       [](const GoalEstimate& g) { return Json(g.has_dual); }, Form::flag},
+      {"dual_energy", "J",
+       "energy of the dual solution per squared unit; where refinement lets it grow, the number has no limit",
+       [](const GoalEstimate& g) { return number(g.dual_energy); }},
+  };
+  return all;
+}
+
+}  // namespace plastron::io

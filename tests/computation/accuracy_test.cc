@@ -1,0 +1,220 @@
+// Meshes that follow from an accuracy: what is divided, when it ends, and that the numbers are as accurate as asked for.
+#include <gtest/gtest.h>
+#include <plastron/computation/adaptivity.hpp>
+#include <plastron/computation/description.hpp>
+#include <plastron/computation/goal_names.hpp>
+#include <plastron/computation/solve.hpp>
+#include <plastron/computation/verify.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using namespace test;
+
+Problem accurate_bowl(double tolerance) {
+  Problem p = pressed_bowl();
+  p.discretisation = {.degree = 3, .refinements = 0};
+  p.accuracy = Accuracy{.goals = {{"energy", tolerance}, {"reaction", tolerance}}};
+  return p;
+}
+
+/// Degree 4, uniformly refined to 100 000 unknowns.
+constexpr double bowl_energy = 1.48023e-5, bowl_reaction = 1.84828e-4, known_to = 1e-4;
+
+double value_of(const Result& result, const std::string& name) {
+  const auto& goals = result.levels.back().goals;
+  const auto found = std::ranges::find(goals, name, &GoalRecord::name);
+  EXPECT_NE(found, goals.end());
+  return found == goals.end() ? NAN : found->value;
+}
+
+TEST(Accuracy, IsReachedInTruth) {
+  for (const double tolerance : {1e-2, 1e-3}) {
+    const Result result = solve(accurate_bowl(tolerance), MPI_COMM_WORLD);
+    ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+    EXPECT_NEAR(value_of(result, "energy"), bowl_energy, (tolerance + known_to) * bowl_energy);
+    EXPECT_NEAR(value_of(result, "reaction"), bowl_reaction, (tolerance + known_to) * bowl_reaction);
+    EXPECT_EQ(value_of(result, "energy"), result.summary.energy.total());
+  }
+}
+
+TEST(Accuracy, AsksForNoMoreThanItMust) {
+  const auto unknowns = [](double tolerance) {
+    return solve(accurate_bowl(tolerance), MPI_COMM_WORLD).levels.back().unknowns;
+  };
+  EXPECT_LT(unknowns(1e-2), 8000);
+  EXPECT_LT(2 * unknowns(1e-2), 3 * unknowns(1e-3));
+}
+
+TEST(Accuracy, IsTheSameOnAnyNumberOfRanks) {
+  const Result together = solve(accurate_bowl(3e-3), MPI_COMM_WORLD), alone = solve(accurate_bowl(3e-3), MPI_COMM_SELF);
+  ASSERT_EQ(together.levels.size(), alone.levels.size());
+  for (std::size_t l = 0; l < alone.levels.size(); ++l) {
+    EXPECT_EQ(together.levels[l].unknowns, alone.levels[l].unknowns);
+    for (std::size_t g = 0; g < alone.levels[l].goals.size(); ++g) {
+      const GoalRecord &a = together.levels[l].goals[g], &b = alone.levels[l].goals[g];
+      EXPECT_NEAR(a.value, b.value, 1e-9 * b.scale);
+      EXPECT_NEAR(a.error, b.error, 1e-6 * b.error + 1e-12 * b.scale);
+    }
+  }
+}
+
+TEST(Accuracy, EndsWhereALimitStands) {
+  Problem p = accurate_bowl(1e-5);
+  p.accuracy->max_unknowns = 4000;
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
+  EXPECT_NE(result.missed_limits.find("max_unknowns"), std::string::npos) << result.missed_limits;
+  EXPECT_NE(result.missed_limits.find("energy"), std::string::npos) << result.missed_limits;
+  EXPECT_LE(result.levels.back().unknowns, 4000);
+  EXPECT_TRUE(result.solution);
+  p.accuracy->max_unknowns = 1e6;
+  p.accuracy->max_seconds = 1e-6;
+  const Result hasty = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(hasty.status, contact::Status::accuracy_not_reached);
+  EXPECT_EQ(hasty.levels.size(), 1U);
+  EXPECT_NE(hasty.missed_limits.find("max_seconds"), std::string::npos);
+}
+
+/// A component that vanishes by symmetry is accurate when it is small beside the others.
+TEST(Accuracy, TakesNumbersThatVanish) {
+  Problem p = accurate_bowl(1e-2);
+  p.probes = {{"centre", {0, 0}}};
+  p.accuracy->goals = {{"probe.centre.u.x", 1e-2}, {"probe.centre.u.z", 1e-3}, {"support.rim.force.y", 1e-2}};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  EXPECT_NEAR(value_of(result, "probe.centre.u.z"), -0.01, 1e-5);
+}
+
+/// Of every name that can be asked for, the value is that of the results.
+TEST(Accuracy, MeansTheNumbersOfTheResults) {
+  Problem p = accurate_bowl(0.3);
+  p.obstacles[0].name = "table";
+  p.probes = {{"halfway", {0.2, 0.1}}};
+  p.accuracy->goals.clear();
+  for (const std::string& name : goal_names(p)) p.accuracy->goals.push_back({name, 0.4});
+  p.accuracy->max_unknowns = 3000;
+  const Result result = solve(p, MPI_COMM_WORLD);
+  ASSERT_TRUE(result.solution);
+  const auto& s = result.summary;
+  const recovery::PointValues& at = result.probes.at(0).values;
+  EXPECT_NEAR(value_of(result, "load_work"), s.load_work, 1e-10 * s.load_work);
+  EXPECT_NEAR(value_of(result, "reaction"), s.reaction.force.norm(), 1e-9 * s.reaction.force.norm());
+  EXPECT_NEAR(value_of(result, "obstacle.table.force.z"), s.reaction.force[2], 1e-9 * s.reaction.force[2]);
+  EXPECT_NEAR(value_of(result, "support.rim.force.z"), s.support_reaction.force[2], 1e-9 * s.load_norms);
+  EXPECT_NEAR(value_of(result, "contact_area"), s.contact_area, 1e-12);
+  EXPECT_NEAR(value_of(result, "probe.halfway.u.z"), at.u[2], 1e-12);
+  EXPECT_NEAR(value_of(result, "probe.halfway.r.x"), at.r[0], 1e-11);
+}
+
+TEST(Accuracy, HoldsForTrianglesAndJoinedEdgesOnEvenMeshes) {
+  Problem p = pressed_bowl();
+  p.discretisation = {.cells = fem::Shape::triangle, .degree = 2, .tying = false, .refinements = 0};
+  p.sections.common.thickness = Expression(0.1);
+  p.charts.clear();
+  p.charts.emplace("", Chart({"x", "y", "0.06 + 1 - sqrt(1 - x^2 - y^2)"}, {}));
+  p.area_loads = {force(0, 0, -2e-2)};
+  p.accuracy = Accuracy{.goals = {{"energy", 0.05}}};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  ASSERT_GE(result.levels.size(), 2U);
+  for (std::size_t l = 1; l < result.levels.size(); ++l)
+    EXPECT_EQ(result.levels[l].cells, 4 * result.levels[l - 1].cells);
+}
+
+/// Nearly nothing touches at the first instant: its mesh would not do for the last one.
+TEST(Accuracy, IsReachedAtTheLastInstant) {
+  constexpr double tolerance = 3e-3;
+  Problem p = accurate_bowl(tolerance);
+  p.steps = {{.name = "a little", .load_factor = 0.3}, {.name = "all", .load_factor = 1}};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  ASSERT_EQ(result.history.size(), 2U);
+  EXPECT_EQ(result.history[0].load_factor, 0.3);
+  EXPECT_LT(result.history[0].summary.energy.total(), 0.3 * bowl_energy);
+  EXPECT_NEAR(result.summary.energy.total(), bowl_energy, (tolerance + known_to) * bowl_energy);
+  EXPECT_NEAR(result.summary.reaction.force.z(), bowl_reaction, (tolerance + known_to) * bowl_reaction);
+}
+
+/// A tube between a floor and a plate that a force presses on it: the sum of what they bear has no digits.
+TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
+  const double pi = 3.141592653589793, width = 0.25, pressing = 0.01;
+  Problem p = with_chart(free_plate(), {"sin(x)", "y", "1.01 - cos(x)"});
+  p.domain = fem::Rectangle{.from = {-pi, 0}, .to = {pi, width}, .cells = {16, 1}};
+  p.joins = {{{"left", "right"}}};
+  p.sections.common.thickness = Expression(0.02);
+  p.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
+  p.supports = {in_plane("bottom"), in_plane("top")};
+  for (const double x : {0.0, -pi})
+    p.supports.push_back(
+        {.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(x, width / 2)});
+  p.obstacles = {{.name = "plate",
+                  .shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}},
+                  .force = {0, 0, -pressing}},
+                 {.name = "floor"}};
+  p.discretisation = {.degree = 4, .refinements = 0};
+  p.accuracy = Accuracy{.goals = {{"energy", 1e-3}, {"reaction", 1e-3}}};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  EXPECT_LE(result.levels.size(), 4U);
+  EXPECT_NEAR(result.levels.back().goals[1].scale, 2 * pressing, 1e-6 * pressing);
+  EXPECT_NEAR(result.summary.obstacles[1].reaction.force.z(), pressing, 1e-6 * pressing);
+}
+
+TEST(FinestMesh, IsMadeFromItsCells) {
+  const Problem p = accurate_bowl(3e-3);
+  const Result result = solve(p, MPI_COMM_SELF);
+  const fem::Space& space = result.solution->discrete->space();
+  std::vector<fem::CellPlace> cells;
+  for (std::size_t c = 0; c < space.owned_cells; ++c) cells.push_back(fem::place_of(space.cells[c]));
+  EXPECT_TRUE(space.has_ties);
+  const FinestMesh again = finest_mesh(p, MPI_COMM_WORLD, cells);
+  EXPECT_EQ(again.space->global_cells, space.global_cells);
+  EXPECT_EQ(again.space->layout->global_size, space.layout->global_size);
+  std::ranges::sort(cells);
+  for (std::size_t c = 0; c < again.space->owned_cells; ++c)
+    EXPECT_TRUE(std::ranges::binary_search(cells, fem::place_of(again.space->cells[c])));
+}
+
+/// Of one goal: shares 16, 8, 4, 2, 1, 0 ... of the whole.
+TEST(Marks, TakeTheLargestSharesUntilTheyMakeUpEnough) {
+  fem::MeshSequence meshes = mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  const fem::Space& space = *meshes.space();
+  ASSERT_EQ(space.owned_cells, 8U);
+  estimation::Estimates estimates;
+  estimates.goals.emplace_back().cells = {1, -16, 0, 4, 2, -8, 0, 0};
+  const std::vector<GoalRecord> goals{{.name = "a", .value = 1, .error = 31, .tolerance = 0.1, .scale = 1}};
+  const auto divided = [&](double share) {
+    const auto all = marks(space, goals, estimates, share);
+    return std::ranges::count(all, 1);
+  };
+  EXPECT_EQ(divided(0.5), 1);
+  EXPECT_EQ(divided(0.75), 2);
+  EXPECT_EQ(divided(0.9), 3);
+  const auto some = marks(space, goals, estimates, 0.5);
+  EXPECT_EQ(some[1], 1);
+  EXPECT_EQ(some[2], -1);
+  EXPECT_EQ(some[0], 0);
+}
+
+/// What counts is a share over what its goal allows.
+TEST(Marks, WeighGoalsByTheirTolerances) {
+  fem::MeshSequence meshes = mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  estimation::Estimates estimates;
+  estimates.goals.emplace_back().cells = {1, 0, 0, 0, 0, 0, 0, 0};
+  estimates.goals.emplace_back().cells = {0, 0, 0, 0, 0, 0, 0, 0.1};
+  const std::vector<GoalRecord> goals{{.name = "loose", .value = 1, .error = 1, .tolerance = 0.1, .scale = 1},
+                                      {.name = "tight", .value = 1, .error = 1, .tolerance = 1e-3, .scale = 1}};
+  const auto all = marks(*meshes.space(), goals, estimates, 0.5);
+  EXPECT_EQ(all[7], 1);
+  EXPECT_EQ(all[0], 0);
+}
+
+}  // namespace
+}  // namespace plastron::computation

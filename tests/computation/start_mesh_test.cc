@@ -1,0 +1,137 @@
+// Start meshes: widths of layers follow the shell's thickness and curvature, and the mesh does not depend on units.
+#include <plastron/computation/description.hpp>
+#include <plastron/computation/start_mesh.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using test::clamped;
+using test::symmetry;
+using test::with_chart;
+
+Problem layered(const fem::Domain& domain, const std::array<std::string, 3>& chart, double thickness, double unit = 1) {
+  Problem p = with_chart(test::free_plate(), chart, {{"L", unit}});
+  p.domain = domain;
+  p.sections.common.thickness = geometry::Expression(thickness);
+  p.discretisation = {.degree = 4, .layers = Layers::automatic, .refinements = 0};
+  return p;
+}
+
+Problem saddle(double e, double unit = 1) {
+  const fem::Rectangle square{.from = {-0.5 * unit, -0.5 * unit}, .to = {0.5 * unit, 0.5 * unit}};
+  return layered(square, {"x", "y", "(x^2 - y^2)/L"}, e * unit, unit);
+}
+
+TEST(LayerWidth, IsTheRootThirdRootOrFourthRootOfTheThickness) {
+  const double e = 1e-4, R = 2, L = 3;
+  EXPECT_NEAR(layer_width(e, {.along = 1 / R}, L), std::sqrt(e * R), 1e-9);
+  EXPECT_NEAR(layer_width(e, {.twist = 1 / R}, L), std::cbrt(e * R * L / 2), 1e-9);
+  EXPECT_NEAR(layer_width(e, {.across = 1 / R}, L), std::pow(e * R * L * L, 0.25), 1e-9);
+  EXPECT_EQ(layer_width(e, {}, L), INFINITY);
+}
+
+TEST(EdgeLayers, OfACylinderAreThoseOfItsRingsAndOfItsGenerators) {
+  const double e = 1e-4, R = 1, length = 2, angle = 0.8;
+  const auto layers = edge_layers(layered(fem::Rectangle{.to = {angle, length}}, {"sin(x)", "y", "cos(x)"}, e));
+  ASSERT_EQ(layers.size(), 4u);
+  for (const EdgeLayer& layer : layers) {
+    const bool is_ring = layer.boundary >= 2;
+    const double expected = is_ring ? std::sqrt(e * R) : std::pow(e * length * length * R, 0.25);
+    EXPECT_NEAR(layer.width, expected, 1e-6) << layer.boundary;
+  }
+}
+
+TEST(EdgeLayers, AreMeasuredAcrossTheEdgeInOmega) {
+  // x is stretched by 5, so a step in x is five times as long on the shell.
+  const auto layers = edge_layers(layered(fem::Rectangle{.to = {0.2, 1}}, {"5*x", "sin(y)", "cos(y)"}, 1e-4));
+  ASSERT_EQ(layers.size(), 4u);
+  EXPECT_NEAR(layers[0].width, 0.01, 1e-8);
+  EXPECT_NEAR(layers[0].width_in_omega, 0.002, 1e-9);
+}
+
+TEST(StartMesh, HasRowsAlongEveryEdgeOfAThinShellAndNoneOfAPlate) {
+  EXPECT_EQ(start_mesh(saddle(1e-3)).rows.size(), 4u);
+  EXPECT_TRUE(start_mesh(layered(fem::Rectangle{}, {"x", "y", "0"}, 1e-3)).rows.empty());
+  EXPECT_TRUE(start_mesh(saddle(0.1)).rows.empty()) << "rows would take more than a quarter of the shell";
+}
+
+TEST(StartMesh, HasNoRowsWhereTheShellGoesOn) {
+  Problem p = saddle(1e-3);
+  p.supports = {clamped("left"), symmetry("bottom")};
+  const auto rows = start_mesh(p).rows;
+  ASSERT_EQ(rows.size(), 3u);
+  for (const EdgeLayer& row : rows) EXPECT_NE(row.boundary, 2);
+}
+
+TEST(StartMesh, OfRegionsHasRowsThatFollowTheirThickness) {
+  Problem p = layered(fem::Rectangle{.to = {2, 1}, .breaks = {1}, .regions = {"thin", "thick"}},
+                      {"x", "sin(y)", "cos(y)"}, 1e-4);
+  const auto chart = p.charts.begin()->second;
+  p.charts.clear();
+  for (const char* name : {"thin", "thick"}) p.charts.emplace(name, chart);
+  p.sections.regions["thick"] = p.sections.common;
+  p.sections.regions["thick"].thickness = geometry::Expression(4e-4);
+  const auto layers = edge_layers(p);
+  ASSERT_EQ(layers.size(), 6u);
+  EXPECT_NEAR(layers[1].width / layers[0].width, 2, 1e-6);
+  EXPECT_EQ(start_mesh(p).coarse.regions.size(), 2u);
+}
+
+TEST(StartMesh, IsTheSameInAllUnits) {
+  for (const double e : {1e-2, 1e-3, 1e-4}) {
+    const StartMesh mesh = start_mesh(saddle(e));
+    for (const double unit : {1e-6, 1e6}) {
+      const StartMesh other = start_mesh(saddle(e, unit));
+      ASSERT_EQ(other.coarse.vertices.size(), mesh.coarse.vertices.size());
+      for (std::size_t i = 0; i < mesh.coarse.vertices.size(); ++i)
+        EXPECT_LT((other.coarse.vertices[i] / unit - mesh.coarse.vertices[i]).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(StartMesh, IsFinerInsideForThinnerShellsAndCoarserWhereItWillBeRefined) {
+  Problem p = saddle(1e-4);
+  const auto fine = start_mesh(p).coarse.cells.size();
+  EXPECT_GT(fine, start_mesh(saddle(1e-3)).coarse.cells.size());
+  p.discretisation.refinements = 2;
+  EXPECT_LT(start_mesh(p).coarse.cells.size(), fine);
+}
+
+TEST(StartMesh, KeepsPointsThatAreHeldAmongItsNodes) {
+  Problem p = saddle(1e-3);
+  p.supports = {{.components = {test::fixed(assembly::Unknown::displacement, assembly::Direction::z)},
+                 .point = Eigen::Vector2d(0.123, 0)}};
+  EXPECT_FALSE(start_mesh(p).no_rows.empty());
+}
+
+TEST(StartMesh, CountsTheNodesThatTheSequenceHas) {
+  for (const fem::Shape shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+    Problem p = saddle(1e-2);
+    p.discretisation.cells = shape;
+    p.discretisation.degree = 2;
+    auto meshes = mesh_sequence(p, MPI_COMM_SELF);
+    const StartMesh mesh = start_mesh(p);
+    EXPECT_EQ(node_count(mesh.coarse, 2, 0), meshes.space()->layout->global_size);
+    meshes.refine({});
+    EXPECT_EQ(node_count(mesh.coarse, 2, 1), meshes.space()->layout->global_size);
+  }
+}
+
+TEST(StartMesh, IsDescribedWithItsRowsAndItsSize) {
+  const Problem p = saddle(1e-3);
+  const std::string text = describe(start_mesh(p), p);
+  EXPECT_NE(text.find("rows along left"), std::string::npos) << text;
+  EXPECT_NE(text.find("unknowns of degree 4"), std::string::npos) << text;
+  Problem plain = p;
+  plain.discretisation.layers = Layers::none;
+  EXPECT_EQ(describe(start_mesh(plain), plain), "");
+}
+
+}  // namespace
+}  // namespace plastron::computation

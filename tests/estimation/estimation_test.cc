@@ -1,0 +1,215 @@
+// Estimates of errors: identities that hold whatever the mesh (M8, M16, M22), and what they are worth beside a finer mesh.
+#include "assembly/sample_shells.hpp"
+
+#include <plastron/algebra/factorisation.hpp>
+#include <plastron/contact/solve.hpp>
+#include <plastron/estimation/estimate.hpp>
+#include <plastron/estimation/goal_names.hpp>
+#include <plastron/estimation/kept_pins.hpp>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::estimation {
+namespace {
+
+struct Choice {
+  int degree = 2, refinements = 2;
+  fem::Shape shape = fem::Shape::quadrilateral;
+  bool tying = true, has_obstacle = false;
+  MPI_Comm comm = MPI_COMM_WORLD;
+};
+
+/// A saddle on the unit square, clamped at two opposite edges, under its weight, over a plane if that is wanted.
+class SolvedSaddle {
+ public:
+  explicit SolvedSaddle(const Choice& choice) {
+    const fem::Rectangle square{.cells = {2, 2}};
+    fem::MeshSequence meshes(fem::coarse_mesh(square, choice.shape), choice.degree, choice.comm);
+    for (int i = 0; i < choice.refinements; ++i) meshes.refine({});
+    std::map<std::string, geometry::Chart> charts;
+    charts.emplace("", geometry::Chart(test::saddle, {}));
+    assembly::AreaLoad load{};
+    load.force = {geometry::Expression(0.0), geometry::Expression(0.0), geometry::Expression(-0.02)};
+    assembly::ShellDescription shell{.sections = test::steel_of(geometry::Expression(0.1)),
+                                     .tying = choice.tying,
+                                     .supports = {test::clamp("left"), test::clamp("right")},
+                                     .area_loads = {load}};
+    if (choice.has_obstacle) {
+      obstacle::Obstacle table{};
+      table.placement.translation = {0, 0, 0.3};
+      shell.obstacles.all = {table};
+    }
+    const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, charts);
+    discrete_ = assembly::discretise(meshes.space(), surface, shell);
+    matrix_.emplace(assembly::stiffness_matrix(*discrete_));
+    factor_.emplace(*matrix_);
+    pins_.emplace(*factor_, choice.comm);
+    box_.emplace(assembly::box_problem(*discrete_, *matrix_));
+    z_ = contact::solve(*box_, {}, *pins_);
+    EXPECT_EQ(z_.status, contact::Status::solved);
+    nodal_ = certificate::nodal_solution(*discrete_, z_);
+    pins_->keep();
+  }
+  GoalEstimate estimate(const Functional& functional) { return all({{"goal", functional}}).goals.front(); }
+  Estimates all(const std::vector<Goal>& goals) {
+    return estimation::estimate({.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_}, *pins_, goals);
+  }
+  std::int64_t touching() const { return static_cast<std::int64_t>(std::ranges::count(nodal_.touching.owned(), 1.0)); }
+  MPI_Comm comm() const { return discrete_->space().layout->comm; }
+  int factorisations() const { return factor_->factorisations(); }
+
+ private:
+  std::unique_ptr<assembly::DiscreteShell> discrete_;
+  std::optional<algebra::Matrix> matrix_;
+  std::optional<algebra::Factorisation> factor_;
+  std::optional<KeptPins> pins_;
+  std::optional<contact::BoxProblem> box_;
+  contact::BoxSolution z_;
+  certificate::NodalSolution nodal_;
+};
+
+const std::vector<Choice> elements{{.degree = 2},
+                                   {.degree = 3, .refinements = 1},
+                                   {.degree = 2, .tying = false},
+                                   {.degree = 1, .refinements = 3, .shape = fem::Shape::triangle},
+                                   {.degree = 2, .shape = fem::Shape::triangle}};
+
+TEST(Estimates, SeeTwiceTheErrorOfTheEnergyInTheWorkOfTheLoads) {
+  for (const Choice& choice : elements) {
+    SolvedSaddle solved(choice);
+    const GoalEstimate energy = solved.estimate(Energy{}), work = solved.estimate(LoadWork{});
+    EXPECT_NEAR(work.value, 2 * energy.value, 1e-9 * work.value);
+    EXPECT_NEAR(work.estimate, 2 * energy.estimate, 1e-5 * std::abs(work.estimate));
+    EXPECT_GT(std::abs(work.estimate), 1e-9 * work.value);
+  }
+}
+
+TEST(Estimates, FindNoErrorInWhatBalanceAloneDecides) {
+  for (const Choice& choice : elements) {
+    SolvedSaddle solved(choice);
+    const GoalEstimate all = solved.estimate(SupportForce{.component = 2});
+    EXPECT_GT(all.value, 0.01);
+    EXPECT_LT(all.error(), 1e-8 * all.value);
+    const GoalEstimate left = solved.estimate(SupportForce{.boundary = "left", .component = 2});
+    EXPECT_GT(left.error(), 1e-8 * left.value);
+  }
+}
+
+TEST(Estimates, OfObstaclesAndSupportsAreOpposite) {
+  SolvedSaddle solved({.degree = 3, .refinements = 2, .has_obstacle = true});
+  ASSERT_GT(algebra::sum_over_ranks(solved.touching(), solved.comm()), 0);
+  const GoalEstimate table = solved.estimate(ObstacleForce{.component = 2});
+  const GoalEstimate supports = solved.estimate(SupportForce{.component = 2});
+  EXPECT_GT(table.value, 0);
+  EXPECT_NEAR(table.estimate, -supports.estimate, 1e-6 * table.error());
+  EXPECT_NEAR(table.contact_edge, supports.contact_edge, 1e-6 * table.error());
+  EXPECT_GT(table.contact_edge, 0);
+  const GoalEstimate norm = solved.estimate(ObstacleForce{.obstacle = 0});
+  EXPECT_NEAR(norm.value, table.value, 1e-9 * table.value);  // the table's normal is vertical
+  EXPECT_NEAR(norm.error(), table.error(), 1e-6 * table.error());
+}
+
+TEST(Estimates, NeedNoFactorisationOfTheirOwnWithoutObstacles) {
+  SolvedSaddle solved({.degree = 2});
+  const int before = solved.factorisations();
+  solved.estimate(LoadWork{});
+  EXPECT_EQ(solved.factorisations(), before);
+}
+
+TEST(Estimates, BringTheEnergyNearerToThatOfAFinerMesh) {
+  for (const Choice& choice : elements) {
+    Choice finer = choice;
+    finer.refinements += 1;
+    const GoalEstimate goal = SolvedSaddle(choice).estimate(Energy{});
+    const double exact = SolvedSaddle(finer).estimate(Energy{}).value;
+    EXPECT_LT(std::abs(goal.value + goal.estimate - exact), 0.75 * std::abs(goal.value - exact)) << choice.degree;
+  }
+}
+
+// The duals are singular, at the point and in the corners: coarse meshes know the size of the error, not its sign.
+TEST(Estimates, HaveTheSizeOfTheErrorOfDisplacementsAndReactions) {
+  for (const Choice& choice : elements) {
+    Choice finer = choice;
+    finer.refinements += 1;
+    SolvedSaddle solved(choice), fine(finer);
+    for (const Functional& f : {Functional(PointDisplacement{{0.52, 0.37}, 2}),
+                                Functional(SupportForce{.boundary = "left", .component = 0})}) {
+      const GoalEstimate goal = solved.estimate(f);
+      const double error = std::abs(goal.value - fine.estimate(f).value);
+      EXPECT_GT(goal.error(), 0.2 * error) << fmt::format("goal {}, degree {}", f.index(), choice.degree);
+      EXPECT_LT(goal.error(), 5 * error) << fmt::format("goal {}, degree {}", f.index(), choice.degree);
+    }
+  }
+}
+
+TEST(Estimates, ShowByTheDualEnergyWhatHasNoLimit) {
+  const Eigen::Vector2d at(0.5, 0.5);
+  const auto growth = [&](const Functional& f) {
+    SolvedSaddle coarse({.degree = 2, .refinements = 2}), fine({.degree = 2, .refinements = 3});
+    return fine.estimate(f).dual_energy / coarse.estimate(f).dual_energy;
+  };
+  EXPECT_LT(growth(LoadWork{}), 1.05);
+  EXPECT_LT(growth(PointDisplacement{at, 2}), 1.5);  // as a logarithm
+  EXPECT_GT(growth(PointResultant{{0.52, 0.37}, 3}), 1.6);
+}
+
+TEST(Estimates, AreTheSameHoweverTheCellsAreSpread) {
+  const std::vector<Goal> goals{{"energy", Energy{}},
+                                {"force", ObstacleForce{}},
+                                {"area", ContactArea{}},
+                                {"u", PointDisplacement{{0.52, 0.37}, 2}},
+                                {"M", PointResultant{{0.52, 0.37}, 4}}};
+  Choice choice{.degree = 3, .refinements = 2, .has_obstacle = true};
+  SolvedSaddle spread(choice);
+  choice.comm = MPI_COMM_SELF;
+  SolvedSaddle alone(choice);
+  const Estimates a = spread.all(goals), b = alone.all(goals);
+  EXPECT_NEAR(a.energy_norm_squared, b.energy_norm_squared, 1e-8 * b.energy_norm_squared);
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    EXPECT_NEAR(a.goals[i].value, b.goals[i].value, 1e-9 * std::abs(b.goals[i].value)) << goals[i].name;
+    EXPECT_NEAR(a.goals[i].error(), b.goals[i].error(), 1e-5 * b.goals[i].error()) << goals[i].name;
+    EXPECT_GT(b.goals[i].error(), 0) << goals[i].name;
+  }
+}
+
+TEST(Estimates, OfTheCellsAddUpToThatOfTheShell) {
+  SolvedSaddle solved({.degree = 2, .refinements = 3});
+  const Estimates all = solved.all({});
+  double sum = 0;
+  for (const double cell : all.cells) {
+    EXPECT_GE(cell, 0);
+    sum += cell;
+  }
+  EXPECT_NEAR(algebra::sum_over_ranks(sum, solved.comm()), all.energy_norm_squared, 1e-12 * all.energy_norm_squared);
+  EXPECT_GT(all.energy_norm_squared, 0);
+}
+
+TEST(GoalNames, AreThoseOfTheResultsAndEachIsThereOnce) {
+  const Catalogue catalogue{
+      .probes = {{"tip", {0.5, 1}}}, .supports = {"rim"}, .obstacles = {{"table", false}, {"ball", true}}};
+  std::vector<std::string> names;
+  for (const Goal& goal : all_goals(catalogue)) names.push_back(goal.name);
+  for (const char* name : {"energy", "load_work", "reaction", "reaction.z", "contact_area", "probe.tip.u.z",
+                           "probe.tip.r.x", "probe.tip.M.11", "probe.tip.Q.2", "support.rim.force",
+                           "obstacle.table.force.x", "obstacle.table.area", "obstacle.ball.position"})
+    EXPECT_TRUE(find_goal(name, catalogue)) << name;
+  EXPECT_FALSE(find_goal("obstacle.table.position", catalogue));
+  EXPECT_FALSE(find_goal("reaction", {}));
+  std::ranges::sort(names);
+  EXPECT_EQ(std::ranges::adjacent_find(names), names.end());
+}
+
+TEST(GoalNames, KnowTheirUnits) {
+  const Catalogue catalogue{.probes = {{"tip", {0.5, 1}}}};
+  EXPECT_EQ(unit_of(find_goal("energy", catalogue)->functional), "J");
+  EXPECT_EQ(unit_of(find_goal("probe.tip.M.12", catalogue)->functional), "N");
+  EXPECT_EQ(unit_of(find_goal("probe.tip.Q.1", catalogue)->functional), "N/m");
+  EXPECT_EQ(unit_of(find_goal("probe.tip.r.y", catalogue)->functional), "rad");
+}
+
+}  // namespace
+}  // namespace plastron::estimation

@@ -1,0 +1,180 @@
+// Meshes that are divided here and not there, on 1, 2 and 3 ranks: fields are continuous, polynomials of the elements' degree are in the
+// space and travel exactly, and nothing depends on how the mesh is spread.
+#include <gtest/gtest.h>
+#include <plastron/algebra/hash.hpp>
+#include <plastron/fem/basis.hpp>
+#include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/fem/surface.hpp>
+#include <plastron/fem/ties.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace plastron::fem {
+namespace {
+
+constexpr double place_unit = 1e9;
+
+Vector2d middle(const Cell& cell) { return cell.corner + cell.size * Vector2d(0.5, 0.5); }
+
+/// By the place of the cell, so that all numbers of ranks mark alike: a third is divided, a third left, a third joined.
+std::vector<signed char> scattered_marks(const Space& space, std::uint64_t seed) {
+  std::vector<signed char> marks;
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    const Vector2d at = middle(space.cells[c]);
+    const auto place =
+        static_cast<std::uint64_t>(std::llround(place_unit * at[0]) * 31 + std::llround(place_unit * at[1]));
+    const auto number = algebra::hash(place + 1000003 * static_cast<std::uint64_t>(space.cells[c].coarse) + seed);
+    marks.push_back(static_cast<signed char>(static_cast<int>(number % 3) - 1));
+  }
+  return marks;
+}
+
+/// Parameters of the nodes (block 2), the same for all cells that share a node.
+algebra::Vector positions(const Space& space) {
+  const auto line = gauss_lobatto(space.degree + 1).points;
+  algebra::Vector x(space.layout, 2);
+  for (std::size_t c = 0; c < space.cells.size(); ++c)
+    for (std::size_t i = 0; i < space.nodes(c).size(); ++i) {
+      const std::size_t k = line.size();
+      const Vector2d at = space.coarse->cells[static_cast<std::size_t>(space.cells[c].coarse)]
+                              .map(space.cells[c].corner + space.cells[c].size * Vector2d(line[i % k], line[i / k]))
+                              .value;
+      for (std::size_t d = 0; d < 2; ++d)
+        x.local()[2 * static_cast<std::size_t>(space.nodes(c)[i]) + d] = at[static_cast<Eigen::Index>(d)];
+    }
+  x.update_ghosts();
+  return x;
+}
+
+double polynomial(int k, double x, double y) {
+  return std::pow(x - 0.3, k) * (1 + std::pow(y + 0.2, k)) - 2 * x * y + 1;
+}
+
+algebra::Vector interpolant(const Space& space) {
+  const algebra::Vector x = positions(space);
+  algebra::Vector v(space.layout, 1);
+  for (std::size_t i = 0; i < v.local().size(); ++i)
+    v.local()[i] = polynomial(space.degree, x.local()[2 * i], x.local()[2 * i + 1]);
+  return v;
+}
+
+double largest_difference(const algebra::Vector& a, const algebra::Vector& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.local().size(); ++i) most = std::max(most, std::abs(a.local()[i] - b.local()[i]));
+  return algebra::max_over_ranks(most, a.layout()->comm);
+}
+
+MeshSequence square(int degree, MPI_Comm comm = MPI_COMM_WORLD) {
+  return {coarse_mesh(Rectangle{.to = {1.5, 1}, .cells = {3, 2}}, Shape::quadrilateral), degree, comm};
+}
+
+constexpr int rounds = 5;
+
+class GradedMesh : public testing::TestWithParam<int> {};
+
+TEST_P(GradedMesh, HoldsPolynomialsAndCarriesThem) {
+  MeshSequence meshes = square(GetParam());
+  std::vector<algebra::Vector> fields{interpolant(*meshes.space())};
+  std::int64_t hanging = 0;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    meshes.refine(fields, scattered_marks(*meshes.space(), round));
+    const Space& space = *meshes.space();
+    const algebra::Vector exact = interpolant(space);
+    EXPECT_LT(largest_difference(fields[0], exact), 1e-11);
+    algebra::Vector spread_out = exact;
+    spread(space, spread_out);
+    EXPECT_LT(largest_difference(spread_out, exact), 1e-12);
+    hanging += static_cast<std::int64_t>(space.ties.size());
+    EXPECT_EQ(space.has_ties,
+              algebra::sum_over_ranks(static_cast<std::int64_t>(space.ties.size()), MPI_COMM_WORLD) > 0);
+  }
+  EXPECT_GT(algebra::sum_over_ranks(hanging, MPI_COMM_WORLD), 20);
+}
+
+/// Any values at free nodes give a field that has one value at every point of a side, seen from either cell.
+TEST_P(GradedMesh, HasContinuousFields) {
+  MeshSequence meshes = square(GetParam());
+  for (std::uint64_t round = 0; round < rounds; ++round) meshes.refine({}, scattered_marks(*meshes.space(), round));
+  const Space& space = *meshes.space();
+  algebra::Vector v(space.layout, 1);
+  for (algebra::LocalIndex i = 0; i < space.layout->local_size(); ++i)
+    v.local()[static_cast<std::size_t>(i)] = std::sin(7.0 * static_cast<double>(space.layout->global(i)));
+  spread(space, v);
+  const auto line = gauss_lobatto(space.degree + 1).points;
+  const auto value = [&](std::size_t c, const Vector2d& coarse_place) {
+    const Vector2d xi = (coarse_place - space.cells[c].corner) / space.cells[c].size;
+    const auto a = lagrange(line, xi[0]).value, b = lagrange(line, xi[1]).value;
+    double sum = 0;
+    for (Eigen::Index j = 0; j < b.size(); ++j)
+      for (Eigen::Index i = 0; i < a.size(); ++i)
+        sum += a[i] * b[j] *
+               v.local()[static_cast<std::size_t>(space.nodes(c)[static_cast<std::size_t>(j * a.size() + i)])];
+    return sum;
+  };
+  std::int64_t compared = 0;
+  for (std::size_t c = 0; c < space.owned_cells; ++c)
+    for (std::size_t other = 0; other < space.cells.size(); ++other) {
+      const Cell &small = space.cells[c], &large = space.cells[other];
+      const double right = small.corner[0] + small.size;
+      if (small.coarse != large.coarse || large.corner[0] != right || small.corner[1] < large.corner[1] ||
+          small.corner[1] + small.size > large.corner[1] + large.size)
+        continue;
+      ++compared;
+      for (const double t : {0.1, 0.5, 0.8}) {
+        const Vector2d at(right, small.corner[1] + t * small.size);
+        EXPECT_NEAR(value(c, at), value(other, at), 1e-11);
+      }
+    }
+  EXPECT_GT(algebra::sum_over_ranks(compared, MPI_COMM_WORLD), 10);
+}
+
+TEST_P(GradedMesh, HasNoChainsAndNoMasterOutOfSight) {
+  MeshSequence meshes = square(GetParam());
+  for (std::uint64_t round = 0; round < rounds; ++round) meshes.refine({}, scattered_marks(*meshes.space(), round));
+  const Space& space = *meshes.space();
+  EXPECT_TRUE(std::ranges::is_sorted(space.ties, {}, &Tie::node));
+  for (const Tie& tie : space.ties) {
+    double sum = 0;
+    for (const auto& [master, weight] : tie.masters) {
+      EXPECT_FALSE(std::ranges::binary_search(space.ties, master, {}, &Tie::node));
+      ASSERT_GE(master, 0);
+      ASSERT_LT(master, space.layout->local_size());
+      sum += weight;
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+  }
+}
+
+TEST_P(GradedMesh, IsTheSameOnAnyNumberOfRanks) {
+  MeshSequence together = square(GetParam()), alone = square(GetParam(), MPI_COMM_SELF);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    together.refine({}, scattered_marks(*together.space(), round));
+    alone.refine({}, scattered_marks(*alone.space(), round));
+    EXPECT_EQ(together.space()->global_cells, alone.space()->global_cells);
+    EXPECT_EQ(together.space()->layout->global_size, alone.space()->layout->global_size);
+    const auto owned_ties = [](const Space& space) {
+      return std::ranges::count_if(space.ties, [&](const Tie& tie) { return tie.node < space.layout->owned; });
+    };
+    EXPECT_EQ(algebra::sum_over_ranks(static_cast<std::int64_t>(owned_ties(*together.space())), MPI_COMM_WORLD),
+              owned_ties(*alone.space()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, GradedMesh, testing::Values(1, 2, 3, 4, 7));
+
+TEST(GradedTriangles, AreDividedTogether) {
+  MeshSequence meshes(coarse_mesh(Disk{}, Shape::triangle), 2, MPI_COMM_WORLD);
+  EXPECT_FALSE(meshes.is_graded());
+  const auto cells = meshes.space()->global_cells;
+  std::vector<signed char> marks(meshes.space()->owned_cells, 0);
+  meshes.refine({}, marks);
+  EXPECT_EQ(meshes.space()->global_cells, cells);
+  if (!marks.empty()) marks[0] = 1;
+  meshes.refine({}, marks);
+  EXPECT_EQ(meshes.space()->global_cells, 4 * cells);
+}
+
+}  // namespace
+}  // namespace plastron::fem

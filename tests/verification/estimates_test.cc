@@ -1,0 +1,93 @@
+// Estimated errors beside true ones: manufactured shells in the energy norm, references with known energies and reactions. The numbers are
+// those of docs/methods/estimates.md.
+#include "verification/error_norm.hpp"
+#include "verification/reference_problems.hpp"
+
+#include <plastron/computation/solve.hpp>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::verification {
+namespace {
+
+/// Estimated over true error in the energy norm.
+double effectivity(const Manufactured& exact, int degree, int refinements) {
+  const computation::Result result =
+      computation::solve(manufactured_problem(exact, degree, refinements), MPI_COMM_WORLD);
+  EXPECT_TRUE(result.estimates && result.solution);
+  if (!result.estimates || !result.solution) return NAN;
+  return std::sqrt(result.estimates->energy_norm_squared / (2 * result.summary.energy.total())) /
+         energy_error(*result.solution, exact);
+}
+
+TEST(EstimatedEnergyNorm, IsThatOfTheErrorInThickAndThinShells) {
+  for (const double e : {1.0, 0.1, 0.01})
+    for (const auto& [degree, refinements] : {std::pair{2, 3}, {3, 2}, {4, 2}}) {
+      const double ratio = effectivity({ManufacturedSolution::clamped, {.thickness = e}}, degree, refinements);
+      EXPECT_GT(ratio, 0.5) << fmt::format("e = {}, degree {}", e, degree);
+      EXPECT_LT(ratio, 1.6) << fmt::format("e = {}, degree {}", e, degree);
+    }
+}
+
+TEST(EstimatedEnergyNorm, IsThatOfTheErrorInContact) {
+  for (const auto& [degree, refinements] : {std::pair{2, 3}, {3, 3}, {4, 2}}) {
+    const double ratio = effectivity({ManufacturedSolution::contact, {.thickness = 0.1}}, degree, refinements);
+    EXPECT_GT(ratio, 0.5) << "degree " << degree;
+    EXPECT_LT(ratio, 3) << "degree " << degree;
+  }
+}
+
+// R1 that does not touch: a beam, whose tied solution is right at its nodes. What tying takes from the energy decides the sign.
+TEST(EstimatedEnergy, HasTheRightSignAndSizeWithoutContact) {
+  for (const int refinements : {2, 3}) {
+    const ContactReference reference = contact_reference("R1_e0.1_P0.2", 2, refinements);
+    const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
+    ASSERT_TRUE(result.estimates);
+    const double error = reference.energy / reference.factor - result.summary.energy.total();
+    EXPECT_NEAR(result.estimates->goals.front().estimate, error, 0.02 * std::abs(error));
+  }
+}
+
+TEST(EstimatedEnergy, HasTheRightSignAndSizeOnAThinCurvedShell) {
+  const Manufactured exact(ManufacturedSolution::clamped, {.thickness = 0.01});
+  const auto solved = [&](int degree, int refinements) {
+    return computation::solve(manufactured_problem(exact, degree, refinements), MPI_COMM_WORLD);
+  };
+  const double energy = solved(6, 2).summary.energy.total();
+  for (const auto& [degree, refinements] : {std::pair{2, 3}, {3, 2}}) {
+    const computation::Result result = solved(degree, refinements);
+    ASSERT_TRUE(result.estimates);
+    const double error = energy - result.summary.energy.total();
+    EXPECT_NEAR(result.estimates->goals.front().estimate, error, 0.7 * std::abs(error)) << "degree " << degree;
+  }
+}
+
+// The edge of the contact zone crosses cells at random: true errors go through zero, estimates do not.
+TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmall) {
+  int all = 0, too_small = 0, too_large = 0;
+  for (const std::string& name : contact_reference_names())
+    for (const auto& [degree, refinements] : {std::pair{2, 3}, {3, 2}, {4, 2}}) {
+      const ContactReference reference = contact_reference(name, degree, refinements);
+      if (reference.reaction == 0) continue;
+      const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
+      ASSERT_TRUE(result.estimates) << name;
+      for (const estimation::GoalEstimate& goal : result.estimates->goals) {
+        const double exact = (goal.name == "energy" ? reference.energy : reference.reaction) / reference.factor;
+        const double ratio = goal.error() / std::abs(goal.value - exact);
+        ++all;
+        too_small += ratio < 0.3 ? 1 : 0;
+        too_large += ratio > 30 ? 1 : 0;
+        EXPECT_LT(goal.error(), 0.1 * std::abs(goal.value)) << name;
+      }
+    }
+  EXPECT_EQ(all, 60);
+  EXPECT_LE(too_small, all / 10);
+  EXPECT_LE(too_large, all / 10);
+}
+
+}  // namespace
+}  // namespace plastron::verification
