@@ -169,6 +169,9 @@ void print_estimates(const computation::Result& result) {
     if (std::abs(g.value) > (g.name == "reaction" ? rounding * forces : 0))
       print("estimated error   of {} {:.2g} % of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value), g.value,
             g.unit);
+  if (result.estimates->unjudged_cells > 0)
+    print("                  and more in {} cells that have no neighbours to judge them by\n",
+          result.estimates->unjudged_cells);
 }
 
 }  // namespace

@@ -140,6 +140,36 @@ TEST(Patches, AreExactForFieldsOfOneDegreeMoreThanTheElements) {
   }
 }
 
+// One row of cells has as many rows of points as their degree, and only vertices on edges.
+TEST(Patches, OfOneRowOfCellsAreExactAlongIt) {
+  const geometry::Chart chart(test::flat, {});
+  for (int degree = 2; degree <= 4; ++degree)
+    for (const bool is_tall : {false, true}) {
+      fem::Rectangle strip{.to = {1, 0.25}, .cells = {6, 1}};
+      if (is_tall) strip = {.to = {0.25, 1}, .cells = {1, 6}};
+      const auto m = test::meshed(strip, test::flat, degree, 0);
+      const int along = is_tall ? 1 : 0;
+      const Field field = [&](const Eigen::Vector2d& x) {
+        FieldJet y{};
+        y.value.setZero();
+        y.d1.setZero();
+        y.d2.setZero();
+        y.value[along] = std::pow(x[along], degree + 1);
+        (along == 0 ? y.d1 : y.d2)[along] = (degree + 1) * std::pow(x[along], degree);
+        return y;
+      };
+      const Interpolated plate(m, field, test::steel_of(geometry::Expression(0.1)));
+      const auto values = plate.values(true);
+      double size = 0;
+      for (const PointValues& p : values) size = std::max(size, exact(chart, field, p).norm());
+      for (const PointValues& p : values) {
+        const Resultants wanted = exact(chart, field, p);
+        EXPECT_LT((resultants_of(p) - wanted).norm(), 1e-10 * size) << degree << " at " << p.x.transpose();
+      }
+      EXPECT_TRUE(ResultantPatches(*plate.discrete, plate.solution).has_patch(0));
+    }
+}
+
 double rate(fem::Shape shape, int degree, bool smooth, int coarse) {
   const geometry::Chart chart(test::saddle, {});
   std::array<double, 2> errors{};

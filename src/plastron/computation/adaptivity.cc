@@ -88,7 +88,7 @@ std::vector<GoalRecord> goal_records(const Problem& problem, const estimation::E
   return records;
 }
 
-std::string shortfall(const std::vector<GoalRecord>& goals) {
+std::string shortfall(const std::vector<GoalRecord>& goals, const estimation::Estimates& estimates) {
   std::string text;
   for (const GoalRecord& goal : goals) {
     if (goal.is_met()) continue;
@@ -97,6 +97,9 @@ std::string shortfall(const std::vector<GoalRecord>& goals) {
                                             goal.name, goal.relative_estimate(), goal.tolerance)
                               : fmt::format("{}: its error cannot be estimated", goal.name);
   }
+  if (estimates.unjudged_cells > 0)
+    text += fmt::format("{}{} cells have no neighbours to judge their errors by", text.empty() ? "" : "; ",
+                        estimates.unjudged_cells);
   return text;
 }
 
@@ -109,6 +112,7 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRe
   std::vector<signed char> result;
   result.reserve(weights.size());
   for (const double x : weights) result.push_back(x > above ? 1 : x < below ? -1 : 0);
+  for (const std::size_t cell : estimates.unjudged) result[cell] = 1;
   return result;
 }
 
@@ -117,7 +121,7 @@ bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
   const auto& estimates = result.estimates;
   const std::vector<GoalRecord> before = std::move(goals_);
   goals_ = estimates ? goal_records(problem_, *estimates, result.summary) : std::vector<GoalRecord>{};
-  missed_ = estimates ? shortfall(goals_) : "there are no estimates";
+  missed_ = estimates ? shortfall(goals_, *estimates) : "there are no estimates";
   if (missed_.empty() && is_settled(before)) return false;
   const std::int64_t divided = mark(space, estimates);
   const double growth = 1 + 3 * static_cast<double>(divided) / static_cast<double>(space.global_cells);
@@ -133,6 +137,8 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
   constexpr double rounding = 1e-6;  // of what is allowed: which cells have most of it would be chance
   if (estimates && !is_uniform_ && worst_excess() > rounding) {
     marks_ = computation::marks(space, goals_, *estimates, share_to_divide());
+    may_join_ = may_join_ && estimates->unjudged_cells == 0;
+    if (!may_join_) std::ranges::replace_if(marks_, [](signed char mark) { return mark < 0; }, 0);
     const auto divided = algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, 1)}, space.layout->comm);
     if (divided > 0) return divided;
   }

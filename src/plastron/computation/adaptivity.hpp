@@ -15,12 +15,13 @@ std::vector<GoalRecord> goal_records(const Problem& problem, const estimation::E
                                      const certificate::Summary& summary);
 
 /// Marks of the owned cells for fem::MeshSequence::refine: those are divided that make up `share` of all errors, each goal's weighed by
-/// what it allows (Doerfler, SIAM J. Numer. Anal. 33, 1996). Cells join again whose part stays negligible then (collective).
+/// what it allows (Doerfler, SIAM J. Numer. Anal. 33, 1996), and those that nothing judges. Cells join again whose part stays negligible
+/// then (collective).
 std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRecord>& goals,
                                const estimation::Estimates& estimates, double share);
 
-/// Which goals are not met, and by how much, in words; empty if all are.
-std::string shortfall(const std::vector<GoalRecord>& goals);
+/// Which goals are not met, and by how much, and whether there are cells that nothing judges, in words; empty if all is well.
+std::string shortfall(const std::vector<GoalRecord>& goals, const estimation::Estimates& estimates);
 
 /// Mesh after mesh, until all goals are met on two in a row, and have not changed from one to the other by more than their
 /// tolerances either, or a limit is hit.
@@ -48,6 +49,7 @@ class AccuracyLoop {
 
   const Problem& problem_;
   bool is_uniform_;
+  bool may_join_ = true;  ///< cells that nothing judged may come back where cells join
   Stopwatch since_start_{};
   std::vector<GoalRecord> goals_{};
   std::vector<signed char> marks_{};

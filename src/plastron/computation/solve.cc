@@ -229,7 +229,8 @@ class Computation {
 
   /// Reached step by step, the last instant may be another one than what the mesh was made for.
   void judge_accuracy_at_end() {
-    const std::string missed = shortfall(goal_records(problem_, *result_.estimates, result_.summary));
+    const estimation::Estimates& estimates = *result_.estimates;
+    const std::string missed = shortfall(goal_records(problem_, estimates, result_.summary), estimates);
     if (missed.empty()) return;
     missed_accuracy_ +=
         fmt::format("{}at the last instant, reached step by step, {}", missed_accuracy_.empty() ? "" : "; ", missed);

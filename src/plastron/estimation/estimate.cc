@@ -45,8 +45,8 @@ bool weighs_nothing(const DualLoad& dual) {
 class GoalEstimator {
  public:
   GoalEstimator(const Solved& solved, algebra::Preconditioner& preconditioner, const AllErrors& primal,
-                const ContactEdge& edge)
-      : solved_(solved), primal_(primal), edge_(edge), duals_(solved.box, solved.z, preconditioner) {}
+                const std::vector<FreeEdge>& free_edges, const ContactEdge& edge)
+      : solved_(solved), primal_(primal), free_edges_(free_edges), edge_(edge), duals_(solved.box, solved.z, preconditioner) {}
 
   GoalEstimate operator()(const Goal& goal) {
     const assembly::ShellOperator& shell = solved_.discrete.shell;
@@ -74,7 +74,7 @@ class GoalEstimator {
     algebra::Vector y(z.layout(), 6);
     solved_.discrete.coordinates.to_cartesian(z, y);
     result.dual_energy = solved_.discrete.shell.energies(y).total();
-    add_dual_shares(solved_.discrete.shell, primal_, strain_errors(solved_.discrete, y), result.cells);
+    add_dual_shares(solved_.discrete.shell, primal_, strain_errors(solved_.discrete, free_edges_, y), result.cells);
     return edge_.shares(d, z, y);
   }
 
@@ -95,6 +95,7 @@ class GoalEstimator {
 
   const Solved& solved_;
   const AllErrors& primal_;
+  const std::vector<FreeEdge>& free_edges_;
   const ContactEdge& edge_;
   DualSolver duals_;
 };
@@ -103,12 +104,17 @@ class GoalEstimator {
 
 Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner, std::span<const Goal> goals) {
   const assembly::ShellOperator& shell = solved.discrete.shell;
-  const AllErrors primal = strain_errors(solved.discrete, solved.nodal.y);
+  const std::vector<FreeEdge> at_edges = free_edges(solved.discrete);
+  const AllErrors primal = strain_errors(solved.discrete, at_edges, solved.nodal.y);
   const ContactEdge edge(solved);
   Estimates estimates{.cells = std::vector<double>(primal.size()), .crossed = edge.crossed()};
   for (std::size_t c = 0; c < primal.size(); ++c) estimates.cells[c] = energy_product(shell, c, primal[c], primal[c]);
   estimates.energy_norm_squared = over_ranks(estimates.cells, shell.space().layout->comm);
-  GoalEstimator estimator(solved, preconditioner, primal, edge);
+  for (std::size_t c = 0; c < primal.size(); ++c)
+    if (!primal[c].has_patch) estimates.unjudged.push_back(c);
+  estimates.unjudged_cells =
+      algebra::sum_over_ranks(static_cast<std::int64_t>(estimates.unjudged.size()), shell.space().layout->comm);
+  GoalEstimator estimator(solved, preconditioner, primal, at_edges, edge);
   for (const Goal& goal : goals) estimates.goals.push_back(estimator(goal));
   return estimates;
 }

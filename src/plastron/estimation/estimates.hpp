@@ -1,6 +1,7 @@
 // What is estimated of the error of a solution on one mesh.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct Estimates {
   std::vector<GoalEstimate> goals{};
   /// Owned cells that the edge of a contact zone crosses, ascending.
   std::vector<std::size_t> crossed{};
+  /// Owned cells that no patch judges, ascending: their shares are too small.
+  std::vector<std::size_t> unjudged{};
+  std::int64_t unjudged_cells = 0;  ///< of all ranks
 };
 
 }  // namespace plastron::estimation

@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 
-#include <optional>
+#include <cmath>
 
 namespace plastron::estimation {
 
@@ -36,16 +36,15 @@ class StrainErrorsOf {
       : shell_(discrete.shell),
         y_(field.y),
         patches_(discrete, field, patch_degree(discrete.space())),
-        points_(discrete),
-        continuation_(element::resultant_continuation(shell_.space().shape(), shell_.space().degree,
-                                                      shell_.tables().quadrature.xi)) {}
+        points_(discrete) {}
 
   StrainErrors operator()(std::size_t cell) const {
     const element::CellField field = shell_.gather(cell, y_);
     const CellStrain strains = shell_.strains(cell, field);
     StrainErrors result{.error = CellStrain(strains.rows(), 8),
                         .stresses = recovered(cell, field),
-                        .incompatibility = incompatibility(cell, field, strains)};
+                        .incompatibility = incompatibility(cell, field, strains),
+                        .has_patch = patches_.has_patch(cell)};
     for (int q = 0; q < strains.rows(); ++q) {
       const assembly::QuadraturePoint& p = shell_.point(cell, q);
       const auto s = result.stresses.row(q);
@@ -59,39 +58,72 @@ class StrainErrorsOf {
     return result;
   }
 
- private:
-  /// Contravariant resultants at the quadrature points: of the patches; where a cell has none, its own continued.
-  CellStrain recovered(std::size_t cell, const element::CellField& field) const {
-    const auto& xi = shell_.tables().quadrature.xi;
-    CellStrain stresses(static_cast<Eigen::Index>(xi.size()), 8);
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    shell_.surface().jets(shell_.space().cells[cell], xi, jets, false);
-    std::optional<CellStrain> own;
-    for (std::size_t q = 0; q < xi.size(); ++q) {
-      const geometry::Frame& frame = shell_.point(cell, static_cast<int>(q)).frame;
-      const Vector3d t1 = frame.a_cov[0].normalized();
-      SurfaceAxes axes{.t1 = t1, .t2 = frame.a3.cross(t1), .a3 = frame.a3};
-      auto values = patches_.at(cell, xi[q], jets[q].value, axes);
-      if (!values) {
-        if (!own) own = continued(cell, field, axes);
-        const recovery::SurfaceAxes& from = own_axes_;
-        values =
-            recovery::in_other_axes(Resultants(own->row(static_cast<Eigen::Index>(q))), change_of_axes(from, axes));
-      }
-      stresses.row(static_cast<Eigen::Index>(q)) = contravariant(*values, axes, frame);
+  /// Appends M_nt at the points of an edge, weighted.
+  void add_twist(const FreeEdge& edge, Eigen::VectorXd& twist) const {
+    std::vector<geometry::SurfaceJet> jets(edge.xi.size());
+    shell_.surface().jets(shell_.space().cells[edge.cell], edge.xi, jets, false);
+    std::vector<SurfaceAxes> axes;
+    for (std::size_t i = 0; i < jets.size(); ++i) {
+      const Vector3d a3 = jets[i].d[0].cross(jets[i].d[1]).normalized();
+      axes.push_back({.t1 = edge.tangent[i], .t2 = a3.cross(edge.tangent[i]), .a3 = a3});
     }
-    return stresses;
+    const auto stresses = recovered(edge.cell, shell_.gather(edge.cell, y_), {edge.xi, jets, axes});
+    const Eigen::Index before = twist.size();
+    twist.conservativeResize(before + stresses.rows());
+    for (Eigen::Index i = 0; i < stresses.rows(); ++i)
+      twist[before + i] = stresses(i, 5) * std::sqrt(edge.weight[static_cast<std::size_t>(i)]);
   }
 
-  /// In these axes.
-  CellStrain continued(std::size_t cell, const element::CellField& field, const SurfaceAxes& axes) const {
-    recovery::CellResultants all = points_(cell, field);
-    for (std::size_t p = 0; p < all.axes.size(); ++p) {
-      auto row = all.values.row(static_cast<Eigen::Index>(p));
-      row = recovery::in_other_axes(Resultants(row), change_of_axes(all.axes[p], axes));
+ private:
+  struct Points {
+    const std::vector<Eigen::Vector2d>& xi;
+    const std::vector<geometry::SurfaceJet>& jets;
+    const std::vector<SurfaceAxes>& axes;
+  };
+
+  /// Resultants in the points' axes: of the patches; where a cell has none, its own continued.
+  recovery::ResultantRows recovered(std::size_t cell, const element::CellField& field, const Points& at) const {
+    recovery::ResultantRows rows(static_cast<Eigen::Index>(at.xi.size()), 8);
+    if (!patches_.has_patch(cell)) {
+      const recovery::CellResultants own = points_(cell, field);
+      const Eigen::MatrixXd continuation =
+          element::resultant_continuation(shell_.space().shape(), shell_.space().degree, at.xi);
+      // In the axes of one point, which are turned into those of each.
+      recovery::ResultantRows values = own.values;
+      for (std::size_t p = 0; p < own.axes.size(); ++p) {
+        auto row = values.row(static_cast<Eigen::Index>(p));
+        row = recovery::in_other_axes(Resultants(row), change_of_axes(own.axes[p], at.axes.front()));
+      }
+      rows = continuation * values;
+      for (std::size_t q = 0; q < at.xi.size(); ++q) {
+        auto row = rows.row(static_cast<Eigen::Index>(q));
+        row = recovery::in_other_axes(Resultants(row), change_of_axes(at.axes.front(), at.axes[q]));
+      }
+      return rows;
     }
-    own_axes_ = axes;
-    return continuation_ * all.values;
+    for (std::size_t q = 0; q < at.xi.size(); ++q)
+      rows.row(static_cast<Eigen::Index>(q)) = *patches_.at(cell, at.xi[q], at.jets[q].value, at.axes[q]);
+    return rows;
+  }
+
+  /// Contravariant, at the quadrature points.
+  CellStrain recovered(std::size_t cell, const element::CellField& field) const {
+    const auto& xi = shell_.tables().quadrature.xi;
+    std::vector<geometry::SurfaceJet> jets(xi.size());
+    shell_.surface().jets(shell_.space().cells[cell], xi, jets, false);
+    std::vector<geometry::Frame> frames;
+    std::vector<SurfaceAxes> axes;
+    for (std::size_t q = 0; q < xi.size(); ++q) {
+      frames.push_back(shell_.frame_at(cell, static_cast<int>(q)));
+      const Vector3d t1 = frames.back().a_cov[0].normalized();
+      axes.push_back({.t1 = t1, .t2 = frames.back().a3.cross(t1), .a3 = frames.back().a3});
+    }
+    CellStrain stresses = recovered(cell, field, {xi, jets, axes});
+    for (std::size_t q = 0; q < xi.size(); ++q) {
+      auto row = stresses.row(static_cast<Eigen::Index>(q));
+      row = contravariant(Resultants(row), axes[q], frames[q]);
+    }
+    return stresses;
   }
 
   CellStrain incompatibility(std::size_t cell, const element::CellField& field, const CellStrain& tied) const {
@@ -112,25 +144,25 @@ class StrainErrorsOf {
   const algebra::Vector& y_;
   recovery::ResultantPatches patches_;
   recovery::ResultantPoints points_;
-  Eigen::MatrixXd continuation_;  // resultant points -> quadrature points
-  mutable SurfaceAxes own_axes_{};
 };
 
 }  // namespace
 
-std::vector<StrainErrors> strain_errors(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+std::vector<StrainErrors> strain_errors(const assembly::DiscreteShell& discrete, const std::vector<FreeEdge>& edges,
+                                        const algebra::Vector& y) {
   certificate::NodalSolution field;
   field.y = y;
   const StrainErrorsOf errors(discrete, field);
   std::vector<StrainErrors> all;
   all.reserve(discrete.space().owned_cells);
   for (std::size_t cell = 0; cell < discrete.space().owned_cells; ++cell) all.push_back(errors(cell));
+  for (const FreeEdge& edge : edges) errors.add_twist(edge, all[edge.cell].edge_twist);
   return all;
 }
 
 double energy_product(const assembly::ShellOperator& shell, std::size_t cell, const StrainErrors& u,
                       const StrainErrors& z) {
-  return shell.weighted_stresses(cell, u.error).cwiseProduct(z.error).sum();
+  return shell.weighted_stresses(cell, u.error).cwiseProduct(z.error).sum() + u.edge_twist.dot(z.edge_twist);
 }
 
 double tying_product(const StrainErrors& u, const StrainErrors& z) {

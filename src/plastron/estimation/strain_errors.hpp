@@ -3,6 +3,7 @@
 // too: they are not those of the displacements, which matters to forces and is kept beside it. docs/methods/estimates.md has the identities.
 #pragma once
 #include <plastron/certificate/certificate.hpp>
+#include <plastron/estimation/free_edges.hpp>
 
 #include <vector>
 
@@ -15,12 +16,16 @@ struct StrainErrors {
   CellStrain error;            ///< recovered strains minus those of the element
   CellStrain stresses;         ///< recovered resultants times area
   CellStrain incompatibility;  ///< strains of the displacements minus the tied ones of the element; zero without tying
+  /// M_nt on free edges times the root of its weight (free_edges.hpp): products are those of the layers that the mesh does not have.
+  Eigen::VectorXd edge_twist{};
+  bool has_patch = false;  ///< without, `error` is what the element's own points tell, which is too little
 };
 
-/// Of the owned cells, for the field y (block 6, current ghosts) (collective).
-std::vector<StrainErrors> strain_errors(const assembly::DiscreteShell& discrete, const algebra::Vector& y);
+/// Of the owned cells, for the field y (block 6, current ghosts); `edges` are the free ones of the shell (collective).
+std::vector<StrainErrors> strain_errors(const assembly::DiscreteShell& discrete, const std::vector<FreeEdge>& edges,
+                                        const algebra::Vector& y);
 
-/// int e_u : C : e_z over an owned cell.
+/// int e_u : C : e_z over an owned cell, with the layers at its free edges.
 double energy_product(const assembly::ShellOperator& shell, std::size_t cell, const StrainErrors& u,
                       const StrainErrors& z);
 /// int sigma*(u) : incompatibility(z).

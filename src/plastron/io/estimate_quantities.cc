@@ -13,6 +13,8 @@ std::span<const Quantity<computation::Result>> estimate_quantities() {
        [](const Result& r) {
          return number(std::sqrt(r.estimates->energy_norm_squared / (2 * r.summary.energy.total())));
        }},
+      {"unjudged_cells", "1", "cells without a neighbour to judge them by: the shares of their errors are too small",
+       [](const Result& r) { return Json(r.estimates->unjudged_cells); }, Form::integer},
   };
   return all;
 }

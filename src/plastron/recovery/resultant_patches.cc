@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plastron::recovery {
@@ -19,7 +20,7 @@ constexpr double least_cosine = 0.5;
 constexpr double least_eigenvalue = 1e-5;
 
 // The sums over the cells round a vertex that tell its plane.
-enum Sum { cells, edges, region, region_square, normal, points = normal + 3, moment, sums = moment + 6 };
+enum Sum { cells, edges, curves, region, region_square, normal, points = normal + 3, moment, sums = moment + 6 };
 
 using PlaneMatrix = Eigen::Matrix3d;
 
@@ -99,7 +100,7 @@ void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, cons
   for (const fem::BoundarySide& side : space_.sides)
     if (side.cell < space_.owned_cells)
       for (const int corner : fem::side_corners(space_.shape(), side.side))
-        entry(all, vertices_.at(space_, side.cell, corner))[Sum::edges] += 1;
+        entry(all, vertices_.at(space_, side.cell, corner))[side.is_inner ? Sum::curves : Sum::edges] += 1;
   all.accumulate_ghosts();
   all.update_ghosts();
 
@@ -120,7 +121,7 @@ ResultantPatches::Plane ResultantPatches::plane_of(algebra::LocalIndex vertex, c
   const Vector3d normal(sum[Sum::normal], sum[Sum::normal + 1], sum[Sum::normal + 2]);
   const bool one_region = sum[Sum::region_square] * count - sum[Sum::region] * sum[Sum::region] < 0.5;
   Plane plane;
-  if (count == 0 || sum[Sum::edges] > 0 || !one_region || !(normal.norm() > smooth_sum * count)) return plane;
+  if (count < 2 || sum[Sum::curves] > 0 || !one_region || !(normal.norm() > smooth_sum * count)) return plane;
   const Vector3d a3 = normal.normalized();
   // The patch's directions are those of its points' second moments in the tangent plane.
   const Vector3d any = a3.unitOrthogonal(), other = a3.cross(any);
@@ -131,7 +132,7 @@ ResultantPatches::Plane ResultantPatches::plane_of(algebra::LocalIndex vertex, c
   const Vector3d t1 = tangents * moments.vectors.col(0);
   plane.axes = {t1, a3.cross(t1), a3};
   plane.half_size = (3 * moments.values).cwiseSqrt();  // of points spread evenly
-  plane.is_smooth = true;
+  plane.most = sum[Sum::edges] > 0 ? Kind::narrow : Kind::full;
   return plane;
 }
 
@@ -161,7 +162,7 @@ void ResultantPatches::fit(const std::vector<CellResultants>& cells) {
     for (int k = 0; k < corners_; ++k) {
       const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
       const Plane& plane = planes_[static_cast<std::size_t>(vertex)];
-      if (!plane.is_smooth) continue;
+      if (plane.most == Kind::none) continue;
       const auto own = entry(equations, vertex);
       Eigen::Map<Eigen::MatrixXd> matrix(own.data(), terms_, terms_ + 8);
       for (std::size_t p = 0; p < cells[cell].position.size(); ++p) {
@@ -181,20 +182,48 @@ void ResultantPatches::fit(const std::vector<CellResultants>& cells) {
   solve_normal_equations(equations);
 }
 
+std::vector<Eigen::Index> ResultantPatches::terms_up_to(int along_t1, int along_t2) const {
+  std::vector<Eigen::Index> some;
+  Eigen::Index term = 0;
+  for (int i = 0; i <= degree_; ++i)
+    for (int j = 0; i + j <= degree_; ++j, ++term)
+      if (i <= along_t1 && j <= along_t2) some.push_back(term);
+  return some;
+}
+
 void ResultantPatches::solve_normal_equations(const algebra::Vector& equations) {
   coefficients_ = algebra::Vector(vertices_.layout(), static_cast<int>(terms_ * 8 + 1));
+  const int narrow = space_.degree - 1;
+  const std::array candidates{terms_up_to(degree_, degree_), terms_up_to(degree_, narrow),
+                              terms_up_to(narrow, degree_), terms_up_to(narrow, narrow)};
   for (algebra::LocalIndex vertex = 0; vertex < vertices_.layout()->owned; ++vertex) {
     const auto own = entry(equations, vertex);
-    if (!planes_[static_cast<std::size_t>(vertex)].is_smooth || own.back() > 0) continue;
+    const Kind most = planes_[static_cast<std::size_t>(vertex)].most;
+    if (most == Kind::none || own.back() > 0) continue;
     const Eigen::Map<const Eigen::MatrixXd> matrix(own.data(), terms_, terms_ + 8);
-    const auto eigen = geometry::symmetric_eigen(Eigen::MatrixXd(matrix.leftCols(terms_)));
-    if (!(eigen.values[0] > least_eigenvalue * eigen.values[terms_ - 1])) continue;
     const auto result = entry(coefficients_, vertex);
-    Eigen::Map<Eigen::MatrixXd>(result.data(), terms_, 8) =
-        eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose() * matrix.rightCols(8);
-    result.back() = 1;
+    Eigen::Map<Eigen::MatrixXd> coefficients(result.data(), terms_, 8);
+    for (const std::vector<Eigen::Index>& terms : candidates) {
+      const auto eigen = geometry::symmetric_eigen(Eigen::MatrixXd(matrix(terms, terms)));
+      if (!(eigen.values[0] > least_eigenvalue * eigen.values.tail<1>()[0])) continue;
+      coefficients(terms, Eigen::all) = eigen.vectors * eigen.values.cwiseInverse().asDiagonal() *
+                                        eigen.vectors.transpose() * matrix(terms, Eigen::seqN(terms_, 8));
+      const Kind found = &terms == &candidates.front() ? most : Kind::narrow;
+      result.back() = static_cast<double>(found);
+      break;
+    }
   }
   coefficients_.update_ghosts();
+}
+
+ResultantPatches::Kind ResultantPatches::kind(algebra::LocalIndex vertex) const {
+  return static_cast<Kind>(static_cast<int>(entry(coefficients_, vertex).back()));
+}
+
+ResultantPatches::Kind ResultantPatches::best(std::size_t cell) const {
+  Kind best = Kind::none;
+  for (int k = 0; k < corners_; ++k) best = std::max(best, kind(vertices_.at(space_, cell, k)));
+  return best;
 }
 
 std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
@@ -203,14 +232,15 @@ std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Ve
   std::array<double, 4> weights{};
   std::size_t count = 0;
   double total = 0;
+  const Kind wanted = best(cell);
+  if (wanted == Kind::none) return std::nullopt;
   for (int k = 0; k < corners_; ++k) {
     const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
-    if (entry(coefficients_, vertex).back() == 0) continue;
+    if (kind(vertex) != wanted) continue;
     patches[count] = vertex;
     weights[count] = corner_weight(space_.shape(), k, xi);
     total += weights[count++];
   }
-  if (count == 0) return std::nullopt;
   Resultants sum = Resultants::Zero();
   for (std::size_t i = 0; i < count; ++i) {
     const Plane& plane = planes_[static_cast<std::size_t>(patches[i])];

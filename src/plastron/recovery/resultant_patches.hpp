@@ -3,8 +3,10 @@
 // recovery: Zienkiewicz and Zhu, Int. J. Numer. Methods Eng. 33, 1992), each turned into the vertex's tangent plane. In a cell the
 // polynomials of its vertices are blended, so that the result is continuous.
 //
-// There is no patch across what may jump: a vertex on an edge of the shell, on a named curve, between regions or on a kink has none, nor
-// one with too few points; its cells go by their other vertices.
+// There is no patch across what may jump: a vertex on a named curve, between regions or on a kink has none, nor one of a single cell.
+// A vertex on an edge of the shell and one whose points lie in too few rows for a polynomial (one row of cells has as many rows of points
+// as their degree) has a narrow patch, whose degree across, or in both directions, is one less. Cells go by their full patches, and by
+// narrow ones where they have no full one.
 #pragma once
 #include <plastron/recovery/resultants.hpp>
 #include <plastron/recovery/vertices.hpp>
@@ -19,14 +21,17 @@ class ResultantPatches {
   /// Polynomials of another degree, of which the points of a patch have to know enough.
   ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution, int degree);
 
+  /// Whether a vertex of the owned cell has a patch.
+  bool has_patch(std::size_t cell) const { return best(cell) != Kind::none; }
   /// At the point xi of an owned cell, whose position and axes are given, in these axes; empty if no vertex of the cell has a patch.
   std::optional<Resultants> at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
                                const SurfaceAxes& axes) const;
 
  private:
+  enum class Kind { none, narrow, full };
   /// Where the polynomial of a vertex lives: its tangent plane, with lengths along two directions in it.
   struct Plane {
-    bool is_smooth = false;  ///< the vertex may have a patch
+    Kind most = Kind::none;  ///< the best patch that the vertex may have
     Vector3d position;
     SurfaceAxes axes;           ///< t1 and t2 along the patch
     Eigen::Vector2d half_size;  ///< of the patch along them [m]
@@ -38,6 +43,11 @@ class ResultantPatches {
   /// The polynomials' basis: products of Chebyshev polynomials of a total degree up to that of the elements.
   Eigen::RowVectorXd basis(const Plane& plane, const Vector3d& position) const;
   void solve_normal_equations(const algebra::Vector& equations);
+  /// Up to one degree along t1 and another along t2: places in the basis.
+  std::vector<Eigen::Index> terms_up_to(int along_t1, int along_t2) const;
+  Kind kind(algebra::LocalIndex vertex) const;
+  /// Of the vertices of an owned cell.
+  Kind best(std::size_t cell) const;
 
   const fem::Space& space_;
   int corners_;
@@ -45,7 +55,7 @@ class ResultantPatches {
   Eigen::Index terms_;  ///< of a polynomial
   Vertices vertices_;
   std::vector<Plane> planes_{};
-  algebra::Vector coefficients_{};  ///< terms x 8 by vertex, then 1 where there is a patch
+  algebra::Vector coefficients_{};  ///< terms x 8 by vertex, then the patch's kind
 };
 
 }  // namespace plastron::recovery

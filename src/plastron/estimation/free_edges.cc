@@ -1,0 +1,136 @@
+#include <plastron/estimation/free_edges.hpp>
+
+#include <plastron/fem/basis.hpp>
+#include <plastron/fem/reference_cell.hpp>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace plastron::estimation {
+
+namespace {
+
+using Eigen::Vector2d;
+using geometry::Vector3d;
+
+/// How many cells have each local node.
+algebra::Vector cells_at_nodes(const fem::Space& space) {
+  algebra::Vector count(space.layout, 1);
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+    for (const auto node : space.nodes(cell)) count.local()[static_cast<std::size_t>(node)] += 1;
+  count.accumulate_ghosts();
+  count.update_ghosts();
+  return count;
+}
+
+class FreeEdgesOf {
+ public:
+  explicit FreeEdgesOf(const assembly::DiscreteShell& discrete)
+      : discrete_(discrete),
+        space_(discrete.space()),
+        cells_at_(cells_at_nodes(space_)),
+        load_(discrete.full_load),
+        line_(fem::gauss(space_.degree + 1)) {
+    load_.update_ghosts();
+  }
+
+  bool is_free(const fem::BoundarySide& side) const {
+    if (side.is_inner || space_.degree < 2) return false;
+    const std::vector<int> on_side = fem::side_nodes(space_.shape(), space_.degree, side.side);
+    const Vector3d t = tangents(side).front();
+    return std::ranges::all_of(std::span(on_side).subspan(1, on_side.size() - 2), [&](int k) {
+      const auto node = static_cast<std::size_t>(space_.nodes(side.cell)[static_cast<std::size_t>(k)]);
+      return cells_at_.local()[node] == 1 && !has_couple(node) && may_turn(node, t);
+    });
+  }
+
+  FreeEdge operator()(const fem::BoundarySide& side) const {
+    const assembly::ShellOperator& shell = discrete_.shell;
+    FreeEdge edge{.cell = side.cell, .xi = points(side), .tangent = tangents(side)};
+    std::vector<double> x(edge.xi.size()), y(edge.xi.size()), e(edge.xi.size());
+    shell.surface().positions(space_.cells[side.cell], edge.xi, x, y);
+    const assembly::CrossSection& section = shell.section(side.cell);
+    section.thickness.evaluate(x, y, e);
+    const std::vector<double> lengths = line_lengths(side);
+    double length = 0, area = 0;
+    for (const double part : lengths) length += part;
+    for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(side.cell, q).area;
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      const shell::Material& m = section.material;
+      const double delta = std::min(e[i] / std::sqrt(12 * m.shear_correction), area / length);
+      edge.weight.push_back(lengths[i] * delta * 12 / (m.mu * std::pow(e[i], 3)));
+    }
+    return edge;
+  }
+
+ private:
+  bool has_couple(std::size_t node) const {
+    const std::span<const double> f = load_.local().subspan(6 * node, 6);
+    return std::any_of(f.begin() + 3, f.end(), [](double c) { return c != 0; });
+  }
+
+  /// r may have the direction t without any coordinate that a support prescribes.
+  bool may_turn(std::size_t node, const Vector3d& t) const {
+    const assembly::NodalCoordinates& coordinates = discrete_.coordinates;
+    Eigen::MatrixXd free(6, 0);
+    for (int k = 0; k < coordinates.width; ++k) {
+      if (coordinates.is_prescribed(node, k)) continue;
+      free.conservativeResize(Eigen::NoChange, free.cols() + 1);
+      free.rightCols<1>() = coordinates.direction(node, k);
+    }
+    if (free.cols() == 0) return false;
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(6);
+    wanted.tail<3>() = t - t.dot(normal(node)) * normal(node);
+    constexpr double most_held = 0.3;  // the tangent is that of another point of the side; held is 1
+    return (free * free.completeOrthogonalDecomposition().solve(wanted) - wanted).norm() < most_held;
+  }
+  const Vector3d& normal(std::size_t node) const { return discrete_.points[node].a3; }
+
+  std::vector<Vector2d> points(const fem::BoundarySide& side) const {
+    std::vector<Vector2d> xi;
+    for (const double t : line_.points) xi.push_back(fem::side_point(space_.shape(), side.side, t));
+    return xi;
+  }
+  /// d phi / dt along the side.
+  std::vector<Vector3d> derivatives(const fem::BoundarySide& side) const {
+    const std::vector<Vector2d> xi = points(side);
+    std::vector<geometry::SurfaceJet> jets(xi.size());
+    discrete_.shell.surface().jets(space_.cells[side.cell], xi, jets, false);
+    const Vector2d along = fem::side_tangent(space_.shape(), side.side);
+    std::vector<Vector3d> all;
+    for (const geometry::SurfaceJet& jet : jets) all.emplace_back(along[0] * jet.d[0] + along[1] * jet.d[1]);
+    return all;
+  }
+  std::vector<Vector3d> tangents(const fem::BoundarySide& side) const {
+    std::vector<Vector3d> all = derivatives(side);
+    for (Vector3d& t : all) t.normalize();
+    return all;
+  }
+  std::vector<double> line_lengths(const fem::BoundarySide& side) const {
+    const std::vector<Vector3d> all = derivatives(side);
+    std::vector<double> lengths(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) lengths[i] = line_.weights[i] * all[i].norm();
+    return lengths;
+  }
+
+  const assembly::DiscreteShell& discrete_;
+  const fem::Space& space_;
+  algebra::Vector cells_at_, load_;
+  fem::Rule line_;
+};
+
+}  // namespace
+
+std::vector<FreeEdge> free_edges(const assembly::DiscreteShell& discrete) {
+  const FreeEdgesOf make(discrete);
+  std::vector<FreeEdge> all;
+  for (const fem::BoundarySide& side : discrete.space().sides)
+    if (side.cell < discrete.space().owned_cells && make.is_free(side)) all.push_back(make(side));
+  std::ranges::stable_sort(all, {}, &FreeEdge::cell);
+  return all;
+}
+
+}  // namespace plastron::estimation

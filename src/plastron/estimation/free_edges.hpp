@@ -1,0 +1,24 @@
+// Edges whose rotation about the normal to them, r . t, nothing holds. There the twisting moment M_nt goes to zero within a layer
+// r . t = psi exp(-s / delta), s the distance from the edge, delta^2 = e^2 / (12 k_s), which a mesh of wider cells does not have: its M_nt
+// ends at some value. With T = mu e^3 / 12 the layer's energy 1/2 int T (psi'^2 + psi^2 / delta^2) ds = psi^2 T / (2 delta) is least
+// against the work of M_nt at psi = M_nt delta / T, so that the squared error in the energy norm is M_nt^2 delta / T by length of edge.
+#pragma once
+#include <plastron/assembly/discrete_shell.hpp>
+
+#include <vector>
+
+namespace plastron::estimation {
+
+/// A side of an owned cell: points, unit tangents of the edge there, and what M_nt^2 is multiplied with [1/N].
+struct FreeEdge {
+  std::size_t cell = 0;
+  std::vector<Eigen::Vector2d> xi{};
+  std::vector<geometry::Vector3d> tangent{};
+  std::vector<double> weight{};
+};
+
+/// Those of the owned cells, in ascending order of cells, without those where couples act and where the layer is wider than the cell; none at
+/// degree 1, whose edges have no nodes of their own (collective).
+std::vector<FreeEdge> free_edges(const assembly::DiscreteShell& discrete);
+
+}  // namespace plastron::estimation
