@@ -66,6 +66,24 @@ TEST(EstimatedEnergy, HasTheRightSignAndSizeOnAThinCurvedShell) {
   }
 }
 
+// M_nt vanishes at free edges within e/sqrt(12 k_s), a thousandth of these shells: no cell of theirs has that layer, and no patch sees it.
+TEST(EstimatedEnergy, KnowsOfTheShearLayerOfFreeEdges) {
+  const auto k = ShearCorrection::five_sixths;
+  const auto energy = [](const LinearReference& r) {
+    return computation::solve(r.problem, MPI_COMM_WORLD).summary.energy.total();
+  };
+  const auto look = [](const LinearReference& coarse, double exact) {
+    const computation::Result result = computation::solve(coarse.problem, MPI_COMM_WORLD);
+    ASSERT_TRUE(result.estimates) << coarse.name;
+    const double error = exact - result.summary.energy.total(), estimate = result.estimates->goals.front().estimate;
+    EXPECT_GT(estimate, 0.5 * error) << coarse.name;
+    EXPECT_LT(estimate, 3 * error) << coarse.name;
+  };
+  const double roof = energy(scordelis_lo(k, true, 6, 4)), hyperboloid = energy(free_hyperboloid(0.01, k, 6, 4));
+  for (const int refinements : {1, 2}) look(scordelis_lo(k, true, 4, refinements), roof);
+  look(free_hyperboloid(0.01, k, 4, 2), hyperboloid);
+}
+
 // The edge of the contact zone crosses cells at random: true errors go through zero, estimates do not.
 TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmall) {
   int all = 0, too_small = 0, too_large = 0;

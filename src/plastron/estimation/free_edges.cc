@@ -43,7 +43,8 @@ class FreeEdgesOf {
     const Vector3d t = tangents(side).front();
     return std::ranges::all_of(std::span(on_side).subspan(1, on_side.size() - 2), [&](int k) {
       const auto node = static_cast<std::size_t>(space_.nodes(side.cell)[static_cast<std::size_t>(k)]);
-      return cells_at_.local()[node] == 1 && !has_couple(node) && may_turn(node, t);
+      return cells_at_.local()[node] == 1 && !has_couple(node) && may_turn(node, t) &&
+             may_turn(node, normal(node).cross(t));
     });
   }
 
@@ -72,8 +73,8 @@ class FreeEdgesOf {
     return std::any_of(f.begin() + 3, f.end(), [](double c) { return c != 0; });
   }
 
-  /// r may have the direction t without any coordinate that a support prescribes.
-  bool may_turn(std::size_t node, const Vector3d& t) const {
+  /// r may have a direction without any coordinate that a support prescribes.
+  bool may_turn(std::size_t node, const Vector3d& direction) const {
     const assembly::NodalCoordinates& coordinates = discrete_.coordinates;
     Eigen::MatrixXd free(6, 0);
     for (int k = 0; k < coordinates.width; ++k) {
@@ -83,7 +84,7 @@ class FreeEdgesOf {
     }
     if (free.cols() == 0) return false;
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero(6);
-    wanted.tail<3>() = t - t.dot(normal(node)) * normal(node);
+    wanted.tail<3>() = direction - direction.dot(normal(node)) * normal(node);
     constexpr double most_held = 0.3;  // the tangent is that of another point of the side; held is 1
     return (free * free.completeOrthogonalDecomposition().solve(wanted) - wanted).norm() < most_held;
   }

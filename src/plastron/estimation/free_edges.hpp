@@ -1,7 +1,8 @@
-// Edges whose rotation about the normal to them, r . t, nothing holds. There the twisting moment M_nt goes to zero within a layer
-// r . t = psi exp(-s / delta), s the distance from the edge, delta^2 = e^2 / (12 k_s), which a mesh of wider cells does not have: its M_nt
-// ends at some value. With T = mu e^3 / 12 the layer's energy 1/2 int T (psi'^2 + psi^2 / delta^2) ds = psi^2 T / (2 delta) is least
-// against the work of M_nt at psi = M_nt delta / T, so that the squared error in the energy norm is M_nt^2 delta / T by length of edge.
+// Edges at which nothing holds r, and the layer there that a mesh does not have. Where r . n is held, as at edges of symmetry, there is no
+// twisting moment M_nt; at free edges it goes to zero within a layer r . t = psi exp(-s / delta), s the distance from the edge and
+// delta^2 = e^2 / (12 k_s). With wider cells M_nt ends at some value. With T = mu e^3 / 12 the layer's energy
+// 1/2 int T (psi'^2 + psi^2 / delta^2) ds = psi^2 T / (2 delta) is least against the work M_nt psi at psi = M_nt delta / T, so that the
+// squared error in the energy norm is M_nt^2 delta / T by length of edge.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
 
@@ -17,8 +18,8 @@ struct FreeEdge {
   std::vector<double> weight{};
 };
 
-/// Those of the owned cells, in ascending order of cells, without those where couples act and where the layer is wider than the cell; none at
-/// degree 1, whose edges have no nodes of their own (collective).
+/// Those of the owned cells, in ascending order of cells, without those where couples act; none at degree 1, whose edges have no nodes of
+/// their own. A layer counts as no wider than its cell (collective).
 std::vector<FreeEdge> free_edges(const assembly::DiscreteShell& discrete);
 
 }  // namespace plastron::estimation

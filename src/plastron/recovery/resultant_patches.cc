@@ -20,15 +20,37 @@ constexpr double least_cosine = 0.5;
 constexpr double least_eigenvalue = 1e-5;
 
 // The sums over the cells round a vertex that tell its plane.
-enum Sum { cells, edges, curves, region, region_square, normal, points = normal + 3, moment, sums = moment + 6 };
+enum Sum { cells, edges, curves, region, region_square, normal, points = normal + 3, mean, moment = mean + 3, sums = moment + 6 };
 
 using PlaneMatrix = Eigen::Matrix3d;
 
+/// Of the points, from the vertex.
+Vector3d mean_of(std::span<const double> sum) { return Vector3d(sum[mean], sum[mean + 1], sum[mean + 2]) / sum[points]; }
+
+/// About their mean.
 PlaneMatrix moment_of(std::span<const double> sum) {
   const double* m = sum.data() + moment;
   PlaneMatrix matrix;
   matrix << m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2];
-  return matrix / sum[points];
+  const Vector3d middle = mean_of(sum);
+  return matrix / sum[points] - middle * middle.transpose();
+}
+
+/// Of a vertex whose cells' normals are summed up, with two unit vectors that are the same on every rank.
+struct TangentPlane {
+  Vector3d a3, any, other;
+
+  explicit TangentPlane(std::span<const double> sum)
+      : a3(Vector3d(sum[normal], sum[normal + 1], sum[normal + 2]).normalized()),
+        any(a3.unitOrthogonal()),
+        other(a3.cross(any)) {}
+  double angle(const Vector3d& v) const { return std::atan2(v.dot(other), v.dot(any)); }
+};
+
+/// The corners at the other ends of a corner's two sides.
+std::array<int, 2> neighbours(fem::Shape shape, int corner) {
+  if (shape == fem::Shape::quadrilateral) return {corner ^ 1, corner ^ 2};
+  return {(corner + 1) % 3, (corner + 2) % 3};
 }
 
 std::span<double> entry(algebra::Vector& v, algebra::LocalIndex i) {
@@ -61,6 +83,7 @@ void add_points(const Vector3d& vertex, const CellResultants& cell, std::span<do
     const Vector3d d = position - vertex;
     const std::array products{d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[2] * d[0]};
     sum[points] += 1;
+    for (std::size_t k = 0; k < 3; ++k) sum[mean + k] += d[static_cast<Eigen::Index>(k)];
     for (std::size_t k = 0; k < products.size(); ++k) sum[moment + k] += products[k];
   }
 }
@@ -105,35 +128,47 @@ void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, cons
   all.update_ghosts();
 
   planes_.resize(static_cast<std::size_t>(vertices_.layout()->local_size()));
-  for (algebra::LocalIndex v = 0; v < vertices_.layout()->local_size(); ++v)
-    planes_[static_cast<std::size_t>(v)] = plane_of(v, all);
+  algebra::Vector turns(vertices_.layout(), 2);  // cosine and sine of four times the edges' angles to TangentPlane::any
+  std::vector<char> is_placed(planes_.size());
   for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
     discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
-    for (int k = 0; k < corners_; ++k)
-      planes_[static_cast<std::size_t>(vertices_.at(space_, cell, k))].position =
-          jets[static_cast<std::size_t>(k)].value;
+    for (int k = 0; k < corners_; ++k) {
+      const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
+      const Vector3d& here = jets[static_cast<std::size_t>(k)].value;
+      const TangentPlane plane(entry(all, vertex));
+      for (const int other : neighbours(space_.shape(), k)) {
+        const double angle = 4 * plane.angle(jets[static_cast<std::size_t>(other)].value - here);
+        entry(turns, vertex)[0] += std::cos(angle);
+        entry(turns, vertex)[1] += std::sin(angle);
+      }
+      if (!is_placed[static_cast<std::size_t>(vertex)]) planes_[static_cast<std::size_t>(vertex)].position = here;
+      is_placed[static_cast<std::size_t>(vertex)] = 1;
+    }
   }
+  turns.accumulate_ghosts();
+  turns.update_ghosts();
+  for (algebra::LocalIndex v = 0; v < vertices_.layout()->local_size(); ++v)
+    set_plane(v, entry(all, v), std::atan2(entry(turns, v)[1], entry(turns, v)[0]) / 4);
 }
 
-ResultantPatches::Plane ResultantPatches::plane_of(algebra::LocalIndex vertex, const algebra::Vector& sums) const {
-  const auto sum = entry(sums, vertex);
+// The patch's directions are those of its cells' edges, as nearly as one cross can have them: polynomials of two degrees want them, and
+// corners of a square that stands on one would be far outside of where the basis is good.
+void ResultantPatches::set_plane(algebra::LocalIndex vertex, std::span<const double> sum, double angle) {
   const double count = sum[Sum::cells];
   const Vector3d normal(sum[Sum::normal], sum[Sum::normal + 1], sum[Sum::normal + 2]);
   const bool one_region = sum[Sum::region_square] * count - sum[Sum::region] * sum[Sum::region] < 0.5;
-  Plane plane;
-  if (count < 2 || sum[Sum::curves] > 0 || !one_region || !(normal.norm() > smooth_sum * count)) return plane;
-  const Vector3d a3 = normal.normalized();
-  // The patch's directions are those of its points' second moments in the tangent plane.
-  const Vector3d any = a3.unitOrthogonal(), other = a3.cross(any);
-  Eigen::Matrix<double, 3, 2> tangents;
-  tangents << any, other;
-  const auto moments = geometry::symmetric_eigen(Eigen::Matrix2d(tangents.transpose() * moment_of(sum) * tangents));
-  if (!(moments.values[0] > 0)) return plane;
-  const Vector3d t1 = tangents * moments.vectors.col(0);
-  plane.axes = {t1, a3.cross(t1), a3};
-  plane.half_size = (3 * moments.values).cwiseSqrt();  // of points spread evenly
+  Plane& plane = planes_[static_cast<std::size_t>(vertex)];
+  if (count < 2 || sum[Sum::curves] > 0 || !one_region || !(normal.norm() > smooth_sum * count)) return;
+  const TangentPlane tangents(sum);
+  const Vector3d t1 = std::cos(angle) * tangents.any + std::sin(angle) * tangents.other;
+  plane.axes = {t1, tangents.a3.cross(t1), tangents.a3};
+  const PlaneMatrix moments = moment_of(sum);
+  const Eigen::Vector2d squares(t1.dot(moments * t1), plane.axes.t2.dot(moments * plane.axes.t2));
+  if (!(squares.minCoeff() > 0)) return;
+  plane.half_size = (3 * squares).cwiseSqrt();  // of points spread evenly
+  const Vector3d middle = mean_of(sum);
+  plane.position += middle - middle.dot(tangents.a3) * tangents.a3;
   plane.most = sum[Sum::edges] > 0 ? Kind::narrow : Kind::full;
-  return plane;
 }
 
 Eigen::RowVectorXd ResultantPatches::basis(const Plane& plane, const Vector3d& position) const {
@@ -193,9 +228,15 @@ std::vector<Eigen::Index> ResultantPatches::terms_up_to(int along_t1, int along_
 
 void ResultantPatches::solve_normal_equations(const algebra::Vector& equations) {
   coefficients_ = algebra::Vector(vertices_.layout(), static_cast<int>(terms_ * 8 + 1));
-  const int narrow = space_.degree - 1;
-  const std::array candidates{terms_up_to(degree_, degree_), terms_up_to(degree_, narrow),
-                              terms_up_to(narrow, degree_), terms_up_to(narrow, narrow)};
+  const int k = space_.degree;
+  const std::array<std::pair<Kind, std::vector<Eigen::Index>>, 7> candidates{
+      {{Kind::full, terms_up_to(degree_, degree_)},
+       {Kind::lower, terms_up_to(degree_, k)},
+       {Kind::lower, terms_up_to(k, degree_)},
+       {Kind::narrow, terms_up_to(degree_, k - 1)},
+       {Kind::narrow, terms_up_to(k - 1, degree_)},
+       {Kind::narrow, terms_up_to(k, k)},
+       {Kind::narrow, terms_up_to(k - 1, k - 1)}}};
   for (algebra::LocalIndex vertex = 0; vertex < vertices_.layout()->owned; ++vertex) {
     const auto own = entry(equations, vertex);
     const Kind most = planes_[static_cast<std::size_t>(vertex)].most;
@@ -203,13 +244,12 @@ void ResultantPatches::solve_normal_equations(const algebra::Vector& equations) 
     const Eigen::Map<const Eigen::MatrixXd> matrix(own.data(), terms_, terms_ + 8);
     const auto result = entry(coefficients_, vertex);
     Eigen::Map<Eigen::MatrixXd> coefficients(result.data(), terms_, 8);
-    for (const std::vector<Eigen::Index>& terms : candidates) {
+    for (const auto& [found, terms] : candidates) {
       const auto eigen = geometry::symmetric_eigen(Eigen::MatrixXd(matrix(terms, terms)));
       if (!(eigen.values[0] > least_eigenvalue * eigen.values.tail<1>()[0])) continue;
       coefficients(terms, Eigen::all) = eigen.vectors * eigen.values.cwiseInverse().asDiagonal() *
                                         eigen.vectors.transpose() * matrix(terms, Eigen::seqN(terms_, 8));
-      const Kind found = &terms == &candidates.front() ? most : Kind::narrow;
-      result.back() = static_cast<double>(found);
+      result.back() = static_cast<double>(std::min(found, most));
       break;
     }
   }

@@ -4,12 +4,14 @@
 // polynomials of its vertices are blended, so that the result is continuous.
 //
 // There is no patch across what may jump: a vertex on a named curve, between regions or on a kink has none, nor one of a single cell.
-// A vertex on an edge of the shell and one whose points lie in too few rows for a polynomial (one row of cells has as many rows of points
-// as their degree) has a narrow patch, whose degree across, or in both directions, is one less. Cells go by their full patches, and by
-// narrow ones where they have no full one.
+// Where points lie in too few rows for a polynomial (one row of cells has as many rows of points as their degree) or cells of very
+// different sizes meet, a patch takes the highest degrees along and across that its points determine. A vertex on an edge of the shell
+// has the last choice, a narrow patch; cells go by the best of their vertices' patches.
 #pragma once
 #include <plastron/recovery/resultants.hpp>
 #include <plastron/recovery/vertices.hpp>
+
+#include <span>
 
 namespace plastron::recovery {
 
@@ -28,18 +30,20 @@ class ResultantPatches {
                                const SurfaceAxes& axes) const;
 
  private:
-  enum class Kind { none, narrow, full };
+  /// Ascending: `lower` ones have the elements' degree at least in both directions.
+  enum class Kind { none, narrow, lower, full };
   /// Where the polynomial of a vertex lives: its tangent plane, with lengths along two directions in it.
   struct Plane {
     Kind most = Kind::none;  ///< the best patch that the vertex may have
-    Vector3d position;
+    Vector3d position = Vector3d::Zero();  ///< the middle of the patch's points, in the tangent plane [m]
     SurfaceAxes axes;           ///< t1 and t2 along the patch
     Eigen::Vector2d half_size;  ///< of the patch along them [m]
   };
 
   void find_planes(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells);
   void fit(const std::vector<CellResultants>& cells);
-  Plane plane_of(algebra::LocalIndex vertex, const algebra::Vector& sums) const;
+  /// From sums over its cells; t1 has this angle.
+  void set_plane(algebra::LocalIndex vertex, std::span<const double> sum, double angle);
   /// The polynomials' basis: products of Chebyshev polynomials of a total degree up to that of the elements.
   Eigen::RowVectorXd basis(const Plane& plane, const Vector3d& position) const;
   void solve_normal_equations(const algebra::Vector& equations);
