@@ -123,7 +123,7 @@ TEST(Estimates, NeedNoFactorisationOfTheirOwnWithoutObstacles) {
 TEST(Estimates, BringTheEnergyNearerToThatOfAFinerMesh) {
   for (const Choice& choice : elements) {
     Choice finer = choice;
-    finer.refinements += 1;
+    finer.refinements += 2;
     const GoalEstimate goal = SolvedSaddle(choice).estimate(Energy{});
     const double exact = SolvedSaddle(finer).estimate(Energy{}).value;
     EXPECT_LT(std::abs(goal.value + goal.estimate - exact), 0.75 * std::abs(goal.value - exact)) << choice.degree;

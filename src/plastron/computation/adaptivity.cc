@@ -138,7 +138,9 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
   if (estimates && !is_uniform_ && worst_excess() > rounding) {
     marks_ = computation::marks(space, goals_, *estimates, share_to_divide());
     may_join_ = may_join_ && estimates->unjudged_cells == 0;
-    if (!may_join_) std::ranges::replace_if(marks_, [](signed char mark) { return mark < 0; }, 0);
+    if (!may_join_)
+      std::ranges::replace_if(
+          marks_, [](signed char mark) { return mark < 0; }, 0);
     const auto divided = algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, 1)}, space.layout->comm);
     if (divided > 0) return divided;
   }

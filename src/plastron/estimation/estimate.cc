@@ -46,7 +46,11 @@ class GoalEstimator {
  public:
   GoalEstimator(const Solved& solved, algebra::Preconditioner& preconditioner, const AllErrors& primal,
                 const std::vector<FreeEdge>& free_edges, const ContactEdge& edge)
-      : solved_(solved), primal_(primal), free_edges_(free_edges), edge_(edge), duals_(solved.box, solved.z, preconditioner) {}
+      : solved_(solved),
+        primal_(primal),
+        free_edges_(free_edges),
+        edge_(edge),
+        duals_(solved.box, solved.z, preconditioner) {}
 
   GoalEstimate operator()(const Goal& goal) {
     const assembly::ShellOperator& shell = solved_.discrete.shell;

@@ -3,6 +3,7 @@
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/reference_cell.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -24,6 +25,25 @@ algebra::Vector cells_at_nodes(const fem::Space& space) {
   count.accumulate_ghosts();
   count.update_ghosts();
   return count;
+}
+
+/// The part of the energy of exp(-s), under its work at s = 0, that polynomials of degree k on 0 < s < x have which vanish at x.
+double energy_share_of_polynomials(int degree, double x) {
+  const fem::Rule rule = fem::gauss(degree + 1);
+  Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(degree, degree);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    // Products of 1 - t with Chebyshev polynomials, t = s/x.
+    Eigen::VectorXd value(degree), slope(degree);
+    const double t = rule.points[q], angle = std::acos(2 * t - 1);
+    for (int i = 0; i < degree; ++i) {
+      value[i] = (1 - t) * std::cos(i * angle);
+      slope[i] = -std::cos(i * angle) + (1 - t) * 2 * i * std::sin(i * angle) / std::sin(angle);
+    }
+    energy += rule.weights[q] * (slope * slope.transpose() / x + x * value * value.transpose());
+  }
+  Eigen::VectorXd at_edge(degree);
+  for (int i = 0; i < degree; ++i) at_edge[i] = i % 2 == 0 ? 1 : -1;
+  return at_edge.dot(energy.ldlt().solve(at_edge));
 }
 
 class FreeEdgesOf {
@@ -61,8 +81,9 @@ class FreeEdgesOf {
     for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(side.cell, q).area;
     for (std::size_t i = 0; i < e.size(); ++i) {
       const shell::Material& m = section.material;
-      const double delta = std::min(e[i] / std::sqrt(12 * m.shear_correction), area / length);
-      edge.weight.push_back(lengths[i] * delta * 12 / (m.mu * std::pow(e[i], 3)));
+      const double delta = e[i] / std::sqrt(12 * m.shear_correction);
+      const double missing = 1 - energy_share_of_polynomials(space_.degree, area / length / delta);
+      edge.weight.push_back(missing * lengths[i] * delta * 12 / (m.mu * std::pow(e[i], 3)));
     }
     return edge;
   }

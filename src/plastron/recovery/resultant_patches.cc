@@ -20,12 +20,25 @@ constexpr double least_cosine = 0.5;
 constexpr double least_eigenvalue = 1e-5;
 
 // The sums over the cells round a vertex that tell its plane.
-enum Sum { cells, edges, curves, region, region_square, normal, points = normal + 3, mean, moment = mean + 3, sums = moment + 6 };
+enum Sum {
+  cells,
+  edges,
+  curves,
+  region,
+  region_square,
+  normal,
+  points = normal + 3,
+  mean,
+  moment = mean + 3,
+  sums = moment + 6
+};
 
 using PlaneMatrix = Eigen::Matrix3d;
 
 /// Of the points, from the vertex.
-Vector3d mean_of(std::span<const double> sum) { return Vector3d(sum[mean], sum[mean + 1], sum[mean + 2]) / sum[points]; }
+Vector3d mean_of(std::span<const double> sum) {
+  return Vector3d(sum[mean], sum[mean + 1], sum[mean + 2]) / sum[points];
+}
 
 /// About their mean.
 PlaneMatrix moment_of(std::span<const double> sum) {

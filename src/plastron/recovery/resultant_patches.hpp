@@ -34,10 +34,10 @@ class ResultantPatches {
   enum class Kind { none, narrow, lower, full };
   /// Where the polynomial of a vertex lives: its tangent plane, with lengths along two directions in it.
   struct Plane {
-    Kind most = Kind::none;  ///< the best patch that the vertex may have
+    Kind most = Kind::none;                ///< the best patch that the vertex may have
     Vector3d position = Vector3d::Zero();  ///< the middle of the patch's points, in the tangent plane [m]
-    SurfaceAxes axes;           ///< t1 and t2 along the patch
-    Eigen::Vector2d half_size;  ///< of the patch along them [m]
+    SurfaceAxes axes;                      ///< t1 and t2 along the patch
+    Eigen::Vector2d half_size;             ///< of the patch along them [m]
   };
 
   void find_planes(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells);
