@@ -82,6 +82,21 @@ TEST(Accuracy, EndsWhereALimitStands) {
   EXPECT_NE(hasty.missed_limits.find("max_seconds"), std::string::npos);
 }
 
+/// The moment at a re-entrant corner grows with each division of the cells there.
+TEST(Accuracy, IsGivenUpForWhatHasNoLimit) {
+  Problem p = cantilever_plate();
+  p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  p.supports = {clamped(fem::boundary_names(p.domain).front())};
+  p.discretisation = {.degree = 3, .refinements = 0};
+  p.probes = {{"corner", {1, 1}}};
+  p.accuracy = Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
+  EXPECT_NE(result.missed_limits.find("may have no limit"), std::string::npos) << result.missed_limits;
+  EXPECT_LT(result.levels.size(), 25U);
+  EXPECT_TRUE(result.solution);
+}
+
 /// A component that vanishes by symmetry is accurate when it is small beside the others.
 TEST(Accuracy, TakesNumbersThatVanish) {
   Problem p = accurate_bowl(1e-2);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace plastron::computation {
@@ -122,14 +123,44 @@ bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
   const std::vector<GoalRecord> before = std::move(goals_);
   goals_ = estimates ? goal_records(problem_, *estimates, result.summary) : std::vector<GoalRecord>{};
   missed_ = estimates ? shortfall(goals_, *estimates) : "there are no estimates";
+  if (estimates) std::ranges::transform(goals_, std::back_inserter(values_.emplace_back()), &GoalRecord::value);
   if (missed_.empty() && is_settled(before)) return false;
   const std::int64_t divided = mark(space, estimates);
   const double growth = 1 + 3 * static_cast<double>(divided) / static_cast<double>(space.global_cells);
-  const std::string limit = obstacle(result.levels.back(), growth, comm);
-  if (limit.empty()) return true;
+  std::string limit = unsettled(6, 0.9);
+  if (limit.empty() && divided == 0) limit = "the cells to divide are as small as can be";
+  if (limit.empty()) {
+    limit = obstacle(result.levels.back(), growth, comm);
+    if (limit.empty()) return true;
+    const std::string doubt = unsettled(3, 0.7);
+    if (!doubt.empty()) limit += "; " + doubt;
+  }
   if (missed_.empty()) missed_ = "the goals are met on one mesh only";
   missed_ += "; " + limit;
   return false;
+}
+
+std::vector<double> AccuracyLoop::changes(std::size_t goal, std::size_t count) const {
+  std::vector<double> result;
+  for (auto mesh = values_.rbegin(); values_.rend() - mesh > 1 && result.size() < count; ++mesh)
+    result.push_back(std::abs((*mesh)[goal] - (*(mesh + 1))[goal]));
+  return result;
+}
+
+// What has no limit changes as much each time its place is divided (a logarithm) or more (a power).
+std::string AccuracyLoop::unsettled(std::size_t count, double least_decay) const {
+  std::string text;
+  for (std::size_t g = 0; g < goals_.size(); ++g) {
+    const std::vector<double> last = changes(g, count);
+    if (goals_[g].is_met() || last.size() < count || last.front() <= goals_[g].allowed()) continue;
+    const auto settles = [&](double now, double before) { return now < least_decay * before; };
+    if (std::ranges::adjacent_find(last, settles) != last.end()) continue;
+    text += fmt::format(
+        "{}{} changed by {:.2g} and by {:.2g} on the last meshes and may have no limit, as displacements "
+        "under a point couple and stresses at corners have none",
+        text.empty() ? "" : "; ", goals_[g].name, last[1], last[0]);
+  }
+  return text;
 }
 
 /// All cells where no goal has errors in cells that could be told apart. How many are to be divided (collective).
@@ -141,11 +172,15 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     if (!may_join_)
       std::ranges::replace_if(
           marks_, [](signed char mark) { return mark < 0; }, 0);
-    const auto divided = algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, 1)}, space.layout->comm);
-    if (divided > 0) return divided;
+    const auto wanted = algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, 1)}, space.layout->comm);
+    if (wanted == 0) marks_.assign(space.owned_cells, 1);
+  } else {
+    marks_.assign(space.owned_cells, 1);
   }
-  marks_.assign(space.owned_cells, 1);
-  return space.global_cells;
+  constexpr double smallest = 0x1p-24;  // of a coarse cell; p4est ends at 2^-29
+  for (std::size_t c = 0; c < marks_.size(); ++c)
+    if (marks_[c] > 0 && std::abs(space.cells[c].size) <= smallest) marks_[c] = 0;
+  return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, 1)}, space.layout->comm);
 }
 
 bool AccuracyLoop::is_settled(const std::vector<GoalRecord>& before) const {

@@ -44,6 +44,10 @@ class AccuracyLoop {
   /// Of the goal that is furthest from being met.
   double worst_excess() const;
   double share_to_divide() const;
+  /// Of a goal from mesh to mesh, the last one first, as many as there were up to `count`.
+  std::vector<double> changes(std::size_t goal, std::size_t count) const;
+  /// Which goals that are not met do not settle, none of their last changes below `least_decay` times the one before, in words.
+  std::string unsettled(std::size_t count, double least_decay) const;
   /// Which limit stands against a next mesh with so many times the unknowns; empty if none (collective).
   std::string obstacle(const Level& level, double growth, MPI_Comm comm) const;
 
@@ -52,6 +56,7 @@ class AccuracyLoop {
   bool may_join_ = true;  ///< cells that nothing judged may come back where cells join
   Stopwatch since_start_{};
   std::vector<GoalRecord> goals_{};
+  std::vector<std::vector<double>> values_{};  ///< of the goals, mesh by mesh
   std::vector<signed char> marks_{};
   std::string missed_{};
 };
