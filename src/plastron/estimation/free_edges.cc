@@ -82,7 +82,9 @@ class FreeEdgesOf {
     for (std::size_t i = 0; i < e.size(); ++i) {
       const shell::Material& m = section.material;
       const double delta = e[i] / std::sqrt(12 * m.shear_correction);
-      const double missing = 1 - energy_share_of_polynomials(space_.degree, area / length / delta);
+      const double cell = area / length / delta;  // how wide, in widths of the layer
+      // Within the layer M_nt is a residual like any other, which weighs as the cell's width does.
+      const double missing = (1 - energy_share_of_polynomials(space_.degree, cell)) * std::min(1.0, cell);
       edge.weight.push_back(missing * lengths[i] * delta * 12 / (m.mu * std::pow(e[i], 3)));
     }
     return edge;
