@@ -115,6 +115,7 @@ class FreeEdgesOf {
 
   std::vector<Vector2d> points(const fem::BoundarySide& side) const {
     std::vector<Vector2d> xi;
+    xi.reserve(line_.points.size());
     for (const double t : line_.points) xi.push_back(fem::side_point(space_.shape(), side.side, t));
     return xi;
   }
@@ -125,6 +126,7 @@ class FreeEdgesOf {
     discrete_.shell.surface().jets(space_.cells[side.cell], xi, jets, false);
     const Vector2d along = fem::side_tangent(space_.shape(), side.side);
     std::vector<Vector3d> all;
+    all.reserve(jets.size());
     for (const geometry::SurfaceJet& jet : jets) all.emplace_back(along[0] * jet.d[0] + along[1] * jet.d[1]);
     return all;
   }
