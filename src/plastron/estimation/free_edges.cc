@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace plastron::estimation {
 
@@ -57,10 +60,28 @@ class FreeEdgesOf {
     load_.update_ghosts();
   }
 
-  bool is_free(const fem::BoundarySide& side) const {
-    if (side.is_inner || space_.degree < 2) return false;
+  /// Nothing if the side is no free edge.
+  std::optional<FreeEdge> operator()(const fem::BoundarySide& side) const {
+    if (side.is_inner || space_.degree < 2) return {};
+    FreeEdge edge{.cell = side.cell};
+    for (const double t : line_.points) edge.xi.push_back(fem::side_point(space_.shape(), side.side, t));
+    std::vector<geometry::SurfaceJet> jets(edge.xi.size());
+    discrete_.shell.surface().jets(space_.cells[side.cell], edge.xi, jets, false);
+    const Vector2d along = fem::side_tangent(space_.shape(), side.side);
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < jets.size(); ++i) {
+      const Vector3d derivative = along[0] * jets[i].d[0] + along[1] * jets[i].d[1];
+      edge.tangent.push_back(derivative.normalized());
+      lengths.push_back(line_.weights[i] * derivative.norm());
+    }
+    if (!is_free(side, edge.tangent.front())) return {};
+    edge.weight = weights(edge, lengths);
+    return edge;
+  }
+
+ private:
+  bool is_free(const fem::BoundarySide& side, const Vector3d& t) const {
     const std::vector<int> on_side = fem::side_nodes(space_.shape(), space_.degree, side.side);
-    const Vector3d t = tangents(side).front();
     return std::ranges::all_of(std::span(on_side).subspan(1, on_side.size() - 2), [&](int k) {
       const auto node = static_cast<std::size_t>(space_.nodes(side.cell)[static_cast<std::size_t>(k)]);
       return cells_at_.local()[node] == 1 && !has_couple(node) && may_turn(node, t) &&
@@ -68,29 +89,26 @@ class FreeEdgesOf {
     });
   }
 
-  FreeEdge operator()(const fem::BoundarySide& side) const {
+  std::vector<double> weights(const FreeEdge& edge, std::vector<double> lengths) const {
     const assembly::ShellOperator& shell = discrete_.shell;
-    FreeEdge edge{.cell = side.cell, .xi = points(side), .tangent = tangents(side)};
     std::vector<double> x(edge.xi.size()), y(edge.xi.size()), e(edge.xi.size());
-    shell.surface().positions(space_.cells[side.cell], edge.xi, x, y);
-    const assembly::CrossSection& section = shell.section(side.cell);
+    shell.surface().positions(space_.cells[edge.cell], edge.xi, x, y);
+    const assembly::CrossSection& section = shell.section(edge.cell);
     section.thickness.evaluate(x, y, e);
-    const std::vector<double> lengths = line_lengths(side);
-    double length = 0, area = 0;
-    for (const double part : lengths) length += part;
-    for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(side.cell, q).area;
+    double area = 0;
+    for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(edge.cell, q).area;
+    const double width = area / std::accumulate(lengths.begin(), lengths.end(), 0.0);
     for (std::size_t i = 0; i < e.size(); ++i) {
       const shell::Material& m = section.material;
       const double delta = e[i] / std::sqrt(12 * m.shear_correction);
-      const double cell = area / length / delta;  // how wide, in widths of the layer
+      const double cell = width / delta;
       // Within the layer M_nt is a residual like any other, which weighs as the cell's width does.
       const double missing = (1 - energy_share_of_polynomials(space_.degree, cell)) * std::min(1.0, cell);
-      edge.weight.push_back(missing * lengths[i] * delta * 12 / (m.mu * std::pow(e[i], 3)));
+      lengths[i] *= missing * delta * 12 / (m.mu * std::pow(e[i], 3));
     }
-    return edge;
+    return lengths;
   }
 
- private:
   bool has_couple(std::size_t node) const {
     const std::span<const double> f = load_.local().subspan(6 * node, 6);
     return std::any_of(f.begin() + 3, f.end(), [](double c) { return c != 0; });
@@ -107,40 +125,11 @@ class FreeEdgesOf {
     }
     if (free.cols() == 0) return false;
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero(6);
-    wanted.tail<3>() = direction - direction.dot(normal(node)) * normal(node);
+    wanted.tail<3>() = geometry::tangential(direction, normal(node));
     constexpr double most_held = 0.3;  // the tangent is that of another point of the side; held is 1
     return (free * free.completeOrthogonalDecomposition().solve(wanted) - wanted).norm() < most_held;
   }
   const Vector3d& normal(std::size_t node) const { return discrete_.points[node].a3; }
-
-  std::vector<Vector2d> points(const fem::BoundarySide& side) const {
-    std::vector<Vector2d> xi;
-    xi.reserve(line_.points.size());
-    for (const double t : line_.points) xi.push_back(fem::side_point(space_.shape(), side.side, t));
-    return xi;
-  }
-  /// d phi / dt along the side.
-  std::vector<Vector3d> derivatives(const fem::BoundarySide& side) const {
-    const std::vector<Vector2d> xi = points(side);
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    discrete_.shell.surface().jets(space_.cells[side.cell], xi, jets, false);
-    const Vector2d along = fem::side_tangent(space_.shape(), side.side);
-    std::vector<Vector3d> all;
-    all.reserve(jets.size());
-    for (const geometry::SurfaceJet& jet : jets) all.emplace_back(along[0] * jet.d[0] + along[1] * jet.d[1]);
-    return all;
-  }
-  std::vector<Vector3d> tangents(const fem::BoundarySide& side) const {
-    std::vector<Vector3d> all = derivatives(side);
-    for (Vector3d& t : all) t.normalize();
-    return all;
-  }
-  std::vector<double> line_lengths(const fem::BoundarySide& side) const {
-    const std::vector<Vector3d> all = derivatives(side);
-    std::vector<double> lengths(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) lengths[i] = line_.weights[i] * all[i].norm();
-    return lengths;
-  }
 
   const assembly::DiscreteShell& discrete_;
   const fem::Space& space_;
@@ -154,7 +143,8 @@ std::vector<FreeEdge> free_edges(const assembly::DiscreteShell& discrete) {
   const FreeEdgesOf make(discrete);
   std::vector<FreeEdge> all;
   for (const fem::BoundarySide& side : discrete.space().sides)
-    if (side.cell < discrete.space().owned_cells && make.is_free(side)) all.push_back(make(side));
+    if (side.cell < discrete.space().owned_cells)
+      if (auto edge = make(side)) all.push_back(std::move(*edge));
   std::ranges::stable_sort(all, {}, &FreeEdge::cell);
   return all;
 }

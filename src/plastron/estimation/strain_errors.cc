@@ -64,7 +64,7 @@ class StrainErrorsOf {
     shell_.surface().jets(shell_.space().cells[edge.cell], edge.xi, jets, false);
     std::vector<SurfaceAxes> axes;
     for (std::size_t i = 0; i < jets.size(); ++i) {
-      const Vector3d a3 = jets[i].d[0].cross(jets[i].d[1]).normalized();
+      const Vector3d a3 = geometry::unit_normal(jets[i]);
       axes.push_back({.t1 = edge.tangent[i], .t2 = a3.cross(edge.tangent[i]), .a3 = a3});
     }
     const auto stresses = recovered(edge.cell, shell_.gather(edge.cell, y_), {edge.xi, jets, axes});

@@ -55,12 +55,11 @@ CoarseMesh layered_rectangle(const Rectangle& r, const Rows& rows) {
   const auto before = [&](std::size_t i) { return region_at((xs[i] + xs[i > 0 ? i - 1 : 1]) / 2); };
   const auto after = [&](std::size_t i) { return region_at((xs[i] + xs[i + 1 < xs.size() ? i + 1 : i - 1]) / 2); };
   std::vector<Vector2d> vertices;
-  std::size_t lines = 0;
   std::vector<std::vector<double>> ys;
   for (std::size_t i = 0; i < xs.size(); ++i)
     ys.push_back(lines_across(r.from[1], r.to[1], smaller(bottom[before(i)], bottom[after(i)]), {},
                               smaller(top[before(i)], top[after(i)])));
-  lines = ys.front().size();
+  const std::size_t lines = ys.front().size();
   for (std::size_t j = 0; j < lines; ++j)
     for (std::size_t i = 0; i < xs.size(); ++i) vertices.emplace_back(xs[i], ys[i][j]);
   const auto across = parts_across(ys.front(), bottom.front().size(), top.front().size(), rows.inner[1]);

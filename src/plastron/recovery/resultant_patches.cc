@@ -180,7 +180,7 @@ void ResultantPatches::set_plane(algebra::LocalIndex vertex, std::span<const dou
   if (!(squares.minCoeff() > 0)) return;
   plane.half_size = (3 * squares).cwiseSqrt();  // of points spread evenly
   const Vector3d middle = mean_of(sum);
-  plane.position += middle - middle.dot(tangents.a3) * tangents.a3;
+  plane.position += geometry::tangential(middle, tangents.a3);
   plane.most = sum[Sum::edges] > 0 ? Kind::narrow : Kind::full;
 }
 
