@@ -122,6 +122,24 @@ TEST(Factorisation, factorises_once_for_all_pins_of_movable_unknowns_on_one_rank
   }
 }
 
+// Whatever a border before had: 20 pins four in the factor, 50 lets go of three of them and pins one more, 10 pins four.
+TEST(Factorisation, lets_go_and_pins_in_any_succession_with_one_factor) {
+  const Matrix A = ladder_matrix(0.1);
+  int ranks = 1;
+  MPI_Comm_size(A.layout()->comm, &ranks);
+  for (const GlobalIndex tail : {3, 120}) {  // 120: one movable unknown
+    Factorisation F(A, pin_every(*A.layout(), tail));
+    for (const GlobalIndex period : {20, 50, 20, 0, 10, 50, 40, 10, 20}) {
+      const auto pinned = pin_every(*A.layout(), period);
+      ASSERT_TRUE(F.factorise(pinned));
+      expect_solves(A, F, pinned);
+    }
+    if (ranks == 1) {
+      EXPECT_EQ(F.factorisations(), 1);
+    }
+  }
+}
+
 TEST(Factorisation, takes_pins_of_movable_unknowns_that_alone_hold_the_structure) {
   const auto elements = chain(9);
   const auto layout = layout_for(9, elements);

@@ -141,13 +141,20 @@ std::span<T> values(void* pointer, std::size_t count) {
   return {static_cast<T*>(pointer), count};
 }
 
+/// Of each column.
+std::vector<std::size_t> supernodes(const cholmod_factor& L) {
+  const auto super = values<const int>(L.super, L.nsuper + 1);
+  std::vector<std::size_t> supernode_of(L.n);
+  for (std::size_t s = 0; s < L.nsuper; ++s)
+    for (int i = super[s]; i < super[s + 1]; ++i) supernode_of[static_cast<std::size_t>(i)] = s;
+  return supernode_of;
+}
+
 /// The largest blocks that a supernode passes to those that need it, as CHOLMOD wants to know them.
 void measure_largest_blocks(cholmod_factor& L) {
   const auto super = values<const int>(L.super, L.nsuper + 1), begin = values<const int>(L.pi, L.nsuper + 1),
              rows = values<const int>(L.s, L.ssize);
-  std::vector<std::size_t> supernode_of(L.n);
-  for (std::size_t s = 0; s < L.nsuper; ++s)
-    for (int i = super[s]; i < super[s + 1]; ++i) supernode_of[static_cast<std::size_t>(i)] = s;
+  const std::vector<std::size_t> supernode_of = supernodes(L);
   L.maxcsize = L.maxesize = 1;
   const auto owner = [&](int p) { return supernode_of[static_cast<std::size_t>(rows[static_cast<std::size_t>(p)])]; };
   for (std::size_t s = 0; s < L.nsuper; ++s) {
@@ -200,6 +207,22 @@ cholmod_factor* expand(const cholmod_factor& V, const std::vector<int>& start, c
   return L;
 }
 
+double mean_entries_of_paths(const cholmod_factor& L) {
+  const auto super = values<const int>(L.super, L.nsuper + 1), begin = values<const int>(L.pi, L.nsuper + 1),
+             rows = values<const int>(L.s, L.ssize);
+  const std::vector<std::size_t> supernode_of = supernodes(L);
+  std::vector<double> entries(L.nsuper);
+  double sum = 0;
+  for (std::size_t k = L.nsuper; k-- > 0;) {
+    const int columns = super[k + 1] - super[k], parent = begin[k] + columns;
+    entries[k] = columns * (begin[k + 1] - begin[k] - 0.5 * columns);
+    if (parent < begin[k + 1])
+      entries[k] += entries[supernode_of[static_cast<std::size_t>(rows[static_cast<std::size_t>(parent)])]];
+    sum += columns * entries[k];
+  }
+  return sum / static_cast<double>(L.n);
+}
+
 FactorisationCost cost_of(const cholmod_factor& L) {
   const auto super = values<const int>(L.super, L.nsuper + 1), begin = values<const int>(L.pi, L.nsuper + 1);
   FactorisationCost cost;
@@ -209,6 +232,7 @@ FactorisationCost cost_of(const cholmod_factor& L) {
       cost.entries += length;
       cost.operations += length * length;
     }
+  cost.entries_of_path = mean_entries_of_paths(L);
   return cost;
 }
 

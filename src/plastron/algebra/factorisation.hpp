@@ -14,6 +14,8 @@ namespace plastron::algebra {
 struct FactorisationCost {
   double operations = 0;  ///< of one numeric factorisation
   double entries = 0;     ///< of the factor: a solve reads each of them twice
+  /// That an unknown's own entries lead to, one after the other to the last unknown: what a solve of one equation reads. Mean; 0 if not known.
+  double entries_of_path = 0;
 };
 
 /// What that amounts to beside other preconditioners.

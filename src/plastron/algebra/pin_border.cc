@@ -4,91 +4,91 @@
 // after petscsys.h, without which it does not compile
 #include <petscblaslapack.h>
 
-#include <unordered_map>
+#include <algorithm>
 #include <utility>
 
 namespace plastron::algebra {
+namespace {
 
-PinBorder::PinBorder(const Matrix::Storage& A, double shift, std::vector<std::size_t> let_go,
-                     std::vector<std::size_t> pinned, std::span<const char> free, const Solve& solve)
-    : let_go_(std::move(let_go)), pinned_(std::move(pinned)) {
-  const std::size_t k = size(), n = A.owned_unknowns();
-  if (k == 0) return;
-  take_columns(A, shift, free);
-  answers_.assign(n * k, 0.0);
-  for (std::size_t c = 0; c < k; ++c)
-    for (const Entry& entry : columns_[c]) answers_[c * n + entry.row] = entry.value;
-  solve(answers_, k);
-  border_.assign(k * k, 0.0);
-  for (std::size_t c = 0; c < k; ++c)
-    for (std::size_t r = 0; r < k; ++r) {
-      const bool is_in_block = r < let_go_.size() && c < let_go_.size();
-      border_[c * k + r] = (is_in_block ? block_[c * let_go_.size() + r] : 0) - along(r, answers_.data() + c * n);
-    }
-  const auto order = static_cast<PetscBLASInt>(k);
+double dot(const SparseVector& a, std::span<const double> x) {
+  double sum = 0;
+  for (std::size_t e = 0; e < a.rows.size(); ++e) sum += a.values[e] * x[a.rows[e]];
+  return sum;
+}
+
+}  // namespace
+
+PinBorder::PinBorder(std::vector<std::size_t> let_go, std::span<const std::size_t> pinned, BorderColumns& columns,
+                     const TailComplement& tail, std::size_t size)
+    : let_go_(std::move(let_go)), tail_begin_(size - tail.size()), tail_size_(tail.size()) {
+  std::vector<std::size_t> all = let_go_;
+  all.insert(all.end(), pinned.begin(), pinned.end());
+  if (all.empty()) return;
+  const std::vector<const BorderColumn*> members = columns.of(all);
+  take_columns(members, tail);
+  take_products();
+  take_block(members);
+  const auto order = static_cast<PetscBLASInt>(all.size());
   PetscBLASInt outcome = 0;
-  pivots_.assign(k, 0);
+  pivots_.assign(all.size(), 0);
   LAPACKgetrf_(&order, &order, border_.data(), &order, pivots_.data(), &outcome);
   is_regular_ = outcome == 0;
 }
 
-/// W and A_JJ. The upper half is stored: a column's part above the diagonal is found by going through all rows.
-void PinBorder::take_columns(const Matrix::Storage& A, double shift, std::span<const char> free) {
-  const auto m = static_cast<std::size_t>(A.block);
-  const std::size_t j_count = let_go_.size();
-  columns_.resize(size());
-  block_.assign(j_count * j_count, 0.0);
-  std::unordered_multimap<std::size_t, std::size_t> of_node;
-  std::unordered_map<std::size_t, std::size_t> number;
-  for (std::size_t c = 0; c < j_count; ++c) {
-    of_node.emplace(let_go_[c] / m, c);
-    number.emplace(let_go_[c], c);
+void PinBorder::take_columns(std::span<const BorderColumn* const> members, const TailComplement& tail) {
+  tails_.assign(members.size() * tail_size_, 0.0);
+  for (std::size_t c = 0; c < members.size(); ++c) {
+    const SparseVector& y = members[c]->y;
+    const auto begin = std::ranges::lower_bound(y.rows, tail_begin_);
+    columns_.push_back({.y = &y, .head = static_cast<std::size_t>(begin - y.rows.begin())});
+    for (std::size_t e = columns_.back().head; e < y.rows.size(); ++e)
+      tails_[c * tail_size_ + y.rows[e] - tail_begin_] = y.values[e];
   }
-  const auto take = [&](std::size_t c, std::size_t row, double value) {
-    if (row == let_go_[c]) value *= 1 + shift;
-    if (const auto other = number.find(row); other != number.end())
-      block_[c * j_count + other->second] = value;
-    else if (free[row])
-      columns_[c].push_back({row, value});
-  };
-  std::vector<char> is_wanted(A.global.size(), 0);
-  for (const std::size_t j : let_go_) is_wanted[j / m] = 1;
-  for (LocalIndex node = 0; j_count > 0 && node < A.layout->owned; ++node)
-    for (std::size_t k = A.row_begin(node); k < A.row_end(node); ++k) {
-      const auto row = static_cast<std::size_t>(node), column = static_cast<std::size_t>(A.column[k]);
-      if (!is_wanted[row] && !is_wanted[column]) continue;
-      const double* B = A.block_at(k);
-      for (auto [it, end] = of_node.equal_range(row); it != end; ++it)
-        for (std::size_t b = 0; b < m; ++b) {
-          const std::size_t a = let_go_[it->second] % m;  // of a diagonal block only the upper half counts
-          take(it->second, column * m + b, row == column && b < a ? B[b * m + a] : B[a * m + b]);
-        }
-      for (auto [it, end] = of_node.equal_range(column); row != column && it != end; ++it)
-        for (std::size_t a = 0; a < m; ++a) take(it->second, row * m + a, B[a * m + let_go_[it->second] % m]);
-    }
-  for (std::size_t c = 0; c < pinned_.size(); ++c) columns_[j_count + c].push_back({pinned_[c], 1.0});
+  tail.solve(tails_);
 }
 
-double PinBorder::along(std::size_t column, const double* x) const {
-  double sum = 0;
-  for (const Entry& entry : columns_[column]) sum += entry.value * x[entry.row];
-  return sum;
+/// - Y' T Y, both halves.
+void PinBorder::take_products() {
+  const std::size_t k = columns_.size();
+  border_.assign(k * k, 0.0);
+  std::vector<double> Ty(tail_begin_ + tail_size_, 0.0);
+  for (std::size_t c = 0; c < k; ++c) {
+    const Column& column = columns_[c];
+    for (std::size_t e = 0; e < column.head; ++e) Ty[column.y->rows[e]] = column.y->values[e];
+    std::ranges::copy(tail(c), Ty.begin() + static_cast<std::ptrdiff_t>(tail_begin_));
+    for (std::size_t r = 0; r <= c; ++r) border_[c * k + r] = border_[r * k + c] = -dot(*columns_[r].y, Ty);
+    for (std::size_t e = 0; e < column.head; ++e) Ty[column.y->rows[e]] = 0;
+  }
 }
 
-void PinBorder::correct(std::span<const double> at_let_go, std::span<double> x) const {
-  const std::size_t k = size(), n = x.size();
-  if (k == 0) return;
-  std::vector<double> t(k);
-  for (std::size_t c = 0; c < k; ++c) t[c] = (c < at_let_go.size() ? at_let_go[c] : 0) - along(c, x.data());
-  const auto order = static_cast<PetscBLASInt>(k);
+/// Adds A_JJ.
+void PinBorder::take_block(std::span<const BorderColumn* const> members) {
+  std::unordered_map<std::size_t, std::size_t> number;
+  for (std::size_t r = 0; r < let_go_.size(); ++r) number.emplace(let_go_[r], r);
+  for (std::size_t c = 0; c < let_go_.size(); ++c) {
+    const SparseVector& w = members[c]->w;
+    for (std::size_t e = 0; e < w.rows.size(); ++e)
+      if (const auto r = number.find(w.rows[e]); r != number.end())
+        border_[c * members.size() + r->second] += w.values[e];
+  }
+}
+
+void PinBorder::correct(std::span<double> Ty, std::span<double> at_let_go) const {
+  if (columns_.empty()) return;
+  std::vector<double> t;
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    t.push_back((c < at_let_go.size() ? at_let_go[c] : 0) - dot(*columns_[c].y, Ty));
+  const auto order = static_cast<PetscBLASInt>(t.size());
   const PetscBLASInt one = 1;
   const char plain = 'N';
   PetscBLASInt outcome = 0;
   LAPACKgetrs_(&plain, &order, &one, border_.data(), &order, pivots_.data(), t.data(), &order, &outcome);
-  for (std::size_t c = 0; c < k; ++c)
-    for (std::size_t i = 0; i < n; ++i) x[i] -= answers_[c * n + i] * t[c];
-  for (std::size_t c = 0; c < let_go_.size(); ++c) x[let_go_[c]] = t[c];
-  for (const std::size_t i : pinned_) x[i] = 0;
+  for (std::size_t c = 0; c < t.size(); ++c) {
+    const Column& column = columns_[c];
+    for (std::size_t e = 0; e < column.head; ++e) Ty[column.y->rows[e]] -= column.y->values[e] * t[c];
+    for (std::size_t e = 0; e < tail_size_; ++e) Ty[tail_begin_ + e] -= tail(c)[e] * t[c];
+  }
+  std::copy_n(t.begin(), at_let_go.size(), at_let_go.begin());
 }
 
 }  // namespace plastron::algebra

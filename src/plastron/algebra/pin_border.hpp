@@ -1,48 +1,48 @@
-// A solve with some unknowns pinned turned into one with a few others let go or pinned, by a border of the system: with M the solve at hand,
+// A solve with some unknowns pinned turned into one with a few others let go or pinned, by a border of the system: with L L' the factor at hand,
 // J the unknowns let go and E the unit vectors of those pinned anew,
-//   [A   A_J   E] [x  ]   [b  ]          W = [A_J  E],  Y = M W,   t = (x_J, mu)
-//   [A_J' A_JJ  ] [x_J] = [b_J],         (D - W' Y) t = (b_J, 0) - W' M b,   x = M b - Y t,   D = A_JJ and zeros.
+//   [A   A_J   E] [x  ]   [b  ]          W = [A_J  E],  Y = L^{-1} W,  y = L^{-1} b,  t = (x_J, mu),
+//   [A_J' A_JJ  ] [x_J] = [b_J],         (D - Y' T Y) t = (b_J, 0) - Y' T y,  L' x = T (y - Y t),  D = A_JJ and zeros,
 //   [E'         ] [mu ]   [0  ]
+// where T is 1 but on the tail, the unknowns eliminated last, where it is tail_complement.hpp's solve() with their pins.
+// Includes CHOLMOD: for .cc files only.
 #pragma once
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "matrix_storage.hpp"
+#include "border_columns.hpp"
+#include "tail_complement.hpp"
 
 namespace plastron::algebra {
 
 class PinBorder {
  public:
-  /// Solves for several right-hand sides of the size of A at once, in place: x = M b, zero where pinned.
-  using Solve = std::function<void(std::vector<double>& columns, std::size_t count)>;
-
   PinBorder() = default;
-  /// `let_go` are pinned for M and `pinned` are not. free[i] != 0 where M's unknowns are free. A is of one rank.
-  PinBorder(const Matrix::Storage& A, double shift, std::vector<std::size_t> let_go, std::vector<std::size_t> pinned,
-            std::span<const char> free, const Solve& solve);
+  /// `let_go` are pinned in the factor, `pinned` are not; `columns` must outlive this object. `tail` comes last of `size` unknowns.
+  PinBorder(std::vector<std::size_t> let_go, std::span<const std::size_t> pinned, BorderColumns& columns,
+            const TailComplement& tail, std::size_t size);
   /// False if the border has no inverse.
   bool is_regular() const { return is_regular_; }
 
-  std::size_t size() const { return let_go_.size() + pinned_.size(); }
-  /// x = M b, where b is zero but on unknowns that are free for both, becomes the solution, zero where pinned now. `at_let_go` is b_J.
-  void correct(std::span<const double> at_let_go, std::span<double> x) const;
   std::span<const std::size_t> let_go() const { return let_go_; }
-  std::span<const std::size_t> pinned() const { return pinned_; }
+  /// From T y to T (y - Y t), by places in the order of elimination, and from b_J to x_J.
+  void correct(std::span<double> Ty, std::span<double> at_let_go) const;
 
  private:
-  struct Entry {
-    std::size_t row;
-    double value;
+  /// Of Y. So many of its entries come before the tail.
+  struct Column {
+    const SparseVector* y;
+    std::size_t head;
   };
-  void take_columns(const Matrix::Storage& A, double shift, std::span<const char> free);
-  double along(std::size_t column, const double* x) const;
+  void take_columns(std::span<const BorderColumn* const> members, const TailComplement& tail);
+  void take_products();
+  void take_block(std::span<const BorderColumn* const> members);
+  std::span<const double> tail(std::size_t c) const { return std::span(tails_).subspan(c * tail_size_, tail_size_); }
 
-  std::vector<std::size_t> let_go_{}, pinned_{};
-  std::vector<std::vector<Entry>> columns_{};  ///< W
-  std::vector<double> block_{};                ///< A_JJ
-  std::vector<double> answers_{};              ///< Y
-  std::vector<double> border_{};               ///< D - W' Y, factorised
+  std::vector<std::size_t> let_go_{};
+  std::vector<Column> columns_{};
+  std::size_t tail_begin_ = 0, tail_size_ = 0;
+  std::vector<double> tails_{};   ///< T Y on the tail, by columns
+  std::vector<double> border_{};  ///< D - Y' T Y, factorised
   std::vector<int> pivots_{};
   bool is_regular_ = true;
 };

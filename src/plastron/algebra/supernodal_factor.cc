@@ -9,11 +9,11 @@
 namespace plastron::algebra {
 namespace {
 
-/// Unknowns beside the movable ones for which a border is made: so many that their right-hand sides cost about as much as half a factorisation,
-/// by counts.
+/// Unknowns beside the movable ones for which a border is made: so many that their columns cost half a factorisation, by counts. An entry
+/// takes as long as so many operations of a factorisation by one thread.
 std::size_t largest_border(const FactorisationCost& cost) {
-  constexpr double per_entry = 24, fewest = 8, most = 48;
-  return static_cast<std::size_t>(std::clamp(cost.operations / (per_entry * cost.entries + 1), fewest, most));
+  constexpr double per_entry = 32, fewest = 8;
+  return static_cast<std::size_t>(std::max(fewest, 0.5 * price_of(cost).pin / (per_entry * cost.entries_of_path + 1)));
 }
 
 /// Where the entry of block k stands in the lower half, and its value, for all entries: take(row, column, value).
@@ -58,12 +58,11 @@ cholmod_sparse* lower_half(const Matrix::Storage& A, const std::vector<int>& pla
   return half;
 }
 
-/// Columns of ours as CHOLMOD sees them.
-cholmod_dense columns_of(std::vector<double>& values, std::size_t count) {
+/// A vector of ours as CHOLMOD sees it.
+cholmod_dense column_of(std::vector<double>& values) {
   cholmod_dense dense{};
-  dense.nzmax = values.size();
-  dense.nrow = dense.d = values.size() / count;
-  dense.ncol = count;
+  dense.nzmax = dense.nrow = dense.d = values.size();
+  dense.ncol = 1;
   dense.x = values.data();
   dense.xtype = CHOLMOD_REAL;
   dense.dtype = CHOLMOD_DOUBLE;
@@ -134,6 +133,7 @@ bool SupernodalFactor::factorise_all(const std::vector<double>& pinned_diagonal,
   shift_ = shift;
   factor_pins_ = std::move(pins);
   if (is_factorised_) take_tail();
+  border_columns_ = BorderColumns(A_, shift_, *factor_, elimination_.place, factor_pins_);
   if (is_factorised_ || movable_.empty()) return is_factorised_;
   movable_.clear();
   analyse();
@@ -171,51 +171,31 @@ bool SupernodalFactor::pin_tail() {
 
 bool SupernodalFactor::pin_border() {
   std::vector<std::size_t> let_go, pinned;
-  std::vector<char> free(movable_.size());
   for (std::size_t i = 0; i < movable_.size(); ++i) {
-    free[i] = movable_[i] ? pins_[i] == 0 : !is_pinned_in_factor(i);
     if (!movable_[i] && pins_[i] == 0 && is_pinned_in_factor(i)) let_go.push_back(i);
     if (!movable_[i] && pins_[i] != 0 && !is_pinned_in_factor(i)) pinned.push_back(i);
   }
-  border_ = PinBorder(A_, shift_, std::move(let_go), std::move(pinned), free,
-                      [this](std::vector<double>& columns, std::size_t count) { solve_free(columns, count); });
+  border_ = PinBorder(std::move(let_go), pinned, border_columns_, tail_, A_.owned_unknowns());
   return border_.is_regular();
-}
-
-/// In place, with the pins of factor and tail; right-hand sides are zero where pinned. Some at a time: they share the reading of the factor.
-void SupernodalFactor::solve_free(std::vector<double>& columns, std::size_t count) {
-  constexpr std::size_t at_a_time = 8;
-  const std::size_t n = A_.owned_unknowns();
-  std::vector<double> ordered, space;
-  for (std::size_t first = 0; first < count; first += at_a_time) {
-    const std::size_t some = std::min(at_a_time, count - first);
-    ordered.resize(some * n);
-    space.resize(some * std::max<std::size_t>(1, factor_->maxesize));
-    const auto place = [&](std::size_t c, std::size_t i) {
-      return c * n + static_cast<std::size_t>(elimination_.place[i]);
-    };
-    for (std::size_t c = 0; c < some; ++c)
-      for (std::size_t i = 0; i < n; ++i) ordered[place(c, i)] = columns[(first + c) * n + i];
-    cholmod_dense right = columns_of(ordered, some), work = columns_of(space, some);
-    cholmod_super_lsolve(factor_, &right, &work, &common_);
-    for (std::size_t c = 0; c < some; ++c)
-      tail_.solve(std::span(ordered).subspan((c + 1) * n - tail_.size(), tail_.size()));
-    cholmod_super_ltsolve(factor_, &right, &work, &common_);
-    for (std::size_t c = 0; c < some; ++c)
-      for (std::size_t i = 0; i < n; ++i) columns[(first + c) * n + i] = ordered[place(c, i)];
-  }
 }
 
 void SupernodalFactor::solve(std::span<const double> b, std::span<double> x) {
   if (b.empty()) return;
   const bool moves = !movable_.empty();
-  std::vector<double> columns(b.begin(), b.end()), at_let_go;
+  const auto place = [&](std::size_t i) { return static_cast<std::size_t>(elimination_.place[i]); };
+  ordered_.resize(b.size());
+  space_.resize(std::max<std::size_t>(1, factor_->maxesize));
+  for (std::size_t i = 0; i < b.size(); ++i)
+    ordered_[place(i)] = moves && (pins_[i] != 0 || is_pinned_in_factor(i)) ? 0 : b[i];
+  std::vector<double> at_let_go;
   for (const std::size_t i : border_.let_go()) at_let_go.push_back(b[i]);
-  for (std::size_t i = 0; moves && i < b.size(); ++i)
-    if (pins_[i] != 0 || is_pinned_in_factor(i)) columns[i] = 0;
-  solve_free(columns, 1);
-  border_.correct(at_let_go, columns);
-  for (std::size_t i = 0; i < b.size(); ++i) x[i] = moves && pins_[i] != 0 ? b[i] / pins_[i] : columns[i];
+  cholmod_dense right = column_of(ordered_), work = column_of(space_);
+  cholmod_super_lsolve(factor_, &right, &work, &common_);
+  tail_.solve(std::span(ordered_).last(tail_.size()));
+  border_.correct(ordered_, at_let_go);
+  cholmod_super_ltsolve(factor_, &right, &work, &common_);
+  for (std::size_t i = 0; i < b.size(); ++i) x[i] = moves && pins_[i] != 0 ? b[i] / pins_[i] : ordered_[place(i)];
+  for (std::size_t k = 0; k < at_let_go.size(); ++k) x[border_.let_go()[k]] = at_let_go[k];
 }
 
 }  // namespace plastron::algebra

@@ -41,7 +41,6 @@ class SupernodalFactor {
   bool pin_tail();
   bool pin_border();
   bool is_pinned_in_factor(std::size_t i) const { return factor_pins_[i] != 0; }
-  void solve_free(std::vector<double>& columns, std::size_t count);
   void take_tail();
 
   const Matrix::Storage& A_;
@@ -50,9 +49,11 @@ class SupernodalFactor {
   cholmod_factor* factor_ = nullptr;
   Elimination elimination_{};
   TailComplement tail_{};
+  BorderColumns border_columns_{};
   PinBorder border_{};
-  std::vector<double> factor_pins_{};  ///< the diagonal where the factor has it pinned, else 0
-  std::vector<double> pins_{};         ///< the same with tail and border
+  std::vector<double> factor_pins_{};        ///< the diagonal where the factor has it pinned, else 0
+  std::vector<double> pins_{};               ///< the same with tail and border
+  std::vector<double> ordered_{}, space_{};  ///< of solve()
   double shift_ = 0;
   bool is_factorised_ = false;  ///< but for the Schur complement
   int factorisations_ = 0;

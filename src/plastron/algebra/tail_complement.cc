@@ -4,13 +4,13 @@
 // after petscsys.h, without which it does not compile
 #include <petscblaslapack.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace plastron::algebra {
 namespace {
 
-const char lower = 'L', plain = 'N', transposed = 'T', not_unit = 'N';
-const PetscBLASInt one = 1;
+const char lower = 'L', plain = 'N', transposed = 'T';
 
 }  // namespace
 
@@ -37,21 +37,23 @@ bool TailComplement::pin(const std::vector<char>& pinned) {
   return outcome == 0;
 }
 
-void TailComplement::solve(std::span<double> v) const {
-  if (size_ == 0) return;
-  const auto n = static_cast<PetscBLASInt>(size_), m = static_cast<PetscBLASInt>(free_.size());
-  const auto times_factor = [&](const char& side) {
-    BLAStrmv_(&lower, &side, &not_unit, &n, factor_.data(), &n, v.data(), &one);
-  };
-  times_factor(plain);
-  std::vector<double> z;
-  z.reserve(free_.size());
-  for (const std::size_t i : free_) z.push_back(v[i]);
+void TailComplement::solve(std::span<double> columns) const {
+  if (columns.empty()) return;
+  const std::size_t count = columns.size() / size_;
+  const auto n = static_cast<PetscBLASInt>(size_), m = static_cast<PetscBLASInt>(free_.size()),
+             k = static_cast<PetscBLASInt>(count);
+  const double unit = 1, zero = 0;
+  std::vector<double> product(columns.size()), z;
+  BLASgemm_(&plain, &plain, &n, &k, &n, &unit, factor_.data(), &n, columns.data(), &n, &zero, product.data(), &n);
+  z.reserve(free_.size() * count);
+  for (std::size_t c = 0; c < count; ++c)
+    for (const std::size_t i : free_) z.push_back(product[c * size_ + i]);
   PetscBLASInt outcome = 0;
-  if (m > 0) LAPACKpotrs_(&lower, &m, &one, free_factor_.data(), &m, z.data(), &m, &outcome);
-  for (double& value : v) value = 0;
-  for (std::size_t k = 0; k < free_.size(); ++k) v[free_[k]] = z[k];
-  times_factor(transposed);
+  if (m > 0) LAPACKpotrs_(&lower, &m, &k, free_factor_.data(), &m, z.data(), &m, &outcome);
+  std::ranges::fill(product, 0.0);
+  for (std::size_t c = 0; c < count; ++c)
+    for (std::size_t i = 0; i < free_.size(); ++i) product[c * size_ + free_[i]] = z[c * free_.size() + i];
+  BLASgemm_(&transposed, &plain, &n, &k, &n, &unit, factor_.data(), &n, product.data(), &n, &zero, columns.data(), &n);
 }
 
 }  // namespace plastron::algebra

@@ -15,8 +15,8 @@ class TailComplement {
 
   /// Factorises S without the pinned ones. False if a pivot is not positive.
   bool pin(const std::vector<char>& pinned);
-  /// From v = L^{-1} b, as the elimination of the others leaves it, to L' z with S_FF z_F = b_F and z = 0 where pinned.
-  void solve(std::span<double> v) const;
+  /// In place, each column of size(): from L^{-1} b, as the elimination of the others leaves it, to L' z with S_FF z_F = b_F and z = 0 where pinned.
+  void solve(std::span<double> columns) const;
   std::size_t size() const { return size_; }
 
  private:
