@@ -46,6 +46,7 @@ class BorderColumns {
 
   /// Of unknowns which the factor has pinned: to let them go. Of others: to pin them. They stay where they are as long as this object.
   std::vector<const BorderColumn*> of(std::span<const std::size_t> unknowns);
+  bool has(std::size_t unknown) const { return made_.contains(unknown); }
 
  private:
   bool is_pinned(std::size_t i) const { return factor_pins_[i] != 0; }

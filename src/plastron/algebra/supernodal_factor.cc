@@ -9,9 +9,9 @@
 namespace plastron::algebra {
 namespace {
 
-/// Unknowns beside the movable ones for which a border is made: so many that their columns cost half a factorisation, by counts. An entry
-/// takes as long as so many operations of a factorisation by one thread.
-std::size_t largest_border(const FactorisationCost& cost) {
+/// Columns of a border that are made in one step: so many cost half a factorisation, by counts. An entry takes as long as so many operations of
+/// a factorisation by one thread.
+std::size_t most_new_columns(const FactorisationCost& cost) {
   constexpr double per_entry = 32, fewest = 8;
   return static_cast<std::size_t>(std::max(fewest, 0.5 * price_of(cost).pin / (per_entry * cost.entries_of_path + 1)));
 }
@@ -91,25 +91,30 @@ void SupernodalFactor::analyse() {
 std::vector<char> SupernodalFactor::nearest_pins(std::span<const char> wanted) const {
   if (movable_.empty() || !is_factorised_) return {};
   std::vector<char> pins(wanted.begin(), wanted.end());
-  std::size_t others = 0;
-  for (std::size_t i = 0; i < pins.size(); ++i) others += !movable_[i] && (wanted[i] != 0) != is_pinned_in_factor(i);
-  if (others <= largest_border(cost())) return pins;
-  for (std::size_t i = 0; i < pins.size(); ++i)
+  const bool is_near = is_within_reach([&](std::size_t i) { return wanted[i] != 0; });
+  for (std::size_t i = 0; !is_near && i < pins.size(); ++i)
     if (!movable_[i]) pins[i] = is_pinned_in_factor(i);
   return pins;
 }
 
-bool SupernodalFactor::is_within_reach(const std::vector<double>& pinned_diagonal, double shift) const {
-  if (movable_.empty() || !is_factorised_ || shift != shift_) return false;
-  std::size_t others = 0;
+/// Whether a border that costs little makes up for what is_pinned(unknown) has other than the factor.
+template <class IsPinned>
+bool SupernodalFactor::is_within_reach(const IsPinned& is_pinned) const {
+  constexpr std::size_t most = 256;
+  std::size_t others = 0, made = 0;
   for (std::size_t i = 0; i < movable_.size(); ++i)
-    others += !movable_[i] && (pinned_diagonal[i] != 0) != is_pinned_in_factor(i);
-  return others <= largest_border(cost());
+    if (!movable_[i] && is_pinned(i) != is_pinned_in_factor(i)) {
+      ++others;
+      made += border_columns_.has(i);
+    }
+  return others <= most && others - made <= most_new_columns(cost());
 }
 
 bool SupernodalFactor::factorise(const std::vector<double>& pinned_diagonal, double shift) {
   border_ = PinBorder();
-  if (!is_within_reach(pinned_diagonal, shift) && !factorise_all(pinned_diagonal, shift)) return false;
+  const bool is_near = !movable_.empty() && is_factorised_ && shift == shift_ &&
+                       is_within_reach([&](std::size_t i) { return pinned_diagonal[i] != 0; });
+  if (!is_near && !factorise_all(pinned_diagonal, shift)) return false;
   pins_ = pinned_diagonal;
   return movable_.empty() || (pin_tail() && pin_border());
 }

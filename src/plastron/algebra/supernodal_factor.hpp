@@ -36,7 +36,8 @@ class SupernodalFactor {
 
  private:
   void analyse();
-  bool is_within_reach(const std::vector<double>& pinned_diagonal, double shift) const;
+  template <class IsPinned>
+  bool is_within_reach(const IsPinned& is_pinned) const;
   bool factorise_all(const std::vector<double>& pinned_diagonal, double shift);
   bool pin_tail();
   bool pin_border();
