@@ -306,14 +306,18 @@ TEST(Interruption, leaves_the_result_of_the_last_mesh_that_was_finished) {
 }
 
 TEST(Interruption, inside_of_a_mesh_drops_what_that_mesh_had) {
-  const Problem p = pressed_in_several_steps();
-  bool stop = false;
-  Observer observer{.iteration = [&](int level, const contact::Iteration&) { stop = level == 1; },
-                    .stop = [&] { return stop; }};
+  Problem p = pressed_bowl();
+  p.discretisation.refinements = 3;
+  std::size_t on = 0;  // the first finer mesh that takes several sets
+  Observer observer{.iteration =
+                        [&](int level, const contact::Iteration& set) {
+                          if (on == 0 && set.changes > 0) on = static_cast<std::size_t>(level);
+                        },
+                    .stop = [&] { return on > 0; }};
   const Result stopped = solve(p, MPI_COMM_WORLD, observer);
   EXPECT_EQ(stopped.status, Status::interrupted);
-  ASSERT_EQ(stopped.levels.size(), 1U);
-  EXPECT_EQ(stopped.solution->discrete->space().global_cells, stopped.levels[0].cells);
+  ASSERT_EQ(stopped.levels.size(), on);
+  EXPECT_EQ(stopped.solution->discrete->space().global_cells, stopped.levels.back().cells);
 }
 
 TEST(Interruption, before_the_first_mesh_leaves_nothing) {

@@ -82,6 +82,28 @@ TEST(ForceOverWay, IsMonotoneAndComesBackTheSameWay) {
   EXPECT_EQ(force(7), 0);
 }
 
+// The zone grows by several rows of nodes in each part; roots of gaps that go on as they went foretell all but a few of them, and what they
+// leave open needs no other factor.
+TEST(AStep, TakesOneFactorisationForEachOfItsPartsAndFewActiveSets) {
+  Problem p = plate();
+  p.obstacles.erase(p.obstacles.begin() + 1);
+  p.discretisation = {.degree = 2, .refinements = 4};
+  p.steps = {{.name = "press", .load_factor = 4, .parts = 12}};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved);
+  ASSERT_EQ(r.history.size(), 12U);
+  int sets = 0;
+  for (std::size_t i = 6; i < 12; ++i) {
+    const Level& level = r.history[i].level;
+    EXPECT_GE(level.active, r.history[i - 1].level.active + 16);
+    sets += level.iterations;
+    if (r.ranks == 1) {
+      EXPECT_EQ(level.factorisations, 1);
+    }
+  }
+  EXPECT_LE(sets, 14);
+}
+
 TEST(TheObserver, HearsOfEveryInstantWithItsSolution) {
   Problem p = plate();
   p.steps = {{.name = "press", .parts = 3}};

@@ -10,6 +10,7 @@
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
 
+#include <span>
 #include <vector>
 
 namespace plastron::certificate {
@@ -27,6 +28,8 @@ class TouchingNodes {
 
   /// Of a local node.
   bool operator[](algebra::LocalIndex node) const { return inside_[static_cast<std::size_t>(node)] != 0; }
+  /// The root of the gap at local nodes, continued with negative values to touching nodes at the zone's edge; 0 farther inside [m^1/2].
+  std::span<const double> roots() const { return root_; }
   /// Where the edge of the zone crosses the line from a free node to a touching one: 0 at the free, 1 at the touching node.
   double crossing(algebra::LocalIndex free, algebra::LocalIndex touching) const;
 

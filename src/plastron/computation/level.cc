@@ -4,6 +4,7 @@
 #include <plastron/assembly/pressing.hpp>
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/computation/bound_lifts.hpp>
+#include <plastron/computation/contact_forecast.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/computation/stopwatch.hpp>
@@ -14,35 +15,6 @@
 namespace plastron::computation {
 
 namespace {
-
-/// Nodes of the new mesh that lie in the contact zone of the mesh before start in contact.
-std::vector<contact::Activity> first_guess(const assembly::DiscreteShell& discrete, const algebra::Vector& touched) {
-  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  std::vector<contact::Activity> activity(coordinates.lower.owned().size(), contact::Activity::free);
-  const auto block = static_cast<std::size_t>(touched.block());
-  for (const assembly::ContactRow& row : coordinates.rows)
-    if (row.binds && touched.owned()[row.node * block + static_cast<std::size_t>(row.obstacle)] > 0.5)
-      activity[coordinates.at(row.node, row.coordinate)] =
-          row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
-  return activity;
-}
-
-/// Unknowns whose side the mesh before leaves open: their nodes lie between its nodes in the contact zone and those outside. Empty if there are none.
-std::vector<char> undecided(const assembly::DiscreteShell& discrete, const algebra::Vector& touched) {
-  constexpr double rounding = 1e-9;
-  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  std::vector<char> marks(coordinates.lower.owned().size(), 0);
-  bool some = false;
-  for (const assembly::ContactRow& row : coordinates.rows) {
-    const double part =
-        touched.owned()[row.node * static_cast<std::size_t>(touched.block()) + static_cast<std::size_t>(row.obstacle)];
-    if (!row.binds || part < rounding || part > 1 - rounding) continue;
-    const std::size_t i = coordinates.at(row.node, row.coordinate);
-    marks[i] = coordinates.lower.owned()[i] != coordinates.upper.owned()[i];
-    some = some || marks[i] != 0;
-  }
-  return some ? marks : std::vector<char>{};
-}
 
 /// A support holds the touching face inside of an obstacle: K is empty. No bound says so, for nothing can move there.
 bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
@@ -81,8 +53,8 @@ class LevelRun {
   int factorisations = 0, linearisations = 0;
   std::vector<contact::Iteration> history{};
 
-  /// The contact problem of the present linearisation, with a first guess of its active set.
-  contact::BoxSolution solve(std::span<const contact::Activity> guess, bool detect_free_motions) {
+  /// The contact problem of the present linearisation, from the zone that is expected; null if none is.
+  contact::BoxSolution solve(const algebra::Vector* zone, bool detect_free_motions) {
     Stopwatch watch;
     tell("assembly");
     last_.reset();
@@ -91,9 +63,9 @@ class LevelRun {
     tell("analysis");
     contact::Settings settings = task_.settings;
     settings.detect_free_motions = settings.detect_free_motions && detect_free_motions;
-    const bool knows_zone = task_.touched && !settings.detect_free_motions;
+    const bool knows_zone = zone && !settings.detect_free_motions;
     last_ = std::make_unique<LinearAlgebra>(std::move(A),
-                                            knows_zone ? undecided(*discrete_, *task_.touched) : std::vector<char>{},
+                                            knows_zone ? open_coordinates(*discrete_, *zone) : std::vector<char>{},
                                             discrete_->space().layout->comm);
     const algebra::Factorisation& F = last_->F;
     seconds.analysis += watch.lap();
@@ -104,6 +76,7 @@ class LevelRun {
                                          if (observer_.iteration) observer_.iteration(task_.number, i);
                                        },
                                    .stop = [&] { return wants_to_stop(observer_, discrete_->space().layout->comm); }};
+    const auto guess = zone ? likely_activity(*discrete_, *zone) : std::vector<contact::Activity>{};
     contact::BoxSolution z = contact::solve(box, guess, last_->pins, settings, follow);
     if (!z.positions.empty()) press(*discrete_, z.positions);
     if (held_inside_obstacle(*discrete_)) z.status = contact::Status::infeasible;
@@ -145,15 +118,17 @@ struct Found {
 };
 
 /// Solves, and linearises again until gaps are what they are where the shell is found.
-Found met(LevelRun& run, const LevelTask& task, std::span<const contact::Activity> guess, bool detect_free_motions) {
+Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
   Relinearisation outer(task.linearisation, run.discrete());
-  contact::BoxSolution z = run.solve(guess, detect_free_motions);
+  contact::BoxSolution z = run.solve(zone, detect_free_motions);
   certificate::NodalSolution nodal = certificate::nodal_solution(run.discrete(), z);
   while (z.status == contact::Status::solved) {
     auto state = outer.next(nodal);
     if (!state) break;
+    const ContactTrend trend = contact_trend(run.discrete(), nodal);
     linearise(run.discrete(), std::move(*state));
-    z = run.solve(first_guess(run.discrete(), nodal.touching), !supports_hold(run.history, task.settings.solver));
+    const algebra::Vector expected = expected_zone(run.discrete(), trend);
+    z = run.solve(&expected, !supports_hold(run.history, task.settings.solver));
     nodal = certificate::nodal_solution(run.discrete(), z);
   }
   run.linearisations += outer.steps();
@@ -163,12 +138,13 @@ Found met(LevelRun& run, const LevelTask& task, std::span<const contact::Activit
 
 /// The contact problem with other lifts of bounds, from a solution's state and contact zone.
 Found met_with(algebra::Vector lifts, LevelRun& run, const LevelTask& task, const certificate::NodalSolution& before) {
+  const ContactTrend trend = contact_trend(run.discrete(), before);
   assembly::State state = run.discrete().state;
   state.positions = run.discrete().positions();
   state.lifts = std::move(lifts);
   linearise(run.discrete(), std::move(state));
-  return met(run, task, first_guess(run.discrete(), before.touching),
-             !supports_hold(run.history, task.settings.solver));
+  const algebra::Vector expected = expected_zone(run.discrete(), trend);
+  return met(run, task, &expected, !supports_hold(run.history, task.settings.solver));
 }
 
 struct Lifted {
@@ -226,8 +202,7 @@ Level measured(const assembly::DiscreteShell& discrete, const certificate::Nodal
 LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete,
                         const Observer& observer) {
   LevelRun run(task, std::move(discrete), observer);
-  const auto guess = task.touched ? first_guess(run.discrete(), *task.touched) : std::vector<contact::Activity>{};
-  Found found = met(run, task, guess, true);
+  Found found = met(run, task, task.zone ? &*task.zone : nullptr, true);
   const Lifted lifted = task.admissible ? lift_bounds(run, task, found) : Lifted{};
   contact::BoxSolution& z = found.z;
   certificate::NodalSolution& nodal = found.nodal;

@@ -16,9 +16,8 @@ struct LevelTask {
   int number = 0;
   contact::Settings settings{};
   Linearisation linearisation{};
-  bool admissible = false;  ///< see Problem
-  std::optional<algebra::Vector>
-      touched{};  ///< contact zone of the mesh before, interpolated, or of the instant before; empty at first
+  bool admissible = false;                ///< see Problem
+  std::optional<algebra::Vector> zone{};  ///< where contact is expected (contact_forecast.hpp); empty at first
   std::optional<std::vector<estimation::Goal>> goals{};  ///< whose errors are estimated, with that of the solution
   Seconds seconds{};                                     ///< spent on the mesh and on `discrete`
 };

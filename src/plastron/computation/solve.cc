@@ -7,6 +7,7 @@
 
 #include <plastron/certificate/moment_point.hpp>
 #include <plastron/computation/adaptivity.hpp>
+#include <plastron/computation/contact_forecast.hpp>
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/doubts.hpp>
 #include <plastron/computation/goal_names.hpp>
@@ -24,6 +25,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 namespace plastron::computation {
 
@@ -42,6 +45,12 @@ void warn(std::vector<std::string> warnings, const Observer& observer, Result& r
     result.warnings.push_back(std::move(text));
   }
 }
+
+/// A solution that is past.
+struct Passed {
+  double time;
+  ContactTrend trend;
+};
 
 /// A computation on its way: meshes one after the other at the first instant, then the other instants on the finest.
 class Computation {
@@ -170,19 +179,20 @@ class Computation {
   }
 
   void refine(LevelTask& task, assembly::State& start) {
-    std::array fields{result_.solution->nodal.touching, result_.solution->nodal.y};
+    const certificate::NodalSolution& nodal = result_.solution->nodal;
+    std::array fields{nodal.touching, continued_roots(*result_.solution->discrete, nodal), nodal.y};
     const assembly::State& before = result_.solution->discrete->state;
     const bool was_deformed = before.is_deformed();
     start.positions = positions();
     if (!observer_.stop) result_.solution.reset();  // one mesh at a time in memory, unless this may be the last one
-    const auto carried = std::span(fields).first(was_deformed ? 2 : 1);
+    const auto carried = std::span(fields).first(was_deformed ? 3 : 2);
     if (problem_.accuracy)
       meshes_.refine(carried, marks_);
     else
       meshes_.refine(carried);
-    task.touched = std::move(fields[0]);
+    task.zone = interpolated_zone(std::move(fields[0]), fields[1]);
     if (was_deformed) {
-      start.displacement = std::move(fields[1]);
+      start.displacement = std::move(fields[2]);
       start.displacement.update_ghosts();
     }
     if (supports_hold(result_.levels.front().history, problem_.contact.solver))
@@ -207,14 +217,15 @@ class Computation {
     LevelTask task{.number = problem_.discretisation.refinements,
                    .settings = problem_.contact,
                    .linearisation = problem_.linearisation,
-                   .admissible = problem_.admissible,
-                   .touched = std::move(result_.solution->nodal.touching)};
+                   .admissible = problem_.admissible};
     if (&instant == &instants_.back()) task.goals = goals();
     if (supports_hold(result_.levels.front().history, problem_.contact.solver))
       task.settings.detect_free_motions = false;
+    const ContactTrend expected = expected_at(instant);
     auto discrete = std::move(result_.solution->discrete);
     result_.solution.reset();
     linearise(*discrete, std::move(start));
+    task.zone = expected_zone(*discrete, expected);
     task.seconds.discretisation = watch.lap();
     LevelResult level = solve_level(task, std::move(discrete), observer_);
     if (level.record.status == contact::Status::interrupted) {
@@ -225,6 +236,16 @@ class Computation {
     if (problem_.accuracy && result_.estimates) judge_accuracy_at_end();
     note(instant);
     return result_.status == contact::Status::solved || result_.status == contact::Status::inaccurate;
+  }
+
+  /// From the solution at hand; within a step contact is expected to go on as it went.
+  ContactTrend expected_at(const Instant& instant) {
+    ContactTrend now = contact_trend(*result_.solution->discrete, result_.solution->nodal);
+    const std::optional<Passed> before = std::exchange(passed_, {});
+    if (!at_) return now;
+    passed_ = Passed{at_->time, now};
+    if (!before || at_->step != instant.step || before->time < at_->step) return now;
+    return continued(std::move(now), before->trend, (instant.time - at_->time) / (at_->time - before->time));
   }
 
   /// Reached step by step, the last instant may be another one than what the mesh was made for.
@@ -282,6 +303,7 @@ class Computation {
                                .summary = result_.summary,
                                .probes = result_.probes});
     if (observer_.instant) observer_.instant(result_.history.back(), *result_.solution);
+    at_ = &instant;
   }
 
   const Problem& problem_;
@@ -294,6 +316,8 @@ class Computation {
   Result result_{};
   Level latest_{};
   const Instant* on_mesh_ = &instants_.front();  ///< that is solved on each mesh
+  const Instant* at_ = nullptr;                  ///< of the latest entry of the history
+  std::optional<Passed> passed_{};               ///< the instant before that one
   std::vector<signed char> marks_{};             ///< of the present mesh, where accuracy is asked for
   std::string missed_accuracy_{};
   bool is_beyond_linear_ = false;
