@@ -10,6 +10,7 @@
 namespace plastron::test {
 
 using algebra::Connectivity;
+using algebra::Distribution;
 using algebra::GlobalIndex;
 using algebra::Layout;
 using algebra::LocalIndex;
@@ -32,41 +33,26 @@ inline int ranks(MPI_Comm comm = MPI_COMM_WORLD) {
 using Elements = std::vector<std::vector<GlobalIndex>>;
 
 /// n nodes in equal pieces, without ghosts.
-inline Layout pieces(GlobalIndex n, MPI_Comm comm) {
-  Layout layout{.comm = comm};
-  layout.first = n * rank(comm) / ranks(comm);
-  layout.owned = static_cast<LocalIndex>(n * (rank(comm) + 1) / ranks(comm) - layout.first);
-  layout.global_size = n;
-  return layout;
-}
-
-inline bool owns(const Layout& layout, GlobalIndex node) {
-  return node >= layout.first && node < layout.first + layout.owned;
+inline Distribution pieces(GlobalIndex n, MPI_Comm comm) {
+  const GlobalIndex first = n * rank(comm) / ranks(comm);
+  return {.comm = comm,
+          .first = first,
+          .owned = static_cast<LocalIndex>(n * (rank(comm) + 1) / ranks(comm) - first),
+          .global_size = n};
 }
 
 /// With the ghosts that the elements of this rank need, and no others.
 inline std::shared_ptr<const Layout> layout_for(GlobalIndex n, const Elements& elements,
                                                 MPI_Comm comm = MPI_COMM_WORLD) {
-  auto layout = std::make_shared<Layout>(pieces(n, comm));
+  Distribution mine = pieces(n, comm);
   for (const auto& element : elements)
-    if (owns(*layout, element.front()))
-      for (const GlobalIndex node : element)
-        if (!owns(*layout, node)) layout->ghosts.push_back(node);
-  std::ranges::sort(layout->ghosts);
-  layout->ghosts.erase(std::unique(layout->ghosts.begin(), layout->ghosts.end()), layout->ghosts.end());
-  return layout;
+    if (mine.owns(element.front())) mine.add_ghosts(element);
+  return std::make_shared<const Layout>(std::move(mine));
 }
 
 inline std::vector<LocalIndex> local_nodes(const Layout& layout, const std::vector<GlobalIndex>& element) {
   std::vector<LocalIndex> nodes;
-  for (const GlobalIndex node : element) {
-    if (owns(layout, node)) {
-      nodes.push_back(static_cast<LocalIndex>(node - layout.first));
-    } else {
-      const auto ghost = std::ranges::lower_bound(layout.ghosts, node) - layout.ghosts.begin();
-      nodes.push_back(layout.owned + static_cast<LocalIndex>(ghost));
-    }
-  }
+  for (const GlobalIndex node : element) nodes.push_back(layout.local(node));
   return nodes;
 }
 
@@ -74,7 +60,7 @@ inline Connectivity connectivity(const Layout& layout, const Elements& elements)
   Connectivity own;
   for (const auto& element : elements) {
     own.nodes_per_element = static_cast<int>(element.size());
-    if (!owns(layout, element.front())) continue;
+    if (!layout.owns(element.front())) continue;
     const auto nodes = local_nodes(layout, element);
     own.nodes.insert(own.nodes.end(), nodes.begin(), nodes.end());
   }

@@ -28,7 +28,7 @@ Matrix ladder_matrix(double shift) {
   Matrix A(layout, block, connectivity(*layout, elements));
   constexpr std::size_t width = 3 * block;
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    if (!owns(*layout, elements[e].front())) continue;
+    if (!layout->owns(elements[e].front())) continue;
     std::vector<double> values(width * width, 0.0);
     const auto g = [&](std::size_t i, std::size_t k) {
       return std::sin(static_cast<double>(1 + e + 5 * i + 3 * i * k));
@@ -145,7 +145,7 @@ TEST(Factorisation, takes_pins_of_movable_unknowns_that_alone_hold_the_structure
   const auto layout = layout_for(9, elements);
   Matrix A(layout, 1, connectivity(*layout, elements));
   for (const auto& element : elements)  // springs in a row that nothing holds
-    if (owns(*layout, element.front())) A.add(local_nodes(*layout, element), std::vector<double>{1, -1, -1, 1});
+    if (layout->owns(element.front())) A.add(local_nodes(*layout, element), std::vector<double>{1, -1, -1, 1});
   A.finish();
   std::vector<char> first(static_cast<std::size_t>(layout->owned), 0);
   for (LocalIndex i = 0; i < layout->owned; ++i) first[static_cast<std::size_t>(i)] = layout->global(i) == 0;

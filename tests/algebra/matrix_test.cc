@@ -37,7 +37,7 @@ std::vector<double> element_matrix(std::size_t number, std::size_t width) {
 Matrix assemble(const std::shared_ptr<const Layout>& layout, const Elements& elements) {
   Matrix A(layout, block, connectivity(*layout, elements));
   for (std::size_t e = 0; e < elements.size(); ++e)
-    if (owns(*layout, elements[e].front()))
+    if (layout->owns(elements[e].front()))
       A.add(local_nodes(*layout, elements[e]), element_matrix(e, elements[e].size() * block));
   A.finish();
   return A;
@@ -103,7 +103,7 @@ TEST(Matrix, can_be_filled_again_and_adds_up) {
   A.set_zero();
   for (int round = 0; round < 2; ++round) {
     for (std::size_t e = 0; e < elements.size(); ++e)
-      if (owns(*layout, elements[e].front()))
+      if (layout->owns(elements[e].front()))
         A.add(local_nodes(*layout, elements[e]), element_matrix(e, elements[e].size() * block));
     A.finish();
   }
@@ -124,7 +124,7 @@ TEST(LocalPart, SumsUpOverRanksToTheMatrix) {
   const auto layout = layout_for(nodes, elements);
   Matrix A(layout, block, connectivity(*layout, elements));
   for (std::size_t e = 0; e < elements.size(); ++e)
-    if (owns(*layout, elements[e].front()))
+    if (layout->owns(elements[e].front()))
       A.add(local_nodes(*layout, elements[e]), element_matrix(e, elements[e].size() * block));
   const Matrix part = A.local_part();
   A.finish();
@@ -147,7 +147,7 @@ TEST(LocalPart, IsWhatElementsOfThisRankAloneGive) {
   Matrix A(layout, 1, connectivity(*layout, elements));
   double trace = 0;
   for (const auto& element : elements)
-    if (owns(*layout, element.front())) {
+    if (layout->owns(element.front())) {
       A.add(local_nodes(*layout, element), std::vector<double>{1, -1, -1, 2});
       trace += 3;
     }

@@ -48,7 +48,7 @@ Matrix springs(double ground) {
   const auto layout = layout_for(n, elements);
   Matrix A(layout, 1, connectivity(*layout, elements));
   for (const auto& element : elements)
-    if (owns(*layout, element[0]))
+    if (layout->owns(element[0]))
       A.add(local_nodes(*layout, element), std::vector<double>{1 + ground, -1, -1, 1 + ground});
   A.finish();
   return A;

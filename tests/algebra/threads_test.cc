@@ -40,7 +40,7 @@ Matrix full_matrix() {
     for (std::size_t j = 0; j < size; ++j)
       values[i * size + j] =
           i == j ? 400 : std::cos(static_cast<double>(i + j) + 0.1 * static_cast<double>(i * j % 97));
-  if (owns(*layout, 0)) A.add(local_nodes(*layout, elements[0]), values);
+  if (layout->owns(0)) A.add(local_nodes(*layout, elements[0]), values);
   A.finish();
   return A;
 }

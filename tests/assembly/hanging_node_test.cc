@@ -50,10 +50,8 @@ test::MeshedSurface with_hanging_nodes(int degree, const std::array<std::string,
       space->connectivity.nodes.push_back(at->second);
     }
   }
-  auto layout = std::make_shared<algebra::Layout>();
-  layout->owned = static_cast<algebra::LocalIndex>(places.size());
-  layout->global_size = layout->owned;
-  space->layout = layout;
+  const auto nodes = static_cast<algebra::LocalIndex>(places.size());
+  space->layout = std::make_shared<const algebra::Layout>(algebra::Distribution{.owned = nodes, .global_size = nodes});
 
   // On x = 1 the nodes of the large cell's side are masters, all others hang.
   const auto on_side = fem::side_nodes(fem::Shape::quadrilateral, degree, 1);

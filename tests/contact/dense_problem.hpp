@@ -36,7 +36,7 @@ inline Matrix distribute(const Eigen::MatrixXd& A) {
   for (LocalIndex i = 0; i < layout->owned; ++i)
     matrix.add(std::vector<LocalIndex>{i}, std::vector<double>{A(layout->global(i), layout->global(i))});
   for (const auto& pair : elements)
-    if (owns(*layout, pair[0]))
+    if (layout->owns(pair[0]))
       matrix.add(local_nodes(*layout, pair), std::vector<double>{0, A(pair[0], pair[1]), A(pair[0], pair[1]), 0});
   matrix.finish();
   return matrix;

@@ -3,6 +3,7 @@
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
 
+#include "algebra/mpi_calls.hpp"
 #include "computation/problems.hpp"
 
 namespace plastron::computation {
@@ -86,6 +87,24 @@ TEST(Ranks, may_outnumber_the_cells) {
       p.discretisation.degree = degree;
       expect_same_alone_and_together(p);
     }
+}
+
+// Proportioning applies operators hundreds of times where the active set does so some ten times.
+TEST(Ranks, plan_their_exchanges_for_meshes_and_not_for_steps_of_solvers) {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const auto plans = [](contact::Solver solver) {
+    Problem p = pressed_bowl();
+    p.discretisation.refinements = 2;
+    p.contact.solver = solver;
+    const test::Calls calls;
+    EXPECT_EQ(solve(p, MPI_COMM_WORLD).status, contact::Status::solved);
+    EXPECT_EQ(calls.freed(), calls.graphs());
+    return calls.graphs();
+  };
+  const int by_active_set = plans(contact::Solver::active_set);
+  EXPECT_EQ(by_active_set > 0, ranks > 1);
+  EXPECT_EQ(plans(contact::Solver::mprgp), by_active_set);
 }
 
 TEST(Ranks, find_the_same_when_they_examine) {

@@ -1,34 +1,76 @@
-// Carries nodal values between the ranks that own nodes and those that see them as ghosts.
+// Carries values between the ranks that own nodes and those that see them as ghosts. Ranks that share no ghosts do not talk.
 #pragma once
-#include <plastron/algebra/layout.hpp>
+#include <plastron/algebra/distribution.hpp>
 
+#include <map>
 #include <span>
 #include <vector>
 
 namespace plastron::algebra {
 
+/// Several values of one type as one item of MPI, so that MPI's 32-bit counts are counts of items.
+class ItemType {
+ public:
+  ItemType(int values, MPI_Datatype of_value);
+  ~ItemType();
+  ItemType(const ItemType&) = delete;
+  ItemType& operator=(const ItemType&) = delete;
+  MPI_Datatype get() const { return type_; }
+
+ private:
+  MPI_Datatype type_ = MPI_DATATYPE_NULL;
+};
+
+/// Items that come from or go to each neighbour, one neighbour's after the other's.
+struct ItemsOfNeighbours {
+  std::vector<int> count{}, start{};
+
+  ItemsOfNeighbours() = default;
+  explicit ItemsOfNeighbours(std::vector<int> counts);
+  std::size_t total() const {
+    return count.empty() ? 0 : static_cast<std::size_t>(start.back()) + static_cast<std::size_t>(count.back());
+  }
+};
+
+/// The plan of the exchanges of one distribution. Its exchanges follow one another, in the same order on all ranks; it keeps their buffers.
 class Exchange {
  public:
   /// Tells every owner which of its nodes the other ranks see (collective).
-  explicit Exchange(const Layout& layout);
+  explicit Exchange(const Distribution& nodes);
+  ~Exchange();
+  Exchange(const Exchange&) = delete;
+  Exchange& operator=(const Exchange&) = delete;
 
   /// Owners' values -> ghosts; `local` holds `block` values per local node (collective).
   void to_ghosts(std::span<double> local, int block) const;
-  /// Ghosts' values are added to their owners' and set to zero (collective).
+  /// Ghosts' values are added to their owners' in the order of the ranks that see them, and set to zero (collective).
   void to_owners(std::span<double> local, int block) const;
 
-  /// How many ghosts each rank owns; the ghosts are sorted by owner, since every rank owns a contiguous range.
-  const std::vector<int>& ghosts_of_rank() const { return ghosts_of_rank_; }
+  /// The ranks that own ghosts of this one or see its nodes, ascending.
+  std::span<const int> neighbours() const { return neighbours_; }
+  /// This rank's ghosts: sorted by owner, since every rank owns a contiguous range.
+  const ItemsOfNeighbours& ghosts() const { return ghosts_; }
+  /// What the neighbours send here if `out` is what goes to them (collective).
+  ItemsOfNeighbours announced(const ItemsOfNeighbours& out) const;
+  /// `in` is what announced(out) told (collective).
+  void send(const void* out_items, const ItemsOfNeighbours& out, void* in_items, const ItemsOfNeighbours& in,
+            MPI_Datatype item_type) const;
 
  private:
-  std::size_t local_nodes() const;
+  std::size_t local_nodes() const { return static_cast<std::size_t>(owned_) + ghosts_.total(); }
+  std::span<double> buffer(std::size_t values) const;
+  MPI_Datatype item_of(int block) const;
+  void find_neighbours(const Distribution& nodes);
+  void find_seen(const Distribution& nodes);
 
-  MPI_Comm comm_;
   LocalIndex owned_;
-  bool alone_;                       ///< no rank has ghosts
-  std::vector<int> ghosts_of_rank_;  ///< this rank's ghosts, counted by owner
-  std::vector<int> seen_by_rank_;    ///< this rank's nodes, counted by the rank that sees them
-  std::vector<LocalIndex> seen_;     ///< those nodes, rank after rank
+  MPI_Comm graph_ = MPI_COMM_NULL;  ///< of the neighbours; none where no rank has ghosts
+  std::vector<int> neighbours_{};
+  ItemsOfNeighbours ghosts_{};                          ///< this rank's ghosts by owner
+  ItemsOfNeighbours seen_by_{};                         ///< `seen_` by the rank that sees them
+  std::vector<LocalIndex> seen_{};                      ///< nodes owned here
+  mutable std::vector<double> buffer_{};                ///< values of `seen_`
+  mutable std::map<int, const ItemType> item_types_{};  ///< by the values per node
 };
 
 }  // namespace plastron::algebra

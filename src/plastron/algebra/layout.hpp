@@ -1,25 +1,22 @@
-// How nodes are spread over the ranks: every rank owns a contiguous range and sees some of the others' (ghosts).
+// A distribution of nodes and, with it, the plan by which its ghosts are exchanged.
 #pragma once
-#include <mpi.h>
+#include <plastron/algebra/distribution.hpp>
+#include <plastron/algebra/exchange.hpp>
 
-#include <cstdint>
-#include <vector>
+#include <utility>
 
 namespace plastron::algebra {
 
-using GlobalIndex = std::int64_t;
-using LocalIndex = std::int32_t;
+/// Shared by all vectors and matrices on it, and so is its plan. Another distribution is another layout.
+class Layout : public Distribution {
+ public:
+  /// Makes the plan (collective).
+  explicit Layout(Distribution nodes) : Distribution(std::move(nodes)), exchange_(*this) {}
 
-/// Local index i < owned is global node first + i; local index owned + j is global node ghosts[j].
-struct Layout {
-  MPI_Comm comm = MPI_COMM_SELF;
-  GlobalIndex first = 0;
-  LocalIndex owned = 0;
-  GlobalIndex global_size = 0;
-  std::vector<GlobalIndex> ghosts{};  ///< ascending, owned by other ranks
+  const Exchange& exchange() const { return exchange_; }
 
-  LocalIndex local_size() const { return owned + static_cast<LocalIndex>(ghosts.size()); }
-  GlobalIndex global(LocalIndex i) const { return i < owned ? first + i : ghosts[static_cast<std::size_t>(i - owned)]; }
+ private:
+  Exchange exchange_;
 };
 
 }  // namespace plastron::algebra

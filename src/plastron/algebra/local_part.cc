@@ -44,8 +44,7 @@ std::vector<PlacedBlock> placed_blocks(const Matrix::Storage& A) {
 
 /// The nodes of one rank as if there were no others.
 std::shared_ptr<const Layout> layout_of_its_own(LocalIndex nodes) {
-  return std::make_shared<const Layout>(
-      Layout{.comm = MPI_COMM_SELF, .first = 0, .owned = nodes, .global_size = nodes, .ghosts = {}});
+  return std::make_shared<const Layout>(Distribution{.owned = nodes, .global_size = nodes});
 }
 
 }  // namespace
@@ -56,7 +55,6 @@ Matrix Matrix::local_part() const {
   auto part = std::make_unique<Storage>();
   part->layout = part->wide = layout_of_its_own(A.layout->local_size());
   part->block = A.block;
-  part->exchange = std::make_shared<const Exchange>(*part->layout);
   for (LocalIndex i = 0; i < part->layout->owned; ++i) part->global.push_back(i);
   const auto blocks = placed_blocks(A);
   const auto m = static_cast<std::size_t>(A.block);

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
-#include "block_exchange.hpp"
 #include "matrix_storage.hpp"
 
 namespace plastron::algebra {
@@ -23,10 +23,11 @@ void multiply_mapped(const Matrix::Storage& A, const Vector& x, Vector& y, Map m
                   y.owned().size(), A.owned_unknowns());
   const auto m = static_cast<std::size_t>(A.block);
   const auto owned = x.owned().size();
-  std::vector<double> u(A.global.size() * m, 0.0);
-  std::vector<double> v(A.global.size() * m, 0.0);
+  A.work.resize(2 * A.global.size() * m);
+  const auto u = std::span(A.work).first(A.global.size() * m), v = std::span(A.work).subspan(u.size());
   std::ranges::transform(x.owned(), u.begin(), map);
-  A.exchange->to_ghosts(u, A.block);
+  A.wide->exchange().to_ghosts(u, A.block);
+  std::ranges::fill(v, 0.0);
   for (LocalIndex row = 0; row < A.wide->owned; ++row) {
     const std::size_t i = static_cast<std::size_t>(row) * m;
     for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k) {
@@ -39,7 +40,7 @@ void multiply_mapped(const Matrix::Storage& A, const Vector& x, Vector& y, Map m
         for (std::size_t b = 0; b < m; ++b) v[j + b] += map(B[a * m + b]) * u[i + a];
     }
   }
-  A.exchange->to_owners(v, A.block);
+  A.wide->exchange().to_owners(v, A.block);
   y.fill(0.0);
   std::copy_n(v.begin(), owned, y.owned().begin());
 }
@@ -52,23 +53,6 @@ void check_element(const Matrix::Storage& A, std::span<const LocalIndex> nodes, 
   for (const LocalIndex node : nodes)
     if (node < 0 || node >= A.layout->local_size())
       throw std::out_of_range(fmt::format("node {} is not in 0..{}", node, A.layout->local_size() - 1));
-}
-
-// The blocks in rows of ghosts.
-TravellingBlocks blocks_for_owners(const Matrix::Storage& A) {
-  TravellingBlocks out;
-  LocalIndex row = A.wide->owned;
-  for (const int ghosts : A.exchange->ghosts_of_rank()) {
-    const std::size_t begin = A.row_begin(row);
-    for (int g = 0; g < ghosts; ++g, ++row)
-      for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k) {
-        out.places.push_back(A.global[static_cast<std::size_t>(row)]);
-        out.places.push_back(A.global[static_cast<std::size_t>(A.column[k])]);
-        out.values.insert(out.values.end(), A.block_at(k), A.block_at(k) + A.block_area());
-      }
-    out.blocks_of_rank.push_back(static_cast<int>(A.row_begin(row) - begin));
-  }
-  return out;
 }
 
 }  // namespace
@@ -122,17 +106,16 @@ void Matrix::add(std::span<const LocalIndex> nodes, std::span<const double> valu
 void Matrix::finish() {
   Storage& A = *storage_;
   A.has_finished = true;
-  int ranks = 1;
-  MPI_Comm_size(A.layout->comm, &ranks);
-  if (ranks == 1) return;
   const std::size_t area = A.block_area();
-  const TravellingBlocks in = exchange_blocks(blocks_for_owners(A), static_cast<int>(area), A.layout->comm);
-  for (std::size_t k = 0; 2 * k < in.places.size(); ++k) {
-    const auto row = static_cast<LocalIndex>(in.places[2 * k] - A.layout->first);
-    double* target = A.block_at(A.find(row, in.places[2 * k + 1]));
-    for (std::size_t a = 0; a < area; ++a) target[a] += in.values[k * area + a];
+  double* of_ghosts = A.block_at(A.row_begin(A.wide->owned));
+  std::vector<double> in(A.incoming.total() * area);
+  const ItemType block(static_cast<int>(area), MPI_DOUBLE);
+  A.layout->exchange().send(of_ghosts, A.outgoing, in.data(), A.incoming, block.get());
+  for (std::size_t k = 0; k < A.target.size(); ++k) {
+    double* target = A.block_at(A.target[k]);
+    for (std::size_t a = 0; a < area; ++a) target[a] += in[k * area + a];
   }
-  std::fill(A.block_at(A.row_begin(A.wide->owned)), A.values.data() + A.values.size(), 0.0);
+  std::fill(of_ghosts, A.values.data() + A.values.size(), 0.0);
 }
 
 void Matrix::set_zero() {

@@ -3,11 +3,13 @@
 #include <plastron/algebra/agreement.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
-#include "block_exchange.hpp"
 #include "matrix_storage.hpp"
 
 namespace plastron::algebra {
@@ -15,117 +17,151 @@ namespace {
 
 using Coupling = std::pair<GlobalIndex, GlobalIndex>;  // row and column, row <= column
 
+/// Compressed rows of columns.
+struct Rows {
+  std::vector<std::int64_t> start{0};
+  std::vector<LocalIndex> column{};
+
+  std::span<const LocalIndex> of(LocalIndex row) const {
+    const auto r = static_cast<std::size_t>(row);
+    return {column.data() + start[r], column.data() + start[r + 1]};
+  }
+  void end_row() { start.push_back(static_cast<std::int64_t>(column.size())); }
+};
+
 void check_nodes(const Connectivity& elements, LocalIndex nodes) {
   for (const LocalIndex node : elements.nodes)
     if (node < 0 || node >= nodes)
       throw std::out_of_range(fmt::format("element node {} is not in 0..{}", node, nodes - 1));
 }
 
-// Couplings in rows of other ranks, ascending, so that each owner's follow one another.
-std::vector<Coupling> couplings_of_others(const Layout& layout, const Connectivity& elements) {
-  std::vector<Coupling> couplings;
-  for (std::size_t e = 0; e < elements.elements(); ++e)
-    for (const LocalIndex p : elements.element(e)) {
-      if (p < layout.owned) continue;
-      for (const LocalIndex q : elements.element(e))
-        if (layout.global(p) <= layout.global(q)) couplings.emplace_back(layout.global(p), layout.global(q));
-    }
-  std::ranges::sort(couplings);
-  couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
-  return couplings;
-}
-
-// Couplings of rows owned here that other ranks' elements make, ascending (collective).
-std::vector<Coupling> couplings_from_others(const Layout& layout, const Connectivity& elements) {
-  const Exchange exchange(layout);
-  const auto couplings = couplings_of_others(layout, elements);
-  TravellingBlocks out;
-  auto next = couplings.begin();
-  std::size_t ghost = 0;
-  for (const int ghosts : exchange.ghosts_of_rank()) {
-    ghost += static_cast<std::size_t>(ghosts);
-    const auto begin = next;
-    for (; next != couplings.end() && ghost > 0 && next->first <= layout.ghosts[ghost - 1]; ++next)
-      out.places.insert(out.places.end(), {next->first, next->second});
-    out.blocks_of_rank.push_back(static_cast<int>(next - begin));
-  }
-  const TravellingBlocks in = exchange_blocks(out, 0, layout.comm);
-  std::vector<Coupling> received;
-  for (std::size_t k = 0; k < in.places.size(); k += 2) received.emplace_back(in.places[k], in.places[k + 1]);
-  std::ranges::sort(received);
-  received.erase(std::unique(received.begin(), received.end()), received.end());
-  return received;
-}
-
-std::shared_ptr<const Layout> widen(const Layout& layout, const std::vector<Coupling>& received) {
-  auto wide = std::make_shared<Layout>(layout);
-  for (const auto& [row, column] : received)
-    if (column < layout.first || column >= layout.first + layout.owned) wide->ghosts.push_back(column);
-  std::ranges::sort(wide->ghosts);
-  wide->ghosts.erase(std::unique(wide->ghosts.begin(), wide->ghosts.end()), wide->ghosts.end());
-  return wide;
-}
-
-LocalIndex local_in(const Layout& layout, GlobalIndex node) {
-  if (node >= layout.first && node < layout.first + layout.owned) return static_cast<LocalIndex>(node - layout.first);
-  const auto found = std::ranges::lower_bound(layout.ghosts, node);
-  return layout.owned + static_cast<LocalIndex>(found - layout.ghosts.begin());
-}
-
-// Lists by node of `wide`, as compressed rows: the elements that touch it.
+// Lists by local node, as compressed rows: the elements that touch it.
 struct ElementsOfNodes {
   std::vector<std::size_t> start;
   std::vector<std::size_t> element;
 };
 
-ElementsOfNodes elements_of_nodes(const Matrix::Storage& A, const Connectivity& elements) {
-  ElementsOfNodes lists{std::vector<std::size_t>(A.global.size() + 1, 0), {}};
-  for (const LocalIndex node : elements.nodes) ++lists.start[static_cast<std::size_t>(A.in_wide(node)) + 1];
+ElementsOfNodes elements_of_nodes(std::size_t nodes, const Connectivity& elements) {
+  ElementsOfNodes lists{std::vector<std::size_t>(nodes + 1, 0), {}};
+  for (const LocalIndex node : elements.nodes) ++lists.start[static_cast<std::size_t>(node) + 1];
   std::partial_sum(lists.start.begin(), lists.start.end(), lists.start.begin());
   lists.element.resize(elements.nodes.size());
   auto next = lists.start;
   for (std::size_t e = 0; e < elements.elements(); ++e)
-    for (const LocalIndex node : elements.element(e))
-      lists.element[next[static_cast<std::size_t>(A.in_wide(node))]++] = e;
+    for (const LocalIndex node : elements.element(e)) lists.element[next[static_cast<std::size_t>(node)]++] = e;
   return lists;
 }
 
-// The rows one after the other. `last_row[j]` remembers for which row node j was taken last.
-void fill_rows(Matrix::Storage& A, const Connectivity& elements, const std::vector<Coupling>& received) {
-  const ElementsOfNodes lists = elements_of_nodes(A, elements);
-  std::vector<std::size_t> last_row(A.global.size(), A.global.size());
-  auto next = received.begin();
-  A.row_start.assign(1, 0);
-  for (std::size_t row = 0; row < A.global.size(); ++row) {
+// The rows that this rank's elements give to its local nodes, columns ascending in global numbering. Owned rows have a diagonal in any case.
+Rows rows_of_elements(const Layout& layout, const Connectivity& elements) {
+  const auto nodes = static_cast<std::size_t>(layout.local_size());
+  const ElementsOfNodes lists = elements_of_nodes(nodes, elements);
+  std::vector<GlobalIndex> global(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) global[i] = layout.global(static_cast<LocalIndex>(i));
+  std::vector<std::size_t> last_row(nodes, nodes);  // for which row a node was taken last
+  Rows rows;
+  for (std::size_t row = 0; row < nodes; ++row) {
     const auto take = [&](LocalIndex node) {
       const auto n = static_cast<std::size_t>(node);
-      if (last_row[n] == row || A.global[n] < A.global[row]) return;
+      if (last_row[n] == row || global[n] < global[row]) return;
       last_row[n] = row;
-      A.column.push_back(node);
+      rows.column.push_back(node);
     };
-    take(static_cast<LocalIndex>(row));
+    if (row < static_cast<std::size_t>(layout.owned)) take(static_cast<LocalIndex>(row));
     for (std::size_t k = lists.start[row]; k < lists.start[row + 1]; ++k)
-      for (const LocalIndex node : elements.element(lists.element[k])) take(A.in_wide(node));
-    for (; next != received.end() && next->first == A.global[row]; ++next) take(local_in(*A.wide, next->second));
-    std::sort(A.column.begin() + A.row_start.back(), A.column.end(), [&](LocalIndex a, LocalIndex b) {
-      return A.global[static_cast<std::size_t>(a)] < A.global[static_cast<std::size_t>(b)];
+      for (const LocalIndex node : elements.element(lists.element[k])) take(node);
+    std::sort(rows.column.begin() + rows.start.back(), rows.column.end(), [&](LocalIndex a, LocalIndex b) {
+      return global[static_cast<std::size_t>(a)] < global[static_cast<std::size_t>(b)];
     });
-    A.row_start.push_back(static_cast<std::int64_t>(A.column.size()));
+    rows.end_row();
   }
+  return rows;
+}
+
+// How many blocks the rows of each neighbour's ghosts have.
+ItemsOfNeighbours blocks_of_ghosts(const Layout& layout, const Rows& rows) {
+  std::vector<int> counts;
+  LocalIndex ghost = layout.owned;
+  for (const int ghosts : layout.exchange().ghosts().count) {
+    const auto begin = rows.start[static_cast<std::size_t>(ghost)];
+    ghost += ghosts;
+    counts.push_back(static_cast<int>(rows.start[static_cast<std::size_t>(ghost)] - begin));
+  }
+  return ItemsOfNeighbours(std::move(counts));
+}
+
+// Sends the places of the blocks in rows of ghosts to their owners, and sets A's shipments; what has come here, neighbour after neighbour
+// (collective).
+std::vector<Coupling> ship_places(Matrix::Storage& A, const Rows& rows) {
+  const Layout& layout = *A.layout;
+  A.outgoing = blocks_of_ghosts(layout, rows);
+  A.incoming = layout.exchange().announced(A.outgoing);
+  std::vector<GlobalIndex> out, in(2 * A.incoming.total());
+  out.reserve(2 * A.outgoing.total());
+  for (LocalIndex row = layout.owned; row < layout.local_size(); ++row)
+    for (const LocalIndex column : rows.of(row)) out.insert(out.end(), {layout.global(row), layout.global(column)});
+  const ItemType place(2, MPI_INT64_T);
+  layout.exchange().send(out.data(), A.outgoing, in.data(), A.incoming, place.get());
+  std::vector<Coupling> received;
+  received.reserve(A.incoming.total());
+  for (std::size_t k = 0; k < in.size(); k += 2) received.emplace_back(in[k], in[k + 1]);
+  return received;
+}
+
+// The layout itself where every rank sees all columns of its rows (collective).
+std::shared_ptr<const Layout> widened(const std::shared_ptr<const Layout>& layout,
+                                      const std::vector<Coupling>& received) {
+  std::vector<GlobalIndex> unseen;
+  for (const auto& [row, column] : received)
+    if (!layout->sees(column)) unseen.push_back(column);
+  if (sum_over_ranks(static_cast<std::int64_t>(unseen.size()), layout->comm) == 0) return layout;
+  Distribution wide = *layout;
+  wide.add_ghosts(std::move(unseen));
+  return std::make_shared<const Layout>(std::move(wide));
+}
+
+// Columns from `begin` on in ascending global order, each once.
+void order_columns(const Matrix::Storage& A, std::size_t begin, std::vector<LocalIndex>& columns) {
+  const auto first = columns.begin() + static_cast<std::ptrdiff_t>(begin);
+  std::sort(first, columns.end(), [&](LocalIndex a, LocalIndex b) {
+    return A.global[static_cast<std::size_t>(a)] < A.global[static_cast<std::size_t>(b)];
+  });
+  columns.erase(std::unique(first, columns.end()), columns.end());
+}
+
+// The rows over the nodes of `wide`: those of this rank's elements, owned ones with what has come.
+Rows joined_rows(const Matrix::Storage& A, const Rows& rows, std::vector<Coupling> received) {
+  std::ranges::sort(received);
+  auto next = received.cbegin();
+  Rows joined;
+  joined.column.reserve(rows.column.size());
+  LocalIndex row = 0;  // of the layout
+  for (LocalIndex wide_row = 0; wide_row < A.wide->local_size(); ++wide_row) {
+    const std::size_t begin = joined.column.size();
+    if (row < A.layout->local_size() && A.in_wide(row) == wide_row)
+      for (const LocalIndex column : rows.of(row++)) joined.column.push_back(A.in_wide(column));
+    const std::size_t own = joined.column.size();
+    for (; next != received.cend() && next->first == A.global[static_cast<std::size_t>(wide_row)]; ++next)
+      joined.column.push_back(A.wide->local(next->second));
+    if (joined.column.size() > own) order_columns(A, begin, joined.column);
+    joined.end_row();
+  }
+  return joined;
 }
 
 }  // namespace
 
 void build_pattern(Matrix::Storage& A, const Connectivity& elements) {
   in_agreement(A.layout->comm, [&] { check_nodes(elements, A.layout->local_size()); });
-  int ranks = 1;
-  MPI_Comm_size(A.layout->comm, &ranks);
-  const auto received = ranks == 1 ? std::vector<Coupling>{} : couplings_from_others(*A.layout, elements);
-  A.wide = ranks == 1 ? A.layout : widen(*A.layout, received);
-  A.exchange = std::make_shared<const Exchange>(*A.wide);
-  for (const GlobalIndex ghost : A.layout->ghosts) A.ghost_in_wide.push_back(local_in(*A.wide, ghost));
+  Rows rows = rows_of_elements(*A.layout, elements);
+  const std::vector<Coupling> received = ship_places(A, rows);
+  A.wide = widened(A.layout, received);
+  for (const GlobalIndex ghost : A.layout->ghosts) A.ghost_in_wide.push_back(A.wide->local(ghost));
   for (LocalIndex i = 0; i < A.wide->local_size(); ++i) A.global.push_back(A.wide->global(i));
-  fill_rows(A, elements, received);
+  if (A.wide != A.layout || !received.empty()) rows = joined_rows(A, rows, received);
+  A.row_start = std::move(rows.start);
+  A.column = std::move(rows.column);
+  for (const auto& [row, column] : received) A.target.push_back(A.find(A.wide->local(row), column));
 }
 
 }  // namespace plastron::algebra

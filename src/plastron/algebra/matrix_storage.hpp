@@ -1,6 +1,5 @@
 // What a Matrix holds. For matrix*.cc and factorisation*.cc only.
 #pragma once
-#include <plastron/algebra/exchange.hpp>
 #include <plastron/algebra/matrix.hpp>
 
 #include <cstdint>
@@ -9,19 +8,22 @@
 
 namespace plastron::algebra {
 
-/// Compressed rows of blocks. The rows of ghosts collect what goes to their owners. In each row the columns ascend in
-/// global numbering and begin with the row itself, since lower blocks are not kept.
+/// Compressed rows of blocks. The rows of ghosts come last and collect what goes to their owners. In each row the columns ascend in
+/// global numbering, none is below the row, since lower blocks are not kept, and an owned row begins with itself.
 struct Matrix::Storage {
-  std::shared_ptr<const Layout> layout{};   ///< of the vectors and of the elements' nodes
-  std::shared_ptr<const Layout> wide{};     ///< the same owned nodes, and as ghosts every column that owned rows have
+  std::shared_ptr<const Layout> layout{};  ///< of the vectors and of the elements' nodes
+  /// The same owned nodes, and as ghosts every column that owned rows have: `layout` itself where that has them on every rank.
+  std::shared_ptr<const Layout> wide{};
   std::vector<LocalIndex> ghost_in_wide{};  ///< index in `wide` of each ghost of `layout`
   int block = 0;
-  std::vector<GlobalIndex> global{};           ///< of each node of `wide`
-  std::vector<std::int64_t> row_start{};       ///< in blocks, for every node of `wide`
-  std::vector<LocalIndex> column{};            ///< node of `wide`, for each block
-  std::vector<double> values{};                ///< block after block, row-major inside
-  std::shared_ptr<const Exchange> exchange{};  ///< for `wide`
-  bool has_finished = false;  ///< rows of ghosts have been shipped: no rank knows its own part any more
+  std::vector<GlobalIndex> global{};         ///< of each node of `wide`
+  std::vector<std::int64_t> row_start{};     ///< in blocks, for every node of `wide`
+  std::vector<LocalIndex> column{};          ///< node of `wide`, for each block
+  std::vector<double> values{};              ///< block after block, row-major inside
+  ItemsOfNeighbours outgoing{}, incoming{};  ///< blocks that finish() ships between neighbours in `layout`
+  std::vector<std::size_t> target{};         ///< the block to which each incoming one is added
+  mutable std::vector<double> work{};        ///< of products: two vectors on `wide`
+  bool has_finished = false;                 ///< rows of ghosts have been shipped: no rank knows its own part any more
 
   std::size_t block_area() const { return static_cast<std::size_t>(block) * static_cast<std::size_t>(block); }
   std::size_t owned_unknowns() const {

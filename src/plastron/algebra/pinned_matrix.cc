@@ -35,7 +35,7 @@ std::vector<double> pinned_diagonal(const Matrix::Storage& A, std::span<const ch
   std::vector<double> result(A.global.size() * m, 0.0);
   for (std::size_t i = 0; i < owned; ++i)
     if (pinned[i]) result[i] = diagonal_of(i) > 0 ? diagonal_of(i) : largest;
-  A.exchange->to_ghosts(result, A.block);
+  A.wide->exchange().to_ghosts(result, A.block);
   return result;
 }
 

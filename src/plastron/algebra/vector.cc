@@ -1,5 +1,4 @@
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/algebra/exchange.hpp>
 #include <plastron/algebra/vector.hpp>
 
 #include <algorithm>
@@ -12,14 +11,9 @@ struct Vector::Storage {
   std::shared_ptr<const Layout> layout{};
   int block = 0;
   std::vector<double> values{};
-  std::shared_ptr<const Exchange> exchange{};  ///< made by the first exchange of ghosts, shared with copies
 
   std::size_t owned_size() const {
     return layout ? static_cast<std::size_t>(layout->owned) * static_cast<std::size_t>(block) : 0;
-  }
-  const Exchange& ghost_exchange() {
-    if (!exchange) exchange = std::make_shared<const Exchange>(*layout);
-    return *exchange;
   }
 };
 
@@ -62,11 +56,11 @@ std::span<const double> Vector::local() const { return storage_->values; }
 void Vector::fill(double value) { std::ranges::fill(storage_->values, value); }
 
 void Vector::update_ghosts() {
-  if (storage_->layout) storage_->ghost_exchange().to_ghosts(storage_->values, storage_->block);
+  if (storage_->layout) storage_->layout->exchange().to_ghosts(storage_->values, storage_->block);
 }
 
 void Vector::accumulate_ghosts() {
-  if (storage_->layout) storage_->ghost_exchange().to_owners(storage_->values, storage_->block);
+  if (storage_->layout) storage_->layout->exchange().to_owners(storage_->values, storage_->block);
 }
 
 namespace {

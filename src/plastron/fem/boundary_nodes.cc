@@ -68,23 +68,16 @@ std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, i
 
 void widen(Space& space, const std::set<GlobalIndex>& wanted) {
   const algebra::Layout& before = *space.layout;
-  auto after = std::make_shared<algebra::Layout>(before);
-  for (const GlobalIndex node : wanted)
-    if (node < before.first || node >= before.first + before.owned) after->ghosts.push_back(node);
-  std::ranges::sort(after->ghosts);
-  after->ghosts.erase(std::unique(after->ghosts.begin(), after->ghosts.end()), after->ghosts.end());
-  const auto renumber = [&](LocalIndex& node) { node = local_in(*after, before.global(node)); };
+  algebra::Distribution wide = before;
+  wide.add_ghosts({wanted.begin(), wanted.end()});
+  auto after = std::make_shared<const algebra::Layout>(std::move(wide));
+  const auto renumber = [&](LocalIndex& node) { node = after->local(before.global(node)); };
   std::ranges::for_each(space.connectivity.nodes, renumber);
   for (Tie& tie : space.ties) {
     renumber(tie.node);
     for (auto& [master, weight] : tie.masters) renumber(master);
   }
   space.layout = std::move(after);
-}
-
-LocalIndex local_in(const algebra::Layout& layout, GlobalIndex node) {
-  if (node >= layout.first && node < layout.first + layout.owned) return static_cast<LocalIndex>(node - layout.first);
-  return layout.owned + static_cast<LocalIndex>(std::ranges::lower_bound(layout.ghosts, node) - layout.ghosts.begin());
 }
 
 }  // namespace plastron::fem

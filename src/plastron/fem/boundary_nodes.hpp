@@ -19,10 +19,7 @@ int boundary_index(const CoarseMesh& coarse, const std::string& name, const char
 /// Ascending, the same on every rank (collective).
 std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, int boundary);
 
-/// The space with further ghosts; the owned nodes keep their numbers.
+/// The space with further ghosts; the owned nodes keep their numbers (collective).
 void widen(Space& space, const std::set<algebra::GlobalIndex>& wanted);
-
-/// The number of a node that the rank owns or has as a ghost.
-algebra::LocalIndex local_in(const algebra::Layout& layout, algebra::GlobalIndex node);
 
 }  // namespace plastron::fem

@@ -69,10 +69,8 @@ class OneStep {
 std::set<GlobalIndex> unseen(const algebra::Layout& layout, const OneStep& hanging) {
   std::set<GlobalIndex> nodes;
   for (const auto& [node, masters] : hanging.all())
-    for (const auto& [master, weight] : masters) {
-      const bool is_owned = master >= layout.first && master < layout.first + layout.owned;
-      if (!is_owned && !std::ranges::binary_search(layout.ghosts, master)) nodes.insert(master);
-    }
+    for (const auto& [master, weight] : masters)
+      if (!layout.sees(master)) nodes.insert(master);
   return nodes;
 }
 
@@ -94,8 +92,7 @@ void tie_hanging_nodes(Space& space, const std::vector<HangingNode>& owned) {
     const GlobalIndex node = layout.global(i);
     if (!hanging.all().contains(node)) continue;
     Tie& tie = space.ties.emplace_back(Tie{.node = i});
-    for (const auto& [master, weight] : hanging.resolved(node))
-      tie.masters.emplace_back(local_in(layout, master), weight);
+    for (const auto& [master, weight] : hanging.resolved(node)) tie.masters.emplace_back(layout.local(master), weight);
   }
   space.has_ties = true;
 }

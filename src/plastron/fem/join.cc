@@ -81,7 +81,7 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
 
 /// Nodes that are one with another, and those that others carry across a kink.
 void add_ties(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
-  const algebra::Layout before = *space.layout;
+  const algebra::Distribution before = *space.layout;
   std::set<GlobalIndex> masters;
   for (LocalIndex i = 0; i < before.local_size(); ++i) {
     const GlobalIndex node = same.representative(before.global(i));
@@ -94,12 +94,11 @@ void add_ties(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kink
   auto carried = std::make_shared<CarriedNodes>();
   for (LocalIndex i = 0; i < after.local_size(); ++i) {
     const GlobalIndex node = after.global(i);
-    if (same.is_tied(node)) space.ties.push_back({i, {{local_in(after, same.representative(node)), 1.0}}});
+    if (same.is_tied(node)) space.ties.push_back({i, {{after.local(same.representative(node)), 1.0}}});
     const auto found = kinked.find(node);
     if (found == kinked.end()) continue;
     CarriedNode& at = carried->nodes.emplace_back(CarriedNode{.node = i, .own = found->second.own});
-    for (const auto& [carrier, block] : found->second.carriers)
-      at.carriers.emplace_back(local_in(after, carrier), block);
+    for (const auto& [carrier, block] : found->second.carriers) at.carriers.emplace_back(after.local(carrier), block);
   }
   space.has_ties = !same.is_empty();
   if (!kinked.empty()) space.carried = std::move(carried);

@@ -118,13 +118,13 @@ std::shared_ptr<const algebra::Layout> QuadrilateralSequence::Storage::make_layo
   const auto count = static_cast<algebra::GlobalIndex>(owned.n_elements());
   algebra::GlobalIndex end = 0;  // a rank without nodes begins and ends where the one before ends
   MPI_Scan(&count, &end, 1, MPI_INT64_T, MPI_SUM, triangulation.get_communicator());
-  algebra::Layout layout{.comm = triangulation.get_communicator(),
-                         .first = end - count,
-                         .owned = static_cast<algebra::LocalIndex>(count),
-                         .global_size = static_cast<algebra::GlobalIndex>(dofs.n_dofs())};
+  algebra::Distribution nodes{.comm = triangulation.get_communicator(),
+                              .first = end - count,
+                              .owned = static_cast<algebra::LocalIndex>(count),
+                              .global_size = static_cast<algebra::GlobalIndex>(dofs.n_dofs())};
   for (const auto i : relevant)
-    if (!owned.is_element(i)) layout.ghosts.push_back(static_cast<algebra::GlobalIndex>(i));
-  return std::make_shared<const algebra::Layout>(std::move(layout));
+    if (!owned.is_element(i)) nodes.ghosts.push_back(static_cast<algebra::GlobalIndex>(i));
+  return std::make_shared<const algebra::Layout>(std::move(nodes));
 }
 
 template <class Accessor>
@@ -135,11 +135,7 @@ void QuadrilateralSequence::Storage::add_cell(const Accessor& cell, const std::v
   cell->get_dof_indices(indices);
   for (unsigned int i = 0; i < indices.size(); ++i) {
     const auto global = static_cast<algebra::GlobalIndex>(indices[from_lexicographic[i]]);
-    algebra::LocalIndex local = static_cast<algebra::LocalIndex>(global - layout.first);
-    if (global < layout.first || global >= layout.first + layout.owned)
-      local = layout.owned +
-              static_cast<algebra::LocalIndex>(std::ranges::lower_bound(layout.ghosts, global) - layout.ghosts.begin());
-    target.connectivity.nodes.push_back(local);
+    target.connectivity.nodes.push_back(layout.local(global));
   }
   target.cells.push_back(dyadic_cell(cell));
   sides->add_sides_of_last_cell(target);

@@ -156,7 +156,7 @@ void add_members(const Space& space, const Members& members, PlacedBody& placed,
   for (LocalIndex i = 0; i < layout.local_size(); ++i) {
     const auto found = members.find(layout.global(i));
     if (found == members.end()) continue;
-    for (std::size_t h = 0; h < 2; ++h) placed.hosts[h] = local_in(layout, hosts[h]);
+    for (std::size_t h = 0; h < 2; ++h) placed.hosts[h] = layout.local(hosts[h]);
     const Matrix6 w = motion_at(placed.body, found->second, placed.length);
     CarriedNode at{.node = i};
     if (!placed.body.turns_normals) at.own.bottomRightCorner<3, 3>().setIdentity();
@@ -230,7 +230,7 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
         space->layout->comm, [&] { return kinked_beside(*space->carried, bodies, members, *space->layout); });
   widen(*result, wanted);
   for (CarriedNode& node : carried->nodes) {
-    const auto renumber = [&](LocalIndex& i) { i = local_in(*result->layout, space->layout->global(i)); };
+    const auto renumber = [&](LocalIndex& i) { i = result->layout->local(space->layout->global(i)); };
     renumber(node.node);
     for (auto& [carrier, block] : node.carriers) renumber(carrier);
   }

@@ -84,14 +84,8 @@ TriangleSequence::TriangleSequence(CoarseMesh coarse, int degree, MPI_Comm comm)
 
 void TriangleSequence::add_cell(std::size_t cell, Space& target) const {
   const algebra::Layout& layout = *target.layout;
-  for (const std::size_t entity : node_entities(mesh_, degree_, cell)) {
-    const GlobalIndex global = numbers_.number[entity];
-    auto local = static_cast<algebra::LocalIndex>(global - layout.first);
-    if (global < layout.first || global >= layout.first + layout.owned)
-      local = layout.owned +
-              static_cast<algebra::LocalIndex>(std::ranges::lower_bound(layout.ghosts, global) - layout.ghosts.begin());
-    target.connectivity.nodes.push_back(local);
-  }
+  for (const std::size_t entity : node_entities(mesh_, degree_, cell))
+    target.connectivity.nodes.push_back(layout.local(numbers_.number[entity]));
   target.cells.push_back(mesh_.cells[cell]);
   sides_.add_sides_of_last_cell(target);
 }
@@ -102,26 +96,24 @@ void TriangleSequence::flatten() {
   const std::size_t begin = numbers_.first_cell[rank], end = numbers_.first_cell[rank + 1];
   const auto around = cells_around(mesh_, begin, end);
 
-  algebra::Layout layout{
+  algebra::Distribution nodes{
       .comm = comm_,
       .first = numbers_.first_node[rank],
       .owned = static_cast<algebra::LocalIndex>(numbers_.first_node[rank + 1] - numbers_.first_node[rank]),
       .global_size = numbers_.first_node.back()};
-  const auto note_ghosts = [&](std::size_t cell) {
-    for (const std::size_t entity : node_entities(mesh_, degree_, cell)) {
-      const GlobalIndex global = numbers_.number[entity];
-      if (global < layout.first || global >= layout.first + layout.owned) layout.ghosts.push_back(global);
-    }
+  std::vector<GlobalIndex> seen;
+  const auto see = [&](std::size_t cell) {
+    for (const std::size_t entity : node_entities(mesh_, degree_, cell))
+      if (!nodes.owns(numbers_.number[entity])) seen.push_back(numbers_.number[entity]);
   };
   if (ranks_ > 1)
-    for (std::size_t c = begin; c < end; ++c) note_ghosts(c);
-  for (const std::size_t c : around) note_ghosts(c);
-  std::ranges::sort(layout.ghosts);
-  layout.ghosts.erase(std::unique(layout.ghosts.begin(), layout.ghosts.end()), layout.ghosts.end());
+    for (std::size_t c = begin; c < end; ++c) see(c);
+  for (const std::size_t c : around) see(c);
+  nodes.add_ghosts(std::move(seen));
 
   Space flat{.degree = degree_,
              .coarse = coarse_,
-             .layout = std::make_shared<const algebra::Layout>(std::move(layout)),
+             .layout = std::make_shared<const algebra::Layout>(std::move(nodes)),
              .owned_cells = end - begin,
              .global_cells = static_cast<std::int64_t>(mesh_.cells.size())};
   flat.connectivity.nodes_per_element = flat.nodes_per_cell();

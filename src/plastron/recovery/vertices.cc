@@ -25,24 +25,23 @@ Vertices::Vertices(const fem::Space& space) {
     corner_nodes_ = {0, k, (k + 1) * (k + 2) / 2 - 1, 0};
   algebra::Vector number = corner_marks(space, corner_nodes_);
   const auto owned_nodes = static_cast<std::size_t>(space.layout->owned);
-  algebra::Layout layout{.comm = space.layout->comm};
+  algebra::Distribution nodes{.comm = space.layout->comm};
   vertex_of_node_.assign(number.local().size(), -1);
   for (std::size_t node = 0; node < owned_nodes; ++node)
-    if (number.local()[node] > 0) vertex_of_node_[node] = layout.owned++;
-  const auto count = static_cast<std::int64_t>(layout.owned);
-  MPI_Exscan(&count, &layout.first, 1, MPI_INT64_T, MPI_SUM, layout.comm);
-  layout.global_size = algebra::sum_over_ranks(count, layout.comm);
+    if (number.local()[node] > 0) vertex_of_node_[node] = nodes.owned++;
+  const auto count = static_cast<std::int64_t>(nodes.owned);
+  MPI_Exscan(&count, &nodes.first, 1, MPI_INT64_T, MPI_SUM, nodes.comm);
+  nodes.global_size = algebra::sum_over_ranks(count, nodes.comm);
   // Global numbers of the vertices, one more than they are so that 0 means none, become known where they are ghosts.
   for (std::size_t node = 0; node < owned_nodes; ++node)
-    number.local()[node] =
-        vertex_of_node_[node] < 0 ? 0 : static_cast<double>(layout.first + vertex_of_node_[node] + 1);
+    number.local()[node] = vertex_of_node_[node] < 0 ? 0 : static_cast<double>(nodes.first + vertex_of_node_[node] + 1);
   number.update_ghosts();
   for (std::size_t node = owned_nodes; node < vertex_of_node_.size(); ++node)
     if (number.local()[node] > 0) {
-      vertex_of_node_[node] = layout.local_size();
-      layout.ghosts.push_back(static_cast<algebra::GlobalIndex>(number.local()[node]) - 1);
+      vertex_of_node_[node] = nodes.local_size();
+      nodes.ghosts.push_back(static_cast<algebra::GlobalIndex>(number.local()[node]) - 1);
     }
-  layout_ = std::make_shared<const algebra::Layout>(std::move(layout));
+  layout_ = std::make_shared<const algebra::Layout>(std::move(nodes));
 }
 
 }  // namespace plastron::recovery
