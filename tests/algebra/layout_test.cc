@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra/allocations.hpp"
 #include "algebra/chain.hpp"
 #include "algebra/mpi_calls.hpp"
 
@@ -126,6 +127,9 @@ TEST(Operators, are_applied_without_plans_and_talk_to_neighbours_alone) {
   const Calls calls;
   A.multiply(x, y);
   EXPECT_EQ(calls.neighbours(), ranks() > 1 ? 2 : 0);
+  const Allocations allocations;
+  A.multiply(x, y);
+  EXPECT_EQ(allocations.count(), 0);
   const auto apply = [&](const Vector& from, Vector& to) { A.multiply(from, to); };
   const auto copy = [](const Vector& from, Vector& to) { to = from; };
   x.fill(0);

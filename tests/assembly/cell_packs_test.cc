@@ -99,7 +99,10 @@ TEST_P(EveryPack, TheFormOfTheNormalRotationIsThatOfTheCells) {
   on_all([](const ShellOperator& shell) {
     const algebra::Vector y = random_values(shell.space(), 6, 3);
     algebra::Vector packed = random_values(shell.space(), 6, 4), plain = packed, sum(shell.space().layout, 6);
+    packed.accumulate_ghosts();
+    plain = packed;
     add_normal_rotation_form(shell, 3, y, packed);
+    packed.accumulate_ghosts();
     for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
       CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
       for (int q = 0; q < g.rows(); ++q) {
@@ -120,7 +123,8 @@ TEST_P(EveryPack, TheFormOfTheNormalRotationIsThatOfTheCells) {
 TEST_P(EveryPack, TheCouplingOfTheMultiplierIsThatOfTheCells) {
   on_all([](const ShellOperator& shell) {
     const fem::Space& space = shell.space();
-    const algebra::Vector y = random_values(space, 6, 5), lambda = random_values(space, 1, 6);
+    const algebra::Vector y = random_values(space, 6, 5);
+    algebra::Vector lambda = random_values(space, 1, 6);
     const element::BasisAt& basis = shell.tables().quadrature;
     algebra::Vector q(space.layout, 1), f(space.layout, 6), plain(space.layout, 1), plain_f(space.layout, 6);
     apply_coupling(shell, y, q);

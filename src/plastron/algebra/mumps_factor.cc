@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "borrowed_vec.hpp"
 #include "petsc_check.hpp"
 #include "private_options.hpp"
 
@@ -39,7 +38,8 @@ bool is_short_of_estimated_memory(PetscInt outcome) {
 
 }  // namespace
 
-MumpsFactor::MumpsFactor(const Matrix::Storage& A) : A_(A), copy_(A) {
+MumpsFactor::MumpsFactor(const Matrix::Storage& A)
+    : A_(A), copy_(A), right_(*A.layout, A.block), solution_(*A.layout, A.block) {
   petsc_check(MatFactorInfoInitialize(&info_), "preparing a factorisation");
   analyse();
 }
@@ -75,9 +75,8 @@ bool MumpsFactor::factorise(std::vector<double> pinned_diagonal, double shift) {
 }
 
 void MumpsFactor::solve(const Vector& b, Vector& x) const {
-  const BorrowedVec rhs(*A_.layout, A_.block, b.owned().data());
-  const BorrowedVec solution(*A_.layout, A_.block, x.owned().data());
-  petsc_check(MatSolve(factor_, rhs.vec(), solution.vec()), "solving with a factorised matrix");
+  const BorrowedVec::Loan right(right_, b.owned().data()), solution(solution_, x.owned().data());
+  petsc_check(MatSolve(factor_, right_.vec(), solution_.vec()), "solving with a factorised matrix");
 }
 
 }  // namespace plastron::algebra

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "borrowed_vec.hpp"
 #include "pinned_matrix.hpp"
 
 namespace plastron::algebra {
@@ -32,6 +33,7 @@ class MumpsFactor {
   PetscInt extra_memory_ = 50;
   Mat factor_ = nullptr;
   MatFactorInfo info_{};
+  BorrowedVec right_, solution_;
   FactorisationCost cost_{};
 };
 

@@ -23,7 +23,7 @@ Vector in_petsc_words(Vector bounds) {
 }  // namespace
 
 NewtonCallbacks::NewtonCallbacks(const BoundedQuadratic& problem, const BoundedNewtonSettings& settings)
-    : problem_(problem), settings_(settings) {
+    : problem_(problem), settings_(settings), point_(zeros_like(problem.load)), product_(point_) {
   create(in_petsc_words(problem.lower), lower_);
   create(in_petsc_words(problem.upper), upper_);
   faces_.push_back({this, std::vector<char>(problem.load.owned().size(), 0)});
@@ -93,10 +93,9 @@ PetscErrorCode NewtonCallbacks::multiply(Mat A, Vec x, Vec y) {
   PetscCall(MatShellGetContext(A, &face));
   NewtonCallbacks& self = *face->callbacks;
   return self.guarded([&] {
-    Vector whole = zeros_like(self.problem_.load), product = whole;
-    self.expand(*face, x, whole);
-    self.problem_.apply(whole, product);
-    self.reduce(*face, product, y);
+    self.expand(*face, x, self.point_);
+    self.problem_.apply(self.point_, self.product_);
+    self.reduce(*face, self.product_, y);
   });
 }
 
@@ -133,24 +132,23 @@ PetscErrorCode NewtonCallbacks::solve(PC pc, Vec r, Vec s) {
   PetscCall(MatShellGetContext(A, &face));
   NewtonCallbacks& self = *static_cast<NewtonCallbacks*>(context);
   return self.guarded([&] {
-    Vector right = zeros_like(self.problem_.load), step = right;
-    self.expand(*face, r, right);
-    if (!self.problem_.solve_on_face(face->held, right, step)) {
+    self.expand(*face, r, self.point_);
+    self.product_.fill(0);
+    if (!self.problem_.solve_on_face(face->held, self.point_, self.product_)) {
       self.has_no_face_solution_ = true;
-      step.fill(0);
+      self.product_.fill(0);
     }
-    self.reduce(*face, step, s);
+    self.reduce(*face, self.product_, s);
   });
 }
 
 PetscErrorCode NewtonCallbacks::evaluate(Vec x, double* energy, Vec gradient) {
   return guarded([&] {
-    Vector point = zeros_like(problem_.load), g = point;
-    copy(x, point);
-    problem_.apply(point, g);
-    axpy(-1, problem_.load, g);
-    if (energy) *energy = 0.5 * (dot(point, g) - dot(point, problem_.load));
-    if (gradient) reduce(faces_.front(), g, gradient);
+    copy(x, point_);
+    problem_.apply(point_, product_);
+    axpy(-1, problem_.load, product_);
+    if (energy) *energy = 0.5 * (dot(point_, product_) - dot(point_, problem_.load));
+    if (gradient) reduce(faces_.front(), product_, gradient);
   });
 }
 
@@ -167,13 +165,12 @@ double NewtonCallbacks::residual(const Vector& x, const Vector& gradient) const 
 PetscErrorCode NewtonCallbacks::look_at(int iteration, Vec x, bool& ends) {
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
   return guarded([&] {
-    Vector point = zeros_like(problem_.load), gradient = point;
-    copy(x, point);
-    problem_.apply(point, gradient);
-    axpy(-1, problem_.load, gradient);
-    const bool goes_on = !settings_.go_on || settings_.go_on(iteration, point, gradient);
+    copy(x, point_);
+    problem_.apply(point_, product_);
+    axpy(-1, problem_.load, product_);
+    const bool goes_on = !settings_.go_on || settings_.go_on(iteration, point_, product_);
     ends = true;
-    if (residual(point, gradient) <= std::max(settings_.tolerance, rounding * norm(point)))
+    if (residual(point_, product_) <= std::max(settings_.tolerance, rounding * norm(point_)))
       end_ = BoundedNewtonEnd::converged;
     else if (has_no_face_solution_)
       end_ = BoundedNewtonEnd::no_face_solution;

@@ -75,6 +75,7 @@ class NewtonCallbacks {
   const BoundedQuadratic& problem_;
   const BoundedNewtonSettings& settings_;
   std::deque<Face> faces_{};  ///< of all shells that were made: PETSc keeps some for long
+  Vector point_, product_;    ///< what callbacks work on
   OwnedVec lower_{}, upper_{};
   OwnedMat matrix_{};
   BoundedNewtonEnd end_ = BoundedNewtonEnd::failed;

@@ -65,8 +65,11 @@ double DiscreteShell::tangency_factor() const {
 }
 
 void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
-  shell.apply(y, f);
+  PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before apply()");
+  f.fill(0);
+  shell.add_product(y, f);
   if (tangency_factor() > 0) add_normal_rotation_form(shell, tangency_factor(), y, f);
+  f.accumulate_ghosts();
 }
 
 void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const {
@@ -97,7 +100,7 @@ contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete)
   const auto gradients = std::make_shared<Gradients>(gradient_matrix(discrete.shell));
   if (!gradients->factor.factorise(*zeros))
     throw SupportError("the mixed formulation needs r . a_3 = 0 somewhere: fix a component of r on a boundary");
-  const auto y = std::make_shared<algebra::Vector>(layout, 6);
+  const auto y = std::make_shared<algebra::Vector>(layout, 6), spread = std::make_shared<algebra::Vector>(layout, 1);
   return {.multipliers = algebra::Vector(layout, 1),
           .apply =
               [&discrete, y, clear](const algebra::Vector& z, algebra::Vector& q) {
@@ -106,8 +109,9 @@ contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete)
                 clear(q);
               },
           .apply_transposed =
-              [&discrete, y](const algebra::Vector& q, algebra::Vector& z) {
-                apply_coupling_transposed(discrete.shell, q, *y);
+              [&discrete, y, spread](const algebra::Vector& q, algebra::Vector& z) {
+                *spread = q;
+                apply_coupling_transposed(discrete.shell, *spread, *y);
                 z.fill(0);
                 discrete.coordinates.add_transposed(*y, z);
               },
@@ -119,7 +123,8 @@ contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete)
 contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix) {
   const auto& layout = discrete.space().layout;
   algebra::Vector load(layout, discrete.coordinates.width);
-  discrete.coordinates.add_transposed(discrete.load, load);
+  algebra::Vector forces = discrete.load;
+  discrete.coordinates.add_transposed(forces, load);
   // Scratch vectors live as long as the operator: it is applied many times.
   const auto y = std::make_shared<algebra::Vector>(layout, 6), f = std::make_shared<algebra::Vector>(layout, 6);
   const auto apply = [&discrete, y, f](const algebra::Vector& z, algebra::Vector& result) {

@@ -48,9 +48,8 @@ void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebr
   fem::collect(shell.space(), q);
 }
 
-void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector& multiplier, algebra::Vector& f) {
-  PLASTRON_ASSERT(multiplier.block() == 1 && f.block() == 6, multiplier.block(), f.block());
-  algebra::Vector lambda = multiplier;
+void apply_coupling_transposed(const ShellOperator& shell, algebra::Vector& lambda, algebra::Vector& f) {
+  PLASTRON_ASSERT(lambda.block() == 1 && f.block() == 6, lambda.block(), f.block());
   fem::spread(shell.space(), lambda);
   f.fill(0);
   shell.kernels().add_coupling_transposed(shell.packed(), lambda.local().data(), f.local().data());

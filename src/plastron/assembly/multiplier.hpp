@@ -15,8 +15,9 @@ std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const al
 
 /// q_i = b(y, N_i), complete on owned nodes; needs y's ghosts (collective).
 void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& q);
-/// f_j = b(phi_j, lambda) as Cartesian nodal forces, complete on owned nodes; needs lambda's ghosts (collective).
-void apply_coupling_transposed(const ShellOperator& shell, const algebra::Vector& lambda, algebra::Vector& f);
+/// f_j = b(phi_j, lambda) as Cartesian nodal forces, complete on owned nodes; needs lambda's ghosts, and gives its tied nodes their values
+/// (collective).
+void apply_coupling_transposed(const ShellOperator& shell, algebra::Vector& lambda, algebra::Vector& f);
 /// int a^{ab} d_a p d_b q sqrt(a) dx, a scalar a node (collective).
 algebra::Matrix gradient_matrix(const ShellOperator& shell);
 /// (int a^{ab} d_a q d_b q sqrt(a) dx)^{1/2}, over all ranks (collective); needs q's ghosts.

@@ -167,23 +167,17 @@ int NodalCoordinates::body_coordinate(std::size_t node, int axis) const {
   return 0;
 }
 
-void NodalCoordinates::add_transposed(const algebra::Vector& f, algebra::Vector& z) const {
+void NodalCoordinates::add_transposed(algebra::Vector& f, algebra::Vector& z) const {
   PLASTRON_ASSERT(
       z.block() == width && f.block() == 6 && f.owned().size() == 6 * static_cast<std::size_t>(z.layout()->owned),
       z.block(), width, f.block(), f.owned().size(), z.layout()->owned);
-  algebra::Vector collected;
-  const bool depends = space->has_ties || space->carried;
-  if (depends) {
-    collected = f;
-    fem::collect(*space, collected);
-    fem::hand_back(*space, collected);
-  }
-  const double* forces = depends ? collected.local().data() : f.local().data();
+  fem::collect(*space, f);
+  fem::hand_back(*space, f);
   const std::span<const NodeBasis> owned(basis.data(), static_cast<std::size_t>(z.layout()->owned));
   if (width == 5)
-    add_all_transposed<5>(owned, forces, z.local().data());
+    add_all_transposed<5>(owned, f.local().data(), z.local().data());
   else
-    add_all_transposed<6>(owned, forces, z.local().data());
+    add_all_transposed<6>(owned, f.local().data(), z.local().data());
 }
 
 namespace {

@@ -79,8 +79,9 @@ struct NodalCoordinates {
   /// y = H G T z on local nodes, H the ties of fem/ties.hpp, G what carries nodes (fem/carried_nodes.hpp); needs z's ghosts. The result
   /// has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
-  /// z += T' G' H' f on owned nodes; f is complete on owned nodes (collective where there are ties or carried nodes).
-  void add_transposed(const algebra::Vector& f, algebra::Vector& z) const;
+  /// z += T' G' H' f on owned nodes; f is complete on owned nodes, and G' H' f afterwards (collective where there are ties or carried
+  /// nodes).
+  void add_transposed(algebra::Vector& f, algebra::Vector& z) const;
 };
 
 /// The owned nodes at a point of Omega, up to fem::point_tolerance(): none or one, more where a mesh file has several in one place.

@@ -37,10 +37,7 @@ void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, co
 }
 
 void add_normal_rotation_form(const ShellOperator& shell, double factor, const algebra::Vector& y, algebra::Vector& f) {
-  algebra::Vector sum(f.layout(), 6);
-  shell.kernels().add_normal_rotation(shell.packed(), factor, y.local().data(), sum.local().data());
-  sum.accumulate_ghosts();
-  algebra::axpy(1, sum, f);
+  shell.kernels().add_normal_rotation(shell.packed(), factor, y.local().data(), f.local().data());
 }
 
 double tangency_energy(const ShellOperator& shell, double factor, const algebra::Vector& y) {

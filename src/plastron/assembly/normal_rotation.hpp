@@ -14,7 +14,8 @@ CellGradient normal_rotation_gradients(const ShellOperator& shell, std::size_t c
 void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, const CellGradient& stresses,
                                 element::CellField& forces);
 
-/// f += factor times the form's operator on y; needs y's ghosts, leaves f complete on owned nodes (collective).
+/// Adds what this rank's cells give to factor times the form's operator on y to f's local values; needs y's ghosts.
+/// f.accumulate_ghosts() then completes the sum.
 void add_normal_rotation_form(const ShellOperator& shell, double factor, const algebra::Vector& y, algebra::Vector& f);
 /// 1/2 factor times the form's value at (y, y), over all ranks (collective) [J].
 double tangency_energy(const ShellOperator& shell, double factor, const algebra::Vector& y);

@@ -214,15 +214,19 @@ void ShellOperator::scatter(std::size_t cell, const element::CellField& forces, 
 
 void ShellOperator::apply(const algebra::Vector& y, algebra::Vector& f) const {
   PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before apply()");
+  f.fill(0);
+  add_product(y, f);
+  f.accumulate_ghosts();
+}
+
+void ShellOperator::add_product(const algebra::Vector& y, algebra::Vector& f) const {
   assert_is_field(y, "multiplied");
   assert_is_field(f, "to be the product");
-  f.fill(0);
   if (has_packed_strains())
     kernels().add_product(packed(), y.local().data(), f.local().data());
   else
     for (std::size_t c = 0; c < space_->owned_cells; ++c)
       scatter(c, forces(c, weighted_stresses(c, strains(c, gather(c, y)))), f);
-  f.accumulate_ghosts();
 }
 
 Energies ShellOperator::energies_cell_by_cell(const algebra::Vector& y) const {

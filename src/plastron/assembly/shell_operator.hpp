@@ -79,6 +79,8 @@ class ShellOperator {
 
   /// f = A y for Cartesian nodal values (block 6); needs y's ghosts, leaves f complete on owned nodes (collective).
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
+  /// Adds what this rank's cells give to A y to f's local values; f.accumulate_ghosts() then completes the sum.
+  void add_product(const algebra::Vector& y, algebra::Vector& f) const;
   /// 1/2 a(y, y) by its three parts, over all ranks (collective).
   Energies energies(const algebra::Vector& y) const;
 

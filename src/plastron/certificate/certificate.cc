@@ -26,8 +26,8 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
   algebra::Vector r(discrete.space().layout, 6);
   discrete.residual(solution.y, r);
   if (solution.lambda.layout()) {
-    algebra::Vector f(discrete.space().layout, 6);
-    apply_coupling_transposed(discrete.shell, solution.lambda, f);
+    algebra::Vector lambda = solution.lambda, f(discrete.space().layout, 6);
+    apply_coupling_transposed(discrete.shell, lambda, f);
     algebra::axpy(1, f, r);
   }
   fem::collect(discrete.space(), r);

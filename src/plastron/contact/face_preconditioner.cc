@@ -13,10 +13,10 @@ Status FacePreconditioner::pin(const BoxProblem& problem, const ActiveSet& set, 
 }
 
 void FacePreconditioner::apply(const algebra::Vector& r, algebra::Vector& z) const {
-  algebra::Vector on_free = r;
+  on_free_ = r;
   for (std::size_t i = 0; i < pinned_.size(); ++i)
-    if (pinned_[i]) on_free.owned()[i] = 0;
-  preconditioner_.apply(on_free, z);
+    if (pinned_[i]) on_free_.owned()[i] = 0;
+  preconditioner_.apply(on_free_, z);
   for (std::size_t i = 0; i < pinned_.size(); ++i)
     if (pinned_[i]) z.owned()[i] = r.owned()[i] / diagonal_.owned()[i];
 }

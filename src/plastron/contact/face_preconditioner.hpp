@@ -25,6 +25,7 @@ class FacePreconditioner {
   algebra::Preconditioner& preconditioner_;
   const algebra::Vector& diagonal_;
   std::vector<char> pinned_{};
+  mutable algebra::Vector on_free_{};  ///< of apply()
 };
 
 }  // namespace plastron::contact

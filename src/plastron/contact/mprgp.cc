@@ -37,6 +37,12 @@ class Mprgp {
         solution_(solution),
         x_(scaled.unknowns(solution.z)),
         gradient_(x_),
+        z_(x_),
+        Ap_(x_),
+        s_(x_),
+        As_(x_),
+        force_(x_),
+        original_(x_),
         set_(everything_at_bounds(problem, solution.z)) {
     step_length_ = 1.8 / largest_eigenvalue([this](const Vector& v, Vector& y) { scaled_.apply(v, y); }, x_);
     restart();
@@ -70,8 +76,11 @@ class Mprgp {
 
   // Free and chopped gradient, z = P M^{-1} P phi.
   void look_around() {
-    split_ = split_gradient(scaled_.lower(), scaled_.upper(), x_, gradient_, step_length_);
-    z_ = on_face(split_.free);
+    split_gradient(scaled_.lower(), scaled_.upper(), x_, gradient_, step_length_, split_);
+    precondition(split_.free, z_);
+    for (std::size_t i = 0; i < split_.held.size(); ++i)
+      if (split_.held[i]) z_.owned()[i] = 0;
+    z_.update_ghosts();
     phi_z_ = algebra::dot(split_.free, z_);
     if (!(phi_z_ >= 0)) outcome_ = std::isfinite(phi_z_) ? Status::linear_solver_stalled : Status::not_finite;
     const double norm = std::sqrt(std::max(0.0, phi_z_));
@@ -79,20 +88,17 @@ class Mprgp {
     if (since_halved_ == 0) halved_ = norm;
   }
 
-  Vector preconditioned(const Vector& r) const {
-    Vector z(r.layout(), r.block());
-    preconditioner_.apply(scaled_.original_forces(r), z);
-    return scaled_.unknowns(z);
+  // z = M^{-1} r
+  void precondition(const Vector& r, Vector& z) {
+    scaled_.original_forces(r, force_);
+    preconditioner_.apply(force_, original_);
+    scaled_.unknowns(original_, z);
   }
 
-  double preconditioned_norm(const Vector& r) const { return std::sqrt(std::abs(algebra::dot(r, preconditioned(r)))); }
-
-  Vector on_face(const Vector& free_gradient) const {
-    Vector z = preconditioned(free_gradient);
-    for (std::size_t i = 0; i < z.owned().size(); ++i)
-      if (split_.held[i]) z.owned()[i] = 0;
-    z.update_ghosts();
-    return z;
+  double preconditioned_norm(const Vector& r) {
+    Vector z(r.layout(), r.block());
+    precondition(r, z);
+    return std::sqrt(std::abs(algebra::dot(r, z)));
   }
 
   bool face_is_solved() const {
@@ -104,19 +110,18 @@ class Mprgp {
   // A step of conjugate gradients, or as far as the box lets one go.
   void move_in_face() {
     ++steps_;
-    Vector Ap(p_.layout(), p_.block());
     p_.update_ghosts();
-    scaled_.apply(p_, Ap);
-    const double pAp = algebra::dot(p_, Ap), slope = algebra::dot(gradient_, p_);
+    scaled_.apply(p_, Ap_);
+    const double pAp = algebra::dot(p_, Ap_), slope = algebra::dot(gradient_, p_);
     const double feasible = largest_feasible_step(scaled_.lower(), scaled_.upper(), x_, p_);
     const double step = pAp > no_stiffness * algebra::dot(p_, p_) ? slope / pAp : infinity;
     if (step == infinity && feasible == infinity) {
       outcome_ = Status::not_held;
     } else if (step <= feasible) {
       algebra::axpy(-step, p_, x_);
-      algebra::axpy(-step, Ap, gradient_);
+      algebra::axpy(-step, Ap_, gradient_);
       look_around();
-      const double beta = algebra::dot(z_, Ap) / pAp;
+      const double beta = algebra::dot(z_, Ap_) / pAp;
       for (std::size_t i = 0; i < p_.owned().size(); ++i) p_.owned()[i] = z_.owned()[i] - beta * p_.owned()[i];
       p_.update_ghosts();
     } else {
@@ -147,13 +152,12 @@ class Mprgp {
   }
 
   /// g's + s'As/2 of the step s to `candidate`.
-  double energy_change(const Vector& candidate) const {
-    Vector s = candidate;
-    algebra::axpy(-1, x_, s);
-    s.update_ghosts();
-    Vector As(s.layout(), s.block());
-    scaled_.apply(s, As);
-    return algebra::dot(gradient_, s) + 0.5 * algebra::dot(s, As);
+  double energy_change(const Vector& candidate) {
+    s_ = candidate;
+    algebra::axpy(-1, x_, s_);
+    s_.update_ghosts();
+    scaled_.apply(s_, As_);
+    return algebra::dot(gradient_, s_) + 0.5 * algebra::dot(s_, As_);
   }
 
   // Proportioning: the minimiser along the chopped gradient, as far as the box allows.
@@ -246,7 +250,8 @@ class Mprgp {
   const Settings& settings_;
   const Observer& observer_;
   BoxSolution& solution_;
-  Vector x_, gradient_, p_{}, z_{};
+  Vector x_, gradient_, z_, p_{};
+  Vector Ap_, s_, As_, force_, original_;  ///< used again in every step
   SplitGradient split_{};
   double phi_z_ = 0, reference_ = 0, step_length_ = 0;
   double halved_ = infinity;  ///< preconditioned norm of the free gradient when it was last seen halved

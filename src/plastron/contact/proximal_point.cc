@@ -21,6 +21,11 @@ Vector weighed_by(const Vector& diagonal, Vector z) {
   return z;
 }
 
+/// y += rho D z
+void add_weighed(double rho, const Vector& diagonal, const Vector& z, Vector& y) {
+  for (std::size_t i = 0; i < z.owned().size(); ++i) y.owned()[i] += rho * (z.owned()[i] * diagonal.owned()[i]);
+}
+
 double energy_of(const BoxProblem& problem, const Vector& z) {
   Vector Az(problem.load.layout(), problem.load.block());
   problem.apply(z, Az);
@@ -68,7 +73,7 @@ class ProximalPoints {
                        .apply =
                            [&, rho](const Vector& z, Vector& y) {
                              problem_.apply(z, y);
-                             algebra::axpy(rho, weighed_by(D, z), y);
+                             add_weighed(rho, D, z, y);
                            },
                        .load = problem_.load,
                        .lower = problem_.lower,

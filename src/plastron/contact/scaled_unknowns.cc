@@ -42,23 +42,30 @@ Vector positive_diagonal(const BoxProblem& problem) {
 ScaledUnknowns::ScaledUnknowns(const BoxProblem& problem) : problem_(problem), root_(root_of_diagonal(problem)) {
   const double size = algebra::norm(times(-1, 1, first_residual(problem)));
   if (size > 0 && std::isfinite(size)) size_ = size;
+  z_ = force_ = Vector(root_.layout(), root_.block());
   load_ = forces(problem.load);
   lower_ = times(1, 1 / size_, problem.lower);
   upper_ = times(1, 1 / size_, problem.upper);
 }
 
 /// factor D^{power/2} v
-Vector ScaledUnknowns::times(double power, double factor, const Vector& v) const {
-  Vector result(v.layout(), v.block());
+void ScaledUnknowns::times(double power, double factor, const Vector& v, Vector& result) const {
   for (std::size_t i = 0; i < v.owned().size(); ++i)
     result.owned()[i] = factor * (power > 0 ? v.owned()[i] * root_.owned()[i] : v.owned()[i] / root_.owned()[i]);
   result.update_ghosts();
+}
+
+Vector ScaledUnknowns::times(double power, double factor, const Vector& v) const {
+  Vector result(v.layout(), v.block());
+  times(power, factor, v, result);
   return result;
 }
 
 Vector ScaledUnknowns::unknowns(const Vector& z) const { return times(1, 1 / size_, z); }
 Vector ScaledUnknowns::forces(const Vector& r) const { return times(-1, 1 / size_, r); }
 Vector ScaledUnknowns::original_forces(const Vector& r) const { return times(1, size_, r); }
+void ScaledUnknowns::unknowns(const Vector& z, Vector& x) const { times(1, 1 / size_, z, x); }
+void ScaledUnknowns::original_forces(const Vector& r, Vector& force) const { times(1, size_, r, force); }
 
 Vector ScaledUnknowns::original(const Vector& x) const {
   Vector z = times(-1, size_, x);
@@ -71,9 +78,9 @@ Vector ScaledUnknowns::original(const Vector& x) const {
 }
 
 void ScaledUnknowns::apply(const Vector& x, Vector& y) const {
-  Vector force(x.layout(), x.block());
-  problem_.apply(times(-1, 1, x), force);
-  y = times(-1, 1, force);
+  times(-1, 1, x, z_);
+  problem_.apply(z_, force_);
+  times(-1, 1, force_, y);
 }
 
 }  // namespace plastron::contact

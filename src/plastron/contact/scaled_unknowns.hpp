@@ -16,10 +16,12 @@ class ScaledUnknowns {
   explicit ScaledUnknowns(const BoxProblem& problem);
 
   algebra::Vector unknowns(const algebra::Vector& z) const;  ///< x of z, ghosts up to date
+  void unknowns(const algebra::Vector& z, algebra::Vector& x) const;
   /// z of x; what is at a bound of x is at that bound of z exactly. Ghosts up to date.
   algebra::Vector original(const algebra::Vector& x) const;
   algebra::Vector forces(const algebra::Vector& r) const;           ///< D^{-1/2} r / s: as A x scales
   algebra::Vector original_forces(const algebra::Vector& r) const;  ///< and back
+  void original_forces(const algebra::Vector& r, algebra::Vector& force) const;
   /// y = D^{-1/2} A D^{-1/2} x
   void apply(const algebra::Vector& x, algebra::Vector& y) const;
 
@@ -28,12 +30,14 @@ class ScaledUnknowns {
   const algebra::Vector& upper() const { return upper_; }
 
  private:
+  void times(double power, double factor, const algebra::Vector& v, algebra::Vector& result) const;
   algebra::Vector times(double power, double factor, const algebra::Vector& v) const;
 
   const BoxProblem& problem_;
   algebra::Vector root_;  ///< D^{1/2}
   double size_ = 1;       ///< s
   algebra::Vector load_{}, lower_{}, upper_{};
+  mutable algebra::Vector z_, force_;  ///< of apply()
 };
 
 }  // namespace plastron::contact

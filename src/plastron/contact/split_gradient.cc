@@ -14,10 +14,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-SplitGradient split_gradient(const Vector& lower, const Vector& upper, const Vector& x, const Vector& gradient,
-                             double alpha) {
-  const Vector zero(x.layout(), x.block());
-  SplitGradient split{.held = std::vector<char>(x.owned().size(), 0), .free = zero, .chopped = zero};
+void split_gradient(const Vector& lower, const Vector& upper, const Vector& x, const Vector& gradient, double alpha,
+                    SplitGradient& split) {
+  split.held.assign(x.owned().size(), 0);
+  for (Vector* part : {&split.free, &split.chopped}) {
+    if (!part->layout()) *part = Vector(x.layout(), x.block());
+    part->fill(0);
+  }
+  split.reduced_product = 0;
   for (std::size_t i = 0; i < x.owned().size(); ++i) {
     const double g = gradient.owned()[i], z = x.owned()[i];
     const bool at_lower = z <= lower.owned()[i], at_upper = z >= upper.owned()[i];
@@ -32,7 +36,6 @@ SplitGradient split_gradient(const Vector& lower, const Vector& upper, const Vec
   }
   split.reduced_product = algebra::sum_over_ranks(split.reduced_product, x.layout()->comm);
   split.chopped_square = algebra::dot(split.chopped, split.chopped);
-  return split;
 }
 
 double largest_feasible_step(const Vector& lower, const Vector& upper, const Vector& x, const Vector& d) {

@@ -20,9 +20,9 @@ struct SplitGradient {
   bool is_proportional() const { return chopped_square <= reduced_product; }
 };
 
-/// alpha: the fixed step length, in (0, 2/|A|]. (collective)
-SplitGradient split_gradient(const algebra::Vector& lower, const algebra::Vector& upper, const algebra::Vector& x,
-                             const algebra::Vector& gradient, double alpha);
+/// alpha: the fixed step length, in (0, 2/|A|]. The vectors of `split` are used again. (collective)
+void split_gradient(const algebra::Vector& lower, const algebra::Vector& upper, const algebra::Vector& x,
+                    const algebra::Vector& gradient, double alpha, SplitGradient& split);
 
 /// The largest t with x - t d in the box; infinity if no bound is in the way. (collective)
 double largest_feasible_step(const algebra::Vector& lower, const algebra::Vector& upper, const algebra::Vector& x,

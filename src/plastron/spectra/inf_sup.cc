@@ -127,10 +127,11 @@ std::optional<double> tangency_inf_sup(const assembly::DiscreteShell& discrete, 
   const auto fixed = discrete.coordinates.prescribed();
   if (!X_factor.factorise(fixed) || !K_factor.factorise(zeros))
     throw std::runtime_error("a matrix of the inf-sup constant of b is not positive definite");
-  Vector y(layout, 6), force(layout, X.block()), z(force), Bz(layout, 1);
+  Vector y(layout, 6), force(layout, X.block()), z(force), Bz(layout, 1), spread(Bz);
   // K^{-1} B X^{-1} B'
   const auto apply = [&](const Vector& q, Vector& result) {
-    apply_coupling_transposed(discrete.shell, q, y);
+    spread = q;
+    apply_coupling_transposed(discrete.shell, spread, y);
     force.fill(0);
     discrete.coordinates.add_transposed(y, force);
     clear(fixed, force);
