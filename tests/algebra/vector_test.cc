@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -66,6 +68,13 @@ TEST(Gather, of_all_ranks_has_the_values_in_the_order_of_the_ranks_everywhere) {
   for (int r = 0; r < std::max(1, ranks() - 1); ++r)
     expected.insert(expected.end(), static_cast<std::size_t>(r) + 1, r);
   EXPECT_EQ(algebra::gather_over_ranks(mine, MPI_COMM_WORLD), expected);
+}
+
+TEST(Gather, of_more_values_than_mpi_can_count_is_refused_on_all_ranks) {
+  const std::vector<double> one(1);
+  const std::size_t too_many = std::size_t{1} << 31;  // refused before they are read
+  EXPECT_THROW(algebra::gather_over_ranks({one.data(), rank() == 0 ? too_many : 0}, MPI_COMM_WORLD), std::length_error);
+  EXPECT_NO_THROW(algebra::check_gathered(static_cast<std::int64_t>(too_many) - 1));
 }
 
 TEST(Vector, copies_are_independent) {

@@ -4,8 +4,11 @@
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/fem/triangle_basis.hpp>
+#include <plastron/fem/triangle_topology.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <set>
@@ -216,8 +219,9 @@ double polynomial(Shape shape, int k, double x, double y) {
   return std::pow(x - 0.3, k) * (1 + std::pow(y + 0.2, k)) - 2 * x * y + 1;
 }
 
-void expect_polynomials_carried_exactly(Shape shape, int k) {
-  MeshSequence meshes(coarse_mesh(Rectangle{.to = {1.5, 1}, .cells = {3, 2}}, shape), k, MPI_COMM_WORLD);
+void expect_polynomials_carried_exactly(const CoarseMesh& coarse, int k) {
+  const Shape shape = coarse.shape;
+  MeshSequence meshes(coarse, k, MPI_COMM_WORLD);
   std::vector<algebra::Vector> fields;
   fields.emplace_back(meshes.space()->layout, 1);
   fields.emplace_back(meshes.space()->layout, 3);
@@ -240,8 +244,22 @@ void expect_polynomials_carried_exactly(Shape shape, int k) {
 }
 
 TEST(Refinement, carries_polynomials_of_the_elements_degree_exactly) {
-  for (int k = 1; k <= 5; ++k) expect_polynomials_carried_exactly(Shape::quadrilateral, k);
-  for (int k = 1; k <= 2; ++k) expect_polynomials_carried_exactly(Shape::triangle, k);
+  const Rectangle domain{.to = {1.5, 1}, .cells = {3, 2}};
+  for (int k = 1; k <= 5; ++k) expect_polynomials_carried_exactly(coarse_mesh(domain, Shape::quadrilateral), k);
+  for (int k = 1; k <= 2; ++k) expect_polynomials_carried_exactly(coarse_mesh(domain, Shape::triangle), k);
+}
+
+// Then ranks have no cell first and get some whose parents were another's.
+TEST(Refinement, carries_fields_to_ranks_that_had_no_triangle) {
+  CoarseMesh one = coarse_mesh(Rectangle{}, Shape::triangle);
+  one.cells.resize(1);
+  const auto& of_cell = one.cells[0].vertices;  // three and an unused one
+  std::erase_if(one.edges, [&](const BoundaryEdge& edge) {
+    return std::ranges::any_of(edge.vertices, [&](int v) {
+      return std::find(of_cell.begin(), of_cell.begin() + 3, v) == of_cell.begin() + 3;
+    });
+  });
+  for (int k = 1; k <= 2; ++k) expect_polynomials_carried_exactly(one, k);
 }
 
 // Any field, not only a polynomial: the coarse function itself is in the finer space.
@@ -319,6 +337,12 @@ TEST(Triangles, round_an_owned_node_are_all_local) {
     const algebra::Layout& layout = *together.space()->layout;
     for (algebra::LocalIndex i = 0; i < layout.owned; ++i) EXPECT_EQ(here[layout.global(i)], whole[layout.global(i)]);
   });
+}
+
+TEST(Triangles, beyond_32_bit_numbers_are_refused) {
+  constexpr std::int64_t cells = std::int64_t{1} << 28, vertices = cells / 2, edges = cells + cells / 2;
+  EXPECT_NO_THROW(check_refinable(vertices, edges, cells));
+  EXPECT_THROW(check_refinable(2 * vertices, 2 * edges, 2 * cells), DomainError);
 }
 
 TEST(Triangles, of_degree_three_are_refused) {

@@ -1,8 +1,12 @@
+#include <fmt/core.h>
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace plastron::algebra {
@@ -121,6 +125,7 @@ std::int64_t sum_over_ranks(std::int64_t value, MPI_Comm comm) { return reduce(v
 std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm comm) {
   int ranks = 1;
   MPI_Comm_size(comm, &ranks);
+  check_gathered(sum_over_ranks(static_cast<std::int64_t>(mine.size()), comm));
   const auto count = static_cast<int>(mine.size());
   std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size());
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
@@ -128,6 +133,15 @@ std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm com
   std::vector<double> all(static_cast<std::size_t>(starts.back()) + static_cast<std::size_t>(counts.back()));
   MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
   return all;
+}
+
+void check_gathered(std::int64_t values) {
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (values > most)
+    throw std::length_error(
+        fmt::format("{} values of all processes would come together on each one, more than the {} that MPI can count: "
+                    "take a coarser mesh",
+                    values, most));
 }
 
 }  // namespace plastron::algebra

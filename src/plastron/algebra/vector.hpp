@@ -58,7 +58,9 @@ double min_over_ranks(double value, MPI_Comm comm);
 double max_over_ranks(double value, MPI_Comm comm);
 std::int64_t sum_over_ranks(std::int64_t value, MPI_Comm comm);
 /// The values of all ranks one after the other, the same on every rank (collective). For what is small on every rank, or must be
-/// whole somewhere: at most 2^31 values in all.
+/// whole somewhere. Throws what check_gathered() throws, on all ranks.
 std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm comm);
+/// Throws std::length_error for more values than MPI counts in one call, 2^31 - 1 (16 GiB).
+void check_gathered(std::int64_t values);
 
 }  // namespace plastron::algebra

@@ -122,42 +122,57 @@ void TriangleSequence::flatten() {
   space_ = std::make_shared<const Space>(std::move(flat));
 }
 
-void TriangleSequence::refine(std::span<algebra::Vector> fields) {
-  std::vector<std::vector<double>> values;
-  for (const algebra::Vector& field : fields)
-    values.push_back(algebra::gather_over_ranks(field.owned(), field.layout()->comm));
-  const TriangleTopology before = std::exchange(mesh_, refined(mesh_));
-  const TriangleNumbering numbers_before = std::move(numbers_);
-  flatten();
-  for (std::size_t f = 0; f < fields.size(); ++f)
-    fields[f] = interpolated(values[f], fields[f].block(), before, numbers_before);
+// The cells that refine this rank's and come to it are children of its own or of the first cell behind them.
+std::shared_ptr<const algebra::Layout> TriangleSequence::layout_of_parents() const {
+  const std::size_t behind = numbers_.first_cell[static_cast<std::size_t>(rank_) + 1];
+  algebra::Distribution nodes = *space_->layout;
+  std::vector<GlobalIndex> seen;
+  if (behind < mesh_.cells.size())
+    for (const std::size_t entity : node_entities(mesh_, degree_, behind)) seen.push_back(numbers_.number[entity]);
+  nodes.add_ghosts(std::move(seen));
+  return std::make_shared<const algebra::Layout>(std::move(nodes));
 }
 
-algebra::Vector TriangleSequence::interpolated(const std::vector<double>& values, int block,
-                                               const TriangleTopology& before,
-                                               const TriangleNumbering& numbers_before) const {
+void TriangleSequence::refine(std::span<algebra::Vector> fields) {
+  if (!fields.empty()) {
+    const auto of_parents = layout_of_parents();
+    for (algebra::Vector& field : fields) {
+      algebra::Vector seen(of_parents, field.block());
+      std::ranges::copy(field.owned(), seen.owned().begin());
+      seen.update_ghosts();
+      field = std::move(seen);
+    }
+  }
+  const Refinement from{.mesh = std::exchange(mesh_, refined(mesh_)), .numbers = std::move(numbers_)};
+  flatten();
+  for (algebra::Vector& field : fields) field = interpolated(field, from);
+}
+
+algebra::Vector TriangleSequence::interpolated(const algebra::Vector& coarse, const Refinement& from) const {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::MatrixXd children[4] = {to_child(degree_, 0), to_child(degree_, 1), to_child(degree_, 2),
                                        to_child(degree_, 3)};
   const std::size_t first = numbers_.first_cell[static_cast<std::size_t>(rank_)];
-  const Eigen::Map<const Rows> coarse(values.data(), static_cast<Eigen::Index>(numbers_before.first_node.back()),
-                                      block);
-  algebra::Vector refined(space_->layout, block);
+  const auto block = static_cast<Eigen::Index>(coarse.block());
+  algebra::Vector fine(space_->layout, coarse.block());
   for (std::size_t c = 0; c < space_->owned_cells; ++c) {
     const std::size_t cell = first + c;
-    const auto parents = node_entities(before, degree_, cell / 4);
+    const auto parents = node_entities(from.mesh, degree_, cell / 4);
     Rows of_parent(static_cast<Eigen::Index>(parents.size()), block);
-    for (std::size_t j = 0; j < parents.size(); ++j)
-      of_parent.row(static_cast<Eigen::Index>(j)) = coarse.row(numbers_before.number[parents[j]]);
+    for (std::size_t j = 0; j < parents.size(); ++j) {
+      const algebra::LocalIndex node = coarse.layout()->local(from.numbers.number[parents[j]]);
+      of_parent.row(static_cast<Eigen::Index>(j)) =
+          Eigen::Map<const Eigen::RowVectorXd>(coarse.local().data() + node * block, block);
+    }
     const Rows of_child = children[cell % 4] * of_parent;
     const auto nodes = space_->nodes(c);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (nodes[i] < space_->layout->owned)
         std::copy_n(of_child.row(static_cast<Eigen::Index>(i)).data(), block,
-                    refined.owned().begin() + static_cast<std::ptrdiff_t>(nodes[i]) * block);
+                    fine.owned().begin() + static_cast<std::ptrdiff_t>(nodes[i]) * block);
   }
-  refined.update_ghosts();
-  return refined;
+  fine.update_ghosts();
+  return fine;
 }
 
 }  // namespace plastron::fem

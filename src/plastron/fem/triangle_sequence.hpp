@@ -33,8 +33,15 @@ class TriangleSequence {
  private:
   void flatten();
   void add_cell(std::size_t cell, Space& target) const;
-  algebra::Vector interpolated(const std::vector<double>& values, int block, const TriangleTopology& before,
-                               const TriangleNumbering& numbers_before) const;
+  /// What the mesh was.
+  struct Refinement {
+    TriangleTopology mesh;
+    TriangleNumbering numbers;
+  };
+  /// That of the space, with all nodes of the parents of the cells that this rank will have as ghosts (collective).
+  std::shared_ptr<const algebra::Layout> layout_of_parents() const;
+  /// `coarse` is on layout_of_parents(), with its ghosts' values (collective).
+  algebra::Vector interpolated(const algebra::Vector& coarse, const Refinement& from) const;
 
   std::shared_ptr<const CoarseMesh> coarse_;
   int degree_;

@@ -1,6 +1,9 @@
 #include <plastron/fem/triangle_topology.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace plastron::fem {
@@ -63,7 +66,19 @@ TriangleTopology coarse_topology(const CoarseMesh& mesh) {
   return topology;
 }
 
+void check_refinable(std::int64_t vertices, std::int64_t edges, std::int64_t cells) {
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  const std::int64_t refined_edges = 2 * edges + 3 * cells;
+  if (refined_edges <= most && vertices + edges <= most) return;
+  throw DomainError(
+      fmt::format("a mesh of {} triangles, refined, has {} edges, more than the {} that can be numbered: take fewer "
+                  "refinements, or quadrilaterals",
+                  cells, refined_edges, most));
+}
+
 TriangleTopology refined(const TriangleTopology& mesh) {
+  check_refinable(mesh.vertex_count, static_cast<std::int64_t>(mesh.edges.size()),
+                  static_cast<std::int64_t>(mesh.cells.size()));
   TriangleTopology fine{.vertex_count = mesh.vertex_count + static_cast<int>(mesh.edges.size())};
   fine.edges.resize(2 * mesh.edges.size() + 3 * mesh.cells.size());
   fine.cells.reserve(4 * mesh.cells.size());

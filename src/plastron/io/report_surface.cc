@@ -85,13 +85,14 @@ std::vector<Entry> gathered(const std::vector<Entry>& mine, MPI_Comm comm) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
-  const int bytes = static_cast<int>(mine.size() * sizeof(Entry));
+  const algebra::ItemType entry(sizeof(Entry), MPI_BYTE);
+  const int count = static_cast<int>(mine.size());
   std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks));
-  MPI_Gather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
+  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
   std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
   const auto total = static_cast<std::size_t>(rank == 0 ? starts.back() + counts.back() : 0);
-  std::vector<Entry> all(total / sizeof(Entry));
-  MPI_Gatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0, comm);
+  std::vector<Entry> all(total);
+  MPI_Gatherv(mine.data(), count, entry.get(), all.data(), counts.data(), starts.data(), entry.get(), 0, comm);
   return all;
 }
 

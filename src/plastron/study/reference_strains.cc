@@ -115,6 +115,7 @@ std::vector<CellStrain> ReferenceStrains::of(const computation::Solution& coarse
   Evaluator evaluate(coarse);
   const Eigen::Index points = coarse.discrete->shell.tables().points_per_cell();
   const auto per_cell = static_cast<std::size_t>(8 * points);
+  algebra::check_gathered(static_cast<std::int64_t>(cells_.size() / packed_size * per_cell));
   std::vector<double> all(cells_.size() / packed_size * per_cell, 0.0);
   for (std::size_t c = 0; c < cells_.size() / packed_size; ++c)
     if (const auto strains = evaluate(cell(c))) Eigen::Map<CellStrain>(all.data() + c * per_cell, points, 8) = *strains;
