@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <plastron/study/convergence.hpp>
 
+#include <cmath>
+#include <cstddef>
+
 #include "computation/problems.hpp"
 #include "study/tables.hpp"
 
@@ -41,7 +44,7 @@ TEST(Convergence, of_a_strip_has_the_rates_of_its_degree) {
     EXPECT_NEAR(numbers(report.table, "energy rate").back(), degree, 0.35);
     EXPECT_GT(numbers(report.table, "H1 rate").back(), degree - 0.35);
     EXPECT_GT(numbers(report.table, "L2 rate").back(), degree + 0.35);
-    EXPECT_EQ(report.plot.series.size(), 3u);
+    EXPECT_EQ(report.plot.series.size(), 4u);
   }
 }
 
@@ -83,6 +86,73 @@ TEST(Convergence, tells_how_a_computation_failed) {
   p = pressed_strip();
   p.contact.max_iterations = 1;
   EXPECT_EQ(convergence(p, {}, MPI_COMM_SELF, {}).status, contact::Status::iteration_limit);
+}
+
+// ---- both sides of Falk's estimate ------------------------------------------------------------------------------------
+
+// What it says of a pressed strip needs the reaction: the interpolation error alone is less than the error.
+TEST(FalksEstimate, of_a_pressed_strip_holds_by_its_reaction) {
+  computation::Problem p = pressed_strip();
+  p.discretisation = {.degree = 2, .tying = false, .refinements = 3};
+  const Table table = convergence(p, {}, MPI_COMM_SELF, {}).table;
+  const auto left = numbers(table, "energy", "with"), right = numbers(table, "right side", "with");
+  const auto interpolation = numbers(table, "interpolation", "with"), reaction = numbers(table, "reaction", "with");
+  const auto in_l2 = numbers(table, "right side in L2", "with");
+  bool needs_reaction = false;
+  for (std::size_t l = 0; l < left.size(); ++l) {
+    EXPECT_LE(left[l], right[l]);
+    EXPECT_LE(right[l], in_l2[l]);
+    EXPECT_LT(right[l], 3 * left[l]);  // it is sharp
+    EXPECT_NEAR(right[l] * right[l], interpolation[l] * interpolation[l] + reaction[l] * std::abs(reaction[l]),
+                1e-9 * right[l] * right[l]);
+    needs_reaction = needs_reaction || interpolation[l] < 0.98 * left[l];
+  }
+  EXPECT_TRUE(needs_reaction);
+  EXPECT_EQ(claim_on(table, "Falk's estimate, both sides").verdict, Verdict::holds);
+}
+
+// Without contact it is Cea's lemma: U_h is nearest to U of all fields of its space, so interpolation is farther.
+TEST(FalksEstimate, without_contact_is_that_of_cea) {
+  computation::Problem p = clamped_plate(2);
+  p.discretisation.tying = false;
+  p.discretisation.refinements = 2;
+  const Table table = convergence(p, {}, MPI_COMM_SELF, {}).table;
+  const auto left = numbers(table, "energy"), right = numbers(table, "right side");
+  for (const double reaction : numbers(table, "reaction")) EXPECT_EQ(reaction, 0);
+  for (std::size_t l = 0; l < left.size(); ++l) {
+    EXPECT_LT(left[l], right[l]);
+    EXPECT_LT(right[l], 3 * left[l]);
+  }
+  EXPECT_EQ(claim_on(table, "Cea's lemma, both sides").verdict, Verdict::holds);
+}
+
+// Nested spaces, one form and one load: between meshes of a flat plate without tying nothing differs but the spaces.
+TEST(FalksEstimate, has_no_consistency_error_on_a_flat_plate_without_tying) {
+  computation::Problem p = pressed_strip();
+  p.discretisation = {.degree = 3, .tying = false, .refinements = 1};
+  const Table flat = convergence(p, {}, MPI_COMM_SELF, {}).table;
+  for (const double c : numbers(flat, "consistency")) EXPECT_NEAR(c, 0, 1e-12);
+  p.discretisation.tying = true;
+  const Table tied = convergence(p, {}, MPI_COMM_SELF, {}).table;
+  EXPECT_GT(std::abs(numbers(tied, "consistency", "with").front()), 1e-8);
+}
+
+// Curved obstacles, curved shells, triangles, covariant components.
+TEST(FalksEstimate, holds_for_every_element_and_says_where_it_cannot_be_evaluated) {
+  computation::Problem p = with_chart(pressed_strip(), {"x", "y", "0.01 + e/2 + 0.1*x*(1-x)"}, {{"e", 0.05}});
+  p.discretisation.refinements = 1;
+  const auto falk = [&] {
+    return claim_on(convergence(p, {}, MPI_COMM_SELF, {}).table, "Falk's estimate, both sides");
+  };
+  EXPECT_EQ(falk().verdict, Verdict::holds) << falk().measured << falk().reason;
+  p.discretisation.cells = fem::Shape::triangle;
+  EXPECT_EQ(falk().verdict, Verdict::holds) << falk().measured << falk().reason;
+  p.discretisation.cells = fem::Shape::quadrilateral;
+  p.discretisation.tangency.formulation = element::Formulation::classical;
+  EXPECT_EQ(falk().verdict, Verdict::holds) << falk().measured << falk().reason;
+  p.discretisation.tangency.formulation = element::Formulation::penalised;
+  EXPECT_EQ(falk().verdict, Verdict::cannot_be_judged);
+  EXPECT_THAT(falk().reason, HasSubstr("relaxed"));
 }
 
 }  // namespace

@@ -15,24 +15,30 @@ namespace plastron::study {
 namespace {
 
 /// The solutions of all levels as the reference mesh sees them: nodal fields (u, r), carried to the finest mesh so far,
-/// and the strains that each had on its own mesh.
+/// and the strains that each had on its own mesh. Of the coarsest `compared` levels also what they are solutions of.
 class CarriedSolutions {
  public:
-  CarriedSolutions(const computation::Problem& problem, MPI_Comm comm)
-      : meshes_(computation::mesh_sequence(problem, comm)), reference_(*last_mesh(problem, comm)) {}
+  CarriedSolutions(const computation::Problem& problem, std::size_t compared, MPI_Comm comm)
+      : meshes_(computation::mesh_sequence(problem, comm)),
+        reference_(*last_mesh(problem, comm)),
+        compared_(compared) {}
 
   void add(int level, const computation::Solution& solution) {
     if (level > 0) meshes_.refine(fields_);
     if (meshes_.space()->layout->global_size != solution.nodal.y.layout()->global_size)
       throw std::logic_error("a convergence study needs uniformly refined meshes");
     fields_.push_back(solution.discrete->shell.interpolation().interpolated(solution.nodal.y));
-    strains_.push_back(reference_.of(solution));
+    strains_.push_back(reference_.of(solution.discrete->shell, solution.nodal.y));
+    if (coarse_.size() < compared_)
+      coarse_.push_back({solution.discrete->shell.space_pointer(), solution.discrete->state, solution.nodal.y});
     cells_.push_back(meshes_.space()->global_cells);
   }
   bool fits(const fem::Space& space) const { return reference_.fits(space); }
   const std::vector<algebra::Vector>& fields() const { return fields_; }
   const std::vector<std::vector<assembly::CellStrain>>& strains() const { return strains_; }
   const std::vector<std::int64_t>& cells() const { return cells_; }
+  const std::vector<CoarseSolution>& coarse() const { return coarse_; }
+  const ReferenceStrains& reference() const { return reference_; }
 
  private:
   static std::shared_ptr<const fem::Space> last_mesh(const computation::Problem& problem, MPI_Comm comm) {
@@ -46,6 +52,8 @@ class CarriedSolutions {
   std::vector<algebra::Vector> fields_;
   std::vector<std::vector<assembly::CellStrain>> strains_;
   std::vector<std::int64_t> cells_;
+  std::size_t compared_;
+  std::vector<CoarseSolution> coarse_;
 };
 
 /// (int C (eps_1 - eps_2) : (eps_1 - eps_2))^{1/2}, the energy norm of a difference of strains [J^{1/2}].
@@ -82,6 +90,23 @@ Norms relative_error(const computation::Solution& reference, const CarriedSoluti
   return error;
 }
 
+/// Over |U|_a^2 = `scale`, if that is not zero.
+std::vector<FalkTerms> relative_falk_terms(const computation::Problem& problem, const computation::Solution& reference,
+                                           const CarriedSolutions& carried, double scale, MPI_Comm comm) {
+  std::vector<algebra::Vector> fields;
+  for (std::size_t l = 0; l < carried.coarse().size(); ++l)
+    fields.push_back(reference.discrete->shell.interpolation().nodal_values(carried.fields()[l]));
+  std::vector<SeenSolution> seen;
+  for (std::size_t l = 0; l < fields.size(); ++l) seen.push_back({fields[l], carried.strains()[l]});
+  auto all = falk_terms(problem, reference, carried.reference(), {reference.nodal.y, carried.strains().back()},
+                        carried.coarse(), seen, comm);
+  for (FalkTerms& terms : all)
+    for (const auto term : {&FalkTerms::error, &FalkTerms::interpolation, &FalkTerms::reaction, &FalkTerms::l2_reaction,
+                            &FalkTerms::consistency})
+      if (scale > 0) terms.*term /= scale;
+  return all;
+}
+
 double area_of(const assembly::DiscreteShell& discrete) {
   double area = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
@@ -103,7 +128,7 @@ ErrorSequence error_sequence(computation::Problem problem, int reference, double
   const auto compared = static_cast<std::size_t>(problem.discretisation.refinements) + 1;
   problem.discretisation.refinements += reference;
   problem.probes.clear();
-  CarriedSolutions carried(problem, comm);
+  CarriedSolutions carried(problem, compared, comm);
   observer.solution = [&](int level, const computation::Solution& solution) { carried.add(level, solution); };
   const computation::Result result = computation::solve(problem, comm, observer);
 
@@ -118,6 +143,9 @@ ErrorSequence error_sequence(computation::Problem problem, int reference, double
   scale.energy = std::sqrt(2 * result.summary.energy.total());
   sequence.energy_norm = scale.energy;
   sequence.noise = relative_noise(*result.solution, scale.energy);
+  sequence.why_without_falk = why_without_falk(problem);
+  if (sequence.why_without_falk.empty())
+    sequence.falk = relative_falk_terms(problem, *result.solution, carried, scale.energy * scale.energy, comm);
   const double area = area_of(discrete);
   for (std::size_t l = 0; l < compared; ++l) {
     sequence.h.push_back(std::sqrt(area / static_cast<double>(carried.cells()[l])));

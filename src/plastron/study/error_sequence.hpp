@@ -3,10 +3,12 @@
 #pragma once
 #include <plastron/computation/observer.hpp>
 #include <plastron/computation/problem.hpp>
+#include <plastron/study/falk.hpp>
 
 #include <mpi.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace plastron::study {
@@ -25,8 +27,11 @@ struct ErrorSequence {
   std::vector<computation::Level> levels{};  ///< with those finer than what is compared
   std::vector<double> h{};                   ///< of the levels compared [m]
   std::vector<Norms> errors{};               ///< of the levels compared; relative, where the reference is not zero
-  double energy_norm = 0;                    ///< |U|_a of the reference [J^{1/2}]
-  double noise = 0;                          ///< relative errors in the energy norm below it are rounding
+  /// Both sides of Falk's estimate on the levels compared, in |U|_a^2; empty where it cannot be evaluated, for this reason.
+  std::vector<FalkTerms> falk{};
+  std::string why_without_falk{};
+  double energy_norm = 0;  ///< |U|_a of the reference [J^{1/2}]
+  double noise = 0;        ///< relative errors in the energy norm below it are rounding
 
   std::vector<double> of(double Norms::*norm) const;
 };
