@@ -35,6 +35,7 @@ void log_report(const study::Report& report, const StudyCommand& command) {
   };
   if (!command.output.empty()) log_file(".json");
   if (!command.output.empty() && !report.table.rows.empty()) log_file(".svg");
+  if (!command.output.empty() && !report.meshes.empty()) log_file("-meshes.svg");
   log_status(report.status, contact::explain(report.status));
 }
 
@@ -45,6 +46,8 @@ void print_report(const study::Report& report, const config::Case& c, const Stud
   print("\nresults           {}\n", (command.output / (report.table.name + ".json")).string());
   if (!report.table.rows.empty())
     print("plot              {}\n", (command.output / (report.table.name + ".svg")).string());
+  if (!report.meshes.empty())
+    print("meshes            {}\n", (command.output / (report.table.name + "-meshes.svg")).string());
 }
 
 }  // namespace

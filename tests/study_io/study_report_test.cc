@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <io/scratch_directory.hpp>
+#include <plastron/study_io/mesh_pictures.hpp>
 #include <plastron/study_io/study_report.hpp>
 
 #include <cmath>
@@ -97,6 +98,45 @@ TEST(StudyReport, that_cannot_be_written_keeps_an_earlier_one) {
                std::runtime_error);
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_EQ(text_of(scratch.path / "example.json"), before);
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+// ---- pictures of meshes ------------------------------------------------------------------------------------------------
+
+/// Two squares side by side, the right one with a neighbour half as large above it, of which one vertex hangs.
+study::MeshPicture squares() {
+  return {.caption = "two squares",
+          .cells = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{1, 0}, {1.5, 0}, {2, 0}, {2, 1}, {1, 1}}},
+          .hanging = {{1.5, 1}},
+          .touching = {{{0, 0}, {1, 0}, {1, 1}}}};
+}
+
+TEST(PicturesOfMeshes, show_cells_zone_and_hanging_vertices_once_each) {
+  const std::vector pictures{squares(), squares()};
+  const std::string svg = svg_of_meshes(pictures);
+  EXPECT_THAT(svg, AllOf(HasSubstr("two squares"), HasSubstr("</svg>"), HasSubstr("class=\"zone\" d=\"M")));
+  const auto count = [&](const std::string& part) {
+    int found = 0;
+    for (auto at = svg.find(part); at != std::string::npos; at = svg.find(part, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("class=\"cells\" d="), 2);
+  EXPECT_EQ(count("r=\"1.5\""), 2);
+  EXPECT_EQ(count("z\"") + count("zM"), 2 * (2 + 1));  // closed polygons
+  EXPECT_EQ(svg_of_meshes({}), "");
+}
+
+TEST(PicturesOfMeshes, are_written_beside_the_plot_and_do_not_outlive_their_report) {
+  const ScratchDirectory scratch("study-meshes");
+  study::Report with_meshes = report();
+  with_meshes.meshes = {squares()};
+  write_report(with_meshes, {}, scratch.path, MPI_COMM_WORLD);
+  const Json json = Json::parse(text_of(scratch.path / "example.json"));
+  EXPECT_EQ(json.at("files"), Json({"example.svg", "example-meshes.svg"}));
+  EXPECT_THAT(text_of(scratch.path / "example-meshes.svg"), HasSubstr("two squares"));
+  MPI_Barrier(MPI_COMM_WORLD);
+  write_report(report(), {}, scratch.path, MPI_COMM_WORLD);
+  EXPECT_THAT(scratch.names(), testing::UnorderedElementsAre("example.json", "example.svg"));
   MPI_Barrier(MPI_COMM_WORLD);
 }
 

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
 
 namespace plastron::study {
 
@@ -134,6 +137,19 @@ void add(const Meshes& graded, const Meshes& uniform, const Reference& reference
   }
 }
 
+/// Of the first mesh, one in the middle of the sequence and the last one.
+std::vector<MeshPicture> first_middle_last(std::vector<MeshPicture> all,
+                                           const std::vector<computation::Level>& levels) {
+  const std::size_t count = std::min(all.size(), levels.size());
+  std::vector<MeshPicture> chosen;
+  for (const std::size_t i : std::set<std::size_t>{0, count / 2, count - 1}) {
+    if (i >= count) continue;
+    all[i].caption = fmt::format("mesh {}: {} cells, {} unknowns", i, levels[i].cells, levels[i].unknowns);
+    chosen.push_back(std::move(all[i]));
+  }
+  return chosen;
+}
+
 computation::Accuracy default_accuracy(const computation::Problem& problem) {
   computation::Accuracy accuracy{.goals = {{"energy", 1e-3}}};
   if (!problem.obstacles.empty()) accuracy.goals.push_back({"reaction", 1e-3});
@@ -158,14 +174,20 @@ Report adaptivity(const computation::Problem& problem, const StudyOptions&, MPI_
   computation::Problem start = problem;
   if (!problem.accuracy) start.discretisation.refinements = 0;
   const computation::Accuracy asked = problem.accuracy.value_or(default_accuracy(problem));
-  const auto run = [&](const char* what, const computation::Accuracy& accuracy) {
+  const auto run = [&](const char* what, const computation::Accuracy& accuracy,
+                       const decltype(computation::Observer::solution)& see = {}) {
     if (observer.stage) observer.stage(what);
-    const Ending found = solved(start, accuracy, comm, observer.solve);
+    computation::Observer seeing = observer.solve;
+    if (see) seeing.solution = see;
+    const Ending found = solved(start, accuracy, comm, seeing);
     if (report.status == contact::Status::solved) report.status = found.status;
     return found.levels;
   };
-  const Meshes graded{"graded", run("graded meshes", asked)};
+  std::vector<MeshPicture> pictures;
+  const auto draw = [&](int, const computation::Solution& solution) { pictures.push_back(mesh_picture(solution)); };
+  const Meshes graded{"graded", run("graded meshes", asked, draw)};
   if (report.status != contact::Status::solved || graded.levels.empty()) return report;
+  report.meshes = first_middle_last(std::move(pictures), graded.levels);
   computation::Accuracy finer = asked, uniform = asked;
   for (auto& goal : finer.goals) goal.tolerance *= reference_factor;
   const auto best = run("the reference", finer);

@@ -4,6 +4,7 @@
 #include <plastron/computation/problem.hpp>
 #include <plastron/examination/examine.hpp>
 #include <plastron/study/kind_names.hpp>
+#include <plastron/study/mesh_picture.hpp>
 #include <plastron/study/plot.hpp>
 #include <plastron/study/study_options.hpp>
 #include <plastron/study/table.hpp>
@@ -28,6 +29,7 @@ struct Report {
   contact::Status status = contact::Status::solved;
   Table table;
   Plot plot;
+  std::vector<MeshPicture> meshes{};  ///< where the study is about them
 };
 
 /// A problem that a study computes beside the case, in words and as it is.

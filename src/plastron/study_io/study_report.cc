@@ -3,6 +3,7 @@
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/version.hpp>
+#include <plastron/study_io/mesh_pictures.hpp>
 
 #include <fmt/format.h>
 
@@ -137,7 +138,8 @@ Json report_json(const study::Report& report, const Provenance& provenance) {
 
 void write_report(const study::Report& report, const Provenance& provenance, const std::filesystem::path& directory,
                   MPI_Comm comm) {
-  const auto json_path = directory / (report.table.name + ".json"), svg_path = directory / (report.table.name + ".svg");
+  const auto json_path = directory / (report.table.name + ".json"), svg_path = directory / (report.table.name + ".svg"),
+             meshes_path = directory / (report.table.name + "-meshes.svg");
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   const auto from_first = [rank](const auto& make) { return rank == 0 ? make() : std::string(); };
@@ -149,12 +151,18 @@ void write_report(const study::Report& report, const Provenance& provenance, con
     files.add(svg_path, [&] { return from_first([&] { return svg_text(report.plot); }); });
     complete.files = {svg_path.filename().string()};
   }
+  const bool has_meshes = !report.meshes.empty();
+  if (has_meshes) {
+    files.add(meshes_path, [&] { return from_first([&] { return svg_of_meshes(report.meshes); }); });
+    complete.files.push_back(meshes_path.filename().string());
+  }
   files.add(json_path, [&] {
     return from_first(
         [&] { return report_json(report, complete).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; });
   });
   files.commit();
   if (!has_plot) remove_file(svg_path, comm);
+  if (!has_meshes) remove_file(meshes_path, comm);
 }
 
 }  // namespace plastron::study_io

@@ -1,4 +1,4 @@
-// What a study found, as text for people, as KIND.json for programs, and with its plot as KIND.svg.
+// What a study found, as text for people, as KIND.json for programs, and with its plot as KIND.svg and pictures of meshes as KIND-meshes.svg.
 #pragma once
 #include <plastron/io/results.hpp>
 #include <plastron/study/kinds.hpp>
@@ -18,7 +18,8 @@ std::string table_text(const study::Table& table);
 /// name, title, status, columns, rows, fits, claims, remarks, plot; and the settings of the case.
 Json report_json(const study::Report& report, const io::Provenance& provenance);
 
-/// Writes directory/NAME.svg and, last, directory/NAME.json (collective). A report without rows has no plot. Those of an
+/// Writes directory/NAME.svg, NAME-meshes.svg and, last, directory/NAME.json (collective). A report without rows has no plot, one without
+/// meshes no picture of them. Those of an
 /// earlier run stay until the new ones are complete.
 /// Throws std::runtime_error.
 void write_report(const study::Report& report, const io::Provenance& provenance, const std::filesystem::path& directory,
