@@ -1,5 +1,6 @@
 // The boundaries of contact zones against the reference problems: the free boundary lies between nodes, and is found there to a
 // fraction of their distance.
+#include "verification/figures.hpp"
 #include "verification/reference_problems.hpp"
 
 #include <plastron/computation/solve.hpp>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "larger.hpp"
@@ -82,6 +84,89 @@ TEST_P(ContactBoundary, LiesWithinHalfTheDistanceOfNodesFromTheReference) {
     ++count;
   }
   EXPECT_LT(sum / count, 0.16);
+}
+
+// ---- the edge where an accuracy of the energy was asked for --------------------------------------------------------------
+
+const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsHeld("verification_contact_boundary"));
+
+/// As a case without [mesh] is solved whose [accuracy] asks for the energy to 1e-4.
+ContactReference to_energy(const std::string& name) {
+  ContactReference reference = contact_reference(name, 4, 0);
+  reference.problem.discretisation.layers = computation::Layers::automatic;
+  reference.problem.accuracy = computation::Accuracy{.goals = {{"energy", 1e-4}}};
+  return reference;
+}
+
+/// Of a line along an edge: the mean along it of the coordinate that the references give, and its range.
+struct FoundEdge {
+  double length = 0, mean = 0, least = 0, most = 0;
+};
+
+FoundEdge found_edge(const certificate::ContactLine& line, bool axisymmetric) {
+  const auto at = [&](const certificate::BoundaryPoint& p) { return axisymmetric ? p.x.norm() : p.x[0]; };
+  FoundEdge edge{.least = std::numeric_limits<double>::infinity()};
+  for (const auto& point : line.points) {
+    edge.least = std::min(edge.least, at(point));
+    edge.most = std::max(edge.most, at(point));
+  }
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    const Eigen::Vector2d &p = line.points[i - 1].x, &q = line.points[i].x;
+    const double part =
+        axisymmetric ? std::abs(std::atan2(p[0] * q[1] - p[1] * q[0], p.dot(q))) : std::abs(q[1] - p[1]);
+    edge.length += part;
+    edge.mean += part * (at(line.points[i - 1]) + at(line.points[i])) / 2;
+  }
+  edge.mean /= edge.length;
+  return edge;
+}
+
+/// The longest line of all that are nearer to this boundary of the reference than to its others: single nodes that lift off have short ones.
+FoundEdge nearest_edge(const computation::Result& result, const ContactReference& reference, double boundary) {
+  FoundEdge longest;
+  for (const auto& zone : result.summary.obstacles.front().zones)
+    for (const auto& line : zone.lines) {
+      if (line.is_rim) continue;
+      const FoundEdge edge = found_edge(line, reference.axisymmetric);
+      const auto nearest =
+          std::ranges::min_element(reference.boundaries, {}, [&](double b) { return std::abs(b - edge.mean); });
+      if (*nearest == boundary && edge.length > longest.length) longest = edge;
+    }
+  EXPECT_GT(longest.length, 0);
+  return longest;
+}
+
+/// Of a disk or half a strip the distance from its axis, of a whole strip half the width of its zone.
+double radius_of(const ContactReference& reference, double boundary) {
+  if (reference.axisymmetric || reference.boundaries.size() == 1) return boundary;
+  return (reference.boundaries[1] - reference.boundaries[0]) / 2;
+}
+
+class EdgeAtAnEnergy : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, EdgeAtAnEnergy, testing::ValuesIn(contact_reference_names()), [](const auto& name) {
+  std::string text = name.param;
+  std::ranges::replace_if(
+      text, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return text;
+});
+
+// What the edge is right to when the energy is asked for to 1e-4, the accuracy of most users.
+TEST_P(EdgeAtAnEnergy, IsWhereTheReferenceHasItToTheFiguresOfThePage) {
+  const ContactReference reference = to_energy(GetParam());
+  if (reference.boundaries.empty()) return;
+  const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved);
+  Figures mean = Figures::array(), farthest = Figures::array();
+  for (const double boundary : reference.boundaries) {
+    const FoundEdge edge = nearest_edge(result, reference, boundary);
+    const double radius = radius_of(reference, boundary);
+    mean.push_back((edge.mean - boundary) / radius);
+    farthest.push_back(std::max(edge.most - boundary, boundary - edge.least) / radius);
+  }
+  const std::string table = "contact edge, energy to 1e-4", row = contact_reference_title(GetParam());
+  expect_figure(table, row, "energy", reference.factor * result.summary.energy.total() / reference.energy - 1);
+  expect_figure(table, row, "edge", mean);
+  expect_figure(table, row, "farthest point", farthest);
 }
 
 }  // namespace
