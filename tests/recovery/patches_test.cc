@@ -100,6 +100,8 @@ Field polynomial(int degree) {
   };
 }
 
+FieldJet nothing(const Eigen::Vector2d&) { return {Vector6::Zero(), Vector6::Zero(), Vector6::Zero()}; }
+
 FieldJet smooth_field(const Eigen::Vector2d& x) {
   FieldJet y;
   for (int c = 0; c < 6; ++c) {
@@ -109,6 +111,17 @@ FieldJet smooth_field(const Eigen::Vector2d& x) {
     y.d2[c] = b * std::cos(phase);
   }
   return y;
+}
+
+// Parallelograms ten times as long as wide, of angles of 45 degrees, as rows along the edges of a saddle have them.
+TEST(Patches, JudgeEveryCellOfLongThinObliqueOnes) {
+  for (const int degree : {3, 4, 6}) {
+    const auto m = test::meshed(fem::Rectangle{.to = {1, 0.1}}, {"x", "x + y", "0"}, degree, 2);
+    const Interpolated plate(m, nothing, test::steel_of(geometry::Expression(0.01)));
+    const ResultantPatches patches(*plate.discrete, plate.solution, degree + degree / 2);
+    for (std::size_t c = 0; c < plate.discrete->space().owned_cells; ++c)
+      EXPECT_TRUE(patches.has_patch(c)) << "degree " << degree << ", cell " << c;
+  }
 }
 
 // Interpolants of polynomials of degree k + 1 have exact derivatives at the resultant points of rectangles, and the patches' polynomials

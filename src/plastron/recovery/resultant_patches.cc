@@ -3,6 +3,7 @@
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ enum Sum {
   region,
   region_square,
   normal,
-  points = normal + 3,
+  extent = normal + 3,
   mean,
   moment = mean + 3,
   sums = moment + 6
@@ -37,7 +38,7 @@ using PlaneMatrix = Eigen::Matrix3d;
 
 /// Of the points, from the vertex.
 Vector3d mean_of(std::span<const double> sum) {
-  return Vector3d(sum[mean], sum[mean + 1], sum[mean + 2]) / sum[points];
+  return Vector3d(sum[mean], sum[mean + 1], sum[mean + 2]) / sum[extent];
 }
 
 /// About their mean.
@@ -46,7 +47,7 @@ PlaneMatrix moment_of(std::span<const double> sum) {
   PlaneMatrix matrix;
   matrix << m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2];
   const Vector3d middle = mean_of(sum);
-  return matrix / sum[points] - middle * middle.transpose();
+  return matrix / sum[extent] - middle * middle.transpose();
 }
 
 /// Of a vertex whose cells' normals are summed up, with two unit vectors that are the same on every rank.
@@ -57,8 +58,20 @@ struct TangentPlane {
       : a3(Vector3d(sum[normal], sum[normal + 1], sum[normal + 2]).normalized()),
         any(a3.unitOrthogonal()),
         other(a3.cross(any)) {}
-  double angle(const Vector3d& v) const { return std::atan2(v.dot(other), v.dot(any)); }
+  Eigen::Vector2d components(const Vector3d& v) const { return {v.dot(any), v.dot(other)}; }
+  SurfaceAxes axes() const { return {any, other, a3}; }
 };
+
+/// Makes the patch a square of (-1, 1)^2, turned by some angle: cells may be oblique and thin at once, and a polynomial along directions that are not
+/// theirs would not be determined. From lengths in the tangent plane; zero where the patch has no extent.
+Eigen::Matrix2d to_turned_square(std::span<const double> sum, const TangentPlane& plane) {
+  const PlaneMatrix moments = moment_of(sum);
+  Eigen::Matrix<double, 3, 2> directions;
+  directions << plane.any, plane.other;
+  const Eigen::LLT<Eigen::Matrix2d> root(3 * directions.transpose() * moments * directions);  // of points spread evenly
+  if (root.info() != Eigen::Success) return Eigen::Matrix2d::Zero();
+  return root.matrixL().solve(Eigen::Matrix2d::Identity());
+}
 
 /// The corners at the other ends of a corner's two sides.
 std::array<int, 2> neighbours(fem::Shape shape, int corner) {
@@ -91,14 +104,22 @@ std::vector<CellResultants> all_resultants(const assembly::DiscreteShell& discre
   return all;
 }
 
-void add_points(const Vector3d& vertex, const CellResultants& cell, std::span<double> sum) {
+/// A point weighs as the part of the cell's area that it stands for, so that a thin row beside wide cells leaves the patch its extent.
+void add_points(const Vector3d& vertex, const CellResultants& cell, double area, std::span<double> sum) {
+  const double weight = area / static_cast<double>(cell.position.size());
   for (const Vector3d& position : cell.position) {
     const Vector3d d = position - vertex;
     const std::array products{d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[2] * d[0]};
-    sum[points] += 1;
-    for (std::size_t k = 0; k < 3; ++k) sum[mean + k] += d[static_cast<Eigen::Index>(k)];
-    for (std::size_t k = 0; k < products.size(); ++k) sum[moment + k] += products[k];
+    sum[extent] += weight;
+    for (std::size_t k = 0; k < 3; ++k) sum[mean + k] += weight * d[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < products.size(); ++k) sum[moment + k] += weight * products[k];
   }
+}
+
+double area_of(const assembly::ShellOperator& shell, std::size_t cell) {
+  double area = 0;
+  for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(cell, q).area;
+  return area;
 }
 
 }  // namespace
@@ -122,6 +143,7 @@ void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, cons
   for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
     discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
     const int region = space_.coarse->cells[static_cast<std::size_t>(space_.cells[cell].coarse)].region;
+    const double area = area_of(discrete.shell, cell);
     for (int k = 0; k < corners_; ++k) {
       const auto sum = entry(all, vertices_.at(space_, cell, k));
       const geometry::SurfaceJet& jet = jets[static_cast<std::size_t>(k)];
@@ -130,7 +152,7 @@ void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, cons
       sum[Sum::region] += region;
       sum[Sum::region_square] += double{1} * region * region;
       for (std::size_t d = 0; d < 3; ++d) sum[Sum::normal + d] += a3[static_cast<Eigen::Index>(d)];
-      add_points(jet.value, cells[cell], sum);
+      add_points(jet.value, cells[cell], area, sum);
     }
   }
   for (const fem::BoundarySide& side : space_.sides)
@@ -141,7 +163,7 @@ void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, cons
   all.update_ghosts();
 
   planes_.resize(static_cast<std::size_t>(vertices_.layout()->local_size()));
-  algebra::Vector turns(vertices_.layout(), 2);  // cosine and sine of four times the edges' angles to TangentPlane::any
+  algebra::Vector turns(vertices_.layout(), 2);  // cosine and sine of four times the edges' angles in the turned square
   std::vector<char> is_placed(planes_.size());
   for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
     discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
@@ -149,8 +171,10 @@ void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, cons
       const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
       const Vector3d& here = jets[static_cast<std::size_t>(k)].value;
       const TangentPlane plane(entry(all, vertex));
+      const Eigen::Matrix2d to_square = to_turned_square(entry(all, vertex), plane);
       for (const int other : neighbours(space_.shape(), k)) {
-        const double angle = 4 * plane.angle(jets[static_cast<std::size_t>(other)].value - here);
+        const Eigen::Vector2d edge = to_square * plane.components(jets[static_cast<std::size_t>(other)].value - here);
+        const double angle = 4 * std::atan2(edge[1], edge[0]);
         entry(turns, vertex)[0] += std::cos(angle);
         entry(turns, vertex)[1] += std::sin(angle);
       }
@@ -164,8 +188,8 @@ void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, cons
     set_plane(v, entry(all, v), std::atan2(entry(turns, v)[1], entry(turns, v)[0]) / 4);
 }
 
-// The patch's directions are those of its cells' edges, as nearly as one cross can have them: polynomials of two degrees want them, and
-// corners of a square that stands on one would be far outside of where the basis is good.
+// The square's sides are the cells' edges, as nearly as one cross can have them: polynomials of two degrees want them, and corners of a square
+// that stands on one would be far outside of where the basis is good.
 void ResultantPatches::set_plane(algebra::LocalIndex vertex, std::span<const double> sum, double angle) {
   const double count = sum[Sum::cells];
   const Vector3d normal(sum[Sum::normal], sum[Sum::normal + 1], sum[Sum::normal + 2]);
@@ -173,12 +197,10 @@ void ResultantPatches::set_plane(algebra::LocalIndex vertex, std::span<const dou
   Plane& plane = planes_[static_cast<std::size_t>(vertex)];
   if (count < 2 || sum[Sum::curves] > 0 || !one_region || !(normal.norm() > smooth_sum * count)) return;
   const TangentPlane tangents(sum);
-  const Vector3d t1 = std::cos(angle) * tangents.any + std::sin(angle) * tangents.other;
-  plane.axes = {t1, tangents.a3.cross(t1), tangents.a3};
-  const PlaneMatrix moments = moment_of(sum);
-  const Eigen::Vector2d squares(t1.dot(moments * t1), plane.axes.t2.dot(moments * plane.axes.t2));
-  if (!(squares.minCoeff() > 0)) return;
-  plane.half_size = (3 * squares).cwiseSqrt();  // of points spread evenly
+  plane.axes = tangents.axes();
+  const Eigen::Matrix2d turned = to_turned_square(sum, tangents);
+  if (turned.isZero(0)) return;
+  plane.to_square = Eigen::Rotation2Dd(-angle) * turned;
   const Vector3d middle = mean_of(sum);
   plane.position += geometry::tangential(middle, tangents.a3);
   plane.most = sum[Sum::edges] > 0 ? Kind::narrow : Kind::full;
@@ -188,11 +210,11 @@ Eigen::RowVectorXd ResultantPatches::basis(const Plane& plane, const Vector3d& p
   const Vector3d d = position - plane.position;
   const int degree = degree_;
   std::array<std::vector<double>, 2> chebyshev;
-  const std::array<double, 2> s{d.dot(plane.axes.t1) / plane.half_size[0], d.dot(plane.axes.t2) / plane.half_size[1]};
+  const Eigen::Vector2d s = plane.to_square * Eigen::Vector2d(d.dot(plane.axes.t1), d.dot(plane.axes.t2));
   for (std::size_t a = 0; a < 2; ++a) {
-    chebyshev[a] = {1, s[a]};
-    for (int i = 2; i <= degree; ++i)
-      chebyshev[a].push_back(2 * s[a] * chebyshev[a].back() - *(chebyshev[a].end() - 2));
+    const double x = s[static_cast<Eigen::Index>(a)];
+    chebyshev[a] = {1, x};
+    for (int i = 2; i <= degree; ++i) chebyshev[a].push_back(2 * x * chebyshev[a].back() - *(chebyshev[a].end() - 2));
   }
   Eigen::RowVectorXd row(terms_);
   Eigen::Index term = 0;
@@ -230,12 +252,12 @@ void ResultantPatches::fit(const std::vector<CellResultants>& cells) {
   solve_normal_equations(equations);
 }
 
-std::vector<Eigen::Index> ResultantPatches::terms_up_to(int along_t1, int along_t2) const {
+std::vector<Eigen::Index> ResultantPatches::terms_up_to(int first, int second) const {
   std::vector<Eigen::Index> some;
   Eigen::Index term = 0;
   for (int i = 0; i <= degree_; ++i)
     for (int j = 0; i + j <= degree_; ++j, ++term)
-      if (i <= along_t1 && j <= along_t2) some.push_back(term);
+      if (i <= first && j <= second) some.push_back(term);
   return some;
 }
 

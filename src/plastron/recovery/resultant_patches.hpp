@@ -32,23 +32,23 @@ class ResultantPatches {
  private:
   /// Ascending: `lower` ones have the elements' degree at least in both directions.
   enum class Kind { none, narrow, lower, full };
-  /// Where the polynomial of a vertex lives: its tangent plane, with lengths along two directions in it.
+  /// Where the polynomial of a vertex lives: its tangent plane, with the square that the patch is in two oblique coordinates.
   struct Plane {
     Kind most = Kind::none;                ///< the best patch that the vertex may have
     Vector3d position = Vector3d::Zero();  ///< the middle of the patch's points, in the tangent plane [m]
-    SurfaceAxes axes;                      ///< t1 and t2 along the patch
-    Eigen::Vector2d half_size;             ///< of the patch along them [m]
+    SurfaceAxes axes;                      ///< t1 and t2 in the tangent plane
+    Eigen::Matrix2d to_square;             ///< from lengths along them: (-1, 1)^2 is the patch [1/m]
   };
 
   void find_planes(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells);
   void fit(const std::vector<CellResultants>& cells);
-  /// From sums over its cells; t1 has this angle.
+  /// From sums over its cells; their edges have this angle where the patch is square.
   void set_plane(algebra::LocalIndex vertex, std::span<const double> sum, double angle);
   /// The polynomials' basis: products of Chebyshev polynomials of a total degree up to that of the elements.
   Eigen::RowVectorXd basis(const Plane& plane, const Vector3d& position) const;
   void solve_normal_equations(const algebra::Vector& equations);
-  /// Up to one degree along t1 and another along t2: places in the basis.
-  std::vector<Eigen::Index> terms_up_to(int along_t1, int along_t2) const;
+  /// Up to one degree in the first coordinate of the square and another in the second: places in the basis.
+  std::vector<Eigen::Index> terms_up_to(int first, int second) const;
   Kind kind(algebra::LocalIndex vertex) const;
   /// Of the vertices of an owned cell.
   Kind best(std::size_t cell) const;
