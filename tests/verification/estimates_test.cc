@@ -107,5 +107,31 @@ TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmall) {
   EXPECT_LE(too_large, all / 10);
 }
 
+/// Of the energy, relative, on meshes that follow from it.
+void expect_accuracy(computation::Problem problem, double exact, std::int64_t most_unknowns) {
+  constexpr double tolerance = 1e-3;
+  problem.discretisation.layers = computation::Layers::automatic;
+  problem.accuracy = computation::Accuracy{.goals = {{"energy", tolerance}}, .max_unknowns = 1e5};
+  if (!problem.obstacles.empty()) problem.accuracy->goals.push_back({"reaction", tolerance});
+  const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  EXPECT_NEAR(result.levels.back().energy / exact, 1, tolerance);
+  EXPECT_LE(result.levels.back().unknowns, most_unknowns);
+}
+
+/// A last mesh that barely has to change what the one before found is barely larger.
+TEST(Accuracy, OfACapTakesFewerUnknownsThanMeshesThatOvershoot) {
+  const ContactReference cap = contact_reference("R4cap_e0.02_p0.002", 4, 0);
+  expect_accuracy(cap.problem, cap.energy / cap.factor, 15000);
+}
+
+/// With rows of thin oblique cells at its edges: all have patches, at high degrees too, and none is divided for want of one.
+TEST(Accuracy, OfASaddleIsReachedAtAnyDegree) {
+  for (const int degree : {4, 6}) {
+    const LinearReference saddle = hyperbolic_paraboloid(1e-2, ShearCorrection::one, false, degree, 0);
+    expect_accuracy(saddle.problem, *saddle.energy, 12000);
+  }
+}
+
 }  // namespace
 }  // namespace plastron::verification

@@ -199,9 +199,11 @@ double AccuracyLoop::worst_excess() const {
 }
 
 double AccuracyLoop::share_to_divide() const {
-  constexpr double most = 0.8, half = 0.5;
+  constexpr double most = 0.8;
+  constexpr double aim = 0.9;    // of what is allowed
+  constexpr double kept = 0.25;  // of a cell's error at the edge of a contact zone, where nodes come half as far apart
   const double excess = std::max(worst_excess(), 1.0);  // a mesh that only confirms must be another one, too
-  return std::min(1 - half / excess, most);             // what is left undivided is half of what is allowed
+  return std::min((1 - aim / excess) / (1 - kept), most);
 }
 
 std::string AccuracyLoop::obstacle(const Level& level, double growth, MPI_Comm comm) const {
