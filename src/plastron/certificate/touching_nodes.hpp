@@ -29,7 +29,7 @@ class TouchingNodes {
 
   /// Of a local node.
   bool operator[](algebra::LocalIndex node) const { return inside_[static_cast<std::size_t>(node)] != 0; }
-  /// The root of the gap at local nodes, continued with negative values to touching nodes at the zone's edge; 0 farther inside [m^1/2].
+  /// The root of the gap at local nodes, continued to touching nodes at the zone's edge, mostly to negative values; 0 farther inside [m^1/2].
   std::span<const double> roots() const { return root_; }
   /// Where the edge of the zone crosses the line from a free node to a touching one: 0 at the free, 1 at the touching node, up to 1.25 behind it,
   /// but never behind a node of the shell's rim.
