@@ -4,10 +4,14 @@
 
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <ctime>
+#include <thread>
+#include <vector>
 
 #include "algebra/chain.hpp"
 
@@ -78,6 +82,24 @@ TEST_F(Threads, AreByDefaultNoMoreThanTheCores) {
   EXPECT_EQ(threads_for(many), 1);
   ASSERT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
   EXPECT_EQ(algebra::usable_cores(), CPU_COUNT(&all));
+}
+
+TEST_F(Threads, AreNoMoreThanOthersLeaveCoresFor) {
+  std::atomic<bool> stop = false;
+  std::vector<std::thread> others;
+  for (long i = 0; i < sysconf(_SC_NPROCESSORS_ONLN); ++i)
+    others.emplace_back([&] {
+      while (!stop) {
+      }
+    });
+  algebra::restrict_threads(0, 1);
+  const int by_default = algebra::threads_now_for(many);
+  algebra::restrict_threads(2, 1);
+  const int given = algebra::threads_now_for(many);
+  stop = true;
+  for (std::thread& other : others) other.join();
+  EXPECT_EQ(by_default, 1);
+  EXPECT_EQ(given, 2);
 }
 
 TEST_F(Threads, OfSeveralRanksAreOneEach) {

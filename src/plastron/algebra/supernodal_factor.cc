@@ -127,7 +127,7 @@ bool SupernodalFactor::factorise_all(const std::vector<double>& pinned_diagonal,
     if (movable_[i]) pins[i] = 0;
   cholmod_sparse* half = lower_half(A_, elimination_.place, pins, shift, common_);
   {
-    const BlasThreads threads(threads_for(elimination_.cost.operations));
+    const BlasThreads threads(threads_now_for(elimination_.cost.operations));
     cholmod_factorize(half, factor_, &common_);
   }
   cholmod_free_sparse(&half, &common_);

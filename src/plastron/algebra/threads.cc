@@ -2,8 +2,13 @@
 
 #include <dlfcn.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <limits>
+#include <thread>
 
 namespace plastron::algebra {
 namespace {
@@ -12,6 +17,7 @@ namespace {
 constexpr int most_by_default = 2;
 
 int limit = 1;
+bool is_limit_given = false;
 
 // Looked up by name, since another BLAS or OpenMP lacks them.
 void call_if_there(const char* name, int value) {
@@ -22,6 +28,22 @@ int ask_if_there(const char* name, int otherwise) {
   using Getter = int (*)();
   const auto get = reinterpret_cast<Getter>(dlsym(RTLD_DEFAULT, name));
   return get ? get() : otherwise;
+}
+
+/// Threads that run or wait for a core, on the whole machine, this one included; the least of a few looks, since many are there for an instant
+/// only. 0 if the system does not tell.
+int running_threads() {
+  constexpr int looks = 5;
+  int least = std::numeric_limits<int>::max();
+  for (int look = 0; look < looks; ++look) {
+    if (look > 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    std::ifstream loads("/proc/loadavg");
+    double last = 0;
+    int running = 0;
+    if (!(loads >> last >> last >> last >> running)) return 0;
+    least = std::min(least, running);
+  }
+  return least;
 }
 
 void set_blas_threads(int threads) { call_if_there("openblas_set_num_threads", threads); }
@@ -38,7 +60,8 @@ int usable_cores() {
 void restrict_threads(int threads, int ranks) {
   const int by_default =
       ranks > 1 ? 1 : std::min({most_by_default, usable_cores(), ask_if_there("openblas_get_num_threads", 1)});
-  limit = threads > 0 ? threads : by_default;
+  is_limit_given = threads > 0;
+  limit = is_limit_given ? threads : by_default;
   set_blas_threads(1);
   call_if_there("omp_set_num_threads", 1);
   call_if_there("omp_set_max_active_levels", 0);
@@ -47,6 +70,13 @@ void restrict_threads(int threads, int ranks) {
 int most_threads() { return limit; }
 
 int threads_for(double operations) { return operations < many_operations ? 1 : limit; }
+
+int threads_now_for(double operations) {
+  const int threads = threads_for(operations);
+  if (threads == 1 || is_limit_given) return threads;
+  const int idle = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)) - running_threads();
+  return std::clamp(1 + idle, 1, threads);
+}
 
 BlasThreads::BlasThreads(int threads) : threads_(threads) {
   if (threads_ > 1) set_blas_threads(threads_);

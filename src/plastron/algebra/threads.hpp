@@ -21,6 +21,10 @@ int most_threads();
 /// For a factorisation of so many operations.
 int threads_for(double operations);
 
+/// The same, less those for which other programs leave no core at the moment: of threads that wait for each other the one without a core stops
+/// all. Where restrict_threads() was given a number it is that.
+int threads_now_for(double operations);
+
 /// So many threads in the BLAS while this lives, then one again. A BLAS without such a switch is left alone.
 class BlasThreads {
  public:
