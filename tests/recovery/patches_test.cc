@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <utility>
 
 namespace plastron::recovery {
 namespace {
@@ -198,6 +200,23 @@ TEST(Patches, GainAnOrderOverTheResultantsOfACell) {
   for (int degree = 1; degree <= 3; ++degree) {
     EXPECT_GT(rate(test::quadrilateral, degree, true, 3), degree + 0.75) << degree;
     EXPECT_LT(rate(test::quadrilateral, degree, false, 3), degree + 0.4) << degree;
+  }
+}
+
+TEST(Patches, OfOneFieldServeAnother) {
+  const auto m = test::meshed(fem::Rectangle{}, {"x", "y", "x*y + x^2/2"}, 3, 2);
+  const Interpolated still(m, nothing, test::steel_of(geometry::Expression(0.1)));
+  const Interpolated moved(m, smooth_field, test::steel_of(geometry::Expression(0.1)));
+  const ResultantPatches of_still(*still.discrete, still.solution);
+  const auto values = [&](std::shared_ptr<const ResultantPatches> patches) {
+    return Recovery(*moved.discrete, moved.solution, samples, {.patches = std::move(patches)});
+  };
+  const Recovery own = values(std::make_shared<ResultantPatches>(*moved.discrete, moved.solution));
+  const Recovery shared =
+      values(std::make_shared<ResultantPatches>(*moved.discrete, moved.solution, of_still.patches()));
+  for (std::size_t c = 0; c < m.space->owned_cells; ++c) {
+    const auto a = own(c), b = shared(c);
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(resultants_of(a[i]), resultants_of(b[i]));
   }
 }
 

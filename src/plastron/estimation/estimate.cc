@@ -45,10 +45,10 @@ bool weighs_nothing(const DualLoad& dual) {
 class GoalEstimator {
  public:
   GoalEstimator(const Solved& solved, algebra::Preconditioner& preconditioner, const AllErrors& primal,
-                const std::vector<FreeEdge>& free_edges, const ContactEdge& edge)
+                StrainRecovery& strain_errors, const ContactEdge& edge)
       : solved_(solved),
         primal_(primal),
-        free_edges_(free_edges),
+        strain_errors_(strain_errors),
         edge_(edge),
         duals_(solved.box, solved.z, preconditioner) {}
 
@@ -74,11 +74,11 @@ class GoalEstimator {
 
  private:
   /// Returns the shares of the contact zone's edge.
-  std::vector<double> add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) const {
+  std::vector<double> add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) {
     algebra::Vector y(z.layout(), 6);
     solved_.discrete.coordinates.to_cartesian(z, y);
     result.dual_energy = solved_.discrete.shell.energies(y).total();
-    add_dual_shares(solved_.discrete.shell, primal_, strain_errors(solved_.discrete, free_edges_, y), result.cells);
+    add_dual_shares(solved_.discrete.shell, primal_, strain_errors_(y), result.cells);
     return edge_.shares(d, z, y);
   }
 
@@ -99,7 +99,7 @@ class GoalEstimator {
 
   const Solved& solved_;
   const AllErrors& primal_;
-  const std::vector<FreeEdge>& free_edges_;
+  StrainRecovery& strain_errors_;
   const ContactEdge& edge_;
   DualSolver duals_;
 };
@@ -109,7 +109,8 @@ class GoalEstimator {
 Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner, std::span<const Goal> goals) {
   const assembly::ShellOperator& shell = solved.discrete.shell;
   const std::vector<FreeEdge> at_edges = free_edges(solved.discrete);
-  const AllErrors primal = strain_errors(solved.discrete, at_edges, solved.nodal.y);
+  StrainRecovery strain_errors(solved.discrete, at_edges);
+  const AllErrors primal = strain_errors(solved.nodal.y);
   const ContactEdge edge(solved);
   Estimates estimates{.cells = std::vector<double>(primal.size()), .crossed = edge.crossed()};
   for (std::size_t c = 0; c < primal.size(); ++c) estimates.cells[c] = energy_product(shell, c, primal[c], primal[c]);
@@ -118,7 +119,7 @@ Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner
     if (!primal[c].has_patch) estimates.unjudged.push_back(c);
   estimates.unjudged_cells =
       algebra::sum_over_ranks(static_cast<std::int64_t>(estimates.unjudged.size()), shell.space().layout->comm);
-  GoalEstimator estimator(solved, preconditioner, primal, at_edges, edge);
+  GoalEstimator estimator(solved, preconditioner, primal, strain_errors, edge);
   for (const Goal& goal : goals) estimates.goals.push_back(estimator(goal));
   return estimates;
 }

@@ -32,11 +32,9 @@ int patch_degree(const fem::Space& space) { return space.degree < 3 ? space.degr
 /// Takes the errors of a field's strains in one cell after the other.
 class StrainErrorsOf {
  public:
-  StrainErrorsOf(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& field)
-      : shell_(discrete.shell),
-        y_(field.y),
-        patches_(discrete, field, patch_degree(discrete.space())),
-        points_(discrete) {}
+  StrainErrorsOf(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                 const recovery::ResultantPatches& patches)
+      : shell_(discrete.shell), y_(y), patches_(patches), points_(discrete) {}
 
   StrainErrors operator()(std::size_t cell) const {
     const element::CellField field = shell_.gather(cell, y_);
@@ -142,21 +140,24 @@ class StrainErrorsOf {
 
   const assembly::ShellOperator& shell_;
   const algebra::Vector& y_;
-  recovery::ResultantPatches patches_;
+  const recovery::ResultantPatches& patches_;
   recovery::ResultantPoints points_;
 };
 
 }  // namespace
 
-std::vector<StrainErrors> strain_errors(const assembly::DiscreteShell& discrete, const std::vector<FreeEdge>& edges,
-                                        const algebra::Vector& y) {
+std::vector<StrainErrors> StrainRecovery::operator()(const algebra::Vector& y) {
   certificate::NodalSolution field;
   field.y = y;
-  const StrainErrorsOf errors(discrete, field);
+  const recovery::ResultantPatches resultants =
+      patches_ ? recovery::ResultantPatches(discrete_, field, patches_)
+               : recovery::ResultantPatches(discrete_, field, patch_degree(discrete_.space()));
+  patches_ = resultants.patches();
+  const StrainErrorsOf errors(discrete_, y, resultants);
   std::vector<StrainErrors> all;
-  all.reserve(discrete.space().owned_cells);
-  for (std::size_t cell = 0; cell < discrete.space().owned_cells; ++cell) all.push_back(errors(cell));
-  for (const FreeEdge& edge : edges) errors.add_twist(edge, all[edge.cell].edge_twist);
+  all.reserve(discrete_.space().owned_cells);
+  for (std::size_t cell = 0; cell < discrete_.space().owned_cells; ++cell) all.push_back(errors(cell));
+  for (const FreeEdge& edge : edges_) errors.add_twist(edge, all[edge.cell].edge_twist);
   return all;
 }
 

@@ -4,7 +4,9 @@
 #pragma once
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/estimation/free_edges.hpp>
+#include <plastron/recovery/patches.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace plastron::estimation {
@@ -21,9 +23,20 @@ struct StrainErrors {
   bool has_patch = false;  ///< without, `error` is what the element's own points tell, which is too little
 };
 
-/// Of the owned cells, for the field y (block 6, current ghosts); `edges` are the free ones of the shell (collective).
-std::vector<StrainErrors> strain_errors(const assembly::DiscreteShell& discrete, const std::vector<FreeEdge>& edges,
-                                        const algebra::Vector& y);
+/// Of one field after the other on the same mesh.
+class StrainRecovery {
+ public:
+  /// `edges` are the free ones of the shell. Both must outlive this object.
+  StrainRecovery(const assembly::DiscreteShell& discrete, const std::vector<FreeEdge>& edges)
+      : discrete_(discrete), edges_(edges) {}
+  /// Of the owned cells, for the field y (block 6, current ghosts) (collective).
+  std::vector<StrainErrors> operator()(const algebra::Vector& y);
+
+ private:
+  const assembly::DiscreteShell& discrete_;
+  const std::vector<FreeEdge>& edges_;
+  std::shared_ptr<const recovery::Patches> patches_{};  ///< made for the first field
+};
 
 /// int e_u : C : e_z over an owned cell, with the layers at its free edges.
 double energy_product(const assembly::ShellOperator& shell, std::size_t cell, const StrainErrors& u,

@@ -1,92 +1,13 @@
 #include <plastron/recovery/resultant_patches.hpp>
 
-#include <plastron/geometry/symmetric_eigen.hpp>
+#include <array>
+#include <utility>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <cmath>
+#include "vertex_entry.hpp"
 
 namespace plastron::recovery {
 
 namespace {
-
-/// Cells meet smoothly where their unit normals add up to more than this times their number: to an angle of 3e-3.
-constexpr double smooth_sum = 1 - 1e-6;
-/// A patch reaches no farther round than to normals of this cosine to its vertex's.
-constexpr double least_cosine = 0.5;
-/// Least eigenvalue of the normal equations over the largest, below which points do not determine a polynomial. Patches of four quadrilaterals have
-/// 1e-3 to 1e-2, patches that lack points in a direction rounding only.
-constexpr double least_eigenvalue = 1e-5;
-
-// The sums over the cells round a vertex that tell its plane.
-enum Sum {
-  cells,
-  edges,
-  curves,
-  region,
-  region_square,
-  normal,
-  extent = normal + 3,
-  mean,
-  moment = mean + 3,
-  sums = moment + 6
-};
-
-using PlaneMatrix = Eigen::Matrix3d;
-
-/// Of the points, from the vertex.
-Vector3d mean_of(std::span<const double> sum) {
-  return Vector3d(sum[mean], sum[mean + 1], sum[mean + 2]) / sum[extent];
-}
-
-/// About their mean.
-PlaneMatrix moment_of(std::span<const double> sum) {
-  const double* m = sum.data() + moment;
-  PlaneMatrix matrix;
-  matrix << m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2];
-  const Vector3d middle = mean_of(sum);
-  return matrix / sum[extent] - middle * middle.transpose();
-}
-
-/// Of a vertex whose cells' normals are summed up, with two unit vectors that are the same on every rank.
-struct TangentPlane {
-  Vector3d a3, any, other;
-
-  explicit TangentPlane(std::span<const double> sum)
-      : a3(Vector3d(sum[normal], sum[normal + 1], sum[normal + 2]).normalized()),
-        any(a3.unitOrthogonal()),
-        other(a3.cross(any)) {}
-  Eigen::Vector2d components(const Vector3d& v) const { return {v.dot(any), v.dot(other)}; }
-  SurfaceAxes axes() const { return {any, other, a3}; }
-};
-
-/// Makes the patch a square of (-1, 1)^2, turned by some angle: cells may be oblique and thin at once, and a polynomial along directions that are not
-/// theirs would not be determined. From lengths in the tangent plane; zero where the patch has no extent.
-Eigen::Matrix2d to_turned_square(std::span<const double> sum, const TangentPlane& plane) {
-  const PlaneMatrix moments = moment_of(sum);
-  Eigen::Matrix<double, 3, 2> directions;
-  directions << plane.any, plane.other;
-  const Eigen::LLT<Eigen::Matrix2d> root(3 * directions.transpose() * moments * directions);  // of points spread evenly
-  if (root.info() != Eigen::Success) return Eigen::Matrix2d::Zero();
-  return root.matrixL().solve(Eigen::Matrix2d::Identity());
-}
-
-/// The corners at the other ends of a corner's two sides.
-std::array<int, 2> neighbours(fem::Shape shape, int corner) {
-  if (shape == fem::Shape::quadrilateral) return {corner ^ 1, corner ^ 2};
-  return {(corner + 1) % 3, (corner + 2) % 3};
-}
-
-std::span<double> entry(algebra::Vector& v, algebra::LocalIndex i) {
-  const auto block = static_cast<std::size_t>(v.block());
-  return v.local().subspan(static_cast<std::size_t>(i) * block, block);
-}
-std::span<const double> entry(const algebra::Vector& v, algebra::LocalIndex i) {
-  const auto block = static_cast<std::size_t>(v.block());
-  return v.local().subspan(static_cast<std::size_t>(i) * block, block);
-}
 
 /// Bilinear on quadrilaterals, barycentric on triangles.
 double corner_weight(fem::Shape shape, int corner, const Eigen::Vector2d& xi) {
@@ -104,201 +25,37 @@ std::vector<CellResultants> all_resultants(const assembly::DiscreteShell& discre
   return all;
 }
 
-/// A point weighs as the part of the cell's area that it stands for, so that a thin row beside wide cells leaves the patch its extent.
-void add_points(const Vector3d& vertex, const CellResultants& cell, double area, std::span<double> sum) {
-  const double weight = area / static_cast<double>(cell.position.size());
-  for (const Vector3d& position : cell.position) {
-    const Vector3d d = position - vertex;
-    const std::array products{d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[2] * d[0]};
-    sum[extent] += weight;
-    for (std::size_t k = 0; k < 3; ++k) sum[mean + k] += weight * d[static_cast<Eigen::Index>(k)];
-    for (std::size_t k = 0; k < products.size(); ++k) sum[moment + k] += weight * products[k];
-  }
-}
-
-double area_of(const assembly::ShellOperator& shell, std::size_t cell) {
-  double area = 0;
-  for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(cell, q).area;
-  return area;
-}
-
 }  // namespace
 
 ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution, int degree)
-    : space_(discrete.space()),
-      corners_(fem::corner_count(space_.shape())),
-      degree_(degree),
-      terms_(Eigen::Index{degree + 1} * (degree + 2) / 2),
-      vertices_(space_) {
+    : shape_(discrete.space().shape()) {
   const auto resultants = all_resultants(discrete, solution);
-  find_planes(discrete, resultants);
+  patches_ = std::make_shared<const Patches>(discrete, resultants, degree);
   fit(resultants);
 }
 
-void ResultantPatches::find_planes(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells) {
-  algebra::Vector all(vertices_.layout(), Sum::sums);
-  std::vector<Eigen::Vector2d> xi(static_cast<std::size_t>(corners_));
-  for (int k = 0; k < corners_; ++k) xi[static_cast<std::size_t>(k)] = fem::corner(space_.shape(), k);
-  std::vector<geometry::SurfaceJet> jets(xi.size());
-  for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
-    discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
-    const int region = space_.coarse->cells[static_cast<std::size_t>(space_.cells[cell].coarse)].region;
-    const double area = area_of(discrete.shell, cell);
-    for (int k = 0; k < corners_; ++k) {
-      const auto sum = entry(all, vertices_.at(space_, cell, k));
-      const geometry::SurfaceJet& jet = jets[static_cast<std::size_t>(k)];
-      const Vector3d a3 = geometry::unit_normal(jet);
-      sum[Sum::cells] += 1;
-      sum[Sum::region] += region;
-      sum[Sum::region_square] += double{1} * region * region;
-      for (std::size_t d = 0; d < 3; ++d) sum[Sum::normal + d] += a3[static_cast<Eigen::Index>(d)];
-      add_points(jet.value, cells[cell], area, sum);
-    }
-  }
-  for (const fem::BoundarySide& side : space_.sides)
-    if (side.cell < space_.owned_cells)
-      for (const int corner : fem::side_corners(space_.shape(), side.side))
-        entry(all, vertices_.at(space_, side.cell, corner))[side.is_inner ? Sum::curves : Sum::edges] += 1;
-  all.accumulate_ghosts();
-  all.update_ghosts();
-
-  planes_.resize(static_cast<std::size_t>(vertices_.layout()->local_size()));
-  algebra::Vector turns(vertices_.layout(), 2);  // cosine and sine of four times the edges' angles in the turned square
-  std::vector<char> is_placed(planes_.size());
-  for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
-    discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
-    for (int k = 0; k < corners_; ++k) {
-      const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
-      const Vector3d& here = jets[static_cast<std::size_t>(k)].value;
-      const TangentPlane plane(entry(all, vertex));
-      const Eigen::Matrix2d to_square = to_turned_square(entry(all, vertex), plane);
-      for (const int other : neighbours(space_.shape(), k)) {
-        const Eigen::Vector2d edge = to_square * plane.components(jets[static_cast<std::size_t>(other)].value - here);
-        const double angle = 4 * std::atan2(edge[1], edge[0]);
-        entry(turns, vertex)[0] += std::cos(angle);
-        entry(turns, vertex)[1] += std::sin(angle);
-      }
-      if (!is_placed[static_cast<std::size_t>(vertex)]) planes_[static_cast<std::size_t>(vertex)].position = here;
-      is_placed[static_cast<std::size_t>(vertex)] = 1;
-    }
-  }
-  turns.accumulate_ghosts();
-  turns.update_ghosts();
-  for (algebra::LocalIndex v = 0; v < vertices_.layout()->local_size(); ++v)
-    set_plane(v, entry(all, v), std::atan2(entry(turns, v)[1], entry(turns, v)[0]) / 4);
+ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                                   std::shared_ptr<const Patches> patches)
+    : shape_(discrete.space().shape()), patches_(std::move(patches)) {
+  fit(all_resultants(discrete, solution));
 }
 
-// The square's sides are the cells' edges, as nearly as one cross can have them: polynomials of two degrees want them, and corners of a square
-// that stands on one would be far outside of where the basis is good.
-void ResultantPatches::set_plane(algebra::LocalIndex vertex, std::span<const double> sum, double angle) {
-  const double count = sum[Sum::cells];
-  const Vector3d normal(sum[Sum::normal], sum[Sum::normal + 1], sum[Sum::normal + 2]);
-  const bool one_region = sum[Sum::region_square] * count - sum[Sum::region] * sum[Sum::region] < 0.5;
-  Plane& plane = planes_[static_cast<std::size_t>(vertex)];
-  if (count < 2 || sum[Sum::curves] > 0 || !one_region || !(normal.norm() > smooth_sum * count)) return;
-  const TangentPlane tangents(sum);
-  plane.axes = tangents.axes();
-  const Eigen::Matrix2d turned = to_turned_square(sum, tangents);
-  if (turned.isZero(0)) return;
-  plane.to_square = Eigen::Rotation2Dd(-angle) * turned;
-  const Vector3d middle = mean_of(sum);
-  plane.position += geometry::tangential(middle, tangents.a3);
-  plane.most = sum[Sum::edges] > 0 ? Kind::narrow : Kind::full;
-}
-
-Eigen::RowVectorXd ResultantPatches::basis(const Plane& plane, const Vector3d& position) const {
-  const Vector3d d = position - plane.position;
-  const int degree = degree_;
-  std::array<std::vector<double>, 2> chebyshev;
-  const Eigen::Vector2d s = plane.to_square * Eigen::Vector2d(d.dot(plane.axes.t1), d.dot(plane.axes.t2));
-  for (std::size_t a = 0; a < 2; ++a) {
-    const double x = s[static_cast<Eigen::Index>(a)];
-    chebyshev[a] = {1, x};
-    for (int i = 2; i <= degree; ++i) chebyshev[a].push_back(2 * x * chebyshev[a].back() - *(chebyshev[a].end() - 2));
-  }
-  Eigen::RowVectorXd row(terms_);
-  Eigen::Index term = 0;
-  for (int i = 0; i <= degree; ++i)
-    for (int j = 0; i + j <= degree; ++j)
-      row[term++] = chebyshev[0][static_cast<std::size_t>(i)] * chebyshev[1][static_cast<std::size_t>(j)];
-  return row;
-}
-
-// The normal equations of every vertex: the matrix column by column, the right-hand sides of the eight components, then a count of
-// points that are too far round.
 void ResultantPatches::fit(const std::vector<CellResultants>& cells) {
-  algebra::Vector equations(vertices_.layout(), static_cast<int>(terms_ * (terms_ + 8) + 1));
-  for (std::size_t cell = 0; cell < space_.owned_cells; ++cell)
-    for (int k = 0; k < corners_; ++k) {
-      const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
-      const Plane& plane = planes_[static_cast<std::size_t>(vertex)];
-      if (plane.most == Kind::none) continue;
-      const auto own = entry(equations, vertex);
-      Eigen::Map<Eigen::MatrixXd> matrix(own.data(), terms_, terms_ + 8);
-      for (std::size_t p = 0; p < cells[cell].position.size(); ++p) {
-        const SurfaceAxes& axes = cells[cell].axes[p];
-        if (axes.a3.dot(plane.axes.a3) < least_cosine) {
-          own.back() += 1;
-          continue;
-        }
-        const Eigen::RowVectorXd row = basis(plane, cells[cell].position[p]);
-        matrix.leftCols(terms_) += row.transpose() * row;
-        matrix.rightCols(8) +=
-            row.transpose() * in_other_axes(Resultants(cells[cell].values.row(static_cast<Eigen::Index>(p))),
-                                            change_of_axes(axes, plane.axes));
-      }
-    }
-  equations.accumulate_ghosts();
-  solve_normal_equations(equations);
-}
-
-std::vector<Eigen::Index> ResultantPatches::terms_up_to(int first, int second) const {
-  std::vector<Eigen::Index> some;
-  Eigen::Index term = 0;
-  for (int i = 0; i <= degree_; ++i)
-    for (int j = 0; i + j <= degree_; ++j, ++term)
-      if (i <= first && j <= second) some.push_back(term);
-  return some;
-}
-
-void ResultantPatches::solve_normal_equations(const algebra::Vector& equations) {
-  coefficients_ = algebra::Vector(vertices_.layout(), static_cast<int>(terms_ * 8 + 1));
-  const int k = space_.degree;
-  const std::array<std::pair<Kind, std::vector<Eigen::Index>>, 7> candidates{
-      {{Kind::full, terms_up_to(degree_, degree_)},
-       {Kind::lower, terms_up_to(degree_, k)},
-       {Kind::lower, terms_up_to(k, degree_)},
-       {Kind::narrow, terms_up_to(degree_, k - 1)},
-       {Kind::narrow, terms_up_to(k - 1, degree_)},
-       {Kind::narrow, terms_up_to(k, k)},
-       {Kind::narrow, terms_up_to(k - 1, k - 1)}}};
-  for (algebra::LocalIndex vertex = 0; vertex < vertices_.layout()->owned; ++vertex) {
-    const auto own = entry(equations, vertex);
-    const Kind most = planes_[static_cast<std::size_t>(vertex)].most;
-    if (most == Kind::none || own.back() > 0) continue;
-    const Eigen::Map<const Eigen::MatrixXd> matrix(own.data(), terms_, terms_ + 8);
-    const auto result = entry(coefficients_, vertex);
-    Eigen::Map<Eigen::MatrixXd> coefficients(result.data(), terms_, 8);
-    for (const auto& [found, terms] : candidates) {
-      const auto eigen = geometry::symmetric_eigen(Eigen::MatrixXd(matrix(terms, terms)));
-      if (!(eigen.values[0] > least_eigenvalue * eigen.values.tail<1>()[0])) continue;
-      coefficients(terms, Eigen::all) = eigen.vectors * eigen.values.cwiseInverse().asDiagonal() *
-                                        eigen.vectors.transpose() * matrix(terms, Eigen::seqN(terms_, 8));
-      result.back() = static_cast<double>(std::min(found, most));
-      break;
-    }
-  }
+  const Eigen::Index terms = patches_->terms();
+  coefficients_ = algebra::Vector(patches_->vertices().layout(), static_cast<int>(8 * terms));
+  const auto at = [&](algebra::LocalIndex vertex) {
+    return Eigen::Map<Eigen::MatrixXd>(entry(coefficients_, vertex).data(), terms, 8);
+  };
+  patches_->for_points(
+      cells, [&](algebra::LocalIndex vertex, const Patches::Plane& plane, const CellResultants& cell, std::size_t p) {
+        const Resultants here(cell.values.row(static_cast<Eigen::Index>(p)));
+        at(vertex) += patches_->basis(plane, cell.position[p]).transpose() *
+                      in_other_axes(here, change_of_axes(cell.axes[p], plane.axes));
+      });
+  coefficients_.accumulate_ghosts();
+  for (algebra::LocalIndex vertex = 0; vertex < patches_->vertices().layout()->owned; ++vertex)
+    at(vertex) = patches_->solve(vertex, at(vertex));
   coefficients_.update_ghosts();
-}
-
-ResultantPatches::Kind ResultantPatches::kind(algebra::LocalIndex vertex) const {
-  return static_cast<Kind>(static_cast<int>(entry(coefficients_, vertex).back()));
-}
-
-ResultantPatches::Kind ResultantPatches::best(std::size_t cell) const {
-  Kind best = Kind::none;
-  for (int k = 0; k < corners_; ++k) best = std::max(best, kind(vertices_.at(space_, cell, k)));
-  return best;
 }
 
 std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
@@ -307,21 +64,22 @@ std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Ve
   std::array<double, 4> weights{};
   std::size_t count = 0;
   double total = 0;
-  const Kind wanted = best(cell);
-  if (wanted == Kind::none) return std::nullopt;
-  for (int k = 0; k < corners_; ++k) {
-    const algebra::LocalIndex vertex = vertices_.at(space_, cell, k);
-    if (kind(vertex) != wanted) continue;
+  const Patches::Kind wanted = patches_->best(cell);
+  if (wanted == Patches::Kind::none) return std::nullopt;
+  for (int k = 0; k < fem::corner_count(shape_); ++k) {
+    const algebra::LocalIndex vertex = patches_->vertex(cell, k);
+    if (patches_->kind(vertex) != wanted) continue;
     patches[count] = vertex;
-    weights[count] = corner_weight(space_.shape(), k, xi);
+    weights[count] = corner_weight(shape_, k, xi);
     total += weights[count++];
   }
   Resultants sum = Resultants::Zero();
   for (std::size_t i = 0; i < count; ++i) {
-    const Plane& plane = planes_[static_cast<std::size_t>(patches[i])];
-    const Eigen::Map<const Eigen::MatrixXd> coefficients(entry(coefficients_, patches[i]).data(), terms_, 8);
+    const Patches::Plane& plane = patches_->plane(patches[i]);
+    const Eigen::Map<const Eigen::MatrixXd> coefficients(entry(coefficients_, patches[i]).data(), patches_->terms(), 8);
     const double weight = weights[i] + (1 - total) / static_cast<double>(count);
-    sum += weight * in_other_axes(Resultants(basis(plane, position) * coefficients), change_of_axes(plane.axes, axes));
+    sum += weight *
+           in_other_axes(Resultants(patches_->basis(plane, position) * coefficients), change_of_axes(plane.axes, axes));
   }
   return sum;
 }

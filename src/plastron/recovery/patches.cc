@@ -1,0 +1,295 @@
+#include <plastron/recovery/patches.hpp>
+
+#include <plastron/geometry/symmetric_eigen.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "vertex_entry.hpp"
+
+namespace plastron::recovery {
+
+namespace {
+
+/// Cells meet smoothly where their unit normals add up to more than this times their number: to an angle of 3e-3.
+constexpr double smooth_sum = 1 - 1e-6;
+/// A patch reaches no farther round than to normals of this cosine to its vertex's.
+constexpr double least_cosine = 0.5;
+/// Least eigenvalue of the normal equations over the largest, below which points do not determine a polynomial. Patches of four quadrilaterals have
+/// 1e-3 to 1e-2, patches that lack points in a direction rounding only.
+constexpr double least_eigenvalue = 1e-5;
+
+// The sums over the cells round a vertex that tell its plane.
+enum Sum {
+  cells,
+  edges,
+  curves,
+  region,
+  region_square,
+  normal,
+  extent = normal + 3,
+  mean,
+  moment = mean + 3,
+  sums = moment + 6
+};
+
+/// Of the points, from the vertex.
+Vector3d mean_of(std::span<const double> sum) {
+  return Vector3d(sum[mean], sum[mean + 1], sum[mean + 2]) / sum[extent];
+}
+
+/// About their mean.
+Eigen::Matrix3d moment_of(std::span<const double> sum) {
+  const double* m = sum.data() + moment;
+  Eigen::Matrix3d matrix;
+  matrix << m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2];
+  const Vector3d middle = mean_of(sum);
+  return matrix / sum[extent] - middle * middle.transpose();
+}
+
+/// Of a vertex whose cells' normals are summed up, with two unit vectors that are the same on every rank.
+struct TangentPlane {
+  Vector3d a3, any, other;
+
+  explicit TangentPlane(std::span<const double> sum)
+      : a3(Vector3d(sum[normal], sum[normal + 1], sum[normal + 2]).normalized()),
+        any(a3.unitOrthogonal()),
+        other(a3.cross(any)) {}
+  Eigen::Vector2d components(const Vector3d& v) const { return {v.dot(any), v.dot(other)}; }
+  SurfaceAxes axes() const { return {any, other, a3}; }
+};
+
+/// Makes the patch a square of (-1, 1)^2, turned by some angle: cells may be oblique and thin at once, and a polynomial along directions that are not
+/// theirs would not be determined. From lengths in the tangent plane; zero where the patch has no extent.
+Eigen::Matrix2d to_turned_square(std::span<const double> sum, const TangentPlane& plane) {
+  const Eigen::Matrix3d moments = moment_of(sum);
+  Eigen::Matrix<double, 3, 2> directions;
+  directions << plane.any, plane.other;
+  const Eigen::LLT<Eigen::Matrix2d> root(3 * directions.transpose() * moments * directions);  // of points spread evenly
+  if (root.info() != Eigen::Success) return Eigen::Matrix2d::Zero();
+  return root.matrixL().solve(Eigen::Matrix2d::Identity());
+}
+
+/// The corners at the other ends of a corner's two sides.
+std::array<int, 2> neighbours(fem::Shape shape, int corner) {
+  if (shape == fem::Shape::quadrilateral) return {corner ^ 1, corner ^ 2};
+  return {(corner + 1) % 3, (corner + 2) % 3};
+}
+
+/// A point weighs as the part of the cell's area that it stands for, so that a thin row beside wide cells leaves the patch its extent.
+void add_points(const Vector3d& vertex, const CellResultants& cell, double area, std::span<double> sum) {
+  const double weight = area / static_cast<double>(cell.position.size());
+  for (const Vector3d& position : cell.position) {
+    const Vector3d d = position - vertex;
+    const std::array products{d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[2] * d[0]};
+    sum[extent] += weight;
+    for (std::size_t k = 0; k < 3; ++k) sum[mean + k] += weight * d[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < products.size(); ++k) sum[moment + k] += weight * products[k];
+  }
+}
+
+double area_of(const assembly::ShellOperator& shell, std::size_t cell) {
+  double area = 0;
+  for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(cell, q).area;
+  return area;
+}
+
+}  // namespace
+
+Patches::Patches(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells, int degree)
+    : space_(discrete.space()),
+      corners_(fem::corner_count(space_.shape())),
+      degree_(degree),
+      terms_(Eigen::Index{degree + 1} * (degree + 2) / 2),
+      vertices_(space_),
+      candidates_(candidates()) {
+  find_planes(discrete, cells);
+  decompose(normal_matrices(cells));
+}
+
+// `jets` at the corners of a cell.
+void Patches::corner_jets(const assembly::DiscreteShell& discrete, std::size_t cell,
+                          std::vector<geometry::SurfaceJet>& jets) const {
+  std::vector<Eigen::Vector2d> xi;
+  for (int k = 0; k < corners_; ++k) xi.push_back(fem::corner(space_.shape(), k));
+  jets.resize(xi.size());
+  discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
+}
+
+algebra::Vector Patches::sums_round_vertices(const assembly::DiscreteShell& discrete,
+                                             const std::vector<CellResultants>& cells) const {
+  algebra::Vector all(vertices_.layout(), Sum::sums);
+  std::vector<geometry::SurfaceJet> jets;
+  for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
+    corner_jets(discrete, cell, jets);
+    const int region = space_.coarse->cells[static_cast<std::size_t>(space_.cells[cell].coarse)].region;
+    const double area = area_of(discrete.shell, cell);
+    for (int k = 0; k < corners_; ++k) {
+      const auto sum = entry(all, vertex(cell, k));
+      const geometry::SurfaceJet& jet = jets[static_cast<std::size_t>(k)];
+      const Vector3d a3 = geometry::unit_normal(jet);
+      sum[Sum::cells] += 1;
+      sum[Sum::region] += region;
+      sum[Sum::region_square] += double{1} * region * region;
+      for (std::size_t d = 0; d < 3; ++d) sum[Sum::normal + d] += a3[static_cast<Eigen::Index>(d)];
+      add_points(jet.value, cells[cell], area, sum);
+    }
+  }
+  for (const fem::BoundarySide& side : space_.sides)
+    if (side.cell < space_.owned_cells)
+      for (const int corner : fem::side_corners(space_.shape(), side.side))
+        entry(all, vertex(side.cell, corner))[side.is_inner ? Sum::curves : Sum::edges] += 1;
+  all.accumulate_ghosts();
+  all.update_ghosts();
+  return all;
+}
+
+/// Places planes at their vertices, and returns cosine and sine of four times the edges' angles in the turned square, summed up.
+algebra::Vector Patches::place(const assembly::DiscreteShell& discrete, const algebra::Vector& sums) {
+  algebra::Vector turns(vertices_.layout(), 2);
+  std::vector<geometry::SurfaceJet> jets;
+  for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
+    corner_jets(discrete, cell, jets);
+    for (int k = 0; k < corners_; ++k) {
+      const algebra::LocalIndex at = vertex(cell, k);
+      const Vector3d& here = jets[static_cast<std::size_t>(k)].value;
+      const TangentPlane plane(entry(sums, at));
+      const Eigen::Matrix2d to_square = to_turned_square(entry(sums, at), plane);
+      for (const int other : neighbours(space_.shape(), k)) {
+        const Eigen::Vector2d edge = to_square * plane.components(jets[static_cast<std::size_t>(other)].value - here);
+        const double angle = 4 * std::atan2(edge[1], edge[0]);
+        entry(turns, at)[0] += std::cos(angle);
+        entry(turns, at)[1] += std::sin(angle);
+      }
+      planes_[static_cast<std::size_t>(at)].position = here;
+    }
+  }
+  turns.accumulate_ghosts();
+  turns.update_ghosts();
+  return turns;
+}
+
+void Patches::find_planes(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells) {
+  planes_.resize(static_cast<std::size_t>(vertices_.layout()->local_size()));
+  const algebra::Vector sums = sums_round_vertices(discrete, cells), turns = place(discrete, sums);
+  for (algebra::LocalIndex v = 0; v < vertices_.layout()->local_size(); ++v)
+    set_plane(v, entry(sums, v), std::atan2(entry(turns, v)[1], entry(turns, v)[0]) / 4);
+}
+
+// The square's sides are the cells' edges, as nearly as one cross can have them: polynomials of two degrees want them, and corners of a square
+// that stands on one would be far outside of where the basis is good.
+void Patches::set_plane(algebra::LocalIndex vertex, std::span<const double> sum, double angle) {
+  const double count = sum[Sum::cells];
+  const Vector3d normal(sum[Sum::normal], sum[Sum::normal + 1], sum[Sum::normal + 2]);
+  const bool one_region = sum[Sum::region_square] * count - sum[Sum::region] * sum[Sum::region] < 0.5;
+  Plane& plane = planes_[static_cast<std::size_t>(vertex)];
+  if (count < 2 || sum[Sum::curves] > 0 || !one_region || !(normal.norm() > smooth_sum * count)) return;
+  const TangentPlane tangents(sum);
+  plane.axes = tangents.axes();
+  const Eigen::Matrix2d turned = to_turned_square(sum, tangents);
+  if (turned.isZero(0)) return;
+  plane.to_square = Eigen::Rotation2Dd(-angle) * turned;
+  const Vector3d middle = mean_of(sum);
+  plane.position += geometry::tangential(middle, tangents.a3);
+  plane.most = sum[Sum::edges] > 0 ? Kind::narrow : Kind::full;
+}
+
+Eigen::RowVectorXd Patches::basis(const Plane& plane, const Vector3d& position) const {
+  const Vector3d d = position - plane.position;
+  const int degree = degree_;
+  std::array<std::vector<double>, 2> chebyshev;
+  const Eigen::Vector2d s = plane.to_square * Eigen::Vector2d(d.dot(plane.axes.t1), d.dot(plane.axes.t2));
+  for (std::size_t a = 0; a < 2; ++a) {
+    const double x = s[static_cast<Eigen::Index>(a)];
+    chebyshev[a] = {1, x};
+    for (int i = 2; i <= degree; ++i) chebyshev[a].push_back(2 * x * chebyshev[a].back() - *(chebyshev[a].end() - 2));
+  }
+  Eigen::RowVectorXd row(terms_);
+  Eigen::Index term = 0;
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j)
+      row[term++] = chebyshev[0][static_cast<std::size_t>(i)] * chebyshev[1][static_cast<std::size_t>(j)];
+  return row;
+}
+
+bool Patches::reaches(const Plane& plane, const SurfaceAxes& axes) const {
+  return axes.a3.dot(plane.axes.a3) >= least_cosine;
+}
+
+// Column by column, then a count of points that are too far round.
+algebra::Vector Patches::normal_matrices(const std::vector<CellResultants>& cells) const {
+  algebra::Vector matrices(vertices_.layout(), static_cast<int>(terms_ * terms_ + 1));
+  for_points(cells, [&](algebra::LocalIndex vertex, const Plane& plane, const CellResultants& cell, std::size_t p) {
+    const auto own = entry(matrices, vertex);
+    if (!reaches(plane, cell.axes[p])) {
+      own.back() += 1;
+      return;
+    }
+    const Eigen::RowVectorXd row = basis(plane, cell.position[p]);
+    Eigen::Map<Eigen::MatrixXd>(own.data(), terms_, terms_) += row.transpose() * row;
+  });
+  matrices.accumulate_ghosts();
+  return matrices;
+}
+
+std::vector<Eigen::Index> Patches::terms_up_to(int first, int second) const {
+  std::vector<Eigen::Index> some;
+  Eigen::Index term = 0;
+  for (int i = 0; i <= degree_; ++i)
+    for (int j = 0; i + j <= degree_; ++j, ++term)
+      if (i <= first && j <= second) some.push_back(term);
+  return some;
+}
+
+std::vector<Patches::Candidate> Patches::candidates() const {
+  const int k = space_.degree;
+  return {{Kind::full, terms_up_to(degree_, degree_)}, {Kind::lower, terms_up_to(degree_, k)},
+          {Kind::lower, terms_up_to(k, degree_)},      {Kind::narrow, terms_up_to(degree_, k - 1)},
+          {Kind::narrow, terms_up_to(k - 1, degree_)}, {Kind::narrow, terms_up_to(k, k)},
+          {Kind::narrow, terms_up_to(k - 1, k - 1)}};
+}
+
+void Patches::decompose(const algebra::Vector& normal_matrices) {
+  kinds_ = algebra::Vector(vertices_.layout(), 1);
+  solvers_.resize(static_cast<std::size_t>(vertices_.layout()->owned));
+  for (algebra::LocalIndex vertex = 0; vertex < vertices_.layout()->owned; ++vertex) {
+    const auto own = entry(normal_matrices, vertex);
+    const Kind most = plane(vertex).most;
+    if (most == Kind::none || own.back() > 0) continue;
+    const Eigen::Map<const Eigen::MatrixXd> matrix(own.data(), terms_, terms_);
+    for (const Candidate& candidate : candidates_) {
+      const auto eigen = geometry::symmetric_eigen(Eigen::MatrixXd(matrix(candidate.terms, candidate.terms)));
+      if (!(eigen.values[0] > least_eigenvalue * eigen.values.tail<1>()[0])) continue;
+      solvers_[static_cast<std::size_t>(vertex)] = {
+          .terms = &candidate.terms,
+          .inverse = eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose()};
+      entry(kinds_, vertex)[0] = static_cast<double>(std::min(candidate.kind, most));
+      break;
+    }
+  }
+  kinds_.update_ghosts();
+}
+
+Eigen::MatrixXd Patches::solve(algebra::LocalIndex vertex, const Eigen::MatrixXd& right) const {
+  Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(right.rows(), right.cols());
+  const Solver& solver = solvers_[static_cast<std::size_t>(vertex)];
+  if (solver.terms) coefficients(*solver.terms, Eigen::all) = solver.inverse * right(*solver.terms, Eigen::all);
+  return coefficients;
+}
+
+Patches::Kind Patches::kind(algebra::LocalIndex vertex) const {
+  return static_cast<Kind>(static_cast<int>(entry(kinds_, vertex)[0]));
+}
+
+Patches::Kind Patches::best(std::size_t cell) const {
+  Kind best = Kind::none;
+  for (int k = 0; k < corners_; ++k) best = std::max(best, kind(vertices_.at(space_, cell, k)));
+  return best;
+}
+
+}  // namespace plastron::recovery
