@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace plastron::study {
 
@@ -61,6 +62,7 @@ algebra::Vector values_at_nodes(const fem::Space& coarse, const assembly::ShellO
                                 const algebra::Vector& y) {
   const GatheredCells cells = gathered_cells(coarse);
   std::vector<double> sums = sums_here(cells, fine, y);
+  algebra::check_gathered(static_cast<std::int64_t>(sums.size()));
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, coarse.layout->comm);
   algebra::Vector result(coarse.layout, 6);
   for (std::size_t c = 0; c < cells.mine; ++c) {
