@@ -6,7 +6,6 @@
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace plastron::certificate {
 
@@ -110,7 +109,7 @@ class Marching {
     return some_more * (discrete_.points[i].phi - discrete_.points[j].phi).norm();
   }
 
-  /// How far from the touching node towards the other the end lies; negative behind the touching node.
+  /// How far from the touching node towards the other the end lies.
   double share(const CellEnd& end) const {
     return end.touching == end.other ? 0 : 1 - touching_.crossing(node(end.other), node(end.touching));
   }
@@ -119,12 +118,10 @@ class Marching {
   double height(const CellEnd& end) const {
     const double z = gaps_[static_cast<std::size_t>(node(end.touching))].z,
                  other = gaps_[static_cast<std::size_t>(node(end.other))].z;
-    return z * other > 0 ? z + std::abs(share(end)) * (other - z) : z;
+    return z * other > 0 ? z + share(end) * (other - z) : z;
   }
 
-  /// Evaluates shell and displacement at the ends of the segments that the present cell has added: at the touching node, and as far from
-  /// it towards the other one as the end lies from it, on whichever side. What is behind the touching node may be of another cell, and
-  /// is where the straight way from the second point through the node leads.
+  /// Evaluates shell and displacement at the ends of the segments that the present cell has added.
   void place_new_ends() {
     if (new_ends_.empty()) return;
     const fem::Cell& cell = space_.cells[cell_];
@@ -133,8 +130,7 @@ class Marching {
       const auto& nodes = discrete_.shell.tables().nodes;
       const Eigen::Vector2d &a = nodes[static_cast<std::size_t>(end.touching)],
                             &b = nodes[static_cast<std::size_t>(end.other)];
-      xi.push_back(a);
-      xi.emplace_back(a + std::abs(share(end)) * (b - a));
+      xi.emplace_back(a + share(end) * (b - a));
     }
     std::vector<geometry::SurfaceJet> jets(xi.size());
     std::vector<double> x(xi.size()), y(xi.size());
@@ -142,26 +138,16 @@ class Marching {
     discrete_.shell.surface().positions(cell, xi, x, y);
     const element::CellField moved = discrete_.shell.interpolation().values(
         cell_, element::basis_at(space_.shape(), space_.degree, xi), discrete_.shell.gather(cell_, solution_.y));
-    const auto point = [&](std::size_t p, double z) -> BoundaryPoint {
-      const auto row = moved.row(static_cast<Eigen::Index>(p));
-      return {.x = {x[p], y[p]},
-              .place = jets[p].value + z * geometry::unit_normal(jets[p]),
-              .displacement = row.head<3>().transpose() + z * row.tail<3>().transpose()};
-    };
     const std::size_t first = segments_.size() - new_ends_.size() / 2;
     for (std::size_t i = 0; i < new_ends_.size(); ++i) {
-      const CellEnd& end = new_ends_[i];
-      const BoundaryPoint there = point(2 * i + 1, height(end));
-      segments_[first + i / 2].ends[i % 2].point =
-          share(end) >= 0 ? there : mirrored(there, point(2 * i, height({end.touching, end.touching})));
+      const auto row = moved.row(static_cast<Eigen::Index>(i));
+      const double z = height(new_ends_[i]);
+      segments_[first + i / 2].ends[i % 2].point = {
+          .x = {x[i], y[i]},
+          .place = jets[i].value + z * geometry::unit_normal(jets[i]),
+          .displacement = row.head<3>().transpose() + z * row.tail<3>().transpose()};
     }
     new_ends_.clear();
-  }
-
-  static BoundaryPoint mirrored(const BoundaryPoint& point, const BoundaryPoint& at) {
-    return {.x = 2 * at.x - point.x,
-            .place = 2 * at.place - point.place,
-            .displacement = 2 * at.displacement - point.displacement};
   }
 
   const assembly::DiscreteShell& discrete_;

@@ -15,9 +15,6 @@ namespace {
 
 using algebra::LocalIndex;
 
-/// An edge lies no farther behind a touching node than this part of the way to the free one.
-constexpr double most_beyond = 0.25;
-
 /// Calls visit(a, b) for the sides of all sub-cells of owned cells, in both directions.
 template <class Visit>
 void for_neighbours(const fem::Space& space, Visit&& visit) {
@@ -137,20 +134,13 @@ void TouchingNodes::continue_roots(const assembly::DiscreteShell& discrete) {
   make_whole(space, sums);
   for (std::size_t i = 0; i < inside_.size(); ++i) {
     const double* s = sums.local().data() + i * block;
-    if (inside_[i]) root_[i] = s[0] > 0 ? s[1] / s[0] : 0;
-  }
-  for (const fem::BoundarySide& side : space.sides) {  // beyond the rim there is no shell
-    if (side.is_inner) continue;
-    for (const int k : fem::side_nodes(space.shape(), space.degree, side.side)) {
-      const auto i = static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(k)]);
-      if (inside_[i]) root_[i] = std::min(root_[i], 0.0);
-    }
+    if (inside_[i]) root_[i] = s[0] > 0 ? std::min(s[1] / s[0], 0.0) : 0;
   }
 }
 
 double TouchingNodes::crossing(LocalIndex free, LocalIndex touching) const {
   const double outside = root_[static_cast<std::size_t>(free)], inside = root_[static_cast<std::size_t>(touching)];
-  return outside > inside ? std::min(outside / (outside - inside), 1 + most_beyond) : 1;
+  return outside > inside ? outside / (outside - inside) : 1;
 }
 
 }  // namespace plastron::certificate
