@@ -9,11 +9,11 @@
 namespace plastron::algebra {
 namespace {
 
-/// Columns of a border that are made in one step: so many cost half a factorisation, by counts. An entry takes as long as so many operations of
+/// Columns of a border that are made in one step: so many cost as much as a factorisation, by counts. An entry takes as long as so many operations of
 /// a factorisation by one thread.
 std::size_t most_new_columns(const FactorisationCost& cost) {
   constexpr double per_entry = 32, fewest = 8;
-  return static_cast<std::size_t>(std::max(fewest, 0.5 * price_of(cost).pin / (per_entry * cost.entries_of_path + 1)));
+  return static_cast<std::size_t>(std::max(fewest, price_of(cost).pin / (per_entry * cost.entries_of_path + 1)));
 }
 
 /// Where the entry of block k stands in the lower half, and its value, for all entries: take(row, column, value).
