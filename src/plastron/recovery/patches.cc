@@ -115,9 +115,9 @@ Patches::Patches(const assembly::DiscreteShell& discrete, const std::vector<Cell
 // `jets` at the corners of a cell.
 void Patches::corner_jets(const assembly::DiscreteShell& discrete, std::size_t cell,
                           std::vector<geometry::SurfaceJet>& jets) const {
-  std::vector<Eigen::Vector2d> xi;
-  for (int k = 0; k < corners_; ++k) xi.push_back(fem::corner(space_.shape(), k));
-  jets.resize(xi.size());
+  jets.resize(static_cast<std::size_t>(corners_));
+  std::vector<Eigen::Vector2d> xi(jets.size());
+  for (int k = 0; k < corners_; ++k) xi[static_cast<std::size_t>(k)] = fem::corner(space_.shape(), k);
   discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
 }
 
