@@ -105,20 +105,18 @@ std::vector<const BorderColumn*> BorderColumns::of(std::span<const std::size_t> 
   for (const std::size_t i : unknowns)
     if (!made_.contains(i) && is_pinned(i)) let_go.push_back(i);
   std::vector<SparseVector> w = matrix_columns(*A_, shift_, let_go);
-  for (std::size_t c = 0; c < let_go.size(); ++c) {
-    SparseVector y = answer(w[c]);
-    made_.emplace(let_go[c], BorderColumn{std::move(w[c]), std::move(y)});
-  }
+  for (std::size_t c = 0; c < let_go.size(); ++c) make(let_go[c], std::move(w[c]));
   std::vector<const BorderColumn*> columns;
   for (const std::size_t i : unknowns) {
-    if (!made_.contains(i)) {
-      SparseVector unit{{i}, {1.0}};
-      SparseVector y = answer(unit);
-      made_.emplace(i, BorderColumn{std::move(unit), std::move(y)});
-    }
+    if (!made_.contains(i)) make(i, {{i}, {1.0}});
     columns.push_back(&made_.at(i));
   }
   return columns;
+}
+
+void BorderColumns::make(std::size_t unknown, SparseVector w) {
+  SparseVector y = answer(w);
+  made_.emplace(unknown, BorderColumn{std::move(w), std::move(y)});
 }
 
 /// What the factor has pinned has no part in it.

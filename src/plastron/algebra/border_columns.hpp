@@ -50,6 +50,7 @@ class BorderColumns {
 
  private:
   bool is_pinned(std::size_t i) const { return factor_pins_[i] != 0; }
+  void make(std::size_t unknown, SparseVector w);
   SparseVector answer(const SparseVector& w);
 
   const Matrix::Storage* A_ = nullptr;

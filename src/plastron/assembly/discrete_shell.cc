@@ -4,6 +4,7 @@
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/assembly/pressing.hpp>
 #include <plastron/assembly/stiffness.hpp>
+#include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
 
@@ -46,6 +47,11 @@ std::vector<Eigen::Vector2d> DiscreteShell::support_points() const {
   for (const Support& support : supports)
     if (support.point && std::ranges::find(held, *support.point) == held.end()) held.push_back(*support.point);
   return held;
+}
+
+double DiscreteShell::nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const {
+  const Eigen::Map<const Vector3d> u(y.local().data() + 6 * node), r(y.local().data() + 6 * node + 3);
+  return coordinates.gaps[k][node](u, geometry::tangential(Vector3d(r), points[node].a3));
 }
 
 double DiscreteShell::way_pressed(std::size_t k) const {

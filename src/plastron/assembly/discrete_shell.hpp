@@ -33,6 +33,8 @@ struct DiscreteShell {
   void residual(const algebra::Vector& y, algebra::Vector& f) const;
   /// (M16) at a point that the state has moved, against obstacle k.
   obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }
+  /// Linearised gap between a local node and obstacle k of fields (u, r), without the state's lift: sees r's tangential part [m].
+  double nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const;
   /// How far its force has pressed obstacle k on from where its gaps are linearised [m].
   double way_pressed(std::size_t k) const;
   /// How far forces have pressed the obstacles, from where they stood at the start [m].

@@ -38,6 +38,12 @@ QuadraturePoint ShellOperator::point(std::size_t cell, int q) const {
           frame.sqrt_a * tables_.weights[p]};
 }
 
+double ShellOperator::area(std::size_t cell) const {
+  double area = 0;
+  for (std::size_t q = 0; q < tables_.weights.size(); ++q) area += packs_.frame(cell, q).sqrt_a * tables_.weights[q];
+  return area;
+}
+
 std::vector<SamplingPoint> ShellOperator::sampling_points(std::size_t sampling, std::size_t cell) const {
   std::vector<SamplingPoint> points(tables_.samplings[sampling].basis.xi.size());
   for (std::size_t t = 0; t < points.size(); ++t) points[t] = packs_.sampling_point(sampling, cell, t);

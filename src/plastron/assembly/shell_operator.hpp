@@ -87,6 +87,8 @@ class ShellOperator {
   geometry::Frame frame_at(std::size_t cell, int q) const { return packs_.frame(cell, static_cast<std::size_t>(q)); }
   /// Computed from what is stored.
   QuadraturePoint point(std::size_t cell, int q) const;
+  /// Of a cell: int sqrt(a) dx [m^2].
+  double area(std::size_t cell) const;
 
   /// The owned cells as the loops over packs read them. Not for covariant interpolation, whose strains they do not know.
   PackedCells packed() const {

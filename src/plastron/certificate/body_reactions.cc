@@ -2,7 +2,6 @@
 
 #include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
-#include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
 
@@ -60,9 +59,8 @@ double least_gap(const assembly::DiscreteShell& discrete, const fem::PlacedBody&
     const fem::CarriedNode& at = discrete.space().carried->nodes[member];
     if (at.node >= discrete.space().layout->owned) continue;
     const auto node = static_cast<std::size_t>(at.node);
-    const BodyVector moved = six_of(y, node);
-    for (const auto& gaps : discrete.coordinates.gaps) {
-      const double gap = gaps[node](moved.head<3>(), geometry::tangential(moved.tail<3>(), discrete.points[node].a3));
+    for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k) {
+      const double gap = discrete.nodal_gap(k, node, y);
       if (!(gap >= least)) least = gap;  // a NaN, too
     }
   }

@@ -3,7 +3,6 @@
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/certificate/sub_cells.hpp>
 #include <plastron/fem/ties.hpp>
-#include <plastron/geometry/frame.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <algorithm>
@@ -59,13 +58,10 @@ TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const Noda
                              std::size_t obstacle) {
   const auto count = discrete.points.size(), block = static_cast<std::size_t>(solution.touching.block());
   for (std::size_t i = 0; i < count; ++i) {
-    const double* y = solution.y.local().data() + 6 * i;
-    const assembly::NodalPoint& p = discrete.points[i];
-    const double gap = discrete.coordinates.gaps[obstacle][i](Vector3d(y[0], y[1], y[2]),
-                                                              geometry::tangential(Vector3d(y[3], y[4], y[5]), p.a3));
+    const double gap = discrete.nodal_gap(obstacle, i, solution.y);
     inside_.push_back(solution.touching.local()[i * block + obstacle] > 0.5 ? 1 : 0);
     root_.push_back(std::sqrt(std::max(gap - discrete.state.lift(i, obstacle), 0.0)));
-    place_.push_back(p.phi);
+    place_.push_back(discrete.points[i].phi);
   }
   judge_nodes_without_bound(discrete);
   fit_slopes(discrete);

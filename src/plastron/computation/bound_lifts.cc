@@ -4,7 +4,6 @@
 #include <plastron/computation/cell_depths.hpp>
 #include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
-#include <plastron/geometry/frame.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
@@ -109,11 +108,7 @@ double least_at_nodes(const assembly::DiscreteShell& discrete, const algebra::Ve
   double least = std::numeric_limits<double>::infinity();
   for (const algebra::LocalIndex index : discrete.space().nodes(cell)) {
     const auto node = static_cast<std::size_t>(index);
-    const assembly::NodalPoint& point = discrete.points[node];
-    if (!(point.weight > 0)) continue;
-    const Eigen::Map<const Eigen::Vector3d> u(y.local().data() + 6 * node), r(y.local().data() + 6 * node + 3);
-    least = std::min(least,
-                     discrete.coordinates.gaps[obstacle][node](u, geometry::tangential(Eigen::Vector3d(r), point.a3)));
+    if (discrete.points[node].weight > 0) least = std::min(least, discrete.nodal_gap(obstacle, node, y));
   }
   return least;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace plastron::computation {
 namespace {
@@ -11,17 +10,14 @@ namespace {
 constexpr double rounding = 1e-9;  ///< of interpolated zones
 constexpr double likely_in = 0.75, likely_out = 0.25;
 
-double zone_at(const algebra::Vector& zone, const assembly::ContactRow& row) {
-  return zone.local()[row.node * static_cast<std::size_t>(zone.block()) + static_cast<std::size_t>(row.obstacle)];
+std::size_t place(const algebra::Vector& v, const assembly::ContactRow& row) {
+  return row.node * static_cast<std::size_t>(v.block()) + static_cast<std::size_t>(row.obstacle);
 }
-
-double& at(algebra::Vector& v, const assembly::ContactRow& row) {
-  return v.owned()[row.node * static_cast<std::size_t>(v.block()) + static_cast<std::size_t>(row.obstacle)];
-}
+double at(const algebra::Vector& v, const assembly::ContactRow& row) { return v.local()[place(v, row)]; }
+double& at(algebra::Vector& v, const assembly::ContactRow& row) { return v.owned()[place(v, row)]; }
 
 bool is_expected(const ContactTrend& expected, const assembly::ContactRow& row) {
-  return zone_at(expected.touching, row) > 0.5 ? zone_at(expected.pressure, row) > 0
-                                               : zone_at(expected.root_of_gap, row) < 0;
+  return at(expected.touching, row) > 0.5 ? at(expected.pressure, row) > 0 : at(expected.root_of_gap, row) < 0;
 }
 
 /// Adds 1 at the nodes of cells some of whose nodes are likely in contact with the obstacle (1) and others not (0); nodes without a bound (-1)
@@ -65,7 +61,7 @@ std::vector<contact::Activity> likely_activity(const assembly::DiscreteShell& di
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   std::vector<contact::Activity> activity(coordinates.lower.owned().size(), contact::Activity::free);
   for (const assembly::ContactRow& row : coordinates.rows)
-    if (row.binds && zone_at(zone, row) > 0.5)
+    if (row.binds && at(zone, row) > 0.5)
       activity[coordinates.at(row.node, row.coordinate)] =
           row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
   return activity;
@@ -76,7 +72,7 @@ std::vector<char> open_coordinates(const assembly::DiscreteShell& discrete, cons
   std::vector<char> marks(coordinates.lower.owned().size(), 0);
   bool some = false;
   for (const assembly::ContactRow& row : coordinates.rows) {
-    const double part = zone_at(zone, row);
+    const double part = at(zone, row);
     if (!row.binds || part < rounding || part > 1 - rounding) continue;
     const std::size_t i = coordinates.at(row.node, row.coordinate);
     marks[i] = coordinates.lower.owned()[i] != coordinates.upper.owned()[i];
@@ -91,8 +87,7 @@ ContactTrend contact_trend(const assembly::DiscreteShell& discrete, const certif
                      .root_of_gap = algebra::Vector(discrete.space().layout, solution.touching.block())};
   for (const assembly::ContactRow& row : discrete.coordinates.rows) {
     const auto obstacle = static_cast<std::size_t>(row.obstacle);
-    const std::span<const double> y = solution.y.local().subspan(6 * row.node, 6);
-    const double gap = discrete.coordinates.gaps[obstacle][row.node]({y[0], y[1], y[2]}, {y[3], y[4], y[5]});
+    const double gap = discrete.nodal_gap(obstacle, row.node, solution.y);
     at(trend.root_of_gap, row) = std::sqrt(std::max(0.0, gap - discrete.state.lift(row.node, obstacle)));
   }
   return trend;

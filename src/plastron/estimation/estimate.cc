@@ -32,9 +32,7 @@ void add_energy_shares(const assembly::ShellOperator& shell, const AllErrors& u,
 
 /// The edge of a contact zone lies anywhere between two nodes: half of their distance along it, which is the k-th part of a cell.
 double area_share(const assembly::ShellOperator& shell, std::size_t cell) {
-  double area = 0;
-  for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(cell, q).area;
-  return area / (2.0 * shell.space().degree);
+  return shell.area(cell) / (2.0 * shell.space().degree);
 }
 
 bool weighs_nothing(const DualLoad& dual) {

@@ -95,9 +95,7 @@ class FreeEdgesOf {
     shell.surface().positions(space_.cells[edge.cell], edge.xi, x, y);
     const assembly::CrossSection& section = shell.section(edge.cell);
     section.thickness.evaluate(x, y, e);
-    double area = 0;
-    for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(edge.cell, q).area;
-    const double width = area / std::accumulate(lengths.begin(), lengths.end(), 0.0);
+    const double width = shell.area(edge.cell) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
     for (std::size_t i = 0; i < e.size(); ++i) {
       const shell::Material& m = section.material;
       const double delta = e[i] / std::sqrt(12 * m.shear_correction);

@@ -93,12 +93,6 @@ void add_points(const Vector3d& vertex, const CellResultants& cell, double area,
   }
 }
 
-double area_of(const assembly::ShellOperator& shell, std::size_t cell) {
-  double area = 0;
-  for (int q = 0; q < shell.tables().points_per_cell(); ++q) area += shell.point(cell, q).area;
-  return area;
-}
-
 }  // namespace
 
 Patches::Patches(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells, int degree)
@@ -128,7 +122,7 @@ algebra::Vector Patches::sums_round_vertices(const assembly::DiscreteShell& disc
   for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
     corner_jets(discrete, cell, jets);
     const int region = space_.coarse->cells[static_cast<std::size_t>(space_.cells[cell].coarse)].region;
-    const double area = area_of(discrete.shell, cell);
+    const double area = discrete.shell.area(cell);
     for (int k = 0; k < corners_; ++k) {
       const auto sum = entry(all, vertex(cell, k));
       const geometry::SurfaceJet& jet = jets[static_cast<std::size_t>(k)];

@@ -214,8 +214,7 @@ Report convergence(const computation::Problem& problem, const StudyOptions& opti
       length));
   report.table.remarks.emplace_back(
       "right side: (interpolation^2 + reaction^2)^(1/2), reaction^2 with the sign of reaction; consistency: 2 kappa, "
-      "what tying, "
-      "quadrature and tangency at nodes may add to its square");
+      "what tying, quadrature and tangency at nodes may add to its square");
   computation::Problem alone = problem;
   alone.obstacles.clear();
   if (observer.stage) observer.stage("without obstacle");

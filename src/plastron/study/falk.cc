@@ -2,7 +2,6 @@
 
 #include <plastron/computation/description.hpp>
 #include <plastron/element/formulation.hpp>
-#include <plastron/geometry/frame.hpp>
 #include <plastron/study/nearest_admissible.hpp>
 #include <plastron/study/nodal_interpolant.hpp>
 
@@ -45,12 +44,6 @@ double residual_work(const DiscreteShell& discrete, const algebra::Vector& y, co
   return algebra::dot(f, V);
 }
 
-double gap_at_node(const DiscreteShell& discrete, std::size_t obstacle, std::size_t node, const algebra::Vector& y) {
-  const Eigen::Map<const Eigen::Vector3d> u(y.local().data() + 6 * node), r(y.local().data() + 6 * node + 3);
-  return discrete.coordinates.gaps[obstacle][node](u,
-                                                   geometry::tangential(Eigen::Vector3d(r), discrete.points[node].a3));
-}
-
 /// Of two fields by the nodal quadrature: what the reaction does on the change of the gaps, and the changes' norm.
 struct GapChange {
   double work = 0;     ///< <eta, g(to) - g(from)> [J]
@@ -65,7 +58,7 @@ GapChange gap_change(const DiscreteShell& discrete, const algebra::Vector& press
     if (!row.is_touchable()) continue;
     const auto k = static_cast<std::size_t>(row.obstacle);
     const double weight = discrete.points[row.node].weight;
-    const double g = gap_at_node(discrete, k, row.node, to) - gap_at_node(discrete, k, row.node, from);
+    const double g = discrete.nodal_gap(k, row.node, to) - discrete.nodal_gap(k, row.node, from);
     change.work += weight * pressure.local()[row.node * obstacles + k] * g;
     change.squared += weight * g * g;
   }

@@ -72,14 +72,9 @@ std::vector<Outline> touching_here(const computation::Solution& solution) {
 class Places {
  public:
   explicit Places(const std::vector<Outline>& cells) {
-    Eigen::Vector2d least = cells.front().front(), most = least;
-    for (const Outline& cell : cells)
-      for (const Eigen::Vector2d& p : cell) {
-        least = least.cwiseMin(p);
-        most = most.cwiseMax(p);
-      }
-    origin_ = least - 0.1234567 * (most - least);  // no vertex of a regular mesh lies between two places
-    size_ = 1e-8 * (most - least).maxCoeff();
+    const Eigen::AlignedBox2d all = box(cells);
+    origin_ = all.min() - 0.1234567 * all.sizes();  // no vertex of a regular mesh lies between two places
+    size_ = 1e-8 * all.sizes().maxCoeff();
   }
   std::pair<std::int64_t, std::int64_t> of(const Eigen::Vector2d& p) const {
     return {std::llround((p[0] - origin_[0]) / size_), std::llround((p[1] - origin_[1]) / size_)};
@@ -105,6 +100,13 @@ std::vector<Eigen::Vector2d> hanging_vertices(const std::vector<Outline>& cells)
 }
 
 }  // namespace
+
+Eigen::AlignedBox2d box(const std::vector<Outline>& outlines) {
+  Eigen::AlignedBox2d all;
+  for (const Outline& outline : outlines)
+    for (const Eigen::Vector2d& p : outline) all.extend(p);
+  return all;
+}
 
 MeshPicture mesh_picture(const computation::Solution& solution) {
   const assembly::ShellOperator& shell = solution.discrete->shell;

@@ -2,7 +2,7 @@
 #pragma once
 #include <plastron/computation/result.hpp>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstdint>
 #include <string>
@@ -19,6 +19,9 @@ struct MeshPicture {
   std::vector<Eigen::Vector2d> hanging{};  ///< vertices in the middle of a neighbour's side
   std::vector<Outline> touching{};         ///< parts of cells all of whose nodes touch one obstacle
 };
+
+/// Around outlines.
+Eigen::AlignedBox2d box(const std::vector<Outline>& outlines);
 
 /// Of all ranks on every rank, in an order that depends on them; without caption (collective).
 MeshPicture mesh_picture(const computation::Solution& solution);

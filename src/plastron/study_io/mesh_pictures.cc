@@ -27,28 +27,14 @@ constexpr const char* mesh_style =
     ".zone { fill: #7a4a12; } .hanging { fill: #56b4e9; }\n"
     "}\n</style>\n";
 
-struct Box {
-  Eigen::Vector2d least, size;
-};
-
-Box box_of(const std::vector<study::Outline>& cells) {
-  Eigen::Vector2d least = cells.front().front(), most = least;
-  for (const study::Outline& cell : cells)
-    for (const Eigen::Vector2d& p : cell) {
-      least = least.cwiseMin(p);
-      most = most.cwiseMax(p);
-    }
-  return {least, most - least};
-}
-
 /// From Omega to a picture whose upper left corner is the origin.
 class Frame {
  public:
-  Frame(const Box& box, double width)
+  Frame(const Eigen::AlignedBox2d& box, double width)
       : width_(width),
-        height_(width * std::clamp(box.size[1] / box.size[0], flattest, steepest)),
-        least_(box.least),
-        scale_(width / box.size[0], height_ / box.size[1]) {}
+        height_(width * std::clamp(box.sizes()[1] / box.sizes()[0], flattest, steepest)),
+        least_(box.min()),
+        scale_(width / box.sizes()[0], height_ / box.sizes()[1]) {}
   double width() const { return width_; }
   double height() const { return height_; }
   Eigen::Vector2d operator()(const Eigen::Vector2d& x) const {
@@ -106,8 +92,8 @@ std::string legend(double top) {
 
 std::string svg_of_meshes(std::span<const study::MeshPicture> pictures) {
   if (pictures.empty() || pictures.front().cells.empty()) return "";
-  const Box box = box_of(pictures.front().cells);
-  const bool is_stacked = box.size[1] < 0.5 * box.size[0];
+  const Eigen::AlignedBox2d box = study::box(pictures.front().cells);
+  const bool is_stacked = box.sizes()[1] < 0.5 * box.sizes()[0];
   const auto count = static_cast<double>(pictures.size());
   const double columns = is_stacked ? 1 : count;
   const Frame frame(box, (page_width - margin * (columns + 1)) / columns);
