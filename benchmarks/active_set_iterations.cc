@@ -1,6 +1,6 @@
 // Active-set iterations by level: caps and strips from thick to thin. active_set_iterations [DEGREE REFINEMENTS_CAP
 // REFINEMENTS_STRIP]; without arguments degree 2 up to about 400 000 and 330 000 unknowns.
-#include "cap.hpp"
+#include "problems.hpp"
 
 #include <plastron/algebra/session.hpp>
 #include <plastron/computation/solve.hpp>

@@ -1,6 +1,6 @@
 // What the distance of 100 000 points costs by shape of the obstacle, beside one factorisation of a shell with about as many nodes: points
 // within 0.05 of the surface, as a shell's nodes are, and points anywhere in a box around it.
-#include "cap.hpp"
+#include "problems.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/session.hpp>

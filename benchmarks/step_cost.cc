@@ -1,7 +1,7 @@
 // What a conjugate-gradient step with a kept factor costs beside a factorisation, by size: step_cost [DEGREE REFINEMENTS].
 // Times are those of the calling thread, so that other work on the machine disturbs little. The constants in
 // price_of (algebra/factorisation.cc) and in contact/kept_factor.hpp come from here.
-#include "cap.hpp"
+#include "problems.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/session.hpp>

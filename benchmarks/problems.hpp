@@ -1,4 +1,4 @@
-// The problems of the benchmarks: a spherical cap pressed on a table, a clamped strip pressed on one.
+// The problems of the benchmarks, pressed on a table: a spherical cap, a clamped strip, a barrel panel between two walls.
 #pragma once
 #include <plastron/computation/problem.hpp>
 
@@ -43,6 +43,25 @@ inline computation::Problem cap(double e, int degree, int refinements) {
   return problem;
 }
 
+/// An edge in a plane of symmetry with this normal.
+inline assembly::Support mirrored(const std::string& boundary, assembly::Direction normal) {
+  return {.boundary = boundary,
+          .components = {fixed(assembly::Unknown::displacement, normal), fixed(assembly::Unknown::rotation, normal)}};
+}
+
+/// A quarter of radius 1, arc and length 0.5, e = 0.02: two edges of symmetry, one in the wall, one free; 0.01 above the table (cases/barrel-panel).
+inline computation::Problem barrel(int degree, int refinements) {
+  constexpr double e = 0.02;
+  computation::Problem problem = pressed(8e-4);
+  problem.domain = fem::Rectangle{.to = {0.5, 0.5}, .cells = {9, 9}};
+  problem.charts.emplace("", geometry::Chart({"sin(x)", "y", "z0 - cos(x)"}, {{"z0", 1 + e / 2 + 0.01}}));
+  problem.sections.common.thickness = geometry::Expression(e);
+  problem.supports = {mirrored("left", assembly::Direction::x), mirrored("bottom", assembly::Direction::y),
+                      clamped("right")};
+  problem.discretisation = {.degree = degree, .tying = true, .refinements = refinements};
+  return problem;
+}
+
 /// Length 1, both ends clamped, 0.01 above the table; load 3 e^3 as in the references R1.
 inline computation::Problem strip(double e, int degree, int refinements) {
   computation::Problem problem = pressed(3 * e * e * e);
@@ -50,10 +69,7 @@ inline computation::Problem strip(double e, int degree, int refinements) {
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", e / 2 + 0.01}}));
   problem.sections.common.thickness = geometry::Expression(e);
   problem.supports = {clamped("left"), clamped("right")};
-  for (const char* side : {"bottom", "top"})
-    problem.supports.push_back({.boundary = side,
-                                .components = {fixed(assembly::Unknown::displacement, assembly::Direction::y),
-                                               fixed(assembly::Unknown::rotation, assembly::Direction::y)}});
+  for (const char* side : {"bottom", "top"}) problem.supports.push_back(mirrored(side, assembly::Direction::y));
   problem.discretisation = {.degree = degree, .tying = true, .refinements = refinements};
   return problem;
 }
