@@ -67,6 +67,24 @@ TEST(Arc, stays_on_its_circle) {
 
 TEST(BlendedMap, has_the_derivatives_of_its_values) { expect_derivatives_of_values(barrel()); }
 
+/// The same map as a polynomial of one degree more.
+template <class Map>
+Map raised(Shape shape, const Map& map) {
+  Map higher{map.order + 1, {}};
+  for (const Vector2d& xi : lattice(shape, higher.order)) higher.nodes.push_back(map(xi).value);
+  return higher;
+}
+
+TEST(LagrangeMap, of_straight_sides_is_that_of_any_order) {
+  const LagrangeMap bilinear{1, {{0, 0}, {1, 0.1}, {0.05, 1}, {1.3, 1.2}}};
+  const TriangleLagrangeMap linear{1, {{0, 0}, {1, 0.1}, {0.05, 1}}};
+  for (const Vector2d& xi : points) {
+    EXPECT_LT(geometry::distance(bilinear(xi), raised(Shape::quadrilateral, bilinear)(xi)), 1e-14);
+    EXPECT_LT(geometry::distance(linear(xi), raised(Shape::triangle, linear)(xi)), 1e-14);
+  }
+  expect_derivatives_of_values(bilinear);
+}
+
 TEST(TriangleLagrangeMap, has_the_derivatives_of_its_values_and_keeps_its_nodes) {
   for (const int order : {1, 2, 3}) {
     TriangleLagrangeMap map{order, {}};

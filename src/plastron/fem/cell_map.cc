@@ -7,6 +7,28 @@
 
 namespace plastron::fem {
 
+namespace {
+
+// Almost all cells of mesh files have straight sides: tables of polynomials would take ten times as long.
+
+PlaneJet bilinear(const std::vector<Vector2d>& p, const Vector2d& xi) {
+  const Vector2d along = p[1] - p[0], across = p[2] - p[0], twist = p[3] - p[2] - along;
+  PlaneJet f;
+  f.value = p[0] + xi[0] * along + xi[1] * across + xi[0] * xi[1] * twist;
+  f.d = {along + xi[1] * twist, across + xi[0] * twist};
+  f.dd[1] = twist;
+  return f;
+}
+
+PlaneJet linear(const std::vector<Vector2d>& p, const Vector2d& xi) {
+  PlaneJet f;
+  f.d = {p[1] - p[0], p[2] - p[0]};
+  f.value = p[0] + xi[0] * f.d[0] + xi[1] * f.d[1];
+  return f;
+}
+
+}  // namespace
+
 CurveJet Segment::operator()(double t) const { return {from + t * (to - from), to - from, Vector2d::Zero()}; }
 
 CurveJet Arc::operator()(double t) const {
@@ -32,6 +54,7 @@ PlaneJet BlendedMap::operator()(const Vector2d& xi) const {
 }
 
 PlaneJet LagrangeMap::operator()(const Vector2d& xi) const {
+  if (order == 1) return bilinear(nodes, xi);
   std::vector<double> equidistant(static_cast<std::size_t>(order + 1));
   for (int i = 0; i <= order; ++i) equidistant[static_cast<std::size_t>(i)] = static_cast<double>(i) / order;
   const LagrangeValues p = lagrange(equidistant, xi[0]), q = lagrange(equidistant, xi[1]);
@@ -51,6 +74,7 @@ PlaneJet LagrangeMap::operator()(const Vector2d& xi) const {
 }
 
 PlaneJet TriangleLagrangeMap::operator()(const Vector2d& xi) const {
+  if (order == 1) return linear(nodes, xi);
   const TriangleValues basis = triangle_lagrange(order, xi);
   PlaneJet f;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
