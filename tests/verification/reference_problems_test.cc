@@ -52,6 +52,21 @@ TEST(ReferenceProblems, HaveTheirContactBoundariesAmongTheirRows) {
   }
 }
 
+TEST(ReferenceProblems, HaveTheStripInClosedFormAsTheyHaveItFromTheirSolver) {
+  for (const double e : {0.1, 0.01}) {
+    const ContactReference strip = pressed_strip(e, 2, 3);
+    const ContactReference stored = contact_reference(strip.name, 2, 3);
+    EXPECT_NEAR(strip.energy / stored.energy, 1, 1e-11) << e;
+    EXPECT_NEAR(strip.load_work / stored.load_work, 1, 1e-11) << e;
+    EXPECT_NEAR(strip.reaction / stored.reaction, 1, 1e-11) << e;
+    EXPECT_NEAR(strip.boundaries.front(), stored.boundaries.front(), 1e-11) << e;
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    EXPECT_NEAR(gap_of(strip.problem, 0, 0)(none, none), gap_of(stored.problem, 0, 0)(none, none), 1e-15) << e;
+    const auto load = [](const computation::Problem& problem) { return problem.area_loads.front().force[2](0, 0); };
+    EXPECT_NEAR(load(strip.problem) / load(stored.problem), 1, 1e-14) << e;
+  }
+}
+
 TEST(ReferenceProblems, NameBoundariesOfTheirDomains) {
   std::vector<computation::Problem> problems;
   for (const auto& name : contact_reference_names()) problems.push_back(contact_reference(name, 2, 3).problem);
