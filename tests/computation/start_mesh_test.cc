@@ -55,6 +55,20 @@ TEST(EdgeLayers, AreMeasuredAcrossTheEdgeInOmega) {
   EXPECT_NEAR(layers[0].width_in_omega, 0.002, 1e-9);
 }
 
+TEST(StartMesh, HasNarrowRowsWhereMoreIsAskedForThanCornersWithOneRowGive) {
+  const auto has = [](double e, double tolerance) {
+    Problem p = saddle(e);
+    p.accuracy = Accuracy{.goals = {{"energy", tolerance}}};
+    return start_mesh(p).has_narrow_rows;
+  };
+  EXPECT_FALSE(start_mesh(saddle(1e-3)).has_narrow_rows);
+  EXPECT_TRUE(has(1e-2, 1e-3));
+  EXPECT_FALSE(has(1e-3, 1e-3));
+  EXPECT_TRUE(has(1e-3, 1e-4));
+  EXPECT_FALSE(has(1e-4, 1e-4));  // its corners are a smaller part of it
+  EXPECT_TRUE(has(1e-4, 1e-5));
+}
+
 TEST(StartMesh, HasRowsAlongEveryEdgeOfAThinShellAndNoneOfAPlate) {
   EXPECT_EQ(start_mesh(saddle(1e-3)).rows.size(), 4u);
   EXPECT_TRUE(start_mesh(layered(fem::Rectangle{}, {"x", "y", "0"}, 1e-3)).rows.empty());

@@ -42,6 +42,17 @@ TEST_P(SaddleOfThickness, IsWithinOneThousandthOnItsStartMesh) {
   EXPECT_LE(result.levels.back().unknowns, most_unknowns);
 }
 
+/// 59 230 unknowns with one row along each edge.
+TEST(StartMeshWithNarrowRows, TakesASaddleToOneTenThousandthWithFortyThousandUnknowns) {
+  computation::Problem p = saddle(1e-3);
+  p.discretisation.degree = 4;
+  p.accuracy = computation::Accuracy{.goals = {{"probe.free end.u.z", 1e-4}}};
+  const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved);
+  EXPECT_NEAR(-result.probes.front().values.u[2] / 6.39917e-3, 1, 1e-4);
+  EXPECT_LE(result.levels.back().unknowns, 40'000);
+}
+
 TEST(StartMeshOfDegreeTwo, HasLessThanAThirdOfTheErrorOfEvenCells) {
   computation::Problem rows = saddle(1e-3);
   rows.discretisation.degree = 2;

@@ -19,7 +19,9 @@ namespace {
 using Eigen::Vector2d;
 
 // Measured on a saddle and on shells in contact, docs/methods/layers.md.
-constexpr double row_widths = 3.5;  ///< of a row over that of its layer
+constexpr double row_widths = 3.5;         ///< of a row over that of its layer
+constexpr double narrow_row_widths = 0.2;  ///< of a second row at the edge
+constexpr double corner_errors = 0.03;     ///< with one row each way, over a corner's part of the domain
 constexpr double cells_per_layer_degree =
     0.68;                               ///< size of a cell inside over the degree and the width of the layers there
 constexpr double contact_nodes = 700;   ///< of the finest mesh, where contact zones may have their edge anywhere
@@ -64,6 +66,18 @@ bool keeps_joins_alike(const Problem& problem) {
          (pair == std::set<std::string>{"left", "right"} || pair == std::set<std::string>{"bottom", "top"});
 }
 
+/// Rows cross at corners of four-sided domains; where more is asked for than the corners' cells give, each row is worth a second, narrow one
+/// between it and the edge. `share` is that of the widest row in the domain's width.
+bool wants_narrow_rows(const Problem& problem, double share) {
+  if (!problem.accuracy) return false;
+  const auto* polygon = std::get_if<fem::Polygon>(&problem.domain);
+  if (!std::holds_alternative<fem::Rectangle>(problem.domain) && !(polygon && fem::is_convex_quadrilateral(*polygon)))
+    return false;
+  return std::ranges::any_of(problem.accuracy->goals, [&](const Accuracy::Goal& goal) {
+    return goal.tolerance <= corner_errors * share * share;
+  });
+}
+
 /// The rows of each boundary and the layers they are for. A boundary has rows in all its regions or in none.
 std::pair<fem::Rows, std::vector<EdgeLayer>> rows_of(const Problem& problem) {
   fem::Rows rows;
@@ -71,6 +85,7 @@ std::pair<fem::Rows, std::vector<EdgeLayer>> rows_of(const Problem& problem) {
   const auto within = boundaries_within(problem);
   const auto boundaries = static_cast<int>(fem::boundary_names(problem.domain).size());
   const auto layers = edge_layers(problem);
+  double share = 0;  // of the widest row
   for (int b = 0; b < boundaries; ++b) {
     std::vector<std::vector<double>> distances;
     bool fits = false;
@@ -80,6 +95,7 @@ std::pair<fem::Rows, std::vector<EdgeLayer>> rows_of(const Problem& problem) {
         const double row = row_widths * layer.width_in_omega;
         if (row <= most && !within.contains(b)) {
           fits = true;
+          share = std::max(share, row / most * largest_share);
           kept.push_back(layer);
         }
         distances.push_back({row <= most ? row : most});
@@ -95,7 +111,16 @@ std::pair<fem::Rows, std::vector<EdgeLayer>> rows_of(const Problem& problem) {
       for (std::size_t k = 0; k < std::min(a[i].size(), b[i].size()); ++k)
         a[i][k] = b[i][k] = std::min(a[i][k], b[i][k]);
   }
+  if (wants_narrow_rows(problem, share))
+    for (auto& regions : rows.distances)
+      for (auto& distances : regions)
+        if (!distances.empty()) distances.insert(distances.begin(), distances.front() * narrow_row_widths / row_widths);
   return {std::move(rows), std::move(kept)};
+}
+
+bool has_narrow_rows(const fem::Rows& rows) {
+  return std::ranges::any_of(rows.distances,
+                             [](const auto& regions) { return !regions.empty() && regions.front().size() > 1; });
 }
 
 /// The size of cells between the rows on the finest mesh [m].
@@ -180,7 +205,7 @@ StartMesh start_mesh(const Problem& problem) {
   const Interior inside = interior(problem);
   const double size = std::min(size_inside(problem, inside), largest_size(inside)) * std::exp2(d.refinements);
   rows.inner = std::visit(InnerCells{rows, inside, size}, problem.domain);
-  StartMesh mesh{.coarse = {}, .rows = std::move(layers)};
+  StartMesh mesh{.coarse = {}, .rows = std::move(layers), .has_narrow_rows = has_narrow_rows(rows)};
   try {
     mesh.coarse = fem::layered_mesh(problem.domain, d.cells, rows);
   } catch (const fem::DomainError& error) {
@@ -227,8 +252,10 @@ std::string describe(const StartMesh& mesh, const Problem& problem) {
                                region.empty() ? "" : " of " + region, row_widths * layer.width));
   }
   const std::string what = !mesh.no_rows.empty() ? fmt::format("no rows along edges: {}", mesh.no_rows)
-                           : rows.empty() ? "no rows along edges: layers are none, or wider than a quarter of the shell"
-                                          : fmt::format("rows along {} wide", fmt::join(rows, ", "));
+                           : rows.empty()
+                               ? "no rows along edges: layers are none, or wider than a quarter of the shell"
+                               : fmt::format("rows along {} wide{}", fmt::join(rows, ", "),
+                                             mesh.has_narrow_rows ? ", and a narrow one at each of these edges" : "");
   const std::string finest =
       d.refinements == 0 ? "" : fmt::format(", {} after {} refinements", unknowns(d.refinements), d.refinements);
   const int degree = recommended_degree(problem);

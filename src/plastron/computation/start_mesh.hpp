@@ -14,6 +14,7 @@ namespace plastron::computation {
 struct StartMesh {
   fem::CoarseMesh coarse;
   std::vector<EdgeLayer> rows{};  ///< the layers that have rows along their edges
+  bool has_narrow_rows = false;   ///< a second row between each and the edge, for accuracies that corners decide
   std::string no_rows{};          ///< why there are none although the problem asks for them; empty otherwise
 };
 
