@@ -53,6 +53,16 @@ TEST(StartMeshWithNarrowRows, TakesASaddleToOneTenThousandthWithFortyThousandUnk
   EXPECT_LE(result.levels.back().unknowns, 40'000);
 }
 
+/// Cells that joined brought their errors back, which were divided again, and so on without end: meshes of 137 000 and 206 000 unknowns in turn.
+TEST(AccuracyOfASaddle, IsReachedAtDegreeTwoAlthoughCellsThatJoinBringErrorsBack) {
+  computation::Problem p = saddle(1e-2);
+  p.discretisation.degree = 2;
+  p.accuracy = computation::Accuracy{.goals = {{"energy", 1e-2}}, .max_unknowns = 190'000};
+  const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::solved);
+  EXPECT_NEAR(result.summary.energy.total() / 1.68167e-3, 1, 1e-2);
+}
+
 TEST(StartMeshOfDegreeTwo, HasLessThanAThirdOfTheErrorOfEvenCells) {
   computation::Problem rows = saddle(1e-3);
   rows.discretisation.degree = 2;

@@ -168,12 +168,16 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
   constexpr double rounding = 1e-6;  // of what is allowed: which cells have most of it would be chance
   if (estimates && !is_uniform_ && worst_excess() > rounding) {
     marks_ = computation::marks(space, goals_, *estimates, share_to_divide());
-    may_join_ = may_join_ && estimates->unjudged_cells == 0;
+    may_join_ = may_join_ && estimates->unjudged_cells == 0 && !(has_joined_ && worst_excess() >= excess_before_);
+    excess_before_ = worst_excess();
     if (!may_join_)
       std::ranges::replace_if(
           marks_, [](signed char mark) { return mark < 0; }, 0);
-    const auto wanted = algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, 1)}, space.layout->comm);
-    if (wanted == 0) marks_.assign(space.owned_cells, 1);
+    const auto wanted = [&](signed char mark) {
+      return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, mark)}, space.layout->comm);
+    };
+    has_joined_ = wanted(-1) > 0;
+    if (wanted(1) == 0) marks_.assign(space.owned_cells, 1);
   } else {
     marks_.assign(space.owned_cells, 1);
   }

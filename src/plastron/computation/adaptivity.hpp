@@ -53,7 +53,10 @@ class AccuracyLoop {
 
   const Problem& problem_;
   bool is_uniform_;
-  bool may_join_ = true;  ///< cells that nothing judged may come back where cells join
+  /// Cells that nothing judged, or errors as large as before, may come back where cells join.
+  bool may_join_ = true;
+  bool has_joined_ = false;   ///< on the way to the mesh that was judged last
+  double excess_before_ = 0;  ///< of the goal that was furthest from being met there
   Stopwatch since_start_{};
   std::vector<GoalRecord> goals_{};
   std::vector<std::vector<double>> values_{};  ///< of the goals, mesh by mesh
