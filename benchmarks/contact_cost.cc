@@ -65,8 +65,8 @@ void report(const std::string& name, int degree, int size) {
                l.seconds.estimates, l.seconds.total());
   const computation::Level& finest = result.levels.back();
   const double one = finest.seconds.factorisation / finest.factorisations;
-  fmt::print("output {:.2f} s, the whole run {:.2f} s, peak memory by rank so far {:.2f} GB\n", output, solving + output,
-             fmt::join(memory, " "));
+  fmt::print("output {:.2f} s, the whole run {:.2f} s, peak memory by rank so far {:.2f} GB\n", output,
+             solving + output, fmt::join(memory, " "));
   fmt::print("one factorisation {:.2f} s, the whole run {:.2f} factorisations\n", one, (solving + output) / one);
   std::fflush(stdout);
 }
