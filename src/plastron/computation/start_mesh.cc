@@ -21,7 +21,8 @@ using Eigen::Vector2d;
 // Measured on a saddle and on shells in contact, docs/methods/layers.md.
 constexpr double row_widths = 3.5;         ///< of a row over that of its layer
 constexpr double narrow_row_widths = 0.2;  ///< of a second row at the edge
-constexpr double corner_errors = 0.03;     ///< with one row each way, over a corner's part of the domain
+constexpr int narrow_row_degree = 4;
+constexpr double corner_errors = 0.03;  ///< with one row each way, over a corner's part of the domain
 constexpr double cells_per_layer_degree =
     0.68;                               ///< size of a cell inside over the degree and the width of the layers there
 constexpr double contact_nodes = 700;   ///< of the finest mesh, where contact zones may have their edge anywhere
@@ -67,9 +68,9 @@ bool keeps_joins_alike(const Problem& problem) {
 }
 
 /// Rows cross at corners of four-sided domains; where more is asked for than the corners' cells give, each row is worth a second, narrow one
-/// between it and the edge. `share` is that of the widest row in the domain's width.
+/// between it and the edge, at the degree at which that pays. `share` is that of the widest row in the domain's width.
 bool wants_narrow_rows(const Problem& problem, double share) {
-  if (!problem.accuracy) return false;
+  if (!problem.accuracy || problem.discretisation.degree != narrow_row_degree) return false;
   const auto* polygon = std::get_if<fem::Polygon>(&problem.domain);
   if (!std::holds_alternative<fem::Rectangle>(problem.domain) && !(polygon && fem::is_convex_quadrilateral(*polygon)))
     return false;
