@@ -26,11 +26,7 @@ computation::Problem problem_of(const std::string& name, int degree, int size) {
   const int less =
       degree == 4 ? 1 : 0;  // refinements: cells of degree 4 have four times as many nodes as those of degree 2
   if (name == "barrel") return barrel(degree, 2 + size - less);
-  if (name == "strip") {
-    computation::Problem problem = strip(0.01, degree, 3 + size - less);
-    problem.domain = fem::Rectangle{.to = {1, 0.25}, .cells = {10, 2}};
-    return problem;
-  }
+  if (name == "strip") return strip(0.01, degree, 3 + size - less, {10, 2});
   return cap(0.02, degree, 4 + size - less);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <plastron/computation/problem.hpp>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -63,9 +64,9 @@ inline computation::Problem barrel(int degree, int refinements) {
 }
 
 /// Length 1, both ends clamped, 0.01 above the table; load 3 e^3 as in the references R1.
-inline computation::Problem strip(double e, int degree, int refinements) {
+inline computation::Problem strip(double e, int degree, int refinements, std::array<int, 2> cells = {4, 1}) {
   computation::Problem problem = pressed(3 * e * e * e);
-  problem.domain = fem::Rectangle{.to = {1, 0.25}, .cells = {4, 1}};
+  problem.domain = fem::Rectangle{.to = {1, 0.25}, .cells = cells};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", e / 2 + 0.01}}));
   problem.sections.common.thickness = geometry::Expression(e);
   problem.supports = {clamped("left"), clamped("right")};

@@ -13,18 +13,16 @@ namespace {
 
 /// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range, and the
 /// undeformed surface, which no polynomial bounds, by less than the cell's diameter.
-bool is_near_obstacle(const assembly::DiscreteShell& discrete, const std::vector<obstacle::Gap>& gaps,
-                      const element::CellField& field, std::span<const algebra::LocalIndex> nodes) {
+bool is_near_obstacle(const assembly::DiscreteShell& discrete, std::size_t obstacle, const algebra::Vector& y,
+                      std::span<const algebra::LocalIndex> nodes) {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, radius = 0;
   const Vector3d& first = discrete.points[static_cast<std::size_t>(nodes[0])].phi;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto row = field.row(static_cast<Eigen::Index>(i));
-    const auto node = static_cast<std::size_t>(nodes[i]);
-    const assembly::NodalPoint& point = discrete.points[node];
-    const double g = gaps[node](row.head<3>(), geometry::tangential(row.tail<3>(), point.a3));
+  for (const algebra::LocalIndex index : nodes) {
+    const auto node = static_cast<std::size_t>(index);
+    const double g = discrete.nodal_gap(obstacle, node, y);
     lowest = std::min(lowest, g);
     highest = std::max(highest, g);
-    radius = std::max(radius, (point.phi - first).norm());
+    radius = std::max(radius, (discrete.points[node].phi - first).norm());
   }
   return lowest <= highest - lowest + 2 * radius;
 }
@@ -45,7 +43,7 @@ void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector&
     const element::CellField field = discrete.shell.gather(c, y);
     std::vector<std::size_t> near;
     for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k)
-      if (is_near_obstacle(discrete, discrete.coordinates.gaps[k], field, space.nodes(c))) near.push_back(k);
+      if (is_near_obstacle(discrete, k, y, space.nodes(c))) near.push_back(k);
     if (near.empty()) continue;
     discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
     discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);

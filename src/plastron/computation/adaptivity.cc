@@ -166,6 +166,9 @@ std::string AccuracyLoop::unsettled(std::size_t count, double least_decay) const
 /// All cells where no goal has errors in cells that could be told apart. How many are to be divided (collective).
 std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates) {
   constexpr double rounding = 1e-6;  // of what is allowed: which cells have most of it would be chance
+  const auto marked = [&](signed char mark) {
+    return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, mark)}, space.layout->comm);
+  };
   if (estimates && !is_uniform_ && worst_excess() > rounding) {
     marks_ = computation::marks(space, goals_, *estimates, share_to_divide());
     may_join_ = may_join_ && estimates->unjudged_cells == 0 && !(has_joined_ && worst_excess() >= excess_before_);
@@ -173,18 +176,15 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     if (!may_join_)
       std::ranges::replace_if(
           marks_, [](signed char mark) { return mark < 0; }, 0);
-    const auto wanted = [&](signed char mark) {
-      return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, mark)}, space.layout->comm);
-    };
-    has_joined_ = wanted(-1) > 0;
-    if (wanted(1) == 0) marks_.assign(space.owned_cells, 1);
+    if (marked(1) == 0) marks_.assign(space.owned_cells, 1);
   } else {
     marks_.assign(space.owned_cells, 1);
   }
   constexpr double smallest = 0x1p-24;  // of a coarse cell; p4est ends at 2^-29
   for (std::size_t c = 0; c < marks_.size(); ++c)
     if (marks_[c] > 0 && std::abs(space.cells[c].size) <= smallest) marks_[c] = 0;
-  return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, 1)}, space.layout->comm);
+  has_joined_ = marked(-1) > 0;
+  return marked(1);
 }
 
 bool AccuracyLoop::is_settled(const std::vector<GoalRecord>& before) const {
