@@ -1,4 +1,4 @@
-// Case files as all processes of a job read them: each by itself, and if one cannot, all say so and end.
+// Case files as all processes of a job read them: each by itself, and if one cannot, all say so and end. Mesh files are read by the first.
 #pragma once
 #include <plastron/config/case.hpp>
 #include <plastron/examination/examine.hpp>
@@ -22,7 +22,7 @@ config::Case read_case(const std::filesystem::path& path, std::span<const std::s
 /// The files that the case names are searched for in `folder`.
 config::Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// What `examination` finds, which every rank does by itself; throws on all ranks if it throws on one (collective).
+/// What `examination` finds, which communicates with nobody: the first rank does it and tells the others (collective).
 std::vector<examination::Finding> examine_together(
     const std::function<std::vector<examination::Finding>()>& examination);
 

@@ -168,9 +168,8 @@ TEST(ControlCharacters, of_titles_paths_and_values_never_reach_the_terminal) {
   }
 }
 
-TEST(Warnings, of_the_examination_stand_in_the_results_too) {
-  const Scratch scratch;
-  scratch.write("case.toml", R"toml([shell]
+// Solvable, with something to warn of.
+const std::string strongly_bent = R"toml([shell]
 E = 1.0
 nu = 0.3
 thickness = 0.05
@@ -184,13 +183,50 @@ boundary = "left"
 fix = ["u", "r"]
 [[load]]
 force = [0, 0, -1e-6]
-)toml");
+)toml";
+
+TEST(Warnings, of_the_examination_stand_in_the_results_too) {
+  const Scratch scratch;
+  scratch.write("case.toml", strongly_bent);
   const Outcome outcome = plastron({"run", "case.toml", "-o", "out"}, scratch.path);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   ASSERT_THAT(outcome.output, HasSubstr("warning: "));
   const auto warnings = results_in(scratch.path / "out").at("warnings");
   ASSERT_EQ(warnings.size(), 1u) << outcome.output;
   EXPECT_THAT(warnings[0].get<std::string>(), HasSubstr("kappa"));
+}
+
+/// mpirun hands on both streams as they come.
+std::vector<std::string> sorted_lines(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  std::ranges::sort(lines);
+  return lines;
+}
+
+TEST(Examination, by_one_process_for_several_says_the_same) {
+  const Scratch scratch;
+  scratch.write("bent.toml", strongly_bent);
+  const std::string rectangle = "domain = { rectangle = { to = [0.05, 0.05], cells = [1, 1] } }",
+                    with_mesh = "domain = { mesh = \"plate.msh\" }";
+  std::string imported = strongly_bent;
+  imported.replace(imported.find(rectangle), rectangle.size(), with_mesh);
+  scratch.write("imported.toml", imported);
+  scratch.write(
+      "plate.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 1 \"left\"\n$EndPhysicalNames\n$Nodes\n4\n1 0 0 0\n"
+      "2 0.05 0 0\n3 0.05 0.05 0\n4 0 0.05 0\n$EndNodes\n$Elements\n2\n1 1 2 1 1 4 1\n2 3 0 1 2 3 4\n$EndElements\n");
+  const std::string job = "unset OMPI_MCA_ess_singleton_isolated OMPI_MCA_pml OMPI_MCA_btl; " MPIEXEC
+                          " --oversubscribe -n 3 $PLASTRON check ";
+  for (const std::string name : {"bent.toml", "imported.toml"}) {
+    const Outcome alone = plastron({"check", name}, scratch.path), together = shell(job + name, scratch.path);
+    EXPECT_FALSE(together.timed_out);
+    EXPECT_EQ(alone.exit_code, 0) << alone.output;
+    EXPECT_EQ(together.exit_code, 0) << together.output;
+    EXPECT_THAT(alone.output, HasSubstr("kappa"));
+    EXPECT_EQ(sorted_lines(together.output), sorted_lines(alone.output));
+  }
 }
 
 // ---- streams that go nowhere -------------------------------------------------------------------------------------------

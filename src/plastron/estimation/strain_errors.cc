@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plastron::estimation {
@@ -27,7 +28,9 @@ Resultants contravariant(const Resultants& in_axes, const SurfaceAxes& axes, con
 
 /// Of the patches' polynomials. A patch is twice as wide as a cell, so that a polynomial of the elements' degree k is worse there than
 /// the element by 2^k times the ratio of successive coefficients: on meshes that matter higher degrees need more.
-int patch_degree(const fem::Space& space) { return space.degree < 3 ? space.degree : space.degree + space.degree / 2; }
+int patch_degree(const fem::Space& space) {
+  return space.degree < 3 ? space.degree : std::min(space.degree + space.degree / 2, recovery::Patches::most_degree);
+}
 
 /// Takes the errors of a field's strains in one cell after the other.
 class StrainErrorsOf {

@@ -15,8 +15,7 @@ struct Finding {
   std::string text;
 };
 
-/// Everything found, errors included; a problem with errors is not to be solved. Every rank examines the whole problem
-/// for itself and finds the same.
+/// Everything found, errors included; a problem with errors is not to be solved. Communicates with nobody: one rank may examine for all.
 std::vector<Finding> examine(const computation::Problem& problem);
 
 bool has_errors(const std::vector<Finding>& findings);

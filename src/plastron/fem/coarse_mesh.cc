@@ -67,7 +67,9 @@ struct Mesher {
   CoarseMesh operator()(const Disk& d) const { return of_shape(shape, disk_mesh(d)); }
   CoarseMesh operator()(const Annulus& d) const { return of_shape(shape, mesh_annulus(d)); }
   CoarseMesh operator()(const Polygon& d) const { return mesh_polygon(d, shape); }
-  CoarseMesh operator()(const MeshFile& d) const { return read_mesh_file(d, shape); }
+  CoarseMesh operator()(const MeshFile& d) const {
+    return d.mesh && d.mesh->shape == shape ? *d.mesh : read_mesh_file(d, shape);
+  }
 };
 
 }  // namespace

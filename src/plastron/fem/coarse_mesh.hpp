@@ -36,7 +36,7 @@ struct CoarseMesh {
 /// domain are its quadrilaterals cut crosswise, polygons apart.
 CoarseMesh coarse_mesh(const Domain& domain, Shape shape);
 
-/// The .msh part of coarse_mesh. Among triangles, quadrilaterals of the file are cut crosswise.
+/// The .msh part of coarse_mesh, from the file whether or not it was read before. Among triangles, quadrilaterals of the file are cut crosswise.
 CoarseMesh read_mesh_file(const MeshFile& file, Shape shape);
 /// The polygon part of coarse_mesh: by Gmsh unless the polygon is a convex quadrilateral itself.
 CoarseMesh mesh_polygon(const Polygon& polygon, Shape shape);

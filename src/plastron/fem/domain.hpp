@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -10,6 +11,8 @@
 namespace plastron::fem {
 
 using Eigen::Vector2d;
+
+struct CoarseMesh;
 
 /// Boundaries: left, right, bottom, top (x min, x max, y min, y max).
 struct Rectangle {
@@ -40,6 +43,8 @@ struct Polygon {
 /// name the boundaries, physical surfaces the regions.
 struct MeshFile {
   std::string path;
+  std::shared_ptr<const CoarseMesh>
+      mesh{};  ///< what was read of it already (shared_mesh.hpp); without, coarse_mesh() reads the file
 };
 
 using Domain = std::variant<Rectangle, Disk, Annulus, Polygon, MeshFile>;

@@ -25,9 +25,10 @@ namespace {
 using DealVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
 /// p4est speaks on standard output unless told not to, once per process. A program of others may have started it: twice would be the end.
+/// Each process starts it by itself: one of them may have a mesh before the others, or alone.
 void silence_p4est() {
   [[maybe_unused]] static const bool once = [] {
-    if (sc_package_id < 0) sc_init(MPI_COMM_WORLD, 0, 0, nullptr, SC_LP_SILENT);
+    if (sc_package_id < 0) sc_init(MPI_COMM_SELF, 0, 0, nullptr, SC_LP_SILENT);
     if (p4est_package_id < 0) p4est_init(nullptr, SC_LP_SILENT);
     dealii::MultithreadInfo::set_thread_limit(1);
     return true;

@@ -1,5 +1,6 @@
 #include <plastron/recovery/patches.hpp>
 
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <Eigen/Cholesky>
@@ -102,6 +103,7 @@ Patches::Patches(const assembly::DiscreteShell& discrete, const std::vector<Cell
       terms_(Eigen::Index{degree + 1} * (degree + 2) / 2),
       vertices_(space_),
       candidates_(candidates()) {
+  PLASTRON_ASSERT(degree <= most_degree, degree, most_degree);
   find_planes(discrete, cells);
   decompose(normal_matrices(cells));
 }
@@ -193,21 +195,21 @@ void Patches::set_plane(algebra::LocalIndex vertex, std::span<const double> sum,
   plane.most = sum[Sum::edges] > 0 ? Kind::narrow : Kind::full;
 }
 
-Eigen::RowVectorXd Patches::basis(const Plane& plane, const Vector3d& position) const {
+Patches::Terms Patches::basis(const Plane& plane, const Vector3d& position) const {
   const Vector3d d = position - plane.position;
-  const int degree = degree_;
-  std::array<std::vector<double>, 2> chebyshev;
   const Eigen::Vector2d s = plane.to_square * Eigen::Vector2d(d.dot(plane.axes.t1), d.dot(plane.axes.t2));
+  std::array<std::array<double, most_degree + 1>, 2> chebyshev;
+  const auto degree = static_cast<std::size_t>(degree_);
   for (std::size_t a = 0; a < 2; ++a) {
     const double x = s[static_cast<Eigen::Index>(a)];
-    chebyshev[a] = {1, x};
-    for (int i = 2; i <= degree; ++i) chebyshev[a].push_back(2 * x * chebyshev[a].back() - *(chebyshev[a].end() - 2));
+    chebyshev[a][0] = 1;
+    chebyshev[a][1] = x;
+    for (std::size_t i = 2; i <= degree; ++i) chebyshev[a][i] = 2 * x * chebyshev[a][i - 1] - chebyshev[a][i - 2];
   }
-  Eigen::RowVectorXd row(terms_);
+  Terms row(terms_);
   Eigen::Index term = 0;
-  for (int i = 0; i <= degree; ++i)
-    for (int j = 0; i + j <= degree; ++j)
-      row[term++] = chebyshev[0][static_cast<std::size_t>(i)] * chebyshev[1][static_cast<std::size_t>(j)];
+  for (std::size_t i = 0; i <= degree; ++i)
+    for (std::size_t j = 0; i + j <= degree; ++j) row[term++] = chebyshev[0][i] * chebyshev[1][j];
   return row;
 }
 
@@ -224,7 +226,7 @@ algebra::Vector Patches::normal_matrices(const std::vector<CellResultants>& cell
       own.back() += 1;
       return;
     }
-    const Eigen::RowVectorXd row = basis(plane, cell.position[p]);
+    const Terms row = basis(plane, cell.position[p]);
     Eigen::Map<Eigen::MatrixXd>(own.data(), terms_, terms_) += row.transpose() * row;
   });
   matrices.accumulate_ghosts();

@@ -17,6 +17,9 @@ namespace plastron::recovery {
 
 class Patches {
  public:
+  static constexpr int most_degree = 12;  ///< of a polynomial: elements have up to 8
+  /// Values of its terms, kept where they are made: there are millions of them in an estimate.
+  using Terms = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, (most_degree + 1) * (most_degree + 2) / 2>;
   /// Ascending: `lower` ones have the elements' degree at least in both directions.
   enum class Kind { none, narrow, lower, full };
   /// Where the polynomial of a vertex lives: its tangent plane, with the square that the patch is in two oblique coordinates.
@@ -27,7 +30,7 @@ class Patches {
     Eigen::Matrix2d to_square;             ///< from lengths along them: (-1, 1)^2 is the patch [1/m]
   };
 
-  /// Of polynomials of this degree, fitted at the points of owned `cells`, whose values do not count (collective).
+  /// Of polynomials of this degree, `most_degree` at most, fitted at the points of owned `cells`, whose values do not count (collective).
   Patches(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells, int degree);
 
   Patches(const Patches&) = delete;
@@ -42,7 +45,7 @@ class Patches {
 
   Eigen::Index terms() const { return terms_; }  ///< of a polynomial
   /// The polynomials' basis: products of Chebyshev polynomials of a total degree up to that given.
-  Eigen::RowVectorXd basis(const Plane& plane, const Vector3d& position) const;
+  Terms basis(const Plane& plane, const Vector3d& position) const;
   /// Whether a point with these axes is near enough to the plane to belong to its patch.
   bool reaches(const Plane& plane, const SurfaceAxes& axes) const;
   /// Calls take(vertex, its plane, cell, number of the point) for each point of each cell round each vertex that may have a patch.

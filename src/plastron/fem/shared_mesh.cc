@@ -1,0 +1,84 @@
+#include <plastron/fem/shared_mesh.hpp>
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <memory>
+#include <type_traits>
+
+// How the parts of a coarse mesh are written into an archive, and read from it.
+namespace boost::serialization {
+
+template <class Archive>
+void serialize(Archive& archive, Eigen::Vector2d& x, unsigned) {
+  archive& x[0] & x[1];
+}
+
+/// Meshes of files have polynomials.
+template <class Archive>
+void serialize(Archive& archive, plastron::fem::ExactMap& map, unsigned) {
+  using namespace plastron::fem;
+  bool is_triangle = std::holds_alternative<TriangleLagrangeMap>(map);
+  archive& is_triangle;
+  if constexpr (Archive::is_loading::value) {
+    if (is_triangle)
+      map = TriangleLagrangeMap{};
+    else
+      map = LagrangeMap{};
+  }
+  std::visit(
+      [&](auto& polynomial) {
+        if constexpr (!std::is_same_v<decltype(polynomial), BlendedMap&>) archive& polynomial.order& polynomial.nodes;
+      },
+      map);
+}
+
+template <class Archive>
+void serialize(Archive& archive, plastron::fem::CoarseCell& cell, unsigned) {
+  auto& [map, origin, axes] = cell.map;
+  archive& cell.vertices& cell.region& map& origin& axes(0, 0) & axes(0, 1) & axes(1, 0) & axes(1, 1);
+}
+
+template <class Archive>
+void serialize(Archive& archive, plastron::fem::BoundaryEdge& edge, unsigned) {
+  archive& edge.vertices& edge.boundary;
+}
+
+template <class Archive>
+void serialize(Archive& archive, plastron::fem::CoarseMesh& mesh, unsigned) {
+  archive& mesh.shape& mesh.vertices& mesh.cells& mesh.edges& mesh.regions& mesh.boundaries;
+}
+
+}  // namespace boost::serialization
+
+namespace plastron::fem {
+
+namespace {
+
+/// Without cells where the file cannot be read.
+CoarseMesh read_if_possible(const MeshFile& file, Shape shape) {
+  try {
+    return read_mesh_file(file, shape);
+  } catch (const DomainError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+Domain with_shared_mesh(Domain domain, Shape shape, MPI_Comm comm) {
+  auto* file = std::get_if<MeshFile>(&domain);
+  if (!file) return domain;
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &ranks);
+  CoarseMesh mesh = rank == 0 ? read_if_possible(*file, shape) : CoarseMesh{};
+  if (ranks > 1) mesh = dealii::Utilities::MPI::broadcast(comm, mesh);
+  file->mesh = mesh.cells.empty() ? nullptr : std::make_shared<const CoarseMesh>(std::move(mesh));
+  return domain;
+}
+
+}  // namespace plastron::fem
