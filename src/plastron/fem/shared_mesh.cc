@@ -1,5 +1,7 @@
 #include <plastron/fem/shared_mesh.hpp>
 
+#include <plastron/algebra/agreement.hpp>
+
 #include <deal.II/base/mpi.h>
 
 #include <boost/serialization/array.hpp>
@@ -75,7 +77,7 @@ Domain with_shared_mesh(Domain domain, Shape shape, MPI_Comm comm) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
-  CoarseMesh mesh = rank == 0 ? read_if_possible(*file, shape) : CoarseMesh{};
+  auto mesh = algebra::in_agreement(comm, [&] { return rank == 0 ? read_if_possible(*file, shape) : CoarseMesh{}; });
   if (ranks > 1) mesh = dealii::Utilities::MPI::broadcast(comm, mesh);
   file->mesh = mesh.cells.empty() ? nullptr : std::make_shared<const CoarseMesh>(std::move(mesh));
   return domain;
