@@ -1,8 +1,8 @@
-# plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification|slow RANKS 1 2 ...
+# plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification|slow RANKS 1 2 ... QUICK_RANKS 1|2
 #               SEPARATE files that are compiled by themselves)
 #
 # A GoogleTest program. With RANKS it is run once under mpirun for every count, and the count is in the test's name. Of a quick program
-# the runs on one and two ranks are quick, those on more are verification: on two cores they take many times as long. With the
+# the runs on up to QUICK_RANKS ranks (2) are quick, those on more are verification: on two cores they take many times as long. With the
 # sanitizers two ranks are the most: three take minutes.
 include(GoogleTest)
 find_package(GTest REQUIRED)
@@ -36,9 +36,12 @@ function(plastron_run_test test program ranks)
 endfunction()
 
 function(plastron_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;QUICK_RANKS" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL quick)
+  endif()
+  if(NOT ARG_QUICK_RANKS)
+    set(ARG_QUICK_RANKS 2)
   endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 600)
@@ -66,7 +69,7 @@ function(plastron_test name)
   endif()
   foreach(ranks IN LISTS ARG_RANKS)
     set(label ${ARG_LABEL})
-    if(ranks GREATER 2)
+    if(ranks GREATER ARG_QUICK_RANKS)
       set(label verification)
     endif()
     add_test(NAME ${name}.ranks=${ranks} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${name}>)

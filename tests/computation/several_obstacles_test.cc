@@ -9,14 +9,14 @@ namespace {
 
 using namespace test;
 
-constexpr double width = 0.125, e = 0.1;
+constexpr double width = 0.125, thick = 0.1;
 
 /// A strip of length 1 in plane strain, clamped at both ends, between the floor z = 0 and a ceiling; load in the z direction.
 Problem strip(const std::string& height, const std::string& load, double ceiling) {
   Problem p;
   p.domain = fem::Rectangle{.to = {1, width}, .cells = {8, 1}};
   p.charts = {{"", Chart({"x", "y", height}, {})}};
-  p.sections.common.thickness = Expression(e);
+  p.sections.common.thickness = Expression(thick);
   p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.supports = {clamped("left"), clamped("right")};
   for (const char* side : {"bottom", "top"})
@@ -81,14 +81,14 @@ Problem plate_on_rollers(const std::vector<double>& places, double radius) {
   Problem p;
   p.domain = fem::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
   p.charts = {{"", Chart({"x", "y", "0"}, {})}};
-  p.sections.common.thickness = Expression(e);
+  p.sections.common.thickness = Expression(thick);
   p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.supports = {held("left", {Direction::x, Direction::y}), in_plane("bottom"), in_plane("top")};
   p.area_loads = {force(0, 0, -1e-5)};
   for (const double x : places)
     p.obstacles.push_back(
         {.name = "roller at " + std::to_string(x),
-         .shape = obstacle::Cylinder{.point = {x, 0, -radius - e / 2}, .axis = {0, 1, 0}, .radius = radius}});
+         .shape = obstacle::Cylinder{.point = {x, 0, -radius - thick / 2}, .axis = {0, 1, 0}, .radius = radius}});
   p.discretisation = {.degree = 2, .refinements = 2};
   return p;
 }
