@@ -68,6 +68,17 @@ TEST(SharedMesh, OfAFileThatIsNoneIsLeftToWhoeverNeedsIt) {
   EXPECT_THROW(coarse_mesh(domain, Shape::quadrilateral), DomainError);
 }
 
+TEST(SharedMesh, IsLeftWhereItIsWhereRanksHaveDifferentDomains) {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  if (ranks == 1) GTEST_SKIP() << "there is no other rank";
+  const Domain mine = rank() == 0 ? Domain{file("two-regions-4.1.msh")} : Domain{Disk{}};
+  const Domain domain = with_shared_mesh(mine, Shape::quadrilateral, MPI_COMM_WORLD);
+  EXPECT_EQ(domain.index(), mine.index());
+  const auto* unread = std::get_if<MeshFile>(&domain);
+  EXPECT_EQ(unread ? unread->mesh : nullptr, nullptr);
+}
+
 TEST(SharedMesh, IsNothingToDomainsThatAreNotRead) {
   const Domain domain = with_shared_mesh(Disk{.centre = {1, 2}, .radius = 3}, Shape::quadrilateral, MPI_COMM_WORLD);
   EXPECT_EQ(std::get<Disk>(domain).radius, 3);

@@ -27,7 +27,7 @@ fem::MeshSequence::Finish joining(const Problem& problem) {
 }
 
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {
-  // Every rank reads the mesh file by itself, and may find another one or none.
+  // A mesh file that was not shared before is read by every rank for itself, and one may find another or none.
   auto coarse = algebra::in_agreement<fem::DomainError>(comm, [&] { return start_mesh(problem).coarse; });
   return {std::move(coarse), problem.discretisation.degree, comm, joining(problem)};
 }

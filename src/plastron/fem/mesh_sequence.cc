@@ -64,7 +64,7 @@ double weighed_coordinates(const CoarseMesh& mesh) {
   return sum;
 }
 
-// Every rank makes or reads the mesh by itself. Ranks with different ones would wait for each other for ever, or compute nonsense.
+// Every rank makes its mesh, and may read it, by itself. Ranks with different ones would wait for each other for ever, or compute nonsense.
 void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
   constexpr double rounding = 1e-10;
   const auto spread = [&](double mine) {
@@ -75,7 +75,7 @@ void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
   const bool differ_in_place = spread(weighed_coordinates(mesh)) > rounding;
   if (differ_in_shape || differ_in_place)
     throw DomainError(
-        "the processes of this job have different meshes; each reads the mesh file by itself: give all the same file");
+        "the processes of this job have different meshes: give all of them the same case and the same mesh file");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <plastron/fem/shared_mesh.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/vector.hpp>
 
 #include <deal.II/base/mpi.h>
 
@@ -73,7 +74,7 @@ CoarseMesh read_if_possible(const MeshFile& file, Shape shape) {
 
 Domain with_shared_mesh(Domain domain, Shape shape, MPI_Comm comm) {
   auto* file = std::get_if<MeshFile>(&domain);
-  if (!file) return domain;
+  if (algebra::min_over_ranks(file ? 1 : 0, comm) == 0) return domain;  // of all, unless their cases differ
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);

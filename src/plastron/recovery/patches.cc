@@ -1,6 +1,5 @@
 #include <plastron/recovery/patches.hpp>
 
-#include <plastron/algebra/assertion.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <Eigen/Cholesky>
@@ -9,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "vertex_entry.hpp"
@@ -103,7 +104,9 @@ Patches::Patches(const assembly::DiscreteShell& discrete, const std::vector<Cell
       terms_(Eigen::Index{degree + 1} * (degree + 2) / 2),
       vertices_(space_),
       candidates_(candidates()) {
-  PLASTRON_ASSERT(degree <= most_degree, degree, most_degree);
+  if (degree > most_degree)
+    throw std::invalid_argument("patches of degree " + std::to_string(degree) + ": " + std::to_string(most_degree) +
+                                " is the most");
   find_planes(discrete, cells);
   decompose(normal_matrices(cells));
 }

@@ -30,7 +30,7 @@ class Patches {
     Eigen::Matrix2d to_square;             ///< from lengths along them: (-1, 1)^2 is the patch [1/m]
   };
 
-  /// Of polynomials of this degree, `most_degree` at most, fitted at the points of owned `cells`, whose values do not count (collective).
+  /// Of polynomials of this degree, `most_degree` at most (std::invalid_argument), fitted at the points of owned `cells`, whose values do not count (collective).
   Patches(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells, int degree);
 
   Patches(const Patches&) = delete;
