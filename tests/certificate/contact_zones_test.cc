@@ -1,9 +1,10 @@
-// The contact report of patterns that are given: nodes touch where a function of the place is negative, and the gap opens with its
-// square elsewhere. Zones, their sums and their boundaries are known then. What all ranks find together is what one finds alone.
+// The contact report of patterns that are given: nodes touch where a function of the place is negative, and the gap opens elsewhere as
+// bending has it. Zones, their sums and their boundaries are known then. What all ranks find together is what one finds alone.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/certificate/contact_zones.hpp>
+#include <plastron/certificate/gap_opening.hpp>
 #include <plastron/fem/join.hpp>
 #include <plastron/fem/ties.hpp>
 
@@ -20,7 +21,7 @@ namespace {
 using testing::ElementsAre;
 using Pattern = std::function<double(const Vector3d&)>;  ///< of phi: negative where the obstacle is touched [m]
 
-constexpr double thickness = 0.1, opening = 0.7;  // gap = opening times distance^2 [1/m]
+constexpr double thickness = 0.1, opening = 0.7;  // gap = opening times s^2 (3 delta + s) [1/m^2]
 
 struct Scene {
   fem::Rectangle domain{.to = {2, 1}, .cells = {16, 8}};
@@ -45,6 +46,11 @@ struct Given {
   std::unique_ptr<assembly::DiscreteShell> discrete;
   NodalSolution nodal;
 };
+
+double opened(double distance) {
+  const auto sections = test::steel_of(geometry::Expression(thickness));
+  return opening * distance * distance * (3 * shear_length(sections.common.material, thickness) + distance);
+}
 
 std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, const Element& element, MPI_Comm comm) {
   const auto coarse = fem::coarse_mesh(scene.domain, element.shape);
@@ -73,7 +79,7 @@ Given given(const Scene& scene, const Element& element, MPI_Comm comm) {
     for (std::size_t k = 0; k < block; ++k) {
       const obstacle::Gap& gap = g.discrete->coordinates.gaps[k][i];
       const double distance = scene.patterns[k](p.phi);
-      if (k == 0) u = gap.normal * (opening * std::pow(std::max(distance, 0.0), 2) - gap.initial);
+      if (k == 0) u = gap.normal * (opened(std::max(distance, 0.0)) - gap.initial);
       if (distance > 0 || p.weight == 0) continue;  // triangles of degree 2 have no bound at their vertices
       g.nodal.touching.local()[block * i + k] = 1;
       g.nodal.pressure.local()[block * i + k] = scene.pressure(p.phi);
@@ -187,8 +193,9 @@ TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
     EXPECT_TRUE(line.is_closed);
     EXPECT_FALSE(line.is_rim);
     EXPECT_LT((line.points.front().place - line.points.back().place).norm(), 1e-12);
-    EXPECT_LT(distance_from(discs[k], line), 0.15 * node_distance(GetParam()));
-    EXPECT_NEAR(line.length, 2 * std::numbers::pi * radius, 0.2 * radius);
+    const double coarse = GetParam().degree == 1 ? 3 : 1;  // some two nodes a radius
+    EXPECT_LT(distance_from(discs[k], line), coarse * 0.15 * node_distance(GetParam()));
+    EXPECT_NEAR(line.length, 2 * std::numbers::pi * radius, coarse * 0.3 * radius);
     EXPECT_NEAR(zones[k].area, std::numbers::pi * radius * radius, 2 * node_distance(GetParam()) * radius);
     for (const BoundaryPoint& p : line.points) EXPECT_NEAR(p.place[2], 0.3 - thickness / 2, 1e-14);
     // The pressure grows with x: so does the place of the peak, to the end of the disc.

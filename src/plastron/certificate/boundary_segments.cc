@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/certificate/certificate.hpp>
+#include <plastron/certificate/gap_opening.hpp>
 #include <plastron/certificate/sub_cells.hpp>
 #include <plastron/geometry/frame.hpp>
 
@@ -22,14 +23,23 @@ struct CellEnd {
 class Marching {
  public:
   Marching(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t obstacle,
-           const TouchingNodes& touching, const ZoneLabels& labels)
+           const TouchingNodes& touching, const ZoneLabels& labels, const GapOpening& opening)
       : discrete_(discrete),
         space_(discrete.space()),
         solution_(solution),
         gaps_(discrete.coordinates.gaps[obstacle]),
         touching_(touching),
         labels_(labels),
-        hangs_or_holds_(static_cast<std::size_t>(space_.layout->local_size()), 0) {
+        opening_(opening),
+        is_on_rim_(static_cast<std::size_t>(space_.layout->local_size()), 0),
+        rim_sides_(space_.cells.size(), 0),
+        hangs_or_holds_(is_on_rim_.size(), 0) {
+    for (const fem::BoundarySide& side : space_.sides) {
+      if (side.is_inner) continue;
+      rim_sides_[side.cell] |= 1U << side.side;
+      for (const int i : fem::side_nodes(space_.shape(), space_.degree, side.side))
+        is_on_rim_[static_cast<std::size_t>(space_.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
+    }
     for (const fem::Tie& tie : space_.ties) {
       if (tie.masters.size() < 2) continue;
       hangs_or_holds_[static_cast<std::size_t>(tie.node)] = 1;
@@ -109,16 +119,58 @@ class Marching {
     return some_more * (discrete_.points[i].phi - discrete_.points[j].phi).norm();
   }
 
-  /// How far from the touching node towards the other the end lies.
-  double share(const CellEnd& end) const {
-    return end.touching == end.other ? 0 : 1 - touching_.crossing(node(end.other), node(end.touching));
+  const Eigen::Vector2d& reference_point(int i) const {
+    return discrete_.shell.tables().nodes[static_cast<std::size_t>(i)];
   }
 
-  /// Height of the touching face over the mid-surface there.
-  double height(const CellEnd& end) const {
+  /// In the reference cell: first between the two nodes, by their gaps, then where free nodes on this side see the edge.
+  Eigen::Vector2d place(const CellEnd& end) const {
+    const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
+    if (end.touching == end.other) return a;
+    Eigen::Vector2d between = a + (1 - touching_.crossing(node(end.other), node(end.touching))) * (b - a);
+    geometry::SurfaceJet jet;
+    discrete_.shell.surface().jets(space_.cells[cell_], {&between, 1}, {&jet, 1}, false);
+    const auto way = opening_.way_to_edge(node(end.other), search(end, jet));
+    if (!way) return between;
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents << jet.d[0], jet.d[1];
+    const Eigen::Vector2d moved = between + tangents.colPivHouseholderQr().solve(*way);
+    return is_on_shell(moved) ? moved : between;
+  }
+
+  /// A point of the cell, or beside it across a side behind which the shell goes on.
+  bool is_on_shell(const Eigen::Vector2d& xi) const {
+    for (int side = 0; side < fem::corner_count(space_.shape()); ++side) {
+      const auto corners = fem::anticlockwise_corners(space_.shape(), side);
+      const Eigen::Vector2d a = fem::corner(space_.shape(), corners[0]), b = fem::corner(space_.shape(), corners[1]);
+      const Eigen::Vector2d along = b - a, way = xi - a;
+      constexpr double rounding = -1e-12;
+      if ((rim_sides_[cell_] >> side & 1U) != 0 && along[0] * way[1] - along[1] * way[0] < rounding) return false;
+    }
+    return true;
+  }
+
+  EdgeSearch search(const CellEnd& end, const geometry::SurfaceJet& jet) const {
+    const auto touching = static_cast<std::size_t>(node(end.touching)),
+               other = static_cast<std::size_t>(node(end.other));
+    EdgeSearch search{
+        .from = jet.value,
+        .axes = {},
+        .shear_length = shear_length(discrete_.shell.section(cell_).material, discrete_.points[other].thickness),
+        .inwards = discrete_.points[touching].phi - discrete_.points[other].phi};
+    search.axes.col(0) = jet.d[0].normalized();
+    search.axes.col(1) = geometry::unit_normal(jet).cross(search.axes.col(0));
+    if (is_on_rim_[touching] && is_on_rim_[other]) search.along = search.axes.transpose() * search.inwards.normalized();
+    return search;
+  }
+
+  /// Height of the touching face over the mid-surface at a point of the cell.
+  double height(const CellEnd& end, const Eigen::Vector2d& xi) const {
     const double z = gaps_[static_cast<std::size_t>(node(end.touching))].z,
                  other = gaps_[static_cast<std::size_t>(node(end.other))].z;
-    return z * other > 0 ? z + share(end) * (other - z) : z;
+    if (end.touching == end.other || z * other <= 0) return z;
+    const Eigen::Vector2d way = reference_point(end.other) - reference_point(end.touching);
+    return z + way.dot(xi - reference_point(end.touching)) / way.squaredNorm() * (other - z);
   }
 
   /// Evaluates shell and displacement at the ends of the segments that the present cell has added.
@@ -126,12 +178,7 @@ class Marching {
     if (new_ends_.empty()) return;
     const fem::Cell& cell = space_.cells[cell_];
     std::vector<Eigen::Vector2d> xi;
-    for (const CellEnd& end : new_ends_) {
-      const auto& nodes = discrete_.shell.tables().nodes;
-      const Eigen::Vector2d &a = nodes[static_cast<std::size_t>(end.touching)],
-                            &b = nodes[static_cast<std::size_t>(end.other)];
-      xi.emplace_back(a + share(end) * (b - a));
-    }
+    for (const CellEnd& end : new_ends_) xi.push_back(place(end));
     std::vector<geometry::SurfaceJet> jets(xi.size());
     std::vector<double> x(xi.size()), y(xi.size());
     discrete_.shell.surface().jets(cell, xi, jets, false);
@@ -141,7 +188,7 @@ class Marching {
     const std::size_t first = segments_.size() - new_ends_.size() / 2;
     for (std::size_t i = 0; i < new_ends_.size(); ++i) {
       const auto row = moved.row(static_cast<Eigen::Index>(i));
-      const double z = height(new_ends_[i]);
+      const double z = height(new_ends_[i], xi[i]);
       segments_[first + i / 2].ends[i % 2].point = {
           .x = {x[i], y[i]},
           .place = jets[i].value + z * geometry::unit_normal(jets[i]),
@@ -156,6 +203,9 @@ class Marching {
   const std::vector<obstacle::Gap>& gaps_;
   const TouchingNodes& touching_;
   const ZoneLabels& labels_;
+  const GapOpening& opening_;
+  std::vector<char> is_on_rim_;       ///< of local nodes
+  std::vector<unsigned> rim_sides_;   ///< of cells, a bit each
   std::vector<char> hangs_or_holds_;  ///< a node hangs, or others hang on it
   std::size_t cell_ = 0;
   std::vector<Segment> segments_{};
@@ -195,8 +245,9 @@ Segment unpacked(const double* n) {
 std::vector<Segment> boundary_segments(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                        std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels) {
   const MPI_Comm comm = discrete.space().layout->comm;
+  const GapOpening opening(discrete, touching);
   const std::vector<Segment> mine =
-      algebra::in_agreement(comm, [&] { return Marching(discrete, solution, obstacle, touching, labels)(); });
+      algebra::in_agreement(comm, [&] { return Marching(discrete, solution, obstacle, touching, labels, opening)(); });
   std::vector<double> numbers;
   numbers.reserve(mine.size() * numbers_per_segment);
   for (const Segment& segment : mine) pack(segment, numbers);

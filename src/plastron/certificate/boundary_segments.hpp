@@ -2,6 +2,7 @@
 // (marching squares and triangles), and the parts of the shell's rim that zones reach.
 #pragma once
 #include <plastron/certificate/contact_zone.hpp>
+#include <plastron/certificate/touching_nodes.hpp>
 #include <plastron/certificate/zone_labels.hpp>
 
 #include <array>

@@ -111,7 +111,7 @@ void find_peaks(const assembly::DiscreteShell& discrete, const NodalSolution& so
 std::vector<ContactZone> zones_of(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                   std::size_t obstacle, double size) {
   const TouchingNodes touching(discrete, solution, obstacle);
-  const ZoneLabels labels = zone_labels(discrete.space(), touching);
+  const ZoneLabels labels = zone_labels(discrete.space(), touching.inside());
   std::vector<ContactZone> zones = zone_totals(discrete, solution, obstacle, labels);
   find_peaks(discrete, solution, obstacle, labels, size, zones);
   std::vector<std::vector<Segment>> segments(zones.size());

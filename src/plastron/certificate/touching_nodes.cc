@@ -1,8 +1,7 @@
 #include <plastron/certificate/touching_nodes.hpp>
 
 #include <plastron/certificate/certificate.hpp>
-#include <plastron/certificate/sub_cells.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/certificate/node_neighbours.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <algorithm>
@@ -13,27 +12,6 @@ namespace plastron::certificate {
 namespace {
 
 using algebra::LocalIndex;
-
-/// Calls visit(a, b) for the sides of all sub-cells of owned cells, in both directions.
-template <class Visit>
-void for_neighbours(const fem::Space& space, Visit&& visit) {
-  const auto subs = sub_cells(space.shape(), space.degree);
-  for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const auto nodes = space.nodes(c);
-    for (const SubCell& sub : subs)
-      for (std::size_t i = 0; i < sub.size(); ++i)
-        for (std::size_t j = 0; j < sub.size(); ++j)
-          if (i != j) visit(nodes[static_cast<std::size_t>(sub[i])], nodes[static_cast<std::size_t>(sub[j])]);
-  }
-}
-
-/// Sums of all ranks at every local node.
-void make_whole(const fem::Space& space, algebra::Vector& sums) {
-  sums.accumulate_ghosts();
-  fem::collect(space, sums);
-  sums.update_ghosts();
-  fem::spread(space, sums);
-}
 
 /// The solution of A x = b in the directions that A knows: neighbours lie on a surface, some on a line.
 Vector3d least_solution(const Eigen::Matrix3d& A, const Vector3d& b) {

@@ -3,9 +3,8 @@
 //
 // Gap and slope vanish at the edge of a zone and the curvature jumps there (docs/model.md, section 6), so outside the root of the gap
 // is linear in the distance from the edge. At a free node a plane is put through the roots of its free neighbours; touching nodes
-// have the mean of the planes of their free neighbours, which is negative, and the edge is where the root is zero. Where the shell is
-// thin the gap opens like a cube a little farther out; its third root is worse all the same
-// (tests/verification/contact_boundary_test.cc). Vertices of triangles of degree 2 have no bound (M21: their nodal weight is 0): they
+// have the mean of the planes of their free neighbours, which is negative, and the edge is about where the root is zero; gap_opening.hpp
+// finds it from there. Vertices of triangles of degree 2 have no bound (M21: their nodal weight is 0): they
 // count as touching where most of their neighbours touch.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
@@ -28,6 +27,8 @@ class TouchingNodes {
 
   /// Of a local node.
   bool operator[](algebra::LocalIndex node) const { return inside_[static_cast<std::size_t>(node)] != 0; }
+  /// 1 or 0 of local nodes.
+  std::span<const char> inside() const { return inside_; }
   /// The root of the gap at local nodes, continued with negative values to touching nodes at the zone's edge; 0 farther inside [m^1/2].
   std::span<const double> roots() const { return root_; }
   /// Where the edge of the zone crosses the line from a free node to a touching one: 0 at the free, 1 at the touching node.

@@ -32,7 +32,7 @@ class DisjointSets {
 };
 
 /// The components that this rank's own cells show, by local node.
-DisjointSets local_components(const fem::Space& space, const TouchingNodes& touching) {
+DisjointSets local_components(const fem::Space& space, std::span<const char> inside) {
   DisjointSets sets(static_cast<std::size_t>(space.layout->local_size()));
   const auto subs = sub_cells(space.shape(), space.degree);
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
@@ -41,16 +41,17 @@ DisjointSets local_components(const fem::Space& space, const TouchingNodes& touc
       algebra::LocalIndex first = -1;
       for (const int corner : sub) {
         const algebra::LocalIndex node = nodes[static_cast<std::size_t>(corner)];
-        if (!touching[node]) continue;
+        if (!inside[static_cast<std::size_t>(node)]) continue;
         if (first < 0) first = node;
         sets.unite(static_cast<std::size_t>(first), static_cast<std::size_t>(node));
       }
     }
   }
   for (const fem::Tie& tie : space.ties)
-    for (const auto& [master, weight] : tie.masters)
-      if (touching[tie.node] && touching[master])
-        sets.unite(static_cast<std::size_t>(tie.node), static_cast<std::size_t>(master));
+    for (const auto& [master, weight] : tie.masters) {
+      const auto i = static_cast<std::size_t>(tie.node), j = static_cast<std::size_t>(master);
+      if (inside[i] && inside[j]) sets.unite(i, j);
+    }
   return sets;
 }
 
@@ -77,10 +78,10 @@ SameNames same_names(std::span<const double> pairs, MPI_Comm comm) {
 
 }  // namespace
 
-ZoneLabels zone_labels(const fem::Space& space, const TouchingNodes& touching) {
+ZoneLabels zone_labels(const fem::Space& space, std::span<const char> inside) {
   const algebra::Layout& layout = *space.layout;
   const auto count = static_cast<std::size_t>(layout.local_size());
-  DisjointSets sets = local_components(space, touching);
+  DisjointSets sets = local_components(space, inside);
   // A component is named after one of its nodes; where a rank sees a node by another name than its owner, two names are one.
   algebra::Vector owners(space.layout, 1);
   std::vector<double> mine(count), pairs;
@@ -89,8 +90,7 @@ ZoneLabels zone_labels(const fem::Space& space, const TouchingNodes& touching) {
   owners.update_ghosts();
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_ghost = i >= static_cast<std::size_t>(layout.owned);
-    if (touching[static_cast<algebra::LocalIndex>(i)] && (is_ghost || sets.of(i) == i))
-      pairs.insert(pairs.end(), {mine[i], owners.local()[i]});
+    if (inside[i] && (is_ghost || sets.of(i) == i)) pairs.insert(pairs.end(), {mine[i], owners.local()[i]});
   }
   SameNames same = same_names(pairs, layout.comm);
 
@@ -99,7 +99,7 @@ ZoneLabels zone_labels(const fem::Space& space, const TouchingNodes& touching) {
   for (std::size_t k = 0; k < number.size(); ++k)
     if (same.sets.of(k) == k) number[k] = labels.count++;
   for (std::size_t i = 0; i < count; ++i)
-    if (touching[static_cast<algebra::LocalIndex>(i)]) labels.of_node[i] = number[same.set_of(mine[i])];
+    if (inside[i]) labels.of_node[i] = number[same.set_of(mine[i])];
   return labels;
 }
 

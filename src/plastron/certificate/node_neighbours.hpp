@@ -1,0 +1,29 @@
+// Nodes that are corners of one sub-cell, and sums over them.
+#pragma once
+#include <plastron/certificate/sub_cells.hpp>
+#include <plastron/fem/ties.hpp>
+
+namespace plastron::certificate {
+
+/// Calls visit(a, b) for every two corners of all sub-cells of owned cells, in both orders.
+template <class Visit>
+void for_neighbours(const fem::Space& space, Visit&& visit) {
+  const auto subs = sub_cells(space.shape(), space.degree);
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    const auto nodes = space.nodes(c);
+    for (const SubCell& sub : subs)
+      for (std::size_t i = 0; i < sub.size(); ++i)
+        for (std::size_t j = 0; j < sub.size(); ++j)
+          if (i != j) visit(nodes[static_cast<std::size_t>(sub[i])], nodes[static_cast<std::size_t>(sub[j])]);
+  }
+}
+
+/// What each rank's own cells have added up becomes the sum of all ranks at every local node (collective).
+inline void make_whole(const fem::Space& space, algebra::Vector& sums) {
+  sums.accumulate_ghosts();
+  fem::collect(space, sums);
+  sums.update_ghosts();
+  fem::spread(space, sums);
+}
+
+}  // namespace plastron::certificate
