@@ -85,7 +85,7 @@ TEST(EstimatedEnergy, KnowsOfTheShearLayerOfFreeEdges) {
 }
 
 // The edge of the contact zone crosses cells at random: true errors go through zero, estimates do not.
-TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmall) {
+TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmallOrTooLarge) {
   int all = 0, too_small = 0, too_large = 0;
   for (const std::string& name : contact_reference_names())
     for (const auto& [degree, refinements] : {std::pair{2, 3}, {3, 2}, {4, 2}}) {
@@ -98,12 +98,12 @@ TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmall) {
         const double ratio = goal.error() / std::abs(goal.value - exact);
         ++all;
         too_small += ratio < 0.3 ? 1 : 0;
-        too_large += ratio > 30 ? 1 : 0;
+        too_large += ratio > 15 ? 1 : 0;
         EXPECT_LT(goal.error(), 0.1 * std::abs(goal.value)) << name;
       }
     }
   EXPECT_EQ(all, 60);
-  EXPECT_LE(too_small, all / 10);
+  EXPECT_LE(too_small, all / 20);
   EXPECT_LE(too_large, all / 10);
 }
 
@@ -123,6 +123,12 @@ void expect_accuracy(computation::Problem problem, double exact, std::int64_t mo
 TEST(Accuracy, OfACapTakesFewerUnknownsThanMeshesThatOvershoot) {
   const ContactReference cap = contact_reference("R4cap_e0.02_p0.002", 4, 0);
   expect_accuracy(cap.problem, cap.energy / cap.factor, 15000);
+}
+
+/// Errors of cells along a round edge of contact cancel; their sum without signs was taken for the error and cost twice the unknowns.
+TEST(Accuracy, OfARoundContactZoneIsNotTakenForTheSumOfAllItsCells) {
+  const ContactReference plate = contact_reference("R3_e0.01_P0.5", 4, 0);
+  expect_accuracy(plate.problem, plate.energy / plate.factor, 11000);
 }
 
 /// With rows of thin oblique cells at its edges: all have patches, at high degrees too, and none is divided for want of one.

@@ -42,6 +42,7 @@ TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const Noda
     place_.push_back(discrete.points[i].phi);
   }
   judge_nodes_without_bound(discrete);
+  take_in_lifted_nodes(discrete);
   fit_slopes(discrete);
   continue_roots(discrete);
 }
@@ -67,6 +68,25 @@ void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& dis
     if (has_bound(static_cast<LocalIndex>(i))) continue;
     const bool is_closed = s[0] == s[1] && s[1] * root_[i] <= closed * s[2];
     inside_[i] = s[0] > s[1] || is_closed ? 1 : 0;
+  }
+}
+
+void TouchingNodes::take_in_lifted_nodes(const assembly::DiscreteShell& discrete) {
+  constexpr int block = 2;      // neighbours, free ones
+  constexpr double most = 0.2;  // of the neighbours, those across a side counted twice
+  const fem::Space& space = discrete.space();
+  for (int pass = 0; pass < 2; ++pass) {
+    algebra::Vector sums(space.layout, block);
+    for_neighbours(space, [&](LocalIndex a, LocalIndex b) {
+      double* s = sums.local().data() + static_cast<std::size_t>(a) * block;
+      s[0] += 1;
+      s[1] += (*this)[b] ? 0 : 1;
+    });
+    make_whole(space, sums);
+    for (std::size_t i = 0; i < inside_.size(); ++i) {
+      const double* s = sums.local().data() + i * block;
+      if (s[1] <= most * s[0]) inside_[i] = 1;
+    }
   }
 }
 

@@ -36,6 +36,8 @@ class TouchingNodes {
 
  private:
   void judge_nodes_without_bound(const assembly::DiscreteShell& discrete);
+  /// Single free nodes among touching ones: elements wider than the layer at the edge lift them off behind it.
+  void take_in_lifted_nodes(const assembly::DiscreteShell& discrete);
   void fit_slopes(const assembly::DiscreteShell& discrete);
   void continue_roots(const assembly::DiscreteShell& discrete);
 

@@ -21,6 +21,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
       }
       if (touching == 0 || touching == bounded) continue;
       crossed_.push_back(cell);
+      touching_nodes_.push_back(touching);
       break;
     }
 }

@@ -16,6 +16,9 @@ class ContactEdge {
 
   /// Owned cells in which some nodes touch an obstacle and some do not, ascending.
   const std::vector<std::size_t>& crossed() const { return crossed_; }
+  /// How many nodes of each of those touch. Where between nodes the edge lies decides about the sign of what it adds: cells of one number err
+  /// to the same side, as all cells along a straight edge do, others by chance.
+  const std::vector<std::size_t>& touching_nodes() const { return touching_nodes_; }
   /// The larger of both terms in each crossed cell, without its sign; `y` are the Cartesian values of z (collective).
   std::vector<double> shares(const Derivative& derivative, const algebra::Vector& z, const algebra::Vector& y) const;
 
@@ -30,7 +33,7 @@ class ContactEdge {
 
   const Solved& solved_;
   std::vector<double> eta_{};
-  std::vector<std::size_t> crossed_{};
+  std::vector<std::size_t> crossed_{}, touching_nodes_{};
   Eigen::MatrixXd reaction_basis_;
 };
 

@@ -17,6 +17,14 @@ double over_ranks(const std::vector<double>& cells, MPI_Comm comm) {
   return algebra::sum_over_ranks(std::accumulate(cells.begin(), cells.end(), 0.0), comm);
 }
 
+/// Of the sums over all ranks of each entry, as for independent errors.
+double root_of_squares(const std::vector<double>& mine, MPI_Comm comm) {
+  const std::vector<double> all = algebra::gather_over_ranks(mine, comm);
+  std::vector<double> sums(mine.size(), 0);
+  for (std::size_t i = 0; i < all.size(); ++i) sums[i % sums.size()] += all[i];
+  return std::sqrt(std::inner_product(sums.begin(), sums.end(), sums.begin(), 0.0));
+}
+
 /// What the dual z says of J(u) - J(u_h), cell by cell: int e_u : C : e_z less what tying takes from either.
 void add_dual_shares(const assembly::ShellOperator& shell, const AllErrors& u, const AllErrors& z,
                      std::vector<double>& cells) {
@@ -82,17 +90,16 @@ class GoalEstimator {
 
   /// Where the edge of a contact zone crosses a cell, nothing there has a sign that is known.
   void sum_up(const std::vector<double>& at_edge, GoalEstimate& result) const {
-    std::vector<double> smooth = result.cells;
-    double edge = 0;
+    const fem::Space& space = solved_.discrete.space();
+    std::vector<double> smooth = result.cells, edge(static_cast<std::size_t>(space.nodes_per_cell()) + 1, 0);
     for (std::size_t i = 0; i < at_edge.size(); ++i) {
       const std::size_t cell = edge_.crossed()[i];
       smooth[cell] = 0;
       result.cells[cell] = std::max(std::abs(result.cells[cell]), at_edge[i]);
-      edge += result.cells[cell];
+      edge[edge_.touching_nodes()[i]] += result.cells[cell];
     }
-    const MPI_Comm comm = solved_.discrete.space().layout->comm;
-    result.estimate = over_ranks(smooth, comm);
-    result.contact_edge = algebra::sum_over_ranks(edge, comm);
+    result.estimate = over_ranks(smooth, space.layout->comm);
+    result.contact_edge = root_of_squares(edge, space.layout->comm);
   }
 
   const Solved& solved_;
