@@ -221,6 +221,20 @@ TEST_P(ContactZones, OfARingIsOneBetweenTwoClosedLines) {
   EXPECT_EQ(zones[0].rim_length(), 0);
 }
 
+TEST_P(ContactZones, TakeInASingleNodeThatLiftsOffAndShowAHole) {
+  const auto hole = [](double radius) {
+    return [=](const Vector3d& phi) { return radius - std::hypot(phi[0] - 1, phi[1] - 0.5); };
+  };
+  const auto lifted = zones_of(hole(0.01), GetParam()), open = zones_of(hole(0.3), GetParam());
+  ASSERT_EQ(lifted.size(), 1U);
+  ASSERT_EQ(lifted[0].lines.size(), 1U);
+  EXPECT_TRUE(lifted[0].lines[0].is_rim);
+  ASSERT_EQ(open.size(), 1U);
+  ASSERT_EQ(open[0].lines.size(), 2U);
+  EXPECT_TRUE(open[0].lines[0].is_closed);
+  EXPECT_FALSE(open[0].lines[0].is_rim);
+}
+
 TEST_P(ContactZones, OfAWholePlateIsOneWithTheRimAroundIt) {
   const auto zones = zones_of([](const Vector3d&) { return -1.0; }, GetParam());
   ASSERT_EQ(zones.size(), 1U);

@@ -76,7 +76,7 @@ TEST_P(ContactBoundary, LiesWithinAThirdOfTheDistanceOfNodesFromTheReference) {
   double sum = 0;
   int count = 0;
   for (const std::string& name : contact_reference_names()) {
-    // Nothing touches; single nodes lift off behind the boundary of the thin plate (verification_contact, ThinPlate).
+    // Nothing touches; groups of nodes lift off behind the boundary of the thin plate (verification_contact, ThinPlate).
     if (name == "R1_e0.1_P0.2" || name == "R3_e0.01_P0.5") continue;
     const BoundaryError error = boundary_error(name, GetParam());
     EXPECT_LT(error.largest, 1.0 / 3) << name;

@@ -19,6 +19,8 @@ struct CellEnd {
   int touching, other;
 };
 
+constexpr double rounding = 1e-12;  // in reference cells
+
 /// The segments of this rank's cells.
 class Marching {
  public:
@@ -31,15 +33,10 @@ class Marching {
         touching_(touching),
         labels_(labels),
         opening_(opening),
-        is_on_rim_(static_cast<std::size_t>(space_.layout->local_size()), 0),
-        rim_sides_(space_.cells.size(), 0),
-        hangs_or_holds_(is_on_rim_.size(), 0) {
-    for (const fem::BoundarySide& side : space_.sides) {
-      if (side.is_inner) continue;
-      rim_sides_[side.cell] |= 1U << side.side;
-      for (const int i : fem::side_nodes(space_.shape(), space_.degree, side.side))
-        is_on_rim_[static_cast<std::size_t>(space_.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
-    }
+        borders_(space_.cells.size(), 0),
+        hangs_or_holds_(static_cast<std::size_t>(space_.layout->local_size()), 0) {
+    for (const auto* sides : {&space_.sides, &space_.twin_sides})
+      for (const fem::BoundarySide& side : *sides) borders_[side.cell] |= 1U << side.side;
     for (const fem::Tie& tie : space_.ties) {
       if (tie.masters.size() < 2) continue;
       hangs_or_holds_[static_cast<std::size_t>(tie.node)] = 1;
@@ -113,7 +110,7 @@ class Marching {
 
   /// Of an end between two nodes that hang or that others hang on: some more than their distance.
   double reach(LocalIndex a, LocalIndex b) const {
-    constexpr double some_more = 1.5;
+    constexpr double some_more = 2;
     const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
     if (!hangs_or_holds_[i] || !hangs_or_holds_[j]) return 0;
     return some_more * (discrete_.points[i].phi - discrete_.points[j].phi).norm();
@@ -128,39 +125,53 @@ class Marching {
     const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
     if (end.touching == end.other) return a;
     Eigen::Vector2d between = a + (1 - touching_.crossing(node(end.other), node(end.touching))) * (b - a);
-    geometry::SurfaceJet jet;
-    discrete_.shell.surface().jets(space_.cells[cell_], {&between, 1}, {&jet, 1}, false);
-    const auto way = opening_.way_to_edge(node(end.other), search(end, jet));
-    if (!way) return between;
+    const geometry::SurfaceJet jet = jet_at(between);
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << jet.d[0], jet.d[1];
+    const auto way = opening_.way_to_edge(node(end.other), search(end, jet, tangents));
+    if (!way) return between;
     const Eigen::Vector2d moved = between + tangents.colPivHouseholderQr().solve(*way);
-    return is_on_shell(moved) ? moved : between;
+    if (!is_beside_no_border(moved)) return between;
+    constexpr double curved = 0.1;  // charts may end, or run away, a little outside of their cells
+    return (jet_at(moved).value - jet.value - *way).norm() <= curved * way->norm() ? moved : between;
   }
 
-  /// A point of the cell, or beside it across a side behind which the shell goes on.
-  bool is_on_shell(const Eigen::Vector2d& xi) const {
-    for (int side = 0; side < fem::corner_count(space_.shape()); ++side) {
-      const auto corners = fem::anticlockwise_corners(space_.shape(), side);
-      const Eigen::Vector2d a = fem::corner(space_.shape(), corners[0]), b = fem::corner(space_.shape(), corners[1]);
-      const Eigen::Vector2d along = b - a, way = xi - a;
-      constexpr double rounding = -1e-12;
-      if ((rim_sides_[cell_] >> side & 1U) != 0 && along[0] * way[1] - along[1] * way[0] < rounding) return false;
-    }
+  geometry::SurfaceJet jet_at(const Eigen::Vector2d& xi) const {
+    geometry::SurfaceJet jet;
+    discrete_.shell.surface().jets(space_.cells[cell_], {&xi, 1}, {&jet, 1}, false);
+    return jet;
+  }
+
+  /// Twice the area of the triangle that a side makes with a point: how far inside of the side it lies, 0 on it.
+  double inside_of(int side, const Eigen::Vector2d& xi) const {
+    const auto corners = fem::anticlockwise_corners(space_.shape(), side);
+    const Eigen::Vector2d a = fem::corner(space_.shape(), corners[0]), b = fem::corner(space_.shape(), corners[1]);
+    const Eigen::Vector2d along = b - a, way = xi - a;
+    return along[0] * way[1] - along[1] * way[0];
+  }
+  bool is_border(int side) const { return (borders_[cell_] >> side & 1U) != 0; }
+
+  /// Not farther outside of the cell than its nodes are apart, and not outside at all where the shell, a region or a smooth part ends.
+  bool is_beside_no_border(const Eigen::Vector2d& xi) const {
+    for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
+      if (inside_of(side, xi) < (is_border(side) ? -rounding : -1.0 / space_.degree)) return false;
     return true;
   }
 
-  EdgeSearch search(const CellEnd& end, const geometry::SurfaceJet& jet) const {
-    const auto touching = static_cast<std::size_t>(node(end.touching)),
-               other = static_cast<std::size_t>(node(end.other));
-    EdgeSearch search{
-        .from = jet.value,
-        .axes = {},
-        .shear_length = shear_length(discrete_.shell.section(cell_).material, discrete_.points[other].thickness),
-        .inwards = discrete_.points[touching].phi - discrete_.points[other].phi};
+  EdgeSearch search(const CellEnd& end, const geometry::SurfaceJet& jet,
+                    const Eigen::Matrix<double, 3, 2>& tangents) const {
+    const assembly::NodalPoint &touching = discrete_.points[static_cast<std::size_t>(node(end.touching))],
+                               &other = discrete_.points[static_cast<std::size_t>(node(end.other))];
+    EdgeSearch search{.from = jet.value,
+                      .axes = {},
+                      .shear_length = shear_length(discrete_.shell.section(cell_).material, other.thickness),
+                      .inwards = touching.phi - other.phi};
     search.axes.col(0) = jet.d[0].normalized();
     search.axes.col(1) = geometry::unit_normal(jet).cross(search.axes.col(0));
-    if (is_on_rim_[touching] && is_on_rim_[other]) search.along = search.axes.transpose() * search.inwards.normalized();
+    const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
+    for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
+      if (is_border(side) && std::abs(inside_of(side, a)) < rounding && std::abs(inside_of(side, b)) < rounding)
+        search.along = search.axes.transpose() * (tangents * (b - a)).normalized();
     return search;
   }
 
@@ -204,8 +215,7 @@ class Marching {
   const TouchingNodes& touching_;
   const ZoneLabels& labels_;
   const GapOpening& opening_;
-  std::vector<char> is_on_rim_;       ///< of local nodes
-  std::vector<unsigned> rim_sides_;   ///< of cells, a bit each
+  std::vector<unsigned> borders_;     ///< of each cell the sides on named curves and on the rim, a bit each
   std::vector<char> hangs_or_holds_;  ///< a node hangs, or others hang on it
   std::size_t cell_ = 0;
   std::vector<Segment> segments_{};
@@ -244,6 +254,7 @@ Segment unpacked(const double* n) {
 
 std::vector<Segment> boundary_segments(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                        std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels) {
+  if (labels.count == 0) return {};
   const MPI_Comm comm = discrete.space().layout->comm;
   const GapOpening opening(discrete, touching);
   const std::vector<Segment> mine =

@@ -23,12 +23,11 @@ double shear_length(const shell::Material& material, double thickness);
 
 /// Where to look for the edge.
 struct EdgeSearch {
-  Vector3d from;                     ///< a point near the edge, on the mid-surface
-  Eigen::Matrix<double, 3, 2> axes;  ///< orthonormal, of the tangent plane there
-  double shear_length = 0;           ///< delta [m]
-  Vector3d inwards;                  ///< from a free node beside it to a touching one
-  std::optional<Eigen::Vector2d>
-      along{};  ///< the only direction that the way may have, in the axes: on the shell's rim
+  Vector3d from;                           ///< a point near the edge, on the mid-surface
+  Eigen::Matrix<double, 3, 2> axes;        ///< orthonormal, of the tangent plane there
+  double shear_length = 0;                 ///< delta [m]
+  Vector3d inwards;                        ///< from a free node beside it to a touching one
+  std::optional<Eigen::Vector2d> along{};  ///< the only direction that the way may have, in the axes: on a border
 };
 
 class GapOpening {

@@ -72,8 +72,9 @@ void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& dis
 }
 
 void TouchingNodes::take_in_lifted_nodes(const assembly::DiscreteShell& discrete) {
-  constexpr int block = 2;      // neighbours, free ones
-  constexpr double most = 0.2;  // of the neighbours, those across a side counted twice
+  constexpr int block = 2;  // neighbours, free ones
+  constexpr double most =
+      0.21;  // of the neighbours, those across a side counted twice: one of eight, or two of them across corners
   const fem::Space& space = discrete.space();
   for (int pass = 0; pass < 2; ++pass) {
     algebra::Vector sums(space.layout, block);
@@ -85,7 +86,7 @@ void TouchingNodes::take_in_lifted_nodes(const assembly::DiscreteShell& discrete
     make_whole(space, sums);
     for (std::size_t i = 0; i < inside_.size(); ++i) {
       const double* s = sums.local().data() + i * block;
-      if (s[1] <= most * s[0]) inside_[i] = 1;
+      if (std::abs(s[1]) <= most * s[0]) inside_[i] = 1;  // where nodes hang weights may be negative
     }
   }
 }

@@ -14,12 +14,15 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
   reaction_basis_ = element::reaction_basis_at(space.shape(), space.degree, discrete.shell.tables().quadrature.xi);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
     for (std::size_t k = 0; k < obstacles; ++k) {
-      std::size_t touching = 0, bounded = 0;
+      std::size_t touching = 0, bounded = 0, of_these = 0;
       for (const algebra::LocalIndex node : space.nodes(cell)) {
-        touching += touches(static_cast<std::size_t>(node), k) ? 1 : 0;
-        bounded += discrete.points[static_cast<std::size_t>(node)].weight > 0 ? 1 : 0;
+        const bool touches_it = touches(static_cast<std::size_t>(node), k);
+        const bool has_bound = discrete.points[static_cast<std::size_t>(node)].weight > 0;  // it does not hang
+        touching += touches_it ? 1 : 0;
+        bounded += has_bound ? 1 : 0;
+        of_these += touches_it && has_bound ? 1 : 0;
       }
-      if (touching == 0 || touching == bounded) continue;
+      if (of_these == 0 || of_these == bounded) continue;
       crossed_.push_back(cell);
       touching_nodes_.push_back(touching);
       break;

@@ -16,7 +16,7 @@ class ContactEdge {
 
   /// Owned cells in which some nodes touch an obstacle and some do not, ascending.
   const std::vector<std::size_t>& crossed() const { return crossed_; }
-  /// How many nodes of each of those touch. Where between nodes the edge lies decides about the sign of what it adds: cells of one number err
+  /// How many nodes of each of those touch, of the first obstacle that one is crossed for. Where between nodes the edge lies decides about the sign of what it adds: cells of one number err
   /// to the same side, as all cells along a straight edge do, others by chance.
   const std::vector<std::size_t>& touching_nodes() const { return touching_nodes_; }
   /// The larger of both terms in each crossed cell, without its sign; `y` are the Cartesian values of z (collective).
