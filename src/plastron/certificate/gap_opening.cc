@@ -26,7 +26,7 @@ std::vector<char> near_zones(const fem::Space& space, std::span<const char> touc
     });
     make_whole(space, neighbours);
     for (std::size_t i = 0; i < near.size(); ++i)
-      if (neighbours.local()[i] > 0) near[i] = 1;
+      if (neighbours.local()[i] > 0.1) near[i] = 1;  // where nodes hang weights have both signs: 0 may be rounding
   }
   return near;
 }
