@@ -125,8 +125,7 @@ ExitCode verify(const Options& options) {
   print_versions(claims.results, options.quiet);
   if (!options.quiet) print("{}\n\n", c.title.empty() ? claims.case_copy.string() : shortened_title(c.title));
 
-  const auto cells =
-      c.problem.accuracy ? io::stored_cells(claims.solution, MPI_COMM_WORLD) : std::vector<fem::CellPlace>{};
+  const auto cells = c.problem.accuracy ? io::stored_cells(claims.solution, MPI_COMM_WORLD) : computation::MeshCells{};
   const computation::FinestMesh mesh = computation::finest_mesh(c.problem, MPI_COMM_WORLD, cells);
   const bool is_mixed = c.problem.discretisation.tangency.formulation == element::Formulation::mixed;
   auto solution = io::read_solution(claims.solution, mesh.space,

@@ -1,5 +1,6 @@
 // solution.plastron: every digit comes back, on as many ranks as one likes, and nothing damaged is taken.
 #include <plastron/io/solution_file.hpp>
+#include <plastron/io/solution_record.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <limits>
 
@@ -20,7 +22,7 @@ using computation::Solution;
 using computation::StoredSolution;
 using testing::HasSubstr;
 
-constexpr std::size_t header_bytes = 64 + 16, head_bytes = 64;  // one obstacle
+constexpr std::size_t header_bytes = 72 + 16, head_bytes = 64;  // one obstacle
 
 SolutionShape shape_of(const Problem& problem) {
   return {.obstacles = static_cast<int>(problem.obstacles.size()),
@@ -147,7 +149,8 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
       {"not complete", [](std::string& t) { t.pop_back(); }},
       {"not complete", [](std::string& t) { t += '\0'; }},
       {"begins otherwise", [](std::string& t) { t[0] = 'p'; }},
-      {"version 2", [](std::string& t) { put(t, 8, std::uint32_t{2}); }},
+      {"version 1", [](std::string& t) { put(t, 8, std::uint32_t{1}); }},
+      {"version 3", [](std::string& t) { put(t, 8, std::uint32_t{3}); }},
       {"corners a cell", [](std::string& t) { put(t, 12, std::uint32_t{3}); }},
       {"degree", [](std::string& t) { put(t, 16, std::uint32_t{4}); }},
       {"2 obstacles", [](std::string& t) { put(t, 20, std::uint32_t{2}); }},
@@ -158,6 +161,9 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
       {"cells", [](std::string& t) { put(t, 32, std::int64_t{1} << 60); }},
       {"nodes", [](std::string& t) { put(t, 40, std::int64_t{-1}); }},
       {"no solution has", [](std::string& t) { put(t, 56, std::numeric_limits<double>::quiet_NaN()); }},
+      {"3 numbers of cuts", [](std::string& t) { put(t, 64, std::int64_t{3}); }},
+      {"no solution has", [](std::string& t) { put(t, 64, std::int64_t{-1}); }},
+      {"no solution has", [](std::string& t) { put(t, 64, std::int64_t{1} << 60); }},
       {"not all cells",
        [&](std::string& t) { t.replace(header_bytes, record, t.substr(header_bytes + record, record)); }},
       {"not all cells", [](std::string& t) { put(t, header_bytes, std::int32_t{1000}); }},
@@ -181,6 +187,35 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
   }
   EXPECT_THROW(read(scratch.path / "none.plastron", problem, MPI_COMM_WORLD), UnusableResults);
   EXPECT_THROW(read(scratch.path, problem, MPI_COMM_WORLD), UnusableResults);
+}
+
+TEST(SolutionFile, KeepsCutsOfTheCoarseMesh) {
+  const std::vector<fem::Cuts> cuts{{std::vector{0.25, 0.5}, {}}, {}, {std::vector{0.1}, std::vector{0.2, 0.7, 0.9}}};
+  const std::vector<double> list = flat_cuts(cuts);
+  EXPECT_EQ(list.size(), 12U);
+  EXPECT_EQ(cuts_of_list(list), cuts);
+  EXPECT_EQ(cuts_of_list({}), std::vector<fem::Cuts>());
+  using List = std::vector<double>;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const List& wrong :
+       {List{1, 0.5}, List{2, 0.5, 0}, List{1, 0, 0}, List{2, 0.5, 0.4, 0}, List{1, 1.5, 0}, List{-1, 0}, List{0.5, 0},
+        List{1.5, 0.3, 0}, List{1, 1e-300, 0}, List{1e300, 0}, List{nan, 0}, List{1, nan, 0}})
+    EXPECT_FALSE(cuts_of_list(wrong)) << wrong.front();
+}
+
+/// A megabyte that would make billions of cells.
+TEST(SolutionFile, WithCutsForMoreCellsThanItHasIsRefused) {
+  constexpr int each_way = 65534;
+  std::vector<double> points;
+  for (int i = 1; i <= each_way; ++i) points.push_back(i / (each_way + 1.0));
+  const std::vector<double> list = flat_cuts({{points, points}});
+  const SolutionHeader header{.cut_numbers = static_cast<std::int64_t>(list.size())};
+  std::string bytes(sizeof header + list.size() * sizeof(double), '\0');
+  std::memcpy(bytes.data(), &header, sizeof header);
+  std::memcpy(bytes.data() + sizeof header, list.data(), list.size() * sizeof(double));
+  const ScratchDirectory scratch("cuts");
+  std::ofstream(scratch.path / "a.plastron", std::ios::binary) << bytes;
+  EXPECT_THROW(stored_cells(scratch.path / "a.plastron", MPI_COMM_SELF), UnusableResults);
 }
 
 TEST(SolutionFile, WithTwoValuesAtANodeIsRefused) {

@@ -135,6 +135,13 @@ std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm com
   return all;
 }
 
+std::vector<double> sums_over_ranks(std::span<const double> mine, MPI_Comm comm) {
+  const std::vector<double> all = gather_over_ranks(mine, comm);
+  std::vector<double> sums(mine.size(), 0);
+  for (std::size_t i = 0; i < all.size(); ++i) sums[i % sums.size()] += all[i];
+  return sums;
+}
+
 void check_gathered(std::int64_t values) {
   constexpr std::int64_t most = std::numeric_limits<int>::max();
   if (values > most)

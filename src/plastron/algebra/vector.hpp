@@ -60,6 +60,8 @@ std::int64_t sum_over_ranks(std::int64_t value, MPI_Comm comm);
 /// The values of all ranks one after the other, the same on every rank (collective). For what is small on every rank, or must be
 /// whole somewhere. Throws what check_gathered() throws, on all ranks.
 std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm comm);
+/// Of as many values on every rank, the sums one by one, the same on every rank (collective).
+std::vector<double> sums_over_ranks(std::span<const double> mine, MPI_Comm comm);
 /// Throws std::length_error for more values than MPI counts in one call, 2^31 - 1 (16 GiB).
 void check_gathered(std::int64_t values);
 

@@ -34,10 +34,11 @@ void refine_to(std::span<const fem::CellPlace> cells, fem::MeshSequence& meshes)
 
 }  // namespace
 
-FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, std::span<const fem::CellPlace> cells) {
+FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, const MeshCells& cells) {
   fem::MeshSequence meshes = mesh_sequence(problem, comm);
+  if (!cells.cuts.empty()) meshes.begin_with_cuts(cells.cuts);
   if (problem.accuracy)
-    refine_to(cells, meshes);
+    refine_to(cells.places, meshes);
   else
     for (int number = 0; number < problem.discretisation.refinements; ++number) meshes.refine({});
   return {.space = meshes.space(),

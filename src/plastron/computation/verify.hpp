@@ -25,9 +25,15 @@ struct FinestMesh {
   std::shared_ptr<const fem::Space> space{};
   std::shared_ptr<const fem::Surface> surface{};
 };
+/// What tells a mesh that follows from estimates.
+struct MeshCells {
+  std::vector<fem::Cuts> cuts{};  ///< fem::CoarseMesh::cuts
+  std::vector<fem::CellPlace> places{};
+};
+
 /// The mesh that solve() ends on; where that follows from estimates, the mesh of these cells, which all ranks give whole. Cells that no such
 /// mesh has give another mesh (collective). Throws fem::DomainError.
-FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, std::span<const fem::CellPlace> cells = {});
+FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, const MeshCells& cells = {});
 
 struct Verification {
   /// As solve() would have left it, with a single level; the status is solved or inaccurate.

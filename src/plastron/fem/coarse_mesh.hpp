@@ -23,6 +23,9 @@ struct BoundaryEdge {
   int boundary = 0;  ///< index into CoarseMesh::boundaries
 };
 
+/// Where a quadrilateral is cut, across xi_1 and across xi_2: numbers between 0 and 1, ascending.
+using Cuts = std::array<std::vector<double>, 2>;
+
 struct CoarseMesh {
   Shape shape = Shape::quadrilateral;
   std::vector<Vector2d> vertices;
@@ -30,6 +33,8 @@ struct CoarseMesh {
   std::vector<BoundaryEdge> edges;
   std::vector<std::string> regions;
   std::vector<std::string> boundaries;
+  /// Of the cells of a coarser mesh, if this one was made of it by a mesh sequence that cut them (fem/cut_mesh.hpp); else none.
+  std::vector<Cuts> cuts{};
 };
 
 /// Throws DomainError where the domain cannot be meshed or a mesh file is not as it should be. Triangles of a built-in

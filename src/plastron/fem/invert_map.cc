@@ -8,8 +8,7 @@
 namespace plastron::fem {
 
 std::optional<Vector2d> invert_map(Shape shape, const CellMap& map, const Vector2d& point) {
-  // In the cell's own coordinates, and in lengths by its size; a point far from the origin is known less sharply.
-  constexpr double tolerance = 1e-9;
+  constexpr double tolerance = 1e-9;  // of the cell's size; a point far from the origin is known less sharply
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * point.norm();
   Vector2d xi = centre(shape);
   double size = 0;
@@ -23,9 +22,9 @@ std::optional<Vector2d> invert_map(Shape shape, const CellMap& map, const Vector
     if (change.norm() < 1e-14) break;
     if (!(xi.norm() < 10)) break;
   }
-  if (!holds(shape, xi, tolerance + rounding / size)) return std::nullopt;
-  if ((map(xi).value - point).norm() > tolerance * size + rounding) return std::nullopt;
-  return put_inside(shape, xi);
+  const Vector2d inside = put_inside(shape, xi);
+  if (!((map(inside).value - point).norm() <= tolerance * size + rounding)) return std::nullopt;
+  return inside;
 }
 
 }  // namespace plastron::fem

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numbers>
 #include <utility>
@@ -79,8 +80,10 @@ CoarseMesh layered_disk(const Disk& disk, const Rows& rows) {
   const std::vector<double>& distances = rows.distances[0][0];
   std::vector<double> radii{disk.radius};
   for (const double d : distances) radii.push_back(disk.radius - d);
+  if (rows.core > 0) radii.push_back(rows.core);
   std::ranges::reverse(radii);
-  if (radii.front() <= 0) throw DomainError("rows along the rim do not fit into the disk");
+  if (radii.front() <= 0 || std::ranges::adjacent_find(radii, std::greater_equal{}) != radii.end())
+    throw DomainError("rows along the rim do not fit into the disk");
   CoarseMesh mesh = disk_mesh({disk.centre, radii.front()});
   mesh.edges.clear();
   std::vector<std::array<int, 2>> parts{{rows.inner[0], rows.inner[0]}};
@@ -89,6 +92,8 @@ CoarseMesh layered_disk(const Disk& disk, const Rows& rows) {
   const Rings rings{disk.centre, std::numbers::pi / 4, 4};
   add_rings(rings, radii, first, mesh);
   parts.resize(mesh.cells.size(), {1, rows.inner[0]});
+  if (rows.core > 0)
+    for (std::size_t k = 5; k < 9; ++k) parts[k][0] = rows.rings;
   const int last = static_cast<int>(mesh.vertices.size()) - 4;
   for (int k = 0; k < 4; ++k) mesh.edges.push_back({{last + k, last + (k + 1) % 4}, 0});
   return subdivided(mesh, parts);

@@ -15,6 +15,9 @@ struct Rows {
   /// middle) and from the square outwards; of an annulus around (0: as square as can be) and outwards; of other polygons, those along half the
   /// perimeter.
   std::array<int, 2> inner{1, 1};
+  /// Of a disk: the radius beyond which all cells lie in rings; 0: they begin with the rows. `inner` counts the cells outwards within it, then.
+  double core = 0;
+  int rings = 1;  ///< between that radius and the rows
 };
 
 /// Throws DomainError where the rows leave nothing between them, and for mesh files. Triangles are the quadrilaterals cut crosswise.

@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/hash.hpp>
 #include <plastron/algebra/vector.hpp>
+#include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/quadrilateral_sequence.hpp>
 #include <plastron/fem/triangle_sequence.hpp>
 
@@ -14,6 +15,7 @@ namespace plastron::fem {
 
 struct MeshSequence::Storage {
   std::variant<QuadrilateralSequence, TriangleSequence> levels;
+  std::shared_ptr<const CoarseMesh> first;  ///< before any cuts, as the sequence orders it
   Finish finish{};
   std::shared_ptr<const Space> finished{};
 
@@ -83,17 +85,44 @@ void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
 MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish) {
   check_that_all_have_one_mesh(coarse, comm);
   if (coarse.shape == Shape::triangle)
-    storage_ = std::make_unique<Storage>(Storage{TriangleSequence(std::move(coarse), degree, comm), std::move(finish)});
-  else
     storage_ =
-        std::make_unique<Storage>(Storage{QuadrilateralSequence(std::move(coarse), degree, comm), std::move(finish)});
+        std::make_unique<Storage>(Storage{TriangleSequence(std::move(coarse), degree, comm), {}, std::move(finish)});
+  else
+    storage_ = std::make_unique<Storage>(
+        Storage{QuadrilateralSequence(std::move(coarse), degree, comm), {}, std::move(finish)});
   storage_->finish_level();
+  storage_->first = space()->coarse;
 }
 
 MeshSequence::~MeshSequence() = default;
 MeshSequence::MeshSequence(MeshSequence&&) noexcept = default;
 
 std::shared_ptr<const Space> MeshSequence::space() const { return storage_->finished; }
+
+void MeshSequence::cut(std::span<algebra::Vector> fields, std::span<const Cuts> cuts) {
+  const std::shared_ptr<const Space> before = space();
+  PLASTRON_ASSERT(before->global_cells == static_cast<std::int64_t>(before->coarse->cells.size()));
+  restart(with_cuts(*before->coarse, cuts));
+  for (algebra::Vector& field : fields) field = interpolated(field, *before, *space());
+}
+
+void MeshSequence::begin_with_cuts(std::vector<Cuts> cuts) {
+  if (!is_graded() || !are_conforming(*storage_->first, cuts))
+    throw DomainError("cuts through cells that are not those of the mesh");
+  restart(std::move(cuts));
+}
+
+void MeshSequence::restart(std::vector<Cuts> cuts) {
+  const MPI_Comm comm = space()->layout->comm;
+  CoarseMesh mesh = cut_mesh(*storage_->first, std::move(cuts));
+  check_that_all_have_one_mesh(mesh, comm);
+  const double fingerprint = Fingerprint(mesh).value();
+  storage_->levels = QuadrilateralSequence(std::move(mesh), space()->degree, comm);
+  // The cells of the first mesh are turned alike, and so are those of its lattices: they are not turned again (cut_cells).
+  PLASTRON_ASSERT(fingerprint ==
+                  Fingerprint(*std::get<QuadrilateralSequence>(storage_->levels).space()->coarse).value());
+  storage_->finish_level();
+}
 
 bool MeshSequence::is_graded() const { return std::holds_alternative<QuadrilateralSequence>(storage_->levels); }
 

@@ -33,11 +33,18 @@ class MeshSequence {
   /// are marked, too. Neighbours differ by one level at most, so that more cells may be divided and fewer
   /// joined than marked. Triangles are all divided if some are marked. (collective)
   void refine(std::span<algebra::Vector> fields, std::span<const signed char> marks);
+  /// Cuts quadrilaterals of the coarse mesh, none of which may be divided yet, along chords: `cuts` of the present coarse cells are the same on
+  /// both sides of a common side. Fields as above. (collective)
+  void cut(std::span<algebra::Vector> fields, std::span<const Cuts> cuts);
+  /// Begins anew with the first mesh at the cuts that another sequence of it has come to, CoarseMesh::cuts (collective). Throws DomainError for
+  /// cuts that do not fit.
+  void begin_with_cuts(std::vector<Cuts> cuts);
   /// Whether cells can be divided one by one: quadrilaterals can.
   bool is_graded() const;
 
  private:
   using Marks = std::optional<std::span<const signed char>>;
+  void restart(std::vector<Cuts> cuts);
   void refine_where(std::span<algebra::Vector> fields, Marks marks);
   struct Storage;
   std::unique_ptr<Storage> storage_;

@@ -195,6 +195,7 @@ QuadrilateralSequence::QuadrilateralSequence(CoarseMesh coarse, int degree, MPI_
 
 QuadrilateralSequence::~QuadrilateralSequence() = default;
 QuadrilateralSequence::QuadrilateralSequence(QuadrilateralSequence&&) noexcept = default;
+QuadrilateralSequence& QuadrilateralSequence::operator=(QuadrilateralSequence&&) noexcept = default;
 
 std::shared_ptr<const Space> QuadrilateralSequence::space() const { return storage_->space; }
 

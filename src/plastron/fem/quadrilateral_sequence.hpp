@@ -17,6 +17,7 @@ class QuadrilateralSequence {
   QuadrilateralSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
   ~QuadrilateralSequence();
   QuadrilateralSequence(QuadrilateralSequence&&) noexcept;
+  QuadrilateralSequence& operator=(QuadrilateralSequence&&) noexcept;
 
   /// Of the owned cells, one by one; none divides all.
   using Marks = std::optional<std::span<const signed char>>;

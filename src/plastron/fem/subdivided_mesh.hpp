@@ -11,4 +11,7 @@ namespace plastron::fem {
 /// side.
 CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const std::array<int, 2>> parts);
 
+/// Each quadrilateral at its cuts. Precondition: neighbours are cut at the same points of their common side.
+CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const Cuts> cuts);
+
 }  // namespace plastron::fem

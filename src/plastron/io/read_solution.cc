@@ -11,8 +11,30 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace plastron::io {
+
+std::optional<std::vector<fem::Cuts>> cuts_of_list(std::span<const double> list) {
+  constexpr double least_part = 1e-9;  // of a side
+  std::vector<fem::Cuts> cuts;
+  const auto take = [&](std::vector<double>& points) {
+    if (list.empty() || !(list[0] >= 0) || !(list[0] < static_cast<double>(list.size()))) return false;
+    if (list[0] != std::floor(list[0])) return false;
+    const auto count = static_cast<std::size_t>(list[0]);
+    const auto of_cell = list.subspan(1, count);
+    points.assign(of_cell.begin(), of_cell.end());
+    list = list.subspan(1 + count);
+    double last = 0;
+    for (const double x : points)
+      if (!(x - std::exchange(last, x) >= least_part)) return false;
+    return 1 - last >= least_part;
+  };
+  while (!list.empty())
+    for (std::vector<double>& points : cuts.emplace_back())
+      if (!take(points)) return std::nullopt;
+  return cuts;
+}
 
 namespace {
 
@@ -63,6 +85,7 @@ class SolutionFile {
  private:
   void check_format() const {
     constexpr std::uint32_t most_obstacles = 10000;
+    constexpr std::int64_t most_cut_numbers = 1 << 24;
     const SolutionHeader ours;
     if (header_.magic != ours.magic) refuse("this is no solution of Plastron: the file begins otherwise");
     if (header_.version != ours.version)
@@ -71,6 +94,7 @@ class SolutionFile {
     const bool is_sound = (header_.corners == 3 || header_.corners == 4) && header_.degree >= 1 &&
                           header_.degree <= 8 && header_.obstacles <= most_obstacles && header_.has_multiplier <= 1 &&
                           header_.has_lifts <= 1 && header_.is_deformed <= 1 && header_.cells >= 0 &&
+                          header_.cut_numbers >= 0 && header_.cut_numbers <= most_cut_numbers &&
                           std::isfinite(header_.time) && std::isfinite(header_.load_factor);
     if (!is_sound) refuse("the header holds values that no solution has");
   }
@@ -92,6 +116,7 @@ class SolutionReader {
       file_.read(&record, sizeof record);
       if (!std::isfinite(record[0]) || !std::isfinite(record[1])) refuse("an obstacle's position is not finite");
     }
+    file_.skip(static_cast<std::size_t>(header_.cut_numbers) * sizeof(double));
   }
 
   const SolutionHeader& header() const { return header_; }
@@ -132,6 +157,7 @@ class SolutionReader {
     same("obstacles", header_.obstacles, shape_.obstacles);
     same("multipliers a node", header_.has_multiplier, shape_.has_multiplier ? 1 : 0);
     same("lifts a gap", header_.has_lifts, shape_.has_lifts ? 1 : 0);
+    same("numbers of cuts", header_.cut_numbers, static_cast<std::int64_t>(flat_cuts(space_.coarse->cuts).size()));
     same("cells", header_.cells, space_.global_cells);
     same("nodes", header_.nodes, space_.layout->global_size);
   }
@@ -189,22 +215,35 @@ void check_ghosts(algebra::Vector& field, const std::vector<char>& is_read, cons
   });
 }
 
+/// Of the coarse mesh, or so many that there are too many.
+std::int64_t cells_of(const std::vector<fem::Cuts>& cuts) {
+  std::int64_t cells = 0;
+  for (const auto& [across_first, across_second] : cuts)
+    cells += static_cast<std::int64_t>(across_first.size() + 1) * static_cast<std::int64_t>(across_second.size() + 1);
+  return cells;
+}
+
 }  // namespace
 
-std::vector<fem::CellPlace> stored_cells(const std::filesystem::path& path, MPI_Comm comm) {
+computation::MeshCells stored_cells(const std::filesystem::path& path, MPI_Comm comm) {
   return algebra::in_agreement<UnusableResults>(comm, [&] {
     SolutionFile file(path);
     file.check_size();
     const std::size_t record = record_size(file.header(), file.nodes_per_cell());
     file.skip(file.header().obstacles * sizeof(ObstacleRecord));
-    std::vector<fem::CellPlace> places(static_cast<std::size_t>(file.header().cells));
-    for (fem::CellPlace& place : places) {
+    std::vector<double> list(static_cast<std::size_t>(file.header().cut_numbers));
+    file.read(list.data(), list.size() * sizeof(double));
+    auto cuts = cuts_of_list(list);
+    if (!cuts || cells_of(*cuts) > file.header().cells) file.refuse("its cuts through coarse cells are not such");
+    computation::MeshCells cells{.cuts = std::move(*cuts)};
+    cells.places.resize(static_cast<std::size_t>(file.header().cells));
+    for (fem::CellPlace& place : cells.places) {
       CellHead head;
       file.read(&head, sizeof head);
       file.skip(record - sizeof head);
       place = head.place;
     }
-    return places;
+    return cells;
   });
 }
 

@@ -18,7 +18,7 @@ namespace plastron::io {
 void add_solution(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files);
 
 /// Where the cells of a file lie, which is the mesh that it belongs to (computation::finest_mesh) (collective). Throws UnusableResults.
-std::vector<fem::CellPlace> stored_cells(const std::filesystem::path& path, MPI_Comm comm);
+computation::MeshCells stored_cells(const std::filesystem::path& path, MPI_Comm comm);
 
 /// What a problem's solutions have besides (u, r).
 struct SolutionShape {

@@ -13,6 +13,16 @@ CellHead cell_head(const fem::Space& space, std::size_t cell) {
   return head;
 }
 
+std::vector<double> flat_cuts(const std::vector<fem::Cuts>& cuts) {
+  std::vector<double> list;
+  for (const fem::Cuts& of_cell : cuts)
+    for (const std::vector<double>& points : of_cell) {
+      list.push_back(static_cast<double>(points.size()));
+      list.insert(list.end(), points.begin(), points.end());
+    }
+  return list;
+}
+
 namespace {
 
 void append_bytes(std::string& text, const void* data, std::size_t bytes) {
@@ -31,7 +41,8 @@ SolutionHeader header_of(const computation::Solution& solution) {
           .cells = space.global_cells,
           .nodes = space.layout->global_size,
           .time = state.time,
-          .load_factor = state.load_factor};
+          .load_factor = state.load_factor,
+          .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size())};
 }
 
 /// The vectors that hold a node's values, in the order of the file. Ghosts have their owners' last digit: a node has
@@ -76,6 +87,8 @@ void add_solution(const computation::Solution& solution, const std::filesystem::
         const ObstacleRecord record{solution.discrete->state.position(k), solution.discrete->way_pressed(k)};
         append_bytes(text, &record, sizeof record);
       }
+      const std::vector<double> cuts = flat_cuts(space.coarse->cuts);
+      append_bytes(text, cuts.data(), cuts.size() * sizeof(double));
     }
     for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
       const CellHead head = cell_head(space, cell);
