@@ -34,6 +34,27 @@ force = [0, 0, -4e-4]
 name = "middle"
 at = [0.5, 0.5]
 )";
+/// Which is bent along itself: chords across it are worth to cut.
+const std::string strip = R"(title = "Strip"
+[shell]
+E = 1.0
+nu = 0.3
+thickness = 0.05
+[geometry]
+domain = { rectangle = { from = [0, 0], to = [3, 0.5] } }
+chart = ["x", "y", "0.035"]
+[[support]]
+boundary = "left"
+fix = ["u", "r"]
+[[support]]
+boundary = "right"
+fix = ["u", "r"]
+[[load]]
+force = [0, 0, -4e-5]
+[[probe]]
+name = "middle"
+at = [1.5, 0.25]
+)";
 const std::string plane = "[[obstacle]]\nhalf_space = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
 const std::string floor_and_ceiling =
     "[[obstacle]]\nname = \"floor\"\nface = \"lower\"\nhalf_space = { point = [0, 0, 0], normal = [0, 0, 1] }\n"
@@ -96,7 +117,7 @@ void write_bytes(const fs::path& path, const std::string& text) { std::ofstream(
 
 /// The middle node of the first cell that touches (or of the first cell): it belongs to no other cell.
 std::size_t middle_node(const std::string& solution) {
-  constexpr std::size_t header = 64 + 16, head = 64, node = 8 * 8, record = head + 9 * node, touching = 7 * 8;
+  constexpr std::size_t header = 72 + 16, head = 64, node = 8 * 8, record = head + 9 * node, touching = 7 * 8;
   for (std::size_t at = header; at < solution.size(); at += record) {
     double touches = 0;
     const std::size_t middle = at + head + 4 * node;
@@ -149,10 +170,10 @@ TEST(Verify, PassesStepsAndPressedObstaclesAndSeesAnotherWay) {
   // How far the ball has come stands after the header and the post's two numbers.
   std::string solution = text_of(ran.file("solution.plastron"));
   double way[2] = {};
-  std::memcpy(way, solution.data() + 64 + 16, sizeof way);
+  std::memcpy(way, solution.data() + 72 + 16, sizeof way);
   EXPECT_GT(std::abs(way[0] + way[1]), 1e-3);
   way[1] += 1e-3;
-  std::memcpy(solution.data() + 64 + 16, way, sizeof way);
+  std::memcpy(solution.data() + 72 + 16, way, sizeof way);
   write_bytes(ran.file("solution.plastron"), solution);
   expect_failed(ran, "");
 }
@@ -271,6 +292,11 @@ TEST(Verify, TakesOnAnyNumberOfRanksWhatAnyNumberHasWritten) {
       "export OMPI_MCA_mpi_yield_when_idle=1; unset OMPI_MCA_ess_singleton_isolated "
       "OMPI_MCA_pml OMPI_MCA_btl; " MPIEXEC " --oversubscribe -n 3 ";
   expect_passed(Ran(plate + plane + mesh(""), of_three));
+  const Ran cut(strip + plane + "[accuracy]\nenergy = 1e-3\n", of_three);
+  std::int64_t numbers_of_cuts = 0;
+  std::memcpy(&numbers_of_cuts, text_of(cut.file("solution.plastron")).substr(64, 8).data(), 8);
+  EXPECT_GT(numbers_of_cuts, 0);
+  expect_passed(cut);
   const Ran ran(plate + plane + mesh(""));
   const Outcome outcome = shell(of_three + "$PLASTRON verify out", ran.scratch.path, slow_seconds);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;

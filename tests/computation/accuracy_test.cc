@@ -1,6 +1,7 @@
 // Meshes that follow from an accuracy: what is divided, when it ends, and that the numbers are as accurate as asked for.
 #include <gtest/gtest.h>
 #include <plastron/computation/adaptivity.hpp>
+#include <plastron/computation/chord_cuts.hpp>
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/goal_names.hpp>
 #include <plastron/computation/solve.hpp>
@@ -19,7 +20,7 @@ using namespace test;
 
 Problem accurate_bowl(double tolerance) {
   Problem p = pressed_bowl();
-  p.discretisation = {.degree = 3, .refinements = 0};
+  p.discretisation = {.degree = 3, .layers = Layers::automatic, .refinements = 0};
   p.accuracy = Accuracy{.goals = {{"energy", tolerance}, {"reaction", tolerance}}};
   return p;
 }
@@ -145,7 +146,7 @@ TEST(Accuracy, HoldsForTrianglesAndJoinedEdgesOnEvenMeshes) {
 
 /// Nearly nothing touches at the first instant: its mesh would not do for the last one.
 TEST(Accuracy, IsReachedAtTheLastInstant) {
-  constexpr double tolerance = 3e-3;
+  constexpr double tolerance = 1e-2;
   Problem p = accurate_bowl(tolerance);
   p.steps = {{.name = "a little", .load_factor = 0.3}, {.name = "all", .load_factor = 1}};
   const Result result = solve(p, MPI_COMM_WORLD);
@@ -182,19 +183,140 @@ TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
   EXPECT_NEAR(result.summary.obstacles[1].reaction.force.z(), pressing, 1e-6 * pressing);
 }
 
-TEST(FinestMesh, IsMadeFromItsCells) {
-  const Problem p = accurate_bowl(3e-3);
-  const Result result = solve(p, MPI_COMM_SELF);
-  const fem::Space& space = result.solution->discrete->space();
-  std::vector<fem::CellPlace> cells;
-  for (std::size_t c = 0; c < space.owned_cells; ++c) cells.push_back(fem::place_of(space.cells[c]));
-  EXPECT_TRUE(space.has_ties);
+MeshCells cells_of(const fem::Space& space) {
+  MeshCells cells{.cuts = space.coarse->cuts};
+  for (std::size_t c = 0; c < space.owned_cells; ++c) cells.places.push_back(fem::place_of(space.cells[c]));
+  return cells;
+}
+
+void expect_to_be_made_again(const Problem& p, const fem::Space& space) {
+  MeshCells cells = cells_of(space);
   const FinestMesh again = finest_mesh(p, MPI_COMM_WORLD, cells);
   EXPECT_EQ(again.space->global_cells, space.global_cells);
   EXPECT_EQ(again.space->layout->global_size, space.layout->global_size);
-  std::ranges::sort(cells);
+  std::ranges::sort(cells.places);
   for (std::size_t c = 0; c < again.space->owned_cells; ++c)
-    EXPECT_TRUE(std::ranges::binary_search(cells, fem::place_of(again.space->cells[c])));
+    EXPECT_TRUE(std::ranges::binary_search(cells.places, fem::place_of(again.space->cells[c])));
+  ASSERT_EQ(again.space->coarse->cells.size(), space.coarse->cells.size());
+  const Eigen::Vector2d middle(0.5, 0.5);
+  for (std::size_t c = 0; c < space.coarse->cells.size(); ++c)
+    EXPECT_LT((again.space->coarse->cells[c].map(middle).value - space.coarse->cells[c].map(middle).value).norm(),
+              1e-12);
+}
+
+TEST(FinestMesh, IsMadeFromItsCells) {
+  const Problem p = accurate_bowl(3e-3);
+  fem::MeshSequence meshes = mesh_sequence(p, MPI_COMM_SELF);
+  for (int round = 0; round < 3; ++round) {
+    std::vector<signed char> marks(meshes.space()->owned_cells, 0);
+    marks.front() = marks[marks.size() / 2] = 1;
+    meshes.refine({}, marks);
+  }
+  EXPECT_TRUE(meshes.space()->has_ties);
+  expect_to_be_made_again(p, *meshes.space());
+}
+
+TEST(FinestMesh, IsMadeFromItsCuts) {
+  const Problem p = accurate_bowl(1e-3);
+  const Result result = solve(p, MPI_COMM_SELF);
+  EXPECT_FALSE(result.solution->discrete->space().coarse->cuts.empty());
+  expect_to_be_made_again(p, result.solution->discrete->space());
+}
+
+TEST(FinestMesh, RefusesCutsOfAnotherMesh) {
+  const Problem p = accurate_bowl(1e-3);
+  EXPECT_THROW(finest_mesh(p, MPI_COMM_WORLD, {.cuts = std::vector<fem::Cuts>(1), .places = {}}), fem::DomainError);
+  std::vector<fem::Cuts> torn(mesh_sequence(p, MPI_COMM_SELF).space()->coarse->cells.size());
+  torn.front()[0] = {0.5};
+  EXPECT_THROW(finest_mesh(p, MPI_COMM_WORLD, {.cuts = torn, .places = {}}), fem::DomainError);
+}
+
+/// Edges of the bowl's contact zone run along rings of cells.
+TEST(Accuracy, CutsRowsWhereLayersAndContactEdgesRunAlongThem) {
+  const Result result = solve(accurate_bowl(1e-3), MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved);
+  EXPECT_FALSE(result.solution->discrete->space().coarse->cuts.empty());
+  EXPECT_LT(result.levels.back().unknowns, 10000);  // four times as many where all cells are divided both ways
+}
+
+/// A point that is held must stay a node, which the middle of a cell does where its chords are halved.
+TEST(ChordCuts, AreInTheMiddleWherePointsAreHeld) {
+  fem::MeshSequence meshes = mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  const fem::Space& space = *meshes.space();
+  const fem::Surface surface(space.coarse, pressed_strip().charts);
+  estimation::Estimates estimates;
+  const std::vector<double> shares(space.owned_cells, 1.0);
+  const auto slices = static_cast<std::size_t>(space.degree) + 1;
+  std::vector<double> first(slices, 0), none(slices, 0);
+  first.front() = 1;  // all at one side
+  estimates.profiles.assign(space.owned_cells, {first, none});
+  for (const bool halves : {false, true}) {
+    const auto cuts =
+        chord_cuts(space, surface, {.shares = shares, .estimates = estimates, .share = 0.5, .halves_only = halves});
+    ASSERT_EQ(cuts.size(), space.owned_cells);
+    for (const fem::Cuts& of_cell : cuts) {
+      ASSERT_EQ(of_cell[0].size(), 1U);
+      EXPECT_EQ(of_cell[0][0], halves ? 0.5 : 0.2);
+      EXPECT_TRUE(of_cell[1].empty());
+    }
+  }
+}
+
+/// What one cell has is no reason to cut a row.
+TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
+  fem::MeshSequence meshes = mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  const fem::Space& space = *meshes.space();
+  const fem::Surface surface(space.coarse, pressed_strip().charts);
+  estimation::Estimates estimates;
+  std::vector<double> shares(space.owned_cells, 0.0);
+  shares[3] = 1;
+  const std::vector<double> slices(static_cast<std::size_t>(space.degree) + 1, 0.5 / (space.degree + 1));
+  estimates.profiles.assign(space.owned_cells, {slices, slices});
+  EXPECT_TRUE(
+      chord_cuts(space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 1}).empty());
+  // The mesh that confirms cuts the row that the edge of a contact zone crosses all the same.
+  for (std::size_t c = 0; c < space.owned_cells; ++c) estimates.crossed.push_back({c, 1});
+  const auto cuts = chord_cuts(
+      space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 10, .confirms = true});
+  ASSERT_EQ(cuts.size(), space.owned_cells);
+  for (const fem::Cuts& of_cell : cuts) {
+    EXPECT_TRUE(of_cell[0].empty());
+    EXPECT_EQ(of_cell[1].size(), 1U);
+  }
+}
+
+/// Of a disk of five cells, whose outer ones have bent sides at the rim: how a disk that one cuts again and again along the rim ends.
+TEST(ChordCuts, LeaveNoCellsThatAreLongAndBentAtOnce) {
+  std::map<std::string, geometry::Chart> charts;
+  charts.emplace("", geometry::Chart(std::array<std::string, 3>{"x", "y", "0"}, {}));
+  fem::MeshSequence meshes(fem::coarse_mesh(fem::Disk{}, fem::Shape::quadrilateral), 4, MPI_COMM_SELF);
+  for (int cuts_made = 0;; ++cuts_made) {
+    const fem::Space& space = *meshes.space();
+    const auto slices = static_cast<std::size_t>(space.degree) + 1;
+    const std::vector<double> none(slices, 0);
+    estimation::Estimates estimates;
+    estimates.profiles.assign(space.owned_cells, {none, none});
+    std::vector<double> shares(space.owned_cells, 0);
+    for (std::size_t c = 0; c < space.owned_cells; ++c) {
+      const fem::CellMap& map = space.coarse->cells[static_cast<std::size_t>(space.cells[c].coarse)].map;
+      for (std::size_t d = 0; d < 2; ++d)
+        for (const double end : {0.0, 1.0}) {
+          const Eigen::Vector2d middle = d == 0 ? Eigen::Vector2d(end, 0.5) : Eigen::Vector2d(0.5, end);
+          if (map(middle).value.norm() < 1 - 1e-9) continue;  // not at the rim
+          (end == 0 ? estimates.profiles[c][d].front() : estimates.profiles[c][d].back()) = 1;
+          shares[c] = 1;
+        }
+    }
+    const auto cuts =
+        chord_cuts(space, fem::Surface(space.coarse, charts), {.shares = shares, .estimates = estimates, .share = 0.5});
+    if (cuts.empty()) {
+      EXPECT_GE(cuts_made, 1);
+      EXPECT_LE(cuts_made, 4);
+      break;
+    }
+    ASSERT_LT(cuts_made, 20);
+    meshes.cut({}, cuts);
+  }
 }
 
 /// Of one goal: shares 16, 8, 4, 2, 1, 0 ... of the whole.

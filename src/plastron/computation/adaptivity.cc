@@ -1,14 +1,17 @@
 #include <plastron/computation/adaptivity.hpp>
 
 #include <plastron/algebra/vector.hpp>
+#include <plastron/computation/chord_cuts.hpp>
 #include <plastron/computation/goal_names.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace plastron::computation {
 
@@ -68,6 +71,15 @@ double least_scale(const estimation::Functional& functional, const certificate::
   return std::holds_alternative<ObstaclePosition>(functional) ? as_good_as_zero * summary.max_displacement : 0;
 }
 
+/// Whether most cells at edges of contact zones have as many nodes that touch. Then their estimates may all be too small by the same chance, and a
+/// mesh that is to confirm them needs the edges between other nodes (collective).
+bool edges_lie_alike(const fem::Space& space, const estimation::Estimates& estimates) {
+  std::vector<double> cells(static_cast<std::size_t>(space.nodes_per_cell()) + 1, 0);
+  for (const estimation::CrossedCell& crossed : estimates.crossed) cells[crossed.touching] += 1;
+  const std::vector<double> all = algebra::sums_over_ranks(cells, space.layout->comm);
+  return 2 * std::ranges::max(all) > std::reduce(all.begin(), all.end());
+}
+
 }  // namespace
 
 std::vector<GoalRecord> goal_records(const Problem& problem, const estimation::Estimates& estimates,
@@ -117,18 +129,24 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRe
   return result;
 }
 
+bool is_refined_evenly(const Problem& problem) {
+  return problem.accuracy->is_uniform || problem.discretisation.cells == fem::Shape::triangle ||
+         !problem.joins.empty() || !problem.rigid_bodies.empty();
+}
+
 bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
   const MPI_Comm comm = space.layout->comm;
   const auto& estimates = result.estimates;
   const std::vector<GoalRecord> before = std::move(goals_);
+  cuts_.clear();
   goals_ = estimates ? goal_records(problem_, *estimates, result.summary) : std::vector<GoalRecord>{};
   missed_ = estimates ? shortfall(goals_, *estimates) : "there are no estimates";
   if (estimates) std::ranges::transform(goals_, std::back_inserter(values_.emplace_back()), &GoalRecord::value);
   if (missed_.empty() && is_settled(before)) return false;
-  const std::int64_t divided = mark(space, estimates);
-  const double growth = 1 + 3 * static_cast<double>(divided) / static_cast<double>(space.global_cells);
+  const std::int64_t added = mark(space, estimates);
+  const double growth = 1 + static_cast<double>(added) / static_cast<double>(space.global_cells);
   std::string limit = unsettled(6, 0.9);
-  if (limit.empty() && divided == 0) limit = "the cells to divide are as small as can be";
+  if (limit.empty() && added == 0) limit = "the cells to divide are as small as can be";
   if (limit.empty()) {
     limit = obstacle(result.levels.back(), growth, comm);
     if (limit.empty()) return true;
@@ -163,7 +181,7 @@ std::string AccuracyLoop::unsettled(std::size_t count, double least_decay) const
   return text;
 }
 
-/// All cells where no goal has errors in cells that could be told apart. How many are to be divided (collective).
+/// Chords are cut, cells are marked; all of them where no goal has errors in cells that could be told apart.
 std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates) {
   constexpr double rounding = 1e-6;  // of what is allowed: which cells have most of it would be chance
   const auto marked = [&](signed char mark) {
@@ -176,6 +194,9 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     if (!may_join_)
       std::ranges::replace_if(
           marks_, [](signed char mark) { return mark < 0; }, 0);
+    cut(space, *estimates);
+    if (missed_.empty() && edges_lie_alike(space, *estimates))
+      for (const estimation::CrossedCell& crossed : estimates->crossed) marks_[crossed.cell] = 1;
     if (marked(1) == 0) marks_.assign(space.owned_cells, 1);
   } else {
     marks_.assign(space.owned_cells, 1);
@@ -183,8 +204,38 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
   constexpr double smallest = 0x1p-24;  // of a coarse cell; p4est ends at 2^-29
   for (std::size_t c = 0; c < marks_.size(); ++c)
     if (marks_[c] > 0 && std::abs(space.cells[c].size) <= smallest) marks_[c] = 0;
-  has_joined_ = marked(-1) > 0;
-  return marked(1);
+  has_joined_ = cuts_.empty() && marked(-1) > 0;
+  if (cuts_.empty()) return 3 * marked(1);
+  const auto parts = [](const fem::Cuts& cuts) {
+    return static_cast<std::int64_t>((cuts[0].size() + 1) * (cuts[1].size() + 1));
+  };
+  return std::transform_reduce(cuts_.begin(), cuts_.end(), -space.global_cells, std::plus{}, parts);
+}
+
+void AccuracyLoop::cut(const fem::Space& space, const estimation::Estimates& estimates) {
+  const MPI_Comm comm = space.layout->comm;
+  const std::vector<double> shares = indicators(space, goals_, estimates);
+  double whole = 0, divided = 0, cells = 0;
+  for (std::size_t c = 0; c < shares.size(); ++c) {
+    whole += shares[c];
+    if (marks_[c] > 0) {
+      divided += shares[c];
+      cells += 1;
+    }
+  }
+  whole = algebra::sum_over_ranks(whole, comm);
+  divided = algebra::sum_over_ranks(divided, comm);
+  cells = algebra::sum_over_ranks(cells, comm);
+  const auto is_held_at_point = [](const assembly::Support& support) { return support.point.has_value(); };
+  const fem::Surface surface(space.coarse, problem_.charts);
+  cuts_ = chord_cuts(space, surface,
+                     {.shares = shares,
+                      .estimates = estimates,
+                      .share = share_to_divide(),
+                      .per_cell = cells > 0 && whole > 0 ? divided / whole / (3 * cells) : 0,
+                      .halves_only = std::ranges::any_of(problem_.supports, is_held_at_point),
+                      .are_met = std::ranges::all_of(goals_, &GoalRecord::is_met),
+                      .confirms = missed_.empty()});
 }
 
 bool AccuracyLoop::is_settled(const std::vector<GoalRecord>& before) const {

@@ -23,23 +23,29 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRe
 /// Which goals are not met, and by how much, and whether there are cells that nothing judges, in words; empty if all is well.
 std::string shortfall(const std::vector<GoalRecord>& goals, const estimation::Estimates& estimates);
 
+/// Whether all cells of a problem with an accuracy are divided or none: it may ask for that, joined edges must be divided alike, nodes of rigid
+/// bodies must not hang, and triangles cannot be divided one by one.
+bool is_refined_evenly(const Problem& problem);
+
 /// Mesh after mesh, until all goals are met on two in a row, and have not changed from one to the other by more than their
 /// tolerances either, or a limit is hit.
 class AccuracyLoop {
  public:
-  /// `is_uniform`: all cells are divided, or none.
-  AccuracyLoop(const Problem& problem, bool is_uniform) : problem_(problem), is_uniform_(is_uniform) {}
+  explicit AccuracyLoop(const Problem& problem) : problem_(problem), is_uniform_(is_refined_evenly(problem)) {}
 
   /// Takes note of the result on a mesh; there are no estimates if its contact problem was not solved. Whether there is to be another (collective).
   bool wants_more(const Result& result, const fem::Space& space);
-  /// Of the mesh that was judged last.
+  /// Of the mesh that was judged last: cuts of its coarse cells (fem::MeshSequence::cut); where there are none, marks of its cells.
+  const std::vector<fem::Cuts>& cuts() const { return cuts_; }
   const std::vector<signed char>& marks() const { return marks_; }
   const std::vector<GoalRecord>& goals() const { return goals_; }
   /// Why goals are not met, in words; empty if they are.
   const std::string& missed() const { return missed_; }
 
  private:
+  /// Decides on cuts and marks. How many cells they add (collective).
   std::int64_t mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates);
+  void cut(const fem::Space& space, const estimation::Estimates& estimates);
   bool is_settled(const std::vector<GoalRecord>& before) const;
   /// Of the goal that is furthest from being met.
   double worst_excess() const;
@@ -60,6 +66,7 @@ class AccuracyLoop {
   Stopwatch since_start_{};
   std::vector<GoalRecord> goals_{};
   std::vector<std::vector<double>> values_{};  ///< of the goals, mesh by mesh
+  std::vector<fem::Cuts> cuts_{};
   std::vector<signed char> marks_{};
   std::string missed_{};
 };

@@ -106,23 +106,22 @@ class Computation {
     if (!meshes_for_goals()) return false;
     if (instants_.size() == 1) return true;
     on_mesh_ = &instants_.back();
+    cuts_.clear();
     marks_.assign(meshes_.space()->owned_cells, 0);
     return meshes_for_goals() || result_.status != contact::Status::interrupted;  // it may be out of reach at once
   }
 
   /// At one instant, from the present mesh on.
   bool meshes_for_goals() {
-    // Joined edges must be divided alike, and nodes of a rigid body must not hang.
-    const bool is_uniform = problem_.accuracy->is_uniform || !meshes_.is_graded() || !problem_.joins.empty() ||
-                            !problem_.rigid_bodies.empty();
     const bool is_first = on_mesh_ == &instants_.front();
-    AccuracyLoop loop(problem_, is_uniform);
+    AccuracyLoop loop(problem_);
     for (bool wants_more = true; wants_more;) {
       const int number = static_cast<int>(result_.levels.size());
       if (!mesh(number)) return false;
       wants_more = loop.wants_more(result_, *meshes_.space()) && (is_first || result_.estimates);
       result_.levels.back().goals = loop.goals();
       if (observer_.level) observer_.level(number, result_.levels.back());
+      cuts_ = loop.cuts();
       marks_ = loop.marks();
       if (is_first) continue;
       for (signed char& mark : marks_) mark = std::max<signed char>(mark, 0);  // what the first instant needs stays
@@ -186,10 +185,14 @@ class Computation {
     start.positions = positions();
     if (!observer_.stop) result_.solution.reset();  // one mesh at a time in memory, unless this may be the last one
     const auto carried = std::span(fields).first(was_deformed ? 3 : 2);
-    if (problem_.accuracy)
+    if (!cuts_.empty()) {
+      meshes_.cut(carried, cuts_);
+      surface_ = std::make_shared<const fem::Surface>(meshes_.space()->coarse, problem_.charts);
+    } else if (problem_.accuracy) {
       meshes_.refine(carried, marks_);
-    else
+    } else {
       meshes_.refine(carried);
+    }
     task.zone = interpolated_zone(std::move(fields[0]), fields[1]);
     if (was_deformed) {
       start.displacement = std::move(fields[2]);
@@ -318,7 +321,8 @@ class Computation {
   const Instant* on_mesh_ = &instants_.front();  ///< that is solved on each mesh
   const Instant* at_ = nullptr;                  ///< of the latest entry of the history
   std::optional<Passed> passed_{};               ///< the instant before that one
-  std::vector<signed char> marks_{};             ///< of the present mesh, where accuracy is asked for
+  std::vector<fem::Cuts> cuts_{};                ///< of the present mesh, where accuracy is asked for
+  std::vector<signed char> marks_{};             ///< of its cells, where there are no cuts
   std::string missed_accuracy_{};
   bool is_beyond_linear_ = false;
 };

@@ -1,5 +1,6 @@
 #include <plastron/computation/start_mesh.hpp>
 
+#include <plastron/computation/adaptivity.hpp>
 #include <plastron/fem/kept_nodes.hpp>
 #include <plastron/fem/polygon.hpp>
 
@@ -28,6 +29,9 @@ constexpr double cells_per_layer_degree =
 constexpr double contact_nodes = 700;   ///< of the finest mesh, where contact zones may have their edge anywhere
 constexpr double largest_share = 0.25;  ///< of the domain that a row may take
 constexpr int most_cells_across = 64;
+/// Of a disk's radius, beyond which a mesh that chords are cut in has rings: edges of contact zones may be round, too.
+constexpr double core_part = 0.35;
+constexpr int ring_degree = 4;  ///< the highest; patches of higher ones cannot judge cells that are long and bent
 
 /// How much room rows have that lie along a boundary, in Omega.
 struct Room {
@@ -179,6 +183,17 @@ struct InnerCells {
   std::array<int, 2> operator()(const fem::MeshFile&) const { return {1, 1}; }
 };
 
+/// Rings outside of the middle of a disk whose chords may be cut.
+void add_rings(const Problem& problem, const InnerCells& cells, fem::Rows& rows) {
+  const auto* disk = std::get_if<fem::Disk>(&problem.domain);
+  if (!disk || !problem.accuracy || is_refined_evenly(problem) || problem.discretisation.degree > ring_degree) return;
+  const double core = core_part * disk->radius;
+  const double between = disk->radius - last_or_nothing(rows.distances[0]) - core;  // rows take a quarter at most
+  rows.core = core;
+  rows.rings = cells.count(between * cells.inside.stretch.mean());
+  rows.inner[1] = std::max(1, rows.inner[1] / 2);
+}
+
 /// At least two cells along the longer side on the finest mesh: one cell of whatever degree sees little.
 double largest_size(const Interior& inside) { return std::sqrt(inside.area) / 2; }
 
@@ -205,7 +220,9 @@ StartMesh start_mesh(const Problem& problem) {
   auto [rows, layers] = rows_of(problem);
   const Interior inside = interior(problem);
   const double size = std::min(size_inside(problem, inside), largest_size(inside)) * std::exp2(d.refinements);
-  rows.inner = std::visit(InnerCells{rows, inside, size}, problem.domain);
+  const InnerCells cells{rows, inside, size};
+  rows.inner = std::visit(cells, problem.domain);
+  add_rings(problem, cells, rows);
   StartMesh mesh{.coarse = {}, .rows = std::move(layers), .has_narrow_rows = has_narrow_rows(rows)};
   try {
     mesh.coarse = fem::layered_mesh(problem.domain, d.cells, rows);

@@ -25,8 +25,29 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
       if (of_these == 0 || of_these == bounded) continue;
       crossed_.push_back(cell);
       touching_nodes_.push_back(touching);
+      across_.push_back(direction_across(cell, k));
       break;
     }
+}
+
+int ContactEdge::direction_across(std::size_t cell, std::size_t obstacle) const {
+  const fem::Space& space = solved_.discrete.space();
+  if (space.shape() != fem::Shape::quadrilateral) return 0;
+  const auto nodes = space.nodes(cell);
+  const auto n = static_cast<std::size_t>(space.degree) + 1;
+  const auto differ = [&](std::size_t a, std::size_t b) {
+    return touches(static_cast<std::size_t>(nodes[a]), obstacle) !=
+                   touches(static_cast<std::size_t>(nodes[b]), obstacle)
+               ? 1
+               : 0;
+  };
+  int along_first = 0, along_second = 0;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      along_first += differ(j * n + i, j * n + i + 1);
+      along_second += differ(i * n + j, (i + 1) * n + j);
+    }
+  return along_first >= along_second ? 0 : 1;
 }
 
 bool ContactEdge::touches(std::size_t node, std::size_t obstacle) const {

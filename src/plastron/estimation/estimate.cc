@@ -1,6 +1,7 @@
 #include <plastron/estimation/estimate.hpp>
 
 #include <plastron/estimation/contact_edge.hpp>
+#include <plastron/estimation/error_profiles.hpp>
 #include <plastron/estimation/strain_errors.hpp>
 
 #include <algorithm>
@@ -19,9 +20,7 @@ double over_ranks(const std::vector<double>& cells, MPI_Comm comm) {
 
 /// Of the sums over all ranks of each entry, as for independent errors.
 double root_of_squares(const std::vector<double>& mine, MPI_Comm comm) {
-  const std::vector<double> all = algebra::gather_over_ranks(mine, comm);
-  std::vector<double> sums(mine.size(), 0);
-  for (std::size_t i = 0; i < all.size(); ++i) sums[i % sums.size()] += all[i];
+  const std::vector<double> sums = algebra::sums_over_ranks(mine, comm);
   return std::sqrt(std::inner_product(sums.begin(), sums.end(), sums.begin(), 0.0));
 }
 
@@ -109,6 +108,13 @@ class GoalEstimator {
   DualSolver duals_;
 };
 
+std::vector<CrossedCell> crossed_cells(const ContactEdge& edge) {
+  std::vector<CrossedCell> cells;
+  for (std::size_t i = 0; i < edge.crossed().size(); ++i)
+    cells.push_back({edge.crossed()[i], edge.across()[i], edge.touching_nodes()[i]});
+  return cells;
+}
+
 }  // namespace
 
 Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner, std::span<const Goal> goals) {
@@ -117,7 +123,9 @@ Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner
   StrainRecovery strain_errors(solved.discrete, at_edges);
   const AllErrors primal = strain_errors(solved.nodal.y);
   const ContactEdge edge(solved);
-  Estimates estimates{.cells = std::vector<double>(primal.size()), .crossed = edge.crossed()};
+  Estimates estimates{.cells = std::vector<double>(primal.size()),
+                      .profiles = error_profiles(shell, primal),
+                      .crossed = crossed_cells(edge)};
   for (std::size_t c = 0; c < primal.size(); ++c) estimates.cells[c] = energy_product(shell, c, primal[c], primal[c]);
   estimates.energy_norm_squared = over_ranks(estimates.cells, shell.space().layout->comm);
   for (std::size_t c = 0; c < primal.size(); ++c)
