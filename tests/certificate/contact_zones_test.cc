@@ -8,6 +8,7 @@
 #include <plastron/fem/join.hpp>
 #include <plastron/fem/ties.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -24,7 +25,9 @@ using Pattern = std::function<double(const Vector3d&)>;  ///< of phi: negative w
 constexpr double thickness = 0.1, opening = 0.7;  // gap = opening times s^2 (3 delta + s) [1/m^2]
 
 struct Scene {
-  fem::Rectangle domain{.to = {2, 1}, .cells = {16, 8}};
+  fem::Domain domain = fem::Rectangle{.to = {2, 1}, .cells = {16, 8}};
+  int refinements = 0;
+  std::map<std::string, double> shear_corrections{};  ///< of regions, whose zones open otherwise then
   std::array<std::string, 3> chart{"x", "y", "0.3"};
   std::vector<obstacle::Obstacle> obstacles{
       {.name = "table", .shape = obstacle::HalfSpace{}, .face = obstacle::Face::lower}};
@@ -47,29 +50,45 @@ struct Given {
   NodalSolution nodal;
 };
 
-double opened(double distance) {
-  const auto sections = test::steel_of(geometry::Expression(thickness));
-  return opening * distance * distance * (3 * shear_length(sections.common.material, thickness) + distance);
+double opened(double distance, const shell::Material& material) {
+  return opening * distance * distance * (3 * shear_length(material, thickness) + distance);
+}
+
+assembly::CrossSections sections_of(const Scene& scene) {
+  assembly::CrossSections sections = test::steel_of(geometry::Expression(thickness));
+  for (const auto& [region, shear_correction] : scene.shear_corrections)
+    sections.regions[region] = {.thickness = geometry::Expression(thickness),
+                                .material = shell::Material::from_young_poisson(1.0, 0.3, shear_correction)};
+  return sections;
 }
 
 std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, const Element& element, MPI_Comm comm) {
   const auto coarse = fem::coarse_mesh(scene.domain, element.shape);
   std::map<std::string, geometry::Chart> charts;
-  charts.emplace("", geometry::Chart(scene.chart, {}));
+  for (const std::string& region : coarse.regions) charts.emplace(region, geometry::Chart(scene.chart, {}));
   std::shared_ptr<const fem::Surface> surface;
   fem::MeshSequence meshes(coarse, element.degree, comm, [&](std::shared_ptr<const fem::Space> space) {
     surface = std::make_shared<const fem::Surface>(space->coarse, charts);
     return fem::joined(std::move(space), *surface, scene.joins);
   });
-  return assembly::discretise(
-      meshes.space(), surface,
-      {.sections = test::steel_of(geometry::Expression(thickness)), .obstacles = {.all = scene.obstacles}});
+  for (int i = 0; i < scene.refinements; ++i) meshes.refine({});
+  return assembly::discretise(meshes.space(), surface,
+                              {.sections = sections_of(scene), .obstacles = {.all = scene.obstacles}});
+}
+
+/// That of the region in which a place lies.
+const shell::Material& material_at(const Scene& scene, const assembly::CrossSections& sections, const Vector3d& phi) {
+  const auto* rectangle = std::get_if<fem::Rectangle>(&scene.domain);
+  if (!rectangle || rectangle->regions.empty()) return sections.common.material;
+  const auto right = std::ranges::upper_bound(rectangle->breaks, phi[0]) - rectangle->breaks.begin();
+  return sections.regions.at(rectangle->regions[static_cast<std::size_t>(right)]).material;
 }
 
 Given given(const Scene& scene, const Element& element, MPI_Comm comm) {
   Given g{.discrete = shell_of(scene, element, comm), .nodal = {}};
   const auto& layout = g.discrete->space().layout;
   const auto block = scene.obstacles.size();
+  const assembly::CrossSections sections = sections_of(scene);
   g.nodal = {.y = algebra::Vector(layout, 6),
              .pressure = algebra::Vector(layout, static_cast<int>(block)),
              .touching = algebra::Vector(layout, static_cast<int>(block))};
@@ -79,7 +98,7 @@ Given given(const Scene& scene, const Element& element, MPI_Comm comm) {
     for (std::size_t k = 0; k < block; ++k) {
       const obstacle::Gap& gap = g.discrete->coordinates.gaps[k][i];
       const double distance = scene.patterns[k](p.phi);
-      if (k == 0) u = gap.normal * (opened(std::max(distance, 0.0)) - gap.initial);
+      if (k == 0) u = gap.normal * (opened(std::max(distance, 0.0), material_at(scene, sections, p.phi)) - gap.initial);
       if (distance > 0 || p.weight == 0) continue;  // triangles of degree 2 have no bound at their vertices
       g.nodal.touching.local()[block * i + k] = 1;
       g.nodal.pressure.local()[block * i + k] = scene.pressure(p.phi);
@@ -208,7 +227,7 @@ TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
 TEST_P(ContactZones, OfARingIsOneBetweenTwoClosedLines) {
   const Pattern ring = [](const Vector3d& phi) { return std::abs(std::hypot(phi[0] - 1, phi[1] - 0.5) - 0.34) - 0.09; };
   Scene fine;
-  fine.domain.cells = {32, 16};
+  fine.domain = fem::Rectangle{.to = {2, 1}, .cells = {32, 16}};
   fine.patterns = {ring};
   const auto zones = zones_of(fine, GetParam()).front();
   ASSERT_EQ(zones.size(), 1U);
@@ -293,7 +312,7 @@ TEST_P(ContactZones, OfSeveralObstaclesAreApart) {
 /// A tube of radius 1 whose seam lies where a ceiling touches it.
 Scene tube(const Pattern& pattern) {
   Scene scene;
-  scene.domain = {.to = {2 * std::numbers::pi, 2}, .cells = {40, 16}};
+  scene.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 2}, .cells = {40, 16}};
   scene.chart = {"sin(x)", "y", "cos(x)"};
   scene.obstacles = {{.name = "ceiling",
                       .shape = obstacle::HalfSpace{.point = {0, 0, 1.05}, .normal = {0, 0, -1}},
@@ -320,6 +339,45 @@ TEST_P(ContactZones, GoOnAcrossAJoinedEdge) {
     EXPECT_LT((line.points[i + 1].place - line.points[i].place).norm(), 1e-12);
   }
   EXPECT_EQ(crossings, 2);
+}
+
+/// Of a disk: the ends of the line lie on the round rim, and so do all points along it.
+TEST_P(ContactZones, MeetACurvedRimOnIt) {
+  const double edge = 0.3;
+  Scene scene;
+  scene.domain = fem::Disk{};
+  scene.refinements = 3;
+  scene.patterns = {[=](const Vector3d& phi) { return phi[0] - edge; }};
+  const auto zones = zones_of(scene, GetParam()).front();
+  ASSERT_EQ(zones.size(), 1U);
+  ASSERT_EQ(zones[0].lines.size(), 2U);
+  const ContactLine &across = zones[0].lines[0], &rim = zones[0].lines[1];
+  EXPECT_FALSE(across.is_rim || across.is_closed);
+  EXPECT_TRUE(rim.is_rim);
+  EXPECT_LT(distance_from(scene.patterns[0], across), 0.003 * node_distance(GetParam()));
+  EXPECT_NEAR(across.length, 2 * std::sqrt(1 - edge * edge), 1e-3);
+  const double rounding = fem::corner_count(GetParam().shape) == 4 ? 1e-12 : 1e-9;
+  for (const ContactLine& line : zones[0].lines)
+    for (const BoundaryPoint& p : {line.points.front(), line.points.back()}) EXPECT_NEAR(p.x.norm(), 1, rounding);
+}
+
+/// Zones open otherwise where the shell is softer in shear: an edge across the border of two materials is found on both sides, exactly where no node
+/// of the other one has a say, and to a tenth of their distance beside the border.
+TEST_P(ContactZones, GoOnAcrossTheBorderOfTwoMaterials) {
+  const double edge = 0.46;
+  Scene scene;
+  scene.domain = fem::Rectangle{.to = {2, 1}, .cells = {16, 8}, .breaks = {1}, .regions = {"stiff", "soft"}};
+  scene.shear_corrections = {{"stiff", 5.0 / 6}, {"soft", 0.2}};
+  scene.patterns = {[=](const Vector3d& phi) { return phi[1] - edge; }};
+  const auto zones = zones_of(scene, GetParam()).front();
+  ASSERT_EQ(zones.size(), 1U);
+  ASSERT_EQ(zones[0].lines.size(), 2U);
+  const ContactLine& across = zones[0].lines[0];
+  EXPECT_NEAR(across.length, 2, 0.1);
+  for (const BoundaryPoint& p : across.points) {
+    const bool is_far = std::abs(p.x[0] - 1) > 5 * node_distance(GetParam());
+    EXPECT_NEAR(p.x[1], edge, is_far ? 1e-10 : 0.15 * node_distance(GetParam())) << p.x[0];
+  }
 }
 
 TEST(ContactZone, OfNothingIsNone) {
