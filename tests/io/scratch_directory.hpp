@@ -40,7 +40,9 @@ struct ScratchDirectory {
     if (world_rank() == 0) std::filesystem::remove_all(path, ignored);
   }
 
+  /// After all ranks have come here: a failed write is removed by the first one, on its way out (collective).
   std::vector<std::string> names() const {
+    MPI_Barrier(MPI_COMM_WORLD);
     std::vector<std::string> all;
     for (const auto& entry : std::filesystem::directory_iterator(path)) all.push_back(entry.path().filename().string());
     return all;
