@@ -52,7 +52,7 @@ include(${DEAL_II_TARGET_CONFIG})
 add_library(plastron_dealii INTERFACE IMPORTED GLOBAL)
 target_include_directories(plastron_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
 target_link_libraries(plastron_dealii INTERFACE ${DEAL_II_TARGET_RELEASE} MPI::MPI_CXX)
-target_compile_options(plastron_dealii INTERFACE -fopenmp-simd)
+target_compile_options(plastron_dealii INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fopenmp-simd>)
 
 # PETSc's own dependencies, in whose packages they come along.
 plastron_find(LAPACK)

@@ -140,8 +140,8 @@ TEST(LayeredPolygon, CoversItWithRowsOfTheirDepthAlongEverySide) {
           const Vector2d from = scaled[i], to = scaled[(i + 1) % n];
           EXPECT_NEAR(edges["edge" + std::to_string(i + 1)].second / (to - from).norm(), 1, 1e-9);
           const Vector2d along = (to - from).normalized();
-          const auto is_on_line = [&](const Vector2d& v) {
-            return std::abs(std::abs(cross(along, v - from)) - depth * scale) < 1e-9 * scale;
+          const auto is_on_line = [&, off = depth * scale](const Vector2d& v) {
+            return std::abs(std::abs(cross(along, v - from)) - off) < 1e-9 * scale;
           };
           EXPECT_GE(std::ranges::count_if(mesh.vertices, is_on_line), 2) << n << " corners, side " << i;
         }

@@ -51,7 +51,7 @@ Integrals integrals(const Manufactured& exact, int cells) {
   const auto& [E, nu, e, ks] = exact.shell();
   const auto material = shell::Material::from_young_poisson(E, nu, ks);
   Integrals sum;
-  integrate(cells, [&](double x, double y, double weight) {
+  integrate(cells, [&, e = e](double x, double y, double weight) {
     const geometry::Frame frame = geometry::frame_at(chart(x, y));
     const ExactField u = exact.u(x, y), r = exact.r(x, y);
     const auto strain = shell::strain<double>({u.d, r.value, r.d}, frame);

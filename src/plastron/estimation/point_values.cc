@@ -50,7 +50,7 @@ Derivative linear(const std::optional<Place>& place, const element::CellField& f
 class CellResultant {
  public:
   CellResultant(const PointResultant& point, const Place& place, const assembly::DiscreteShell& discrete)
-      : point_(point), place_(place), discrete_(discrete), points_(discrete, point.axis) {
+      : point_(point), place_(place), points_(discrete, point.axis) {
     const fem::Space& space = discrete.space();
     continuation_ = element::resultant_continuation(space.shape(), space.degree, {place.xi});
     std::vector<geometry::SurfaceJet> jet(1);
@@ -72,7 +72,6 @@ class CellResultant {
  private:
   const PointResultant& point_;
   const Place& place_;
-  const assembly::DiscreteShell& discrete_;
   recovery::ResultantPoints points_;
   Eigen::MatrixXd continuation_;
   recovery::SurfaceAxes axes_{};

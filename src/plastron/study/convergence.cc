@@ -19,7 +19,7 @@ namespace {
 
 using Sequence = ErrorSequence;
 
-Table empty_table() {
+Table convergence_table() {
   return {.name = "convergence",
           .title = "How fast does the error fall with the mesh size?",
           .columns = {{"obstacle", "", "-"},
@@ -203,7 +203,7 @@ Report convergence(const computation::Problem& problem, const StudyOptions& opti
   const int degree = problem.discretisation.degree;
   const double length = computation::extent(problem);
   Report report{
-      .table = empty_table(),
+      .table = convergence_table(),
       .plot = {.title = "Error against the mesh size", .x = {"mesh size h [m]", true}, .y = {"relative error", true}}};
   report.table.remarks.push_back(fmt::format(
       "errors are relative to a solution {} levels finer than the finest mesh compared, and measured on its mesh",

@@ -102,7 +102,7 @@ struct Followed {
   bool is_idle = false;
 };
 
-Table empty_table() {
+Table penalty_table() {
   return {.name = "penalty",
           .title = "Does the penalised solution converge as the penalty parameter goes to zero?",
           .columns = {{"penalty", "p", "1"},
@@ -243,7 +243,7 @@ std::vector<Variant> penalty_variants(const computation::Problem& problem, const
 }
 
 Report penalty(const computation::Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
-  Report report{.table = empty_table(), .plot = {}};
+  Report report{.table = penalty_table(), .plot = {}};
   if (observer.stage) observer.stage("tangent");
   const Tangent tangent = solve_tangent(problem, comm, observer.solve);
   report.status = tangent.result.status;

@@ -112,7 +112,7 @@ Samples compute(computation::Problem problem, MPI_Comm comm, const StudyObserver
   return samples;
 }
 
-Table empty_table() {
+Table soft_mode_table() {
   return {.name = "soft-modes",
           .title = "Which motions cost nothing once all supports are removed?",
           .columns = {{"formulation", "", "-"},
@@ -226,7 +226,7 @@ Plot plot_of(const std::vector<Sample>& samples) {
 Report soft_modes(const computation::Problem& problem, const StudyOptions&, MPI_Comm comm,
                   const StudyObserver& observer) {
   const Samples samples = compute(problem, comm, observer);
-  Report report{.table = empty_table(), .plot = {}};
+  Report report{.table = soft_mode_table(), .plot = {}};
   if (samples.all.empty()) return report.status = contact::Status::interrupted, report;
   add_rows(samples.all, report.table);
   for (const Formulation formulation : formulations) {

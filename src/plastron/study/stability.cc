@@ -20,7 +20,7 @@ using Sample = StabilitySample;
 using Samples = std::vector<Sample>;
 using Value = double Sample::*;
 
-Table empty_table() {
+Table stability_table() {
   return {.name = "stability",
           .title = "Do the constants of coercivity and of the inf-sup conditions hold as h and e go to zero?",
           .columns = {{"factor", "", "1"},
@@ -177,7 +177,7 @@ Report stability(const computation::Problem& problem, const StudyOptions& option
                  const StudyObserver& observer) {
   const double length = computation::extent(problem);
   const auto samples = stability_samples(problem, factors_of(options), length, comm, observer);
-  Report report{.table = empty_table(), .plot = {}};
+  Report report{.table = stability_table(), .plot = {}};
   if (samples.empty()) return report.status = contact::Status::interrupted, report;
   add_rows(samples, length, report.table);
   report.table.remarks.push_back(fmt::format(

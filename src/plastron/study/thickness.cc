@@ -91,7 +91,7 @@ std::vector<double> column(const std::vector<Sample>& samples, const Take& take)
   return values;
 }
 
-Table empty_table() {
+Table thickness_table() {
   return {.name = "thickness",
           .title = "What happens as the thickness goes to zero?",
           .columns = {{"factor", "", "1"},
@@ -248,7 +248,7 @@ std::vector<Variant> thickness_study_variants(const computation::Problem& proble
 Report thickness(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
                  const StudyObserver& observer) {
   const double exponent = options.load_exponent.value_or(problem.obstacles.empty() ? 0 : 3);
-  Report report{.table = empty_table(), .plot = {}};
+  Report report{.table = thickness_table(), .plot = {}};
   report.table.remarks.push_back(exponent == 0 ? std::string("loads are those of the case")
                                                : fmt::format("loads are the case's times factor^{:g}", exponent));
   if (!problem.obstacles.empty())
