@@ -108,10 +108,15 @@ class DualAscent {
   /// Along it d is about linear as long as the set stays: worth a long step, where the other part of d' allows a short one.
   Vector irreducible(const SubproblemSolver& subproblems, const DualPoint& here) const {
     if (subproblems.failure() != Status::linear_solver_stalled) return here.violation;  // not even A is definite
+    // Of the whole slope. What is left of a violation that can be reduced entirely is rounding and leads nowhere.
+    constexpr double rounding = 1e-10;
     Vector rest = subproblems.irreducible(here.set, here.violation);
-    Vector ascent = problem_.equations->multipliers;
-    problem_.equations->precondition(rest, ascent);
-    return algebra::dot(ascent, here.violation) > 0 ? rest : here.violation;
+    const auto slope = [&](const Vector& violation) {
+      Vector ascent = problem_.equations->multipliers;
+      problem_.equations->precondition(violation, ascent);
+      return algebra::dot(ascent, here.violation);
+    };
+    return slope(rest) > rounding * slope(here.violation) ? rest : here.violation;
   }
 
   std::optional<DualPoint> climb(const DualPoint& here, const Vector& direction, bool is_newtons) {
