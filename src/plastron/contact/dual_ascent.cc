@@ -37,11 +37,8 @@ class DualAscent {
       SubproblemSolver subproblems(problem_, preconditioner_, settings_);
       const std::optional<Vector> best = maximise_on(subproblems, here->set, here->q);
       if (has_ended_) return;
-      Vector direction = best ? *best : problem_.equations->multipliers;
-      if (best)
-        algebra::axpy(-1, here->q, direction);
-      else
-        problem_.equations->precondition(irreducible(subproblems, *here), direction);
+      Vector direction = best ? *best : ascent(subproblems, *here);
+      if (best) algebra::axpy(-1, here->q, direction);
       here = climb(*here, direction, best.has_value());
     }
   }
@@ -105,18 +102,20 @@ class DualAscent {
     return best;
   }
 
-  /// Along it d is about linear as long as the set stays: worth a long step, where the other part of d' allows a short one.
-  Vector irreducible(const SubproblemSolver& subproblems, const DualPoint& here) const {
-    if (subproblems.failure() != Status::linear_solver_stalled) return here.violation;  // not even A is definite
-    // Of the whole slope. What is left of a violation that can be reduced entirely is rounding and leads nowhere.
-    constexpr double rounding = 1e-10;
-    Vector rest = subproblems.irreducible(here.set, here.violation);
-    const auto slope = [&](const Vector& violation) {
-      Vector ascent = problem_.equations->multipliers;
-      problem_.equations->precondition(violation, ascent);
-      return algebra::dot(ascent, here.violation);
-    };
-    return slope(rest) > rounding * slope(here.violation) ? rest : here.violation;
+  Vector preconditioned(const Vector& violation) const {
+    Vector direction = problem_.equations->multipliers;
+    problem_.equations->precondition(violation, direction);
+    return direction;
+  }
+
+  /// By the part of d' that cannot be reduced on the set, where there is one: along it d is about linear as long as the set stays, worth a
+  /// long step, where the other part allows a short one. Of a violation that can be reduced entirely rounding is left, which leads nowhere.
+  Vector ascent(const SubproblemSolver& subproblems, const DualPoint& here) const {
+    constexpr double rounding = 1e-10;  // of the whole slope
+    Vector whole = preconditioned(here.violation);
+    if (subproblems.failure() != Status::linear_solver_stalled) return whole;  // not even A is definite
+    Vector rest = preconditioned(subproblems.irreducible(here.set, here.violation));
+    return algebra::dot(rest, here.violation) > rounding * algebra::dot(whole, here.violation) ? rest : whole;
   }
 
   std::optional<DualPoint> climb(const DualPoint& here, const Vector& direction, bool is_newtons) {

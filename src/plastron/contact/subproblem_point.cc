@@ -7,7 +7,7 @@
 namespace plastron::contact {
 namespace {
 
-constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
+constexpr double machine_epsilon = std::numeric_limits<double>::epsilon();
 
 bool is_bounded(const BoxProblem& problem, std::size_t i) {
   const double lower = problem.lower.owned()[i], upper = problem.upper.owned()[i];
@@ -19,7 +19,7 @@ bool is_bounded(const BoxProblem& problem, std::size_t i) {
 // largest anywhere: so neither the unit of length nor rotations decide.
 void measure_gap_noise(const BoxProblem& problem, const Settings& settings, const algebra::Vector& scale,
                        SubproblemPoint& point) {
-  constexpr double rounding = 16 * rounding_unit;
+  constexpr double rounding = 16 * machine_epsilon;
   double largest = 0, energy = 0;
   const std::span<const double> z = point.z.owned(), diagonal = scale.owned();
   for (std::size_t i = 0; i < z.size(); ++i) {
@@ -60,7 +60,7 @@ void measure_multiplier_noise(const BoxProblem& problem, const Settings& setting
     const double multiplier = std::abs(point.multiplier.owned()[i]);
     double& value = noise.owned()[i];
     energy = std::max(energy, std::sqrt(std::max(scale.owned()[i], 0.0)) * std::abs(point.z.owned()[i]));
-    value = rounding_unit * (value + std::abs(problem.load.owned()[i]));
+    value = machine_epsilon * (value + std::abs(problem.load.owned()[i]));
     if (set[i] == Activity::free && scale.owned()[i] > 0) {
       residual += multiplier * multiplier / scale.owned()[i];
       rounding += value * value / scale.owned()[i];
@@ -71,7 +71,7 @@ void measure_multiplier_noise(const BoxProblem& problem, const Settings& setting
   residual = std::sqrt(algebra::sum_over_ranks(residual, comm));
   // Where symmetry cancels entries of A, A z is still rounded by a few eps of the largest energy.
   rounding = std::max(std::sqrt(algebra::sum_over_ranks(rounding, comm)),
-                      rounding_unit * algebra::max_over_ranks(energy, comm));
+                      machine_epsilon * algebra::max_over_ranks(energy, comm));
   const double factor = 4 * std::max(1.0, rounding > 0 ? residual / rounding : 1.0);
   largest = algebra::max_over_ranks(largest, comm);
   const double asked = settings.multiplier_tolerance * largest;
