@@ -93,6 +93,32 @@ TEST_P(GradedMesh, HoldsPolynomialsAndCarriesThem) {
   EXPECT_GT(algebra::sum_over_ranks(hanging, MPI_COMM_WORLD), 20);
 }
 
+TEST_P(GradedMesh, HasTheSameCellsAndFieldsAtOneDegreeMore) {
+  MeshSequence meshes = square(GetParam());
+  for (std::uint64_t round = 0; round < rounds; ++round) meshes.refine({}, scattered_marks(*meshes.space(), round));
+  const std::shared_ptr<const Space> before = meshes.space();
+  std::vector<algebra::Vector> fields{interpolant(*before)};
+  const std::shared_ptr<const Space> raised = meshes.raised(fields);
+  EXPECT_EQ(meshes.space(), before);
+  ASSERT_EQ(raised->degree, before->degree + 1);
+  ASSERT_EQ(raised->owned_cells, before->owned_cells);
+  for (std::size_t c = 0; c < before->owned_cells; ++c)
+    EXPECT_EQ(place_of(raised->cells[c]), place_of(before->cells[c]));
+  const algebra::Vector x = positions(*raised);
+  algebra::Vector exact(raised->layout, 1);
+  for (std::size_t i = 0; i < exact.local().size(); ++i)
+    exact.local()[i] = polynomial(before->degree, x.local()[2 * i], x.local()[2 * i + 1]);
+  EXPECT_LT(largest_difference(fields[0], exact), 1e-11);
+  algebra::Vector spread_out = exact;
+  spread(*raised, spread_out);
+  EXPECT_LT(largest_difference(spread_out, exact), 1e-12);
+}
+
+TEST(MeshesOfTriangles, HaveNoHigherDegree) {
+  MeshSequence meshes(coarse_mesh(Rectangle{}, Shape::triangle), 2, MPI_COMM_WORLD);
+  EXPECT_EQ(meshes.raised({}), nullptr);
+}
+
 /// Any values at free nodes give a field that has one value at every point of a side, seen from either cell.
 TEST_P(GradedMesh, HasContinuousFields) {
   MeshSequence meshes = square(GetParam());

@@ -4,6 +4,7 @@
 #include <plastron/algebra/vector.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/quadrilateral_sequence.hpp>
+#include <plastron/fem/raised.hpp>
 #include <plastron/fem/triangle_sequence.hpp>
 
 #include <algorithm>
@@ -122,6 +123,15 @@ void MeshSequence::restart(std::vector<Cuts> cuts) {
   PLASTRON_ASSERT(fingerprint ==
                   Fingerprint(*std::get<QuadrilateralSequence>(storage_->levels).space()->coarse).value());
   storage_->finish_level();
+}
+
+std::shared_ptr<const Space> MeshSequence::raised(std::span<algebra::Vector> fields, int degrees) const {
+  const auto* cells = std::get_if<QuadrilateralSequence>(&storage_->levels);
+  if (!cells) return {};
+  const std::shared_ptr<const Space> bare = cells->space_of_degree(space()->degree + degrees);
+  const std::shared_ptr<const Space> finished = storage_->finish ? storage_->finish(bare) : bare;
+  for (algebra::Vector& field : fields) field = fem::raised(field, *space(), *finished);
+  return finished;
 }
 
 bool MeshSequence::is_graded() const { return std::holds_alternative<QuadrilateralSequence>(storage_->levels); }

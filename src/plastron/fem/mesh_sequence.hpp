@@ -36,6 +36,9 @@ class MeshSequence {
   /// Cuts quadrilaterals of the coarse mesh, none of which may be divided yet, along chords: `cuts` of the present coarse cells are the same on
   /// both sides of a common side. Fields as above. (collective)
   void cut(std::span<algebra::Vector> fields, std::span<const Cuts> cuts);
+  /// The present cells at a degree that is higher by `degrees`, finished like every level, with fields interpolated on them; the sequence stays
+  /// as it is. Null for triangles. (collective)
+  std::shared_ptr<const Space> raised(std::span<algebra::Vector> fields, int degrees = 1) const;
   /// Begins anew with the first mesh at the cuts that another sequence of it has come to, CoarseMesh::cuts (collective). Throws DomainError for
   /// cuts that do not fit.
   void begin_with_cuts(std::vector<Cuts> cuts);

@@ -80,46 +80,32 @@ Cell dyadic_cell(dealii::TriaIterator<dealii::CellAccessor<2>> cell) {
 
 }  // namespace
 
-struct QuadrilateralSequence::Storage {
-  Storage(CoarseMesh mesh, int degree, MPI_Comm comm)
-      : coarse(std::make_shared<CoarseMesh>(std::move(mesh))),
-        triangulation(comm),
-        element(static_cast<unsigned int>(degree)),
-        dofs(triangulation) {}
-
-  std::shared_ptr<CoarseMesh> coarse;
-  std::optional<NamedSides> sides;  ///< of the coarse cells as deal.II orders their vertices
-  dealii::parallel::distributed::Triangulation<2> triangulation;
+/// Nodes of one degree on a mesh.
+struct QuadrilateralSequence::Nodes {
+  Nodes(const dealii::Triangulation<2>& mesh, int degree) : element(static_cast<unsigned int>(degree)), dofs(mesh) {}
   dealii::FE_Q<2> element;
   dealii::DoFHandler<2> dofs;
-  std::shared_ptr<const Space> space;
   dealii::IndexSet relevant;
 
-  void create();
-  void flatten();
-  std::shared_ptr<const algebra::Layout> make_layout();
+  /// On the present cells.
+  void distribute();
+  std::shared_ptr<const algebra::Layout> make_layout() const;
   std::vector<HangingNode> hanging_nodes() const;
-  void mark_cells(const Marks& marks);
-  template <class Accessor>
-  void add_cell(const Accessor& cell, const std::vector<unsigned int>& from_lexicographic, Space& target) const;
-  DealVector make_vector() const { return {dofs.locally_owned_dofs(), relevant, triangulation.get_communicator()}; }
+  DealVector make_vector() const { return {dofs.locally_owned_dofs(), relevant, dofs.get_communicator()}; }
 };
 
-void QuadrilateralSequence::Storage::create() {
-  const auto cells = ordered_cells(*coarse);
-  std::vector<dealii::Point<2>> vertices;
-  for (const Vector2d& v : coarse->vertices) vertices.emplace_back(v[0], v[1]);
-  triangulation.create_triangulation(vertices, cells, {});
-  sides.emplace(*coarse);
+void QuadrilateralSequence::Nodes::distribute() {
+  dofs.distribute_dofs(element);
+  dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
 }
 
-std::shared_ptr<const algebra::Layout> QuadrilateralSequence::Storage::make_layout() {
-  dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+std::shared_ptr<const algebra::Layout> QuadrilateralSequence::Nodes::make_layout() const {
+  const MPI_Comm comm = dofs.get_communicator();
   const dealii::IndexSet& owned = dofs.locally_owned_dofs();
   const auto count = static_cast<algebra::GlobalIndex>(owned.n_elements());
   algebra::GlobalIndex end = 0;  // a rank without nodes begins and ends where the one before ends
-  MPI_Scan(&count, &end, 1, MPI_INT64_T, MPI_SUM, triangulation.get_communicator());
-  algebra::Distribution nodes{.comm = triangulation.get_communicator(),
+  MPI_Scan(&count, &end, 1, MPI_INT64_T, MPI_SUM, comm);
+  algebra::Distribution nodes{.comm = comm,
                               .first = end - count,
                               .owned = static_cast<algebra::LocalIndex>(count),
                               .global_size = static_cast<algebra::GlobalIndex>(dofs.n_dofs())};
@@ -128,22 +114,8 @@ std::shared_ptr<const algebra::Layout> QuadrilateralSequence::Storage::make_layo
   return std::make_shared<const algebra::Layout>(std::move(nodes));
 }
 
-template <class Accessor>
-void QuadrilateralSequence::Storage::add_cell(const Accessor& cell, const std::vector<unsigned int>& from_lexicographic,
-                                              Space& target) const {
-  const algebra::Layout& layout = *target.layout;
-  std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
-  cell->get_dof_indices(indices);
-  for (unsigned int i = 0; i < indices.size(); ++i) {
-    const auto global = static_cast<algebra::GlobalIndex>(indices[from_lexicographic[i]]);
-    target.connectivity.nodes.push_back(layout.local(global));
-  }
-  target.cells.push_back(dyadic_cell(cell));
-  sides->add_sides_of_last_cell(target);
-}
-
 /// Those that this rank owns.
-std::vector<HangingNode> QuadrilateralSequence::Storage::hanging_nodes() const {
+std::vector<HangingNode> QuadrilateralSequence::Nodes::hanging_nodes() const {
   dealii::AffineConstraints<double> constraints(relevant);
   dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
   std::vector<HangingNode> all;
@@ -156,13 +128,53 @@ std::vector<HangingNode> QuadrilateralSequence::Storage::hanging_nodes() const {
   return all;
 }
 
+struct QuadrilateralSequence::Storage {
+  Storage(CoarseMesh mesh, int degree, MPI_Comm comm)
+      : coarse(std::make_shared<CoarseMesh>(std::move(mesh))), triangulation(comm), nodes(triangulation, degree) {}
+
+  std::shared_ptr<CoarseMesh> coarse;
+  std::optional<NamedSides> sides;  ///< of the coarse cells as deal.II orders their vertices
+  dealii::parallel::distributed::Triangulation<2> triangulation;
+  Nodes nodes;
+  std::shared_ptr<const Space> space;
+
+  void create();
+  void number_nodes();
+  std::shared_ptr<const Space> flat(const Nodes& of) const;
+  void mark_cells(const Marks& marks);
+  template <class Accessor>
+  void add_cell(const Accessor& cell, const std::vector<unsigned int>& from_lexicographic, Space& target) const;
+};
+
+void QuadrilateralSequence::Storage::create() {
+  const auto cells = ordered_cells(*coarse);
+  std::vector<dealii::Point<2>> vertices;
+  for (const Vector2d& v : coarse->vertices) vertices.emplace_back(v[0], v[1]);
+  triangulation.create_triangulation(vertices, cells, {});
+  sides.emplace(*coarse);
+}
+
+template <class Accessor>
+void QuadrilateralSequence::Storage::add_cell(const Accessor& cell, const std::vector<unsigned int>& from_lexicographic,
+                                              Space& target) const {
+  const algebra::Layout& layout = *target.layout;
+  std::vector<dealii::types::global_dof_index> indices(from_lexicographic.size());
+  cell->get_dof_indices(indices);
+  for (unsigned int i = 0; i < indices.size(); ++i) {
+    const auto global = static_cast<algebra::GlobalIndex>(indices[from_lexicographic[i]]);
+    target.connectivity.nodes.push_back(layout.local(global));
+  }
+  target.cells.push_back(dyadic_cell(cell));
+  sides->add_sides_of_last_cell(target);
+}
+
 void QuadrilateralSequence::Storage::mark_cells(const Marks& marks) {
   if (!marks) {
     triangulation.set_all_refine_flags();
     return;
   }
   std::size_t next = 0;
-  for (const auto& cell : dofs.active_cell_iterators()) {
+  for (const auto& cell : triangulation.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     const signed char mark = (*marks)[next++];
     if (mark > 0) cell->set_refine_flag();
@@ -171,26 +183,30 @@ void QuadrilateralSequence::Storage::mark_cells(const Marks& marks) {
   PLASTRON_ASSERT(next == marks->size(), next, marks->size());
 }
 
-void QuadrilateralSequence::Storage::flatten() {
-  dofs.distribute_dofs(element);
-  Space flat{.degree = static_cast<int>(element.degree), .coarse = coarse, .layout = make_layout()};
+std::shared_ptr<const Space> QuadrilateralSequence::Storage::flat(const Nodes& of) const {
+  Space flat{.degree = static_cast<int>(of.element.degree), .coarse = coarse, .layout = of.make_layout()};
   flat.connectivity.nodes_per_element = flat.nodes_per_cell();
-  const auto from_lexicographic = element.get_poly_space_numbering_inverse();
-  for (const auto& cell : dofs.active_cell_iterators())
+  const auto from_lexicographic = of.element.get_poly_space_numbering_inverse();
+  for (const auto& cell : of.dofs.active_cell_iterators())
     if (cell->is_locally_owned()) add_cell(cell, from_lexicographic, flat);
   flat.owned_cells = flat.cells.size();
-  for (const auto& cell : dofs.active_cell_iterators())
+  for (const auto& cell : of.dofs.active_cell_iterators())
     if (cell->is_ghost()) add_cell(cell, from_lexicographic, flat);
   flat.global_cells = static_cast<std::int64_t>(triangulation.n_global_active_cells());
-  tie_hanging_nodes(flat, hanging_nodes());
-  space = std::make_shared<const Space>(std::move(flat));
+  tie_hanging_nodes(flat, of.hanging_nodes());
+  return std::make_shared<const Space>(std::move(flat));
+}
+
+void QuadrilateralSequence::Storage::number_nodes() {
+  nodes.distribute();
+  space = flat(nodes);
 }
 
 QuadrilateralSequence::QuadrilateralSequence(CoarseMesh coarse, int degree, MPI_Comm comm) {
   silence_p4est();
   storage_ = std::make_unique<Storage>(std::move(coarse), degree, comm);
   storage_->create();
-  storage_->flatten();
+  storage_->number_nodes();
 }
 
 QuadrilateralSequence::~QuadrilateralSequence() = default;
@@ -199,13 +215,19 @@ QuadrilateralSequence& QuadrilateralSequence::operator=(QuadrilateralSequence&&)
 
 std::shared_ptr<const Space> QuadrilateralSequence::space() const { return storage_->space; }
 
+std::shared_ptr<const Space> QuadrilateralSequence::space_of_degree(int degree) const {
+  Nodes nodes(storage_->triangulation, degree);
+  nodes.distribute();
+  return storage_->flat(nodes);
+}
+
 void QuadrilateralSequence::refine(std::span<algebra::Vector> fields, Marks marks) {
   Storage& s = *storage_;
   // deal.II carries scalar fields: one vector for each component of each node field.
   std::vector<DealVector> before;
   for (const algebra::Vector& field : fields)
     for (int c = 0; c < field.block(); ++c) {
-      DealVector component = s.make_vector();
+      DealVector component = s.nodes.make_vector();
       for (algebra::LocalIndex i = 0; i < s.space->layout->owned; ++i)
         component.local_element(static_cast<unsigned int>(i)) =
             field.owned()[static_cast<std::size_t>(i) * field.block() + c];
@@ -217,18 +239,18 @@ void QuadrilateralSequence::refine(std::span<algebra::Vector> fields, Marks mark
     inputs.push_back(&v);
   }
 
-  dealii::parallel::distributed::SolutionTransfer<2, DealVector> transfer(s.dofs);
+  dealii::parallel::distributed::SolutionTransfer<2, DealVector> transfer(s.nodes.dofs);
   s.mark_cells(marks);
   s.triangulation.prepare_coarsening_and_refinement();
   if (!inputs.empty()) transfer.prepare_for_coarsening_and_refinement(inputs);
   s.triangulation.execute_coarsening_and_refinement();
-  s.flatten();
+  s.number_nodes();
   if (inputs.empty()) return;
 
   std::vector<DealVector> after(before.size());
   std::vector<DealVector*> outputs;
   for (DealVector& v : after) {
-    v = s.make_vector();
+    v = s.nodes.make_vector();
     outputs.push_back(&v);
   }
   transfer.interpolate(outputs);

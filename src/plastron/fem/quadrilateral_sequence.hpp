@@ -23,10 +23,13 @@ class QuadrilateralSequence {
   using Marks = std::optional<std::span<const signed char>>;
 
   std::shared_ptr<const Space> space() const;
+  /// The present cells, in the same order, with nodes of another degree (collective).
+  std::shared_ptr<const Space> space_of_degree(int degree) const;
   /// See MeshSequence::refine.
   void refine(std::span<algebra::Vector> fields, Marks marks);
 
  private:
+  struct Nodes;
   struct Storage;
   std::unique_ptr<Storage> storage_;
 };
