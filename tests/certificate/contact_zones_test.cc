@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "assembly/sample_shells.hpp"
@@ -23,6 +24,46 @@ using testing::ElementsAre;
 using Pattern = std::function<double(const Vector3d&)>;  ///< of phi: negative where the obstacle is touched [m]
 
 constexpr double thickness = 0.1, opening = 0.7;  // gap = opening times s^2 (3 delta + s) [1/m^2]
+
+/// A zone within a circle.
+ContactZone round_zone(double radius) {
+  constexpr int parts = 200;
+  ContactLine line{.is_closed = true};
+  for (int i = 0; i <= parts; ++i) {
+    const double angle = 2 * std::numbers::pi * i / parts;
+    line.points.push_back({.place = {radius * std::cos(angle), radius * std::sin(angle), 1}});
+  }
+  line.length = 2 * std::numbers::pi * radius;
+  ContactZone zone;
+  zone.area = std::numbers::pi * radius * radius;
+  zone.lines = {line};
+  return zone;
+}
+
+/// A zone between two straight lines at these x, of length 1, with the rim at their ends.
+ContactZone strip_zone(double from, double to) {
+  const auto line = [](double x, double y, const Vector3d& way, bool is_rim) {
+    const Vector3d begin(x, y, 0);
+    return ContactLine{.is_rim = is_rim, .length = way.norm(), .points = {{.place = begin}, {.place = begin + way}}};
+  };
+  const Vector3d along(0, 1, 0), across(to - from, 0, 0);
+  ContactZone zone;
+  zone.area = to - from;
+  zone.lines = {line(from, 0, along, false), line(to, 0, along, false), line(from, 0, across, true),
+                line(from, 1, across, true)};
+  return zone;
+}
+
+TEST(RelativeDistance, IsThatOfEdgesOverTheRadiusOrHalfTheWidth) {
+  const std::vector<ContactZone> disk{round_zone(2)}, larger{round_zone(2.02)}, none{};
+  EXPECT_NEAR(relative_distance(disk, larger), 0.01, 2e-4);
+  EXPECT_NEAR(relative_distance(disk, disk), 0, 1e-15);
+  const std::vector<ContactZone> strip{strip_zone(0, 2)}, wider{strip_zone(-0.01, 2.03)};
+  EXPECT_NEAR(relative_distance(strip, wider), 0.02, 1e-12);  // the mean of 0.01 and 0.03, over 1
+  EXPECT_EQ(relative_distance(none, none), 0);
+  EXPECT_EQ(relative_distance(disk, none), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(relative_distance(none, disk), std::numeric_limits<double>::infinity());
+}
 
 struct Scene {
   fem::Domain domain = fem::Rectangle{.to = {2, 1}, .cells = {16, 8}};

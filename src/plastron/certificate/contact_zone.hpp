@@ -6,6 +6,7 @@
 #include <plastron/certificate/wrench.hpp>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace plastron::certificate {
@@ -39,5 +40,9 @@ struct ContactZone {
   double rim_length() const;   ///< of the lines along the rim [m]
   std::int64_t line_points() const;
 };
+
+/// How far the lines inside the shell are from those of other zones: the mean distance along them, over the radius of round zones, twice the area
+/// by length of line, or half the width of strips, the area by length of line, if a line ends at the rim. 0 where neither have lines, infinite where one has none.
+double relative_distance(std::span<const ContactZone> zones, std::span<const ContactZone> others);
 
 }  // namespace plastron::certificate
