@@ -4,6 +4,7 @@
 #include <plastron/computation/chord_cuts.hpp>
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/goal_names.hpp>
+#include <plastron/computation/level.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/verify.hpp>
 
@@ -64,6 +65,69 @@ TEST(Accuracy, IsTheSameOnAnyNumberOfRanks) {
       EXPECT_NEAR(a.error, b.error, 1e-6 * b.error + 1e-12 * b.scale);
     }
   }
+}
+
+/// The same cells at one degree more have the last word: what they change is within what is estimated, and they are counted.
+TEST(Accuracy, IsConfirmedByOneDegreeMore) {
+  const Result result = solve(accurate_bowl(1e-3), MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  EXPECT_GT(result.levels.back().seconds.witness, 0);
+  for (const estimation::GoalEstimate& goal : result.estimates->goals) {
+    ASSERT_TRUE(goal.at_higher_degree) << goal.name;
+    EXPECT_EQ(goal.tolerance, 1e-3);
+    EXPECT_LE(std::abs(*goal.at_higher_degree - goal.value), goal.error() * (1 + 1e-12));
+    EXPECT_LE(2 * goal.error(), 1e-3 * goal.value);
+    const double exact = goal.name == "energy" ? bowl_energy : bowl_reaction;
+    EXPECT_LT(std::abs(goal.value + goal.difference() - exact), std::abs(goal.value - exact) + known_to * exact);
+  }
+  Problem higher = accurate_bowl(1e-3);  // a run by itself on the same cells
+  const auto& space = result.solution->discrete->space();
+  ASSERT_EQ(space.global_cells, static_cast<std::int64_t>(space.coarse->cells.size()));
+  higher.accuracy.reset();
+  higher.discretisation.degree += 1;
+  fem::MeshSequence meshes(fem::CoarseMesh(*space.coarse), higher.discretisation.degree, MPI_COMM_WORLD);
+  const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, higher.charts);
+  const LevelResult alone =
+      solve_level({}, assembly::discretise(meshes.space(), surface, shell_description(higher), {}), {});
+  EXPECT_NEAR(alone.record.energy, *result.estimates->goals[0].at_higher_degree, 1e-9 * bowl_energy);
+}
+
+/// No mesh whose witness would be too large is accepted, however small its estimates are.
+TEST(Accuracy, IsNotReachedWhereNothingLargerCanConfirmIt) {
+  Problem p = accurate_bowl(1e-2);
+  const Result result = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved);
+  p.accuracy->max_unknowns = 1.5 * static_cast<double>(result.levels.back().unknowns);
+  const Result limited = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(limited.status, contact::Status::accuracy_not_reached);
+  EXPECT_NE(limited.missed_limits.find("max_unknowns"), std::string::npos) << limited.missed_limits;
+  EXPECT_FALSE(limited.estimates->goals[0].at_higher_degree);
+}
+
+/// An energy within 1e-2 says little of where the bowl lifts off; within 1e-4 the edge of the zone belongs to the answer.
+TEST(Accuracy, OfTheEnergyIsThatOfContactEdgesToo) {
+  Problem p = accurate_bowl(1e-4);
+  p.accuracy->goals.pop_back();  // the reaction
+  const Result result = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  ASSERT_TRUE(result.estimates->edge_change);
+  EXPECT_LE(*result.estimates->edge_change, 15e-4);
+  constexpr double radius = 0.1897323;  // of the patch, reference R4cap_e0.02_p0.002
+  double sum = 0, length = 0;
+  for (const auto& line : result.summary.obstacles.at(0).zones.at(0).lines)
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      const double step = (line.points[i].x - line.points[i - 1].x).norm();
+      sum += step * (line.points[i].x + line.points[i - 1].x).norm() / 2;
+      length += step;
+    }
+  EXPECT_NEAR(sum / length, radius, 1e-3 * radius);
+}
+
+TEST(Accuracy, HasAWitnessThatKeepsPointsWhereTheyAreHeld) {
+  Problem p = pressed_strip();
+  EXPECT_EQ(degrees_of_witness(p), 1);
+  p.supports.push_back({.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(0, 0)});
+  EXPECT_EQ(degrees_of_witness(p), 2);
 }
 
 TEST(Accuracy, EndsWhereALimitStands) {
@@ -274,10 +338,10 @@ TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
   estimates.profiles.assign(space.owned_cells, {slices, slices});
   EXPECT_TRUE(
       chord_cuts(space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 1}).empty());
-  // The mesh that confirms cuts the row that the edge of a contact zone crosses all the same.
+  // Where only edges of contact zones are wanted, the row that one crosses is cut all the same.
   for (std::size_t c = 0; c < space.owned_cells; ++c) estimates.crossed.push_back({c, 1});
   const auto cuts = chord_cuts(
-      space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 10, .confirms = true});
+      space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 10, .at_edges = true});
   ASSERT_EQ(cuts.size(), space.owned_cells);
   for (const fem::Cuts& of_cell : cuts) {
     EXPECT_TRUE(of_cell[0].empty());

@@ -146,6 +146,34 @@ TEST(Estimates, HaveTheSizeOfTheErrorOfDisplacementsAndReactions) {
   }
 }
 
+// Neither of the two ways to see an error is believed where the other contradicts it.
+TEST(AGoalsError, LiesBetweenWhatPatchesAndAHigherDegreeSay) {
+  GoalEstimate goal{.value = 10, .estimate = -0.8, .contact_edge = 0.2};
+  EXPECT_EQ(goal.difference(), -0.8);
+  EXPECT_EQ(goal.error(), 1);
+  for (const double change : {-3.0, -1.0, -0.5, 0.125, 0.25, 2.0}) {
+    goal.at_higher_degree = goal.value + change;
+    EXPECT_EQ(goal.difference(), change);
+    EXPECT_GE(goal.error(), std::abs(change));
+    EXPECT_LE(goal.error(), std::max(1.0, std::abs(change)));
+  }
+  goal.at_higher_degree = goal.value + 0.125;
+  EXPECT_NEAR(goal.error(), 0.25, 1e-15);  // the cube root of 1 * 0.125^2
+  goal.at_higher_degree = goal.value;      // by chance, or because all degrees miss the same
+  EXPECT_NEAR(goal.error(), 0.2, 1e-15);
+  goal.free_edges = 0.6;  // of which polynomials see nothing
+  EXPECT_NEAR(goal.difference(), 0.6, 1e-15);
+  EXPECT_GT(goal.error(), 0.6);
+}
+
+/// Clamped at two edges, free at the others: there the saddle has layers that cells of a quarter of its side do not have.
+TEST(AGoalsError, HasAPartOfFreeEdges) {
+  const GoalEstimate work = SolvedSaddle({.degree = 4, .refinements = 1}).estimate(LoadWork{});
+  EXPECT_GT(work.free_edges, 0);
+  const GoalEstimate energy = SolvedSaddle({.degree = 4, .refinements = 1}).estimate(Energy{});
+  EXPECT_NEAR(energy.free_edges, work.free_edges / 2, 1e-9 * work.free_edges);
+}
+
 TEST(Estimates, ShowByTheDualEnergyWhatHasNoLimit) {
   const Eigen::Vector2d at(0.5, 0.5);
   const auto growth = [&](const Functional& f) {

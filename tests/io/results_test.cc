@@ -81,6 +81,16 @@ TEST(Results, tell_the_estimated_error_of_what_was_asked_for) {
   EXPECT_EQ(goal["name"], Json("energy"));
   EXPECT_EQ(goal["difference"], Json(-0.25));
   EXPECT_EQ(goal["error"], Json(0.75));
+  EXPECT_EQ(goal["corrected"], Json(1.75));
+  EXPECT_TRUE(goal["at_higher_degree"].is_null());
+  EXPECT_TRUE(goal["tolerance"].is_null());
+  computation::Result asked = some_result(true);
+  asked.estimates->goals[0].tolerance = 1e-3;
+  asked.estimates->goals[0].at_higher_degree = 2.5;
+  const Json known = results_json(asked, {})["estimates"]["goals"][0];
+  EXPECT_EQ(known["tolerance"], Json(1e-3));
+  EXPECT_EQ(known["at_higher_degree"], Json(2.5));
+  EXPECT_EQ(known["corrected"], Json(2.5));
   computation::Result none = some_result(true);
   none.estimates.reset();
   EXPECT_TRUE(results_json(none, {})["estimates"].is_null());

@@ -23,16 +23,25 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRe
 /// Which goals are not met, and by how much, and whether there are cells that nothing judges, in words; empty if all is well.
 std::string shortfall(const std::vector<GoalRecord>& goals, const estimation::Estimates& estimates);
 
+/// How many degrees the witness of a solution has more: one, and two where points are held, for the middle of a cell stays a node then.
+int degrees_of_witness(const Problem& problem);
+
+/// Whether the solution at one degree more on the same cells may show that all goals are met (collective).
+bool wants_witness(const Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
+                   const certificate::Summary& summary);
+
 /// Whether all cells of a problem with an accuracy are divided or none: it may ask for that, joined edges must be divided alike, nodes of rigid
 /// bodies must not hang, and triangles cannot be divided one by one.
 bool is_refined_evenly(const Problem& problem);
 
-/// Mesh after mesh, until all goals are met on two in a row, and have not changed from one to the other by more than their
-/// tolerances either, or a limit is hit.
+/// Mesh after mesh, until all goals are met by two solutions, that on a mesh and the witness at one degree more on its cells; of triangles, whose
+/// degree ends at 2, on two meshes in a row without having changed by more than their tolerances. Or until a limit is hit.
 class AccuracyLoop {
  public:
   explicit AccuracyLoop(const Problem& problem) : problem_(problem), is_uniform_(is_refined_evenly(problem)) {}
 
+  /// Whether the goals are to be found at one degree more before wants_more (collective).
+  bool wants_witness(const Result& result, const fem::Space& space) const;
   /// Takes note of the result on a mesh; there are no estimates if its contact problem was not solved. Whether there is to be another (collective).
   bool wants_more(const Result& result, const fem::Space& space);
   /// Of the mesh that was judged last: cuts of its coarse cells (fem::MeshSequence::cut); where there are none, marks of its cells.
@@ -46,6 +55,8 @@ class AccuracyLoop {
   /// Decides on cuts and marks. How many cells they add (collective).
   std::int64_t mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates);
   void cut(const fem::Space& space, const estimation::Estimates& estimates);
+  /// To fifteen times the tolerance of the energy, if that is asked for.
+  bool edges_are_known(const std::optional<estimation::Estimates>& estimates) const;
   bool is_settled(const std::vector<GoalRecord>& before) const;
   /// Of the goal that is furthest from being met.
   double worst_excess() const;
@@ -61,6 +72,7 @@ class AccuracyLoop {
   bool is_uniform_;
   /// Cells that nothing judged, or errors as large as before, may come back where cells join.
   bool may_join_ = true;
+  bool wants_edges_ = false;  ///< the goals are met, and edges of contact zones are not yet where they belong
   bool has_joined_ = false;   ///< on the way to the mesh that was judged last
   double excess_before_ = 0;  ///< of the goal that was furthest from being met there
   Stopwatch since_start_{};

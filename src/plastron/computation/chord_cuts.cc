@@ -182,8 +182,10 @@ class ChordChoice {
   }
 
   void choose() {
-    if (!task_.are_met || task_.confirms) choose_by_worth();
-    if (task_.confirms) force();
+    if (task_.at_edges)
+      choose_at_edges();
+    else if (!task_.are_met)
+      choose_by_worth();
     for (Chord& chord : chords_)
       chord.is_cut = chord.is_cut || (chord.share > 0 && is_cheaper_cut(chord.cells, chord.unjudged));
   }
@@ -229,12 +231,10 @@ class ChordChoice {
     return all.cells > 0 && all.chords < 2 * all.cells;
   }
 
-  /// The chords of cells at edges of contact zones, unless to divide these cells one by one is cheaper: then nothing is cut.
-  void force() {
+  void choose_at_edges() {
     const Edges all = edges();
-    if (all.cells == 0) return;
-    const bool can_be = all.can_be && is_cheaper_cut(all.chords, all.cells);
-    for (Chord& chord : chords_) chord.is_cut = can_be && (chord.is_cut || chord.crossed > 0);
+    if (!all.can_be || !is_cheaper_cut(all.chords, all.cells)) return;
+    for (Chord& chord : chords_) chord.is_cut = chord.crossed > 0;
   }
 
   const fem::Space& space_;

@@ -15,10 +15,9 @@ struct ChordTask {
   double share = 0;          ///< of the whole that is to be divided
   double per_cell = 0;       ///< of the whole that cells marked one by one have for each cell that dividing them adds
   bool halves_only = false;  ///< points that are held have to stay nodes
-  bool are_met =
-      false;  ///< the goals: but for cells that nothing judges, or for the mesh that confirms, there is no reason to cut
-  /// Chords of cells at edges of contact zones are to be cut in any case, or none if to divide these cells is much cheaper.
-  bool confirms = false;
+  bool are_met = false;      ///< the goals: but for cells that nothing judges there is no reason to cut
+  /// Only the chords of cells at edges of contact zones are to be cut, or none if to divide these cells is much cheaper.
+  bool at_edges = false;
 };
 
 /// Cuts of the coarse cells, see fem::MeshSequence::cut; none where cells are divided already or single ones are worth more (collective).

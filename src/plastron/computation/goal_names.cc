@@ -28,7 +28,10 @@ std::vector<std::string> goal_names(const Problem& problem) {
 std::vector<estimation::Goal> estimated_goals(const Problem& problem) {
   const estimation::Catalogue catalogue = catalogue_of(problem);
   std::vector<estimation::Goal> goals;
-  for (const Accuracy::Goal& goal : problem.accuracy->goals) goals.push_back(find_goal(goal.name, catalogue).value());
+  for (const Accuracy::Goal& goal : problem.accuracy->goals) {
+    goals.push_back(find_goal(goal.name, catalogue).value());
+    goals.back().tolerance = goal.tolerance;
+  }
   return goals;
 }
 

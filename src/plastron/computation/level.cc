@@ -87,6 +87,10 @@ class LevelRun {
     return z;
   }
 
+  std::vector<double> values(const contact::BoxSolution& z, const certificate::NodalSolution& nodal) const {
+    return estimation::values(task_.valued, {.discrete = *discrete_, .nodal = nodal, .box = *last_->box, .z = z});
+  }
+
   /// Errors of the solution of the last solve(), and of what is asked for.
   estimation::Estimates estimate(const contact::BoxSolution& z, const certificate::NodalSolution& nodal) {
     Stopwatch watch;
@@ -211,7 +215,9 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   const certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);
   run.seconds.certificate = watch.lap();
   std::optional<estimation::Estimates> estimates;
+  std::vector<double> values;
   if (task.goals && z.status == contact::Status::solved) estimates = run.estimate(z, nodal);
+  if (z.status == contact::Status::solved) values = run.values(z, nodal);
 
   Level record = record_of(measured(run.discrete(), nodal, verdict), z);
   record.iterations = static_cast<int>(run.history.size());
@@ -223,7 +229,7 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   record.seconds = run.seconds;
   Solution solution{.discrete = run.take(), .nodal = std::move(nodal)};
   if (estimates) solution.cell_errors = estimates->cells;
-  return {std::move(record), std::move(solution), verdict, std::move(estimates)};
+  return {std::move(record), std::move(solution), verdict, std::move(estimates), std::move(values)};
 }
 
 }  // namespace plastron::computation

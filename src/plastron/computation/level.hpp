@@ -19,6 +19,7 @@ struct LevelTask {
   bool admissible = false;                ///< see Problem
   std::optional<algebra::Vector> zone{};  ///< where contact is expected (contact_forecast.hpp); empty at first
   std::optional<std::vector<estimation::Goal>> goals{};  ///< whose errors are estimated, with that of the solution
+  std::vector<estimation::Goal> valued{};                ///< whose values alone are wanted
   Seconds seconds{};                                     ///< spent on the mesh and on `discrete`
 };
 
@@ -27,6 +28,7 @@ struct LevelResult {
   Solution solution;
   certificate::Verdict verdict;
   std::optional<estimation::Estimates> estimates{};  ///< if asked for, of a solution that was found
+  std::vector<double> values{};                      ///< of LevelTask::valued, likewise
 };
 
 /// Whether the supports alone hold the shell: then the active set's first step of all went through with nothing in contact. Other solvers'

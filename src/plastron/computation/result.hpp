@@ -26,8 +26,9 @@ struct Seconds {
   double iteration = 0;       ///< the rest of the active-set iteration: residuals, triangular solves
   double certificate = 0;
   double estimates = 0;  ///< of errors, on the finest mesh
+  double witness = 0;    ///< the solution at one degree more, all of it
   double total() const {
-    return mesh + discretisation + assembly + analysis + factorisation + iteration + certificate + estimates;
+    return mesh + discretisation + assembly + analysis + factorisation + iteration + certificate + estimates + witness;
   }
 };
 
@@ -35,10 +36,10 @@ struct Seconds {
 struct GoalRecord {
   std::string name{};
   double value = 0;
-  double estimate = 0;   ///< signed: of the exact value minus `value`, as far as the sign can be known
-  double error = 0;      ///< the largest that |exact value - value| is thought to be
-  double tolerance = 0;  ///< of the error, over `scale`
-  double scale = 0;      ///< |value|, or what numbers of its kind amount to if that is more
+  double difference = 0;  ///< signed: of the exact value minus `value`, as far as the sign can be known
+  double error = 0;       ///< how large |exact value - value| is thought to be
+  double tolerance = 0;   ///< of the error, over `scale`
+  double scale = 0;       ///< |value|, or what numbers of its kind amount to if that is more
   double dual_energy = 0;
   bool has_estimate = true;
 

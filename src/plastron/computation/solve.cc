@@ -118,6 +118,7 @@ class Computation {
     for (bool wants_more = true; wants_more;) {
       const int number = static_cast<int>(result_.levels.size());
       if (!mesh(number)) return false;
+      if (loop.wants_witness(result_, *meshes_.space())) call_witness(*on_mesh_);
       wants_more = loop.wants_more(result_, *meshes_.space()) && (is_first || result_.estimates);
       result_.levels.back().goals = loop.goals();
       if (observer_.level) observer_.level(number, result_.levels.back());
@@ -202,6 +203,30 @@ class Computation {
       task.settings.detect_free_motions = false;
   }
 
+  /// What the goals are at one degree more on the cells of the present solution, if that can be solved.
+  void call_witness(const Instant& instant) {
+    Stopwatch watch;
+    const certificate::NodalSolution& nodal = result_.solution->nodal;
+    std::array fields{nodal.touching, continued_roots(*result_.solution->discrete, nodal), nodal.y};
+    auto space = meshes_.raised(fields, degrees_of_witness(problem_));
+    assembly::State start = continued_at(instant);
+    if (start.is_deformed()) start.displacement = std::move(fields[2]);
+    LevelTask task{.number = std::max(0, static_cast<int>(result_.levels.size()) - 1),
+                   .settings = problem_.contact,
+                   .linearisation = problem_.linearisation,
+                   .admissible = problem_.admissible,
+                   .zone = interpolated_zone(std::move(fields[0]), fields[1]),
+                   .valued = goals()};
+    if (supports_hold(result_.levels.front().history, problem_.contact.solver))
+      task.settings.detect_free_motions = false;
+    const LevelResult witness =
+        solve_level(task, assembly::discretise(std::move(space), surface_, shell_, std::move(start)), observer_);
+    for (std::size_t g = 0; g < witness.values.size(); ++g)
+      result_.estimates->goals[g].at_higher_degree = witness.values[g];
+    if (!witness.values.empty()) result_.estimates->edge_change = edge_change(*result_.solution, witness.solution);
+    result_.levels.back().seconds.witness = watch.lap();
+  }
+
   /// What an instant takes from the solution at hand.
   assembly::State continued_at(const Instant& instant) const {
     assembly::State start = state_at(instant);
@@ -236,7 +261,7 @@ class Computation {
       return false;
     }
     take(std::move(level));
-    if (problem_.accuracy && result_.estimates) judge_accuracy_at_end();
+    if (problem_.accuracy && result_.estimates) judge_accuracy_at_end(instant);
     note(instant);
     return result_.status == contact::Status::solved || result_.status == contact::Status::inaccurate;
   }
@@ -252,8 +277,9 @@ class Computation {
   }
 
   /// Reached step by step, the last instant may be another one than what the mesh was made for.
-  void judge_accuracy_at_end() {
+  void judge_accuracy_at_end(const Instant& instant) {
     const estimation::Estimates& estimates = *result_.estimates;
+    if (wants_witness(problem_, *meshes_.space(), estimates, result_.summary)) call_witness(instant);
     const std::string missed = shortfall(goal_records(problem_, estimates, result_.summary), estimates);
     if (missed.empty()) return;
     missed_accuracy_ +=

@@ -1,17 +1,15 @@
-// The contact zones of a finished result.
+// The contact zones of a finished result, and how well their edges are known.
 #pragma once
-#include <plastron/certificate/contact_zones.hpp>
 #include <plastron/computation/result.hpp>
 
 namespace plastron::computation {
 
 /// Of each obstacle of the solution, into the summary (collective).
-inline void add_contact_zones(Result& result) {
-  auto zones = certificate::contact_zones(*result.solution->discrete, result.solution->nodal);
-  for (std::size_t k = 0; k < zones.size(); ++k) {
-    for (certificate::ContactZone& zone : zones[k]) zone.reaction.move_point(result.summary.moment_point);
-    result.summary.obstacles[k].zones = std::move(zones[k]);
-  }
-}
+void add_contact_zones(Result& result);
+
+/// How far the edges of contact zones are from those of another solution, over the zones' size (certificate::relative_distance): of the obstacle
+/// where that is most. Obstacles that no cell touches with all its nodes do not count, for contact along a line has no width to find.
+/// (collective)
+double edge_change(const Solution& one, const Solution& other);
 
 }  // namespace plastron::computation

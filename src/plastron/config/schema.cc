@@ -60,12 +60,10 @@ Section accuracy_section() {
       "accuracy",
       "[accuracy]",
       "What is to be accurate, and how: meshes are refined where it matters until twice all estimated errors are below "
-      "their tolerances on two meshes in a row. Tolerances are relative to the number's own size, or to a thousandth "
-      "of the "
-      "largest of its kind "
-      "where that is more: a component that vanishes by symmetry has no digits; that of all obstacles together is "
-      "relative "
-      "to the sum of what each bears. Without [mesh] and [accuracy] the "
+      "their tolerances, judged by the errors of recovered stress resultants and by a solution at one degree more on "
+      "the same cells (triangles: on two meshes in a row). Tolerances are relative to the number's own size, or to a "
+      "thousandth of the largest of its kind where that is more: a component that vanishes by symmetry has no digits; "
+      "that of all obstacles together is relative to the sum of what each bears. Without [mesh] and [accuracy] the "
       "tolerances of energy and reaction are 1e-3. Triangles, joined edges and rigid bodies: all cells are refined "
       "alike.",
       {{.name = "energy", .range = tolerance, .meaning = "tolerance of the stored energy"},
@@ -74,7 +72,8 @@ Section accuracy_section() {
        {.name = "max_unknowns",
         .fallback = "2e6",
         .range = {.low = 1},
-        .meaning = "no mesh has more unknowns; if that does not do, the status is accuracy_not_reached"},
+        .meaning = "no solution has more unknowns, nor the one that judges it; if that does not do, the status is "
+                   "accuracy_not_reached"},
        {.name = "max_seconds",
         .unit = "s",
         .range = Range::above_to(0, std::numeric_limits<double>::infinity()),

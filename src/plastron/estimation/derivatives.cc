@@ -64,4 +64,10 @@ Derivative derivative(const Functional& functional, const Solved& solved) {
   return std::visit([&](const auto& f) { return derivative_of(f, solved); }, functional);
 }
 
+std::vector<double> values(std::span<const Goal> goals, const Solved& solved) {
+  std::vector<double> result;
+  for (const Goal& goal : goals) result.push_back(derivative(goal.functional, solved).value);
+  return result;
+}
+
 }  // namespace plastron::estimation

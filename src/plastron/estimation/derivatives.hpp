@@ -4,6 +4,9 @@
 #include <plastron/estimation/dual_solver.hpp>
 #include <plastron/estimation/functionals.hpp>
 
+#include <span>
+#include <vector>
+
 namespace plastron::estimation {
 
 /// A solution on the last mesh with what its contact problem was solved with.
@@ -30,5 +33,7 @@ struct Derivative {
 
 /// (collective) Precondition: names in the functional exist, points lie in the domain.
 Derivative derivative(const Functional& functional, const Solved& solved);
+/// Of each goal (collective).
+std::vector<double> values(std::span<const Goal> goals, const Solved& solved);
 
 }  // namespace plastron::estimation

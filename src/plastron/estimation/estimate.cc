@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace plastron::estimation {
@@ -37,6 +38,13 @@ void add_energy_shares(const assembly::ShellOperator& shell, const AllErrors& u,
     cells[c] += energy_product(shell, c, u[c], u[c]) / 2 - tying_product(u[c], u[c]);
 }
 
+/// What of energy products free edges have, on this rank.
+double twist_product(const AllErrors& u, const AllErrors& z) {
+  return std::inner_product(
+      u.begin(), u.end(), z.begin(), 0.0, std::plus{},
+      [](const StrainErrors& a, const StrainErrors& b) { return a.edge_twist.dot(b.edge_twist); });
+}
+
 /// The edge of a contact zone lies anywhere between two nodes: half of their distance along it, which is the k-th part of a cell.
 double area_share(const assembly::ShellOperator& shell, std::size_t cell) {
   return shell.area(cell) / (2.0 * shell.space().degree);
@@ -63,8 +71,12 @@ class GoalEstimator {
     GoalEstimate result{.name = goal.name,
                         .unit = unit_of(goal.functional),
                         .value = d.value,
-                        .cells = std::vector<double>(shell.space().owned_cells, 0)};
-    if (std::holds_alternative<Energy>(goal.functional)) add_energy_shares(shell, primal_, result.cells);
+                        .cells = std::vector<double>(shell.space().owned_cells, 0),
+                        .tolerance = goal.tolerance};
+    if (std::holds_alternative<Energy>(goal.functional)) {
+      add_energy_shares(shell, primal_, result.cells);
+      result.free_edges += twist_product(primal_, primal_) / 2;
+    }
     std::vector<double> at_edge(edge_.crossed().size(), 0);
     if (std::holds_alternative<ContactArea>(goal.functional))
       std::ranges::transform(edge_.crossed(), at_edge.begin(), [&](std::size_t c) { return area_share(shell, c); });
@@ -74,6 +86,7 @@ class GoalEstimator {
       if (z) at_edge = add_dual(d, *z, result);
     }
     sum_up(at_edge, result);
+    result.free_edges = algebra::sum_over_ranks(result.free_edges, shell.space().layout->comm);
     return result;
   }
 
@@ -83,7 +96,9 @@ class GoalEstimator {
     algebra::Vector y(z.layout(), 6);
     solved_.discrete.coordinates.to_cartesian(z, y);
     result.dual_energy = solved_.discrete.shell.energies(y).total();
-    add_dual_shares(solved_.discrete.shell, primal_, strain_errors_(y), result.cells);
+    const AllErrors dual = strain_errors_(y);
+    add_dual_shares(solved_.discrete.shell, primal_, dual, result.cells);
+    result.free_edges += twist_product(primal_, dual);
     return edge_.shares(d, z, y);
   }
 
@@ -110,8 +125,7 @@ class GoalEstimator {
 
 std::vector<CrossedCell> crossed_cells(const ContactEdge& edge) {
   std::vector<CrossedCell> cells;
-  for (std::size_t i = 0; i < edge.crossed().size(); ++i)
-    cells.push_back({edge.crossed()[i], edge.across()[i], edge.touching_nodes()[i]});
+  for (std::size_t i = 0; i < edge.crossed().size(); ++i) cells.push_back({edge.crossed()[i], edge.across()[i]});
   return cells;
 }
 

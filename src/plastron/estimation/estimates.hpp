@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,19 @@ struct GoalEstimate {
   double contact_edge = 0;
   std::vector<double>
       cells{};  ///< shares of the owned cells: signed, and >= 0 where the contact zone's edge crosses the cell
+  /// The part of `estimate` for layers of free edges, which no polynomial in a cell sees (free_edges.hpp).
+  double free_edges = 0;
+  std::optional<double> at_higher_degree{};  ///< the same number of the solution on the same cells at one degree more
+  std::optional<double> tolerance{};         ///< relative, where it is asked for to an accuracy
   double dual_energy = 0;  ///< 1/2 a(z, z): grows without bound with refinement where the functional is not finite
   bool has_dual = true;    ///< false: the dual problem could not be solved, and the estimate lacks its part
 
-  /// The largest that |exact value - value| is thought to be.
-  double error() const { return (estimate < 0 ? -estimate : estimate) + contact_edge; }
+  /// Signed: of the exact value minus `value`, by the higher degree where it is known.
+  double difference() const;
+  /// The size of |exact value - value| as recovered resultants have it.
+  double recovered_error() const { return (estimate < 0 ? -estimate : estimate) + contact_edge; }
+  /// The same by all that is known (docs/methods/estimates.md).
+  double error() const;
 };
 
 /// How a cell's squared error lies along xi_1 and xi_2: the parts of the whole that change along either, each by slices across it, one for
@@ -31,8 +40,7 @@ using ErrorProfile = std::array<std::vector<double>, 2>;
 /// A cell that the edge of a contact zone crosses.
 struct CrossedCell {
   std::size_t cell = 0;
-  int across = 0;            ///< along which of its directions one comes from the zone to what is free
-  std::size_t touching = 0;  ///< how many of its nodes touch
+  int across = 0;  ///< along which of its directions one comes from the zone to what is free
 };
 
 struct Estimates {
@@ -40,6 +48,8 @@ struct Estimates {
   std::vector<ErrorProfile> profiles{};  ///< of the same cells; none of triangles
   double energy_norm_squared = 0;        ///< their sum over all ranks [J]
   std::vector<GoalEstimate> goals{};
+  /// How far the edges of contact zones move at one degree more, over the zones' size (certificate::relative_distance), where that is known.
+  std::optional<double> edge_change{};
   std::vector<CrossedCell> crossed{};  ///< owned ones, ascending
   /// Owned cells that no patch judges, ascending: their shares are too small.
   std::vector<std::size_t> unjudged{};

@@ -53,6 +53,7 @@ std::string unit_of(const Functional& functional);
 struct Goal {
   std::string name;
   Functional functional;
+  std::optional<double> tolerance{};  ///< relative, where it is asked for to an accuracy
 };
 
 }  // namespace plastron::estimation

@@ -222,6 +222,8 @@ std::span<const Quantity<computation::Level>> level_quantities() {
        [](const Level& l) { return number(l.seconds.iteration); }},
       {"seconds/certificate", "s", "the certificate", [](const Level& l) { return number(l.seconds.certificate); }},
       {"seconds/estimates", "s", "estimates of errors", [](const Level& l) { return number(l.seconds.estimates); }},
+      {"seconds/witness", "s", "the solution at one degree more, where it was needed to judge an accuracy",
+       [](const Level& l) { return number(l.seconds.witness); }},
       {"seconds/total", "s", "all of these", [](const Level& l) { return number(l.seconds.total()); }},
   };
   return all;

@@ -197,7 +197,7 @@ Report adaptivity(const computation::Problem& problem, const StudyOptions&, MPI_
   if (report.status != contact::Status::solved || best.empty()) return report;
   Reference reference;
   for (const computation::GoalRecord& goal : best.back().goals) {
-    reference.values.push_back(goal.value + goal.estimate);
+    reference.values.push_back(goal.value + goal.difference);
     reference.doubts.push_back(goal.error);
   }
   add(graded, even, reference, report);

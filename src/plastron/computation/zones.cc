@@ -1,0 +1,44 @@
+#include <plastron/computation/zones.hpp>
+
+#include <plastron/certificate/contact_zones.hpp>
+
+#include <algorithm>
+
+namespace plastron::computation {
+
+namespace {
+
+/// Whether all nodes of some cell touch an obstacle (collective).
+bool has_cell_in_contact(const Solution& solution, std::size_t obstacle) {
+  const fem::Space& space = solution.discrete->space();
+  const algebra::Vector& touching = solution.nodal.touching;
+  const auto obstacles = static_cast<std::size_t>(touching.block());
+  std::int64_t cells = 0;
+  for (std::size_t c = 0; c < space.owned_cells; ++c)
+    if (std::ranges::all_of(space.nodes(c), [&](algebra::LocalIndex node) {
+          return touching.local()[static_cast<std::size_t>(node) * obstacles + obstacle] != 0;
+        }))
+      ++cells;
+  return algebra::sum_over_ranks(cells, space.layout->comm) > 0;
+}
+
+}  // namespace
+
+void add_contact_zones(Result& result) {
+  auto zones = certificate::contact_zones(*result.solution->discrete, result.solution->nodal);
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    for (certificate::ContactZone& zone : zones[k]) zone.reaction.move_point(result.summary.moment_point);
+    result.summary.obstacles[k].zones = std::move(zones[k]);
+  }
+}
+
+double edge_change(const Solution& one, const Solution& other) {
+  const auto zones = certificate::contact_zones(*one.discrete, one.nodal);
+  const auto others = certificate::contact_zones(*other.discrete, other.nodal);
+  double most = 0;
+  for (std::size_t k = 0; k < zones.size(); ++k)
+    if (has_cell_in_contact(one, k)) most = std::max(most, certificate::relative_distance(zones[k], others[k]));
+  return most;
+}
+
+}  // namespace plastron::computation
