@@ -128,10 +128,10 @@ void MeshSequence::restart(std::vector<Cuts> cuts) {
 std::shared_ptr<const Space> MeshSequence::raised(std::span<algebra::Vector> fields, int degrees) const {
   const auto* cells = std::get_if<QuadrilateralSequence>(&storage_->levels);
   if (!cells) return {};
-  const std::shared_ptr<const Space> bare = cells->space_of_degree(space()->degree + degrees);
-  const std::shared_ptr<const Space> finished = storage_->finish ? storage_->finish(bare) : bare;
-  for (algebra::Vector& field : fields) field = fem::raised(field, *space(), *finished);
-  return finished;
+  std::shared_ptr<const Space> same_cells = cells->space_of_degree(space()->degree + degrees);
+  if (storage_->finish) same_cells = storage_->finish(std::move(same_cells));
+  for (algebra::Vector& field : fields) field = fem::raised(field, *space(), *same_cells);
+  return same_cells;
 }
 
 bool MeshSequence::is_graded() const { return std::holds_alternative<QuadrilateralSequence>(storage_->levels); }
