@@ -1,4 +1,4 @@
-// What an accuracy costs: meshes, unknowns and seconds to a tolerance of energy, reaction or deflection, and the true error then, for all
+// What an accuracy costs: meshes, unknowns and seconds to a tolerance of energy, reaction, contact area or deflection, and the true error then, for all
 // problems with known answers. accuracy_cost [TOLERANCE [DEGREE [PART OF A NAME]]]; without arguments 1e-2, 1e-3 and 1e-4 at degree 4, the
 // one of a case that gives none. ACCURACY_MESHES=1 tells of each mesh. Exit code 1 if a true error is above its tolerance.
 #include "verification/reference_problems.hpp"
@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace plastron::benchmarks {
 namespace {
@@ -39,6 +40,10 @@ std::vector<Known> problems(int degree) {
     Known known{.name = r.name, .problem = r.problem, .goals = {{"energy", r.energy / r.factor}}};
     if (r.reaction > 0) known.goals.push_back({"reaction", r.reaction / r.factor});
     known.problem.probes.clear();
+    all.push_back(known);
+    if (r.boundaries.empty()) return;
+    known.name += ", area";
+    known.goals = {{"contact_area", verification::contact_area(r)}};
     all.push_back(std::move(known));
   };
   for (const std::string& name : verification::contact_reference_names())

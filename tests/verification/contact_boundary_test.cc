@@ -167,6 +167,7 @@ TEST_P(EdgeAtAnEnergy, IsWhereTheReferenceHasItToTheFiguresOfThePage) {
   expect_figure(table, row, "energy", reference.factor * result.summary.energy.total() / reference.energy - 1);
   expect_figure(table, row, "edge", mean);
   expect_figure(table, row, "farthest point", farthest);
+  expect_figure(table, row, "area", result.summary.contact_area / contact_area(reference) - 1);
 }
 
 }  // namespace

@@ -238,6 +238,29 @@ ContactReference contact_reference(const std::string& name, int degree, int refi
   return reference;
 }
 
+double contact_area(const ContactReference& reference) {
+  const auto* disk = std::get_if<fem::Disk>(&reference.problem.domain);
+  const auto* strip = std::get_if<fem::Rectangle>(&reference.problem.domain);
+  std::vector<double> ends{disk ? 0.0 : strip->from[0]};
+  ends.insert(ends.end(), reference.boundaries.begin(), reference.boundaries.end());
+  ends.push_back(disk ? disk->radius : strip->to[0]);
+  const auto density = [&](double at) {
+    const geometry::SurfaceJet jet = reference.problem.charts.at("")(at, 0.0);
+    return jet.d[0].cross(jet.d[1]).norm() * (disk ? 2 * std::numbers::pi * at : strip->to[1] - strip->from[1]);
+  };
+  double area = 0;
+  for (std::size_t part = 0; part < reference.pattern.size(); ++part) {
+    if (reference.pattern[part] != 'C') continue;
+    constexpr int intervals = 500;
+    const double width = (ends[part + 1] - ends[part]) / intervals;
+    for (int i = 0; i < intervals; ++i) {
+      const double from = ends[part] + i * width;
+      area += width / 6 * (density(from) + 4 * density(from + width / 2) + density(from + width));
+    }
+  }
+  return area;
+}
+
 ContactReference pressed_strip(double thickness, int degree, int refinements) {
   ContactReference reference = contact_reference("R1_e0.01_P3", degree, refinements);
   ordered_json entry = reference_file().at(reference.name);

@@ -44,6 +44,9 @@ std::string contact_reference_title(const std::string& name);
 /// The coarsest mesh of a strip has 8 x 1 square cells, that of a disk is the domain's own.
 ContactReference contact_reference(const std::string& name, int degree, int refinements);
 
+/// Of the mid-surface between the edges of the contact zones, by Simpson's rule across them; as the program computes it, without `factor` [m^2].
+double contact_area(const ContactReference& reference);
+
 /// The strip "R1_e..._P3" of any thickness in closed form: energy, work, reaction and edges of the zone, but no parts of the energy and no rows.
 ContactReference pressed_strip(double thickness, int degree, int refinements);
 

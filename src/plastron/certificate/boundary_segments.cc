@@ -34,7 +34,8 @@ class Marching {
         labels_(labels),
         opening_(opening),
         borders_(space_.cells.size(), 0),
-        hangs_or_holds_(static_cast<std::size_t>(space_.layout->local_size()), 0) {
+        hangs_or_holds_(static_cast<std::size_t>(space_.layout->local_size()), 0),
+        areas_(static_cast<std::size_t>(labels.count), 0) {
     for (const auto* sides : {&space_.sides, &space_.twin_sides})
       for (const fem::BoundarySide& side : *sides) borders_[side.cell] |= 1U << side.side;
     for (const fem::Tie& tie : space_.ties) {
@@ -44,10 +45,15 @@ class Marching {
     }
   }
 
-  std::vector<Segment> operator()() {
+  ZoneBoundaries operator()() {
     const auto subs = sub_cells(space_.shape(), space_.degree);
     for (std::size_t c = 0; c < space_.owned_cells; ++c) {
       cell_ = c;
+      const auto inside = [this](LocalIndex i) { return touching_[i]; };
+      if (std::ranges::all_of(space_.nodes(c), inside)) {
+        area_of_zone(0) += discrete_.shell.area(c);
+        continue;
+      }
       for (const SubCell& sub : subs) march(sub);
       place_new_ends();
     }
@@ -60,22 +66,56 @@ class Marching {
       follow_rim(side.side);
       place_new_ends();
     }
-    return std::move(segments_);
+    return {std::move(segments_), std::move(areas_)};
   }
 
  private:
   LocalIndex node(int i) const { return space_.nodes(cell_)[static_cast<std::size_t>(i)]; }
   bool touches(int i) const { return touching_[node(i)]; }
 
+  /// Of the zone that a touching node of the cell belongs to.
+  double& area_of_zone(int touching) {
+    return areas_[static_cast<std::size_t>(labels_.of_node[static_cast<std::size_t>(node(touching))])];
+  }
+
   /// Cuts off each run of free corners, so that touching corners stay together: they are of one zone.
   void march(const SubCell& sub) {
     const std::size_t n = sub.size();
+    std::vector<Eigen::Vector2d> outline;  // of what is left
+    double area = 0;
+    int touching = -1;
     for (std::size_t i = 0; i < n; ++i) {
-      if (!touches(sub[i]) || touches(sub[(i + 1) % n])) continue;
+      if (!touches(sub[i])) continue;
+      touching = sub[i];
+      outline.push_back(reference_point(sub[i]));
+      if (touches(sub[(i + 1) % n])) continue;
       std::size_t j = i + 1;
       while (!touches(sub[(j + 1) % n])) ++j;
-      add({sub[i], sub[(i + 1) % n]}, {sub[(j + 1) % n], sub[j % n]}, false);
+      const CellEnd from{sub[i], sub[(i + 1) % n]}, to{sub[(j + 1) % n], sub[j % n]};
+      const auto [a, b] = add(from, to, false);
+      outline.insert(outline.end(), {a, b});
+      area += bulge(from, a, b);
     }
+    if (touching < 0) return;
+    for (std::size_t i = 2; i < outline.size(); ++i) area += triangle_area(outline[0], outline[i - 1], outline[i]);
+    area_of_zone(touching) += area;
+  }
+
+  /// Between a segment and the parabola through the edge halfway; positive where the zone is larger than up to the segment [m^2].
+  double bulge(const CellEnd& from, const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
+    constexpr double of_triangle = 4.0 / 3;
+    return of_triangle * triangle_area(a, edge_near(from, (a + b) / 2), b);
+  }
+
+  /// On the mid-surface, with the sign of the corners' turn: a rule of degree 2 for sqrt(a) [m^2].
+  double triangle_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) const {
+    const Eigen::Vector2d one = b - a, other = c - a;
+    const std::array<Eigen::Vector2d, 3> middles{(a + b) / 2, (b + c) / 2, (c + a) / 2};
+    std::array<geometry::SurfaceJet, 3> jets;
+    discrete_.shell.surface().jets(space_.cells[cell_], middles, jets, false);
+    double sum = 0;
+    for (const geometry::SurfaceJet& jet : jets) sum += jet.d[0].cross(jet.d[1]).norm();
+    return sum / 3 * (one[0] * other[1] - one[1] * other[0]) / 2;
   }
 
   void follow_rim(int side) {
@@ -91,11 +131,15 @@ class Marching {
     }
   }
 
-  void add(const CellEnd& from, const CellEnd& to, bool is_rim) {
+  /// Returns where its ends are in the reference cell.
+  std::array<Eigen::Vector2d, 2> add(const CellEnd& from, const CellEnd& to, bool is_rim) {
     segments_.push_back({.zone = labels_.of_node[static_cast<std::size_t>(node(from.touching))],
                          .is_rim = is_rim,
                          .ends = {named(from), named(to)}});
+    std::array places{place(from), place(to)};
     new_ends_.insert(new_ends_.end(), {from, to});
+    new_places_.insert(new_places_.end(), places.begin(), places.end());
+    return places;
   }
 
   SegmentEnd named(const CellEnd& end) const {
@@ -124,7 +168,11 @@ class Marching {
   Eigen::Vector2d place(const CellEnd& end) const {
     const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
     if (end.touching == end.other) return a;
-    Eigen::Vector2d between = a + (1 - touching_.crossing(node(end.other), node(end.touching))) * (b - a);
+    return edge_near(end, a + (1 - touching_.crossing(node(end.other), node(end.touching))) * (b - a));
+  }
+
+  /// From a point near an end, where free nodes on the end's side see the edge; the point itself if they do not.
+  Eigen::Vector2d edge_near(const CellEnd& end, const Eigen::Vector2d& between) const {
     const geometry::SurfaceJet jet = jet_at(between);
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << jet.d[0], jet.d[1];
@@ -188,8 +236,7 @@ class Marching {
   void place_new_ends() {
     if (new_ends_.empty()) return;
     const fem::Cell& cell = space_.cells[cell_];
-    std::vector<Eigen::Vector2d> xi;
-    for (const CellEnd& end : new_ends_) xi.push_back(place(end));
+    const std::vector<Eigen::Vector2d>& xi = new_places_;
     std::vector<geometry::SurfaceJet> jets(xi.size());
     std::vector<double> x(xi.size()), y(xi.size());
     discrete_.shell.surface().jets(cell, xi, jets, false);
@@ -206,6 +253,7 @@ class Marching {
           .displacement = row.head<3>().transpose() + z * row.tail<3>().transpose()};
     }
     new_ends_.clear();
+    new_places_.clear();
   }
 
   const assembly::DiscreteShell& discrete_;
@@ -219,7 +267,9 @@ class Marching {
   std::vector<char> hangs_or_holds_;  ///< a node hangs, or others hang on it
   std::size_t cell_ = 0;
   std::vector<Segment> segments_{};
-  std::vector<CellEnd> new_ends_{};  // of the last segments, two each
+  std::vector<double> areas_;                  // of zones
+  std::vector<CellEnd> new_ends_{};            // of the last segments, two each
+  std::vector<Eigen::Vector2d> new_places_{};  // of these
 };
 
 constexpr std::size_t numbers_per_end = 13, numbers_per_segment = 2 + 2 * numbers_per_end;
@@ -252,21 +302,24 @@ Segment unpacked(const double* n) {
 
 }  // namespace
 
-std::vector<Segment> boundary_segments(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
-                                       std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels) {
+ZoneBoundaries zone_boundaries(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                               std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels) {
   if (labels.count == 0) return {};
   const MPI_Comm comm = discrete.space().layout->comm;
   const GapOpening opening(discrete, touching);
-  const std::vector<Segment> mine =
+  const ZoneBoundaries mine =
       algebra::in_agreement(comm, [&] { return Marching(discrete, solution, obstacle, touching, labels, opening)(); });
   std::vector<double> numbers;
-  numbers.reserve(mine.size() * numbers_per_segment);
-  for (const Segment& segment : mine) pack(segment, numbers);
+  numbers.reserve(mine.segments.size() * numbers_per_segment);
+  for (const Segment& segment : mine.segments) pack(segment, numbers);
   const std::vector<double> all = algebra::gather_over_ranks(numbers, comm);
-  std::vector<Segment> segments;
-  segments.reserve(all.size() / numbers_per_segment);
-  for (std::size_t i = 0; i < all.size(); i += numbers_per_segment) segments.push_back(unpacked(all.data() + i));
-  return segments;
+  ZoneBoundaries boundaries{.areas = algebra::sums_over_ranks(mine.areas, comm)};
+  for (double& area : boundaries.areas)
+    area = std::max(area, 0.0);  // along a line ends may lie on the wrong sides of each other
+  boundaries.segments.reserve(all.size() / numbers_per_segment);
+  for (std::size_t i = 0; i < all.size(); i += numbers_per_segment)
+    boundaries.segments.push_back(unpacked(all.data() + i));
+  return boundaries;
 }
 
 }  // namespace plastron::certificate

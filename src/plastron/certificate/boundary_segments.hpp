@@ -1,5 +1,5 @@
 // The boundary of the zones as each sub-cell sees it: straight segments between the points where the gap closes on its sides
-// (marching squares and triangles), and the parts of the shell's rim that zones reach.
+// (marching squares and triangles), and the parts of the shell's rim that zones reach; and the area within.
 #pragma once
 #include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/touching_nodes.hpp>
@@ -23,8 +23,15 @@ struct Segment {
   std::array<SegmentEnd, 2> ends{};
 };
 
-/// Of one obstacle's zones, of all ranks on every rank; their order depends on the ranks (collective). Throws what the chart throws.
-std::vector<Segment> boundary_segments(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
-                                       std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels);
+struct ZoneBoundaries {
+  std::vector<Segment> segments{};  ///< of all ranks on every rank; their order depends on the ranks
+  /// Of each zone: of the mid-surface within its boundary, which bulges from segment to segment like a parabola through the point where free
+  /// nodes see the edge halfway [m^2].
+  std::vector<double> areas{};
+};
+
+/// Of one obstacle's zones (collective). Throws what the chart throws.
+ZoneBoundaries zone_boundaries(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                               std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels);
 
 }  // namespace plastron::certificate

@@ -2,6 +2,7 @@
 
 #include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/multiplier.hpp>
+#include <plastron/certificate/contact_zones.hpp>
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/fem/ties.hpp>
 
@@ -65,7 +66,7 @@ struct Sums {
   double force_scale = 0, moment_scale = 0;  // sums of the norms of all nodal contributions
   double load_work = 0, contact_work = 0, support_work = 0, lift_work = 0;
   double free_residual = 0, all_forces = 0;
-  double area = 0, max_pressure = 0, complementarity = 0, support_error = 0;
+  double max_pressure = 0, complementarity = 0, support_error = 0;
   double displacement = 0, relative_displacement = 0, rotation = 0;
   double thickness = std::numeric_limits<double>::infinity();
   StrainScale strain_scale;
@@ -114,7 +115,6 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution
   const double pressure = solution.pressure.local()[at];
   ObstacleContact& contact = sums.obstacles[k];
   contact.nodes += 1;
-  contact.area += point.weight;
   sums.max_pressure = std::max(sums.max_pressure, pressure);
   sums.min_pressure = std::min(sums.min_pressure, pressure);
   const double lift = discrete.state.lift(row.node, k);
@@ -132,10 +132,7 @@ Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolutio
   Vector6 force = Vector6::Zero();
   for (const assembly::ContactRow& row : discrete.coordinates.rows_of(i))
     force += add_contact(discrete, solution, row, y, sums);
-  if (touches(solution, i)) {
-    sums.touching += 1;
-    sums.area += discrete.points[i].weight;
-  }
+  if (touches(solution, i)) sums.touching += 1;
   return force;
 }
 
@@ -210,16 +207,17 @@ Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution&
   s.energy = discrete.shell.energies(solution.y);
   s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
   s.loads = over_ranks(sums.loads, comm);
+  const std::vector<double> areas = contact_areas(discrete, solution);
   for (const ObstacleContact& contact : sums.obstacles) {
     s.obstacles.push_back(contact);
     s.obstacles.back().reaction = over_ranks(contact.reaction, comm);
-    s.obstacles.back().area = algebra::sum_over_ranks(contact.area, comm);
+    s.obstacles.back().area = areas[s.obstacles.size() - 1];
+    s.contact_area += s.obstacles.back().area;
     s.obstacles.back().nodes = algebra::sum_over_ranks(contact.nodes, comm);
     s.reaction.force += s.obstacles.back().reaction.force;
     s.reaction.moment += s.obstacles.back().reaction.moment;
   }
   s.support_reaction = over_ranks(sums.supports, comm);
-  s.contact_area = algebra::sum_over_ranks(sums.area, comm);
   s.touching_nodes = algebra::sum_over_ranks(sums.touching, comm);
   s.max_pressure = algebra::max_over_ranks(sums.max_pressure, comm);
   s.max_displacement = algebra::max_over_ranks(sums.displacement, comm);

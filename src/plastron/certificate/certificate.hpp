@@ -15,7 +15,7 @@ namespace plastron::certificate {
 struct ObstacleContact {
   std::string name{};
   Wrench reaction{};
-  double area = 0;         ///< nodal weight of the nodes that touch it [m^2]
+  double area = 0;         ///< of the mid-surface within the boundaries of its zones [m^2]
   std::int64_t nodes = 0;  ///< that touch it
   Vector3d translation =
       Vector3d::Zero();  ///< from where it stood at the start, of the origin of its shape's own coordinates [m]
@@ -43,7 +43,7 @@ struct Summary {
   double load_work = 0;  ///< l(U) [J]
   Wrench loads, reaction, support_reaction;
   Vector3d moment_point = Vector3d::Zero();  ///< that all moments here are about, see take_moments_about() [m]
-  double contact_area = 0;                   ///< nodal weight of the touching nodes [m^2]
+  double contact_area = 0;                   ///< sum of the obstacles' [m^2]
   double max_pressure = 0;                   ///< max eta_i [Pa]
   double max_normal_rotation = 0;            ///< max |r . a_3| over nodes and quadrature points
   double max_displacement = 0;               ///< max |u| over nodes [m]

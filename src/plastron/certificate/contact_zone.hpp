@@ -27,7 +27,7 @@ struct ContactLine {
 };
 
 struct ContactZone {
-  double area = 0;  ///< nodal weight of its nodes [m^2]
+  double area = 0;  ///< of the mid-surface within its boundary [m^2]
   std::int64_t nodes = 0;
   Wrench reaction;                                   ///< on the shell
   Vector3d centre = Vector3d::Zero();                ///< of pressure; of the area where nothing is carried [m]

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace plastron::certificate {
@@ -31,7 +32,7 @@ void for_touching_nodes(const assembly::DiscreteShell& discrete, const NodalSolu
                          solution.pressure.local()[i * block + obstacle]});
 }
 
-using ZoneSums = Eigen::Matrix<double, 16, 1>;  // area, nodes, force, moment, carried, carried x, area x, peak
+using ZoneSums = Eigen::Matrix<double, 16, 1>;  // weight, nodes, force, moment, carried, carried x, weight x, peak
 
 /// Over all ranks, which keep the largest of the last entry.
 std::vector<ZoneSums> over_ranks(const std::vector<ZoneSums>& mine, MPI_Comm comm) {
@@ -50,27 +51,26 @@ std::vector<ZoneSums> over_ranks(const std::vector<ZoneSums>& mine, MPI_Comm com
   return sums;
 }
 
-/// All but the place of the peak and the lines.
+/// All but the area, the place of the peak and the lines.
 std::vector<ContactZone> zone_totals(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                      std::size_t obstacle, const ZoneLabels& labels) {
   std::vector<ZoneSums> sums(static_cast<std::size_t>(labels.count), ZoneSums::Zero());
   for_touching_nodes(discrete, solution, obstacle, labels, [&](const TouchingNode& n) {
-    const double area = n.point.weight, force = n.pressure * area;
+    const double weight = n.point.weight, force = n.pressure * weight;
     const Vector3d& place = n.gap.contact_point;
     ZoneSums& s = sums[static_cast<std::size_t>(n.zone)];
-    s[0] += area;
+    s[0] += weight;
     s[1] += 1;
     s.segment<3>(2) += force * n.gap.normal;
     s.segment<3>(5) += force * place.cross(n.gap.normal);
     s[8] += force;
     s.segment<3>(9) += force * place;
-    s.segment<3>(12) += area * place;
+    s.segment<3>(12) += weight * place;
     s[15] = std::max(s[15], n.pressure);
   });
   std::vector<ContactZone> zones;
   for (const ZoneSums& s : over_ranks(sums, discrete.space().layout->comm))
-    zones.push_back({.area = s[0],
-                     .nodes = std::llround(s[1]),
+    zones.push_back({.nodes = std::llround(s[1]),
                      .reaction = {.force = s.segment<3>(2), .moment = s.segment<3>(5)},
                      .centre = s[8] > 0 ? s.segment<3>(9) / s[8] : s.segment<3>(12) / s[0],
                      .peak_pressure = s[15]});
@@ -114,16 +114,15 @@ std::vector<ContactZone> zones_of(const assembly::DiscreteShell& discrete, const
   const ZoneLabels labels = zone_labels(discrete.space(), touching.inside());
   std::vector<ContactZone> zones = zone_totals(discrete, solution, obstacle, labels);
   find_peaks(discrete, solution, obstacle, labels, size, zones);
+  const ZoneBoundaries boundaries = zone_boundaries(discrete, solution, obstacle, touching, labels);
   std::vector<std::vector<Segment>> segments(zones.size());
-  for (Segment& s : boundary_segments(discrete, solution, obstacle, touching, labels))
-    segments[static_cast<std::size_t>(s.zone)].push_back(s);
-  double area = 0;
+  for (const Segment& s : boundaries.segments) segments[static_cast<std::size_t>(s.zone)].push_back(s);
   for (std::size_t k = 0; k < zones.size(); ++k) {
     zones[k].lines = contact_lines(segments[k], size);
-    area += zones[k].area;
+    zones[k].area = boundaries.areas[k];
   }
   std::ranges::sort(zones, {}, [&](const ContactZone& zone) {
-    return std::tuple(-in_units(zone.area, area), in_units(zone.centre, size));
+    return std::tuple(-in_units(zone.area, size * size), in_units(zone.centre, size));
   });
   return zones;
 }
@@ -137,6 +136,17 @@ std::vector<std::vector<ContactZone>> contact_zones(const assembly::DiscreteShel
   const double size = extent_of(discrete);
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) all.push_back(zones_of(discrete, solution, k, size));
   return all;
+}
+
+std::vector<double> contact_areas(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
+  std::vector<double> areas;
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) {
+    const TouchingNodes touching(discrete, solution, k);
+    const ZoneLabels labels = zone_labels(discrete.space(), touching.inside());
+    const ZoneBoundaries boundaries = zone_boundaries(discrete, solution, k, touching, labels);
+    areas.push_back(std::accumulate(boundaries.areas.begin(), boundaries.areas.end(), 0.0));
+  }
+  return areas;
 }
 
 }  // namespace plastron::certificate

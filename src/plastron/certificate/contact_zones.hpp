@@ -15,4 +15,7 @@ struct NodalSolution;
 std::vector<std::vector<ContactZone>> contact_zones(const assembly::DiscreteShell& discrete,
                                                     const NodalSolution& solution);
 
+/// By obstacle: the mid-surface area that touches it, within the boundaries of its zones [m^2] (collective). Throws likewise.
+std::vector<double> contact_areas(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
+
 }  // namespace plastron::certificate

@@ -138,8 +138,7 @@ bool wants_witness(const Problem& problem, const fem::Space& space, const estima
                    const certificate::Summary& summary) {
   if (space.shape() != fem::Shape::quadrilateral || estimates.unjudged_cells > 0) return false;
   std::vector<GoalRecord> records = goal_records(problem, estimates, summary);
-  constexpr double least_part = 0.2;  // that is left of an error whatever the witness says (GoalEstimate::error)
-  for (GoalRecord& goal : records) goal.error *= least_part;
+  for (std::size_t g = 0; g < records.size(); ++g) records[g].error = estimates.goals[g].least_error();
   return std::ranges::all_of(records, &GoalRecord::is_met);
 }
 

@@ -1,10 +1,12 @@
 #include <plastron/estimation/derivatives.hpp>
 
 #include <plastron/assembly/pressing.hpp>
+#include <plastron/certificate/contact_zones.hpp>
 #include <plastron/estimation/point_values.hpp>
 #include <plastron/estimation/reactions.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace plastron::estimation {
 
@@ -35,16 +37,8 @@ Derivative derivative_of(const LoadWork& /*work*/, const Solved& solved) {
 
 Derivative derivative_of(const ContactArea& area, const Solved& solved) {
   Derivative result = zero(solved);
-  const algebra::Vector& touching = solved.nodal.touching;
-  double sum = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(touching.layout()->owned); ++i) {
-    const auto own = touching.owned().subspan(i * static_cast<std::size_t>(touching.block()),
-                                              static_cast<std::size_t>(touching.block()));
-    const bool counts =
-        area.obstacle ? own[*area.obstacle] != 0 : std::ranges::any_of(own, [](double t) { return t != 0; });
-    if (counts && !solved.discrete.coordinates.tied[i]) sum += solved.discrete.points[i].weight;
-  }
-  result.value = algebra::sum_over_ranks(sum, touching.layout()->comm);
+  const std::vector<double> areas = certificate::contact_areas(solved.discrete, solved.nodal);
+  result.value = area.obstacle ? areas[*area.obstacle] : std::accumulate(areas.begin(), areas.end(), 0.0);
   return result;
 }
 

@@ -7,15 +7,18 @@ namespace plastron::estimation {
 
 double GoalEstimate::difference() const { return at_higher_degree ? *at_higher_degree - value + free_edges : estimate; }
 
+double GoalEstimate::least_error() const {
+  constexpr double least_part = 0.2;
+  return least_part * recovered_error();
+}
+
 // Measured on problems with known answers (docs/methods/estimates.md).
 double GoalEstimate::error() const {
-  constexpr double least_part =
-      0.2;  // of what recovered resultants say, which are rarely more than five times too large
   const double recovered = recovered_error();
   if (!at_higher_degree) return recovered;
   const double seen = std::abs(difference());
   if (seen >= recovered) return seen;
-  return std::max(std::cbrt(recovered * seen * seen), least_part * recovered);
+  return std::max(std::cbrt(recovered * seen * seen), least_error());
 }
 
 }  // namespace plastron::estimation

@@ -29,6 +29,8 @@ struct GoalEstimate {
   double difference() const;
   /// The size of |exact value - value| as recovered resultants have it.
   double recovered_error() const { return (estimate < 0 ? -estimate : estimate) + contact_edge; }
+  /// What is left of that whatever a higher degree says: recovered resultants are rarely more than five times too large.
+  double least_error() const;
   /// The same by all that is known (docs/methods/estimates.md).
   double error() const;
 };

@@ -23,7 +23,7 @@ struct SupportForce {
   std::optional<std::string> boundary{};
   std::optional<int> component{};
 };
-/// Mid-surface area that touches one obstacle, or any [m^2].
+/// Mid-surface area that touches one obstacle, or the sum over all [m^2].
 struct ContactArea {
   std::optional<std::size_t> obstacle{};
 };

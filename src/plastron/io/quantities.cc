@@ -108,7 +108,7 @@ std::span<const Quantity<certificate::PointReaction>> point_support_quantities()
 
 std::span<const Quantity<Result>> contact_quantities() {
   static const std::vector<Quantity<Result>> all{
-      {"area", "m^2", "mid-surface area of the touching nodes",
+      {"area", "m^2", "mid-surface area in contact, within the boundaries of the zones; the sum over the obstacles",
        [](const Result& r) { return number(r.summary.contact_area); }},
       {"nodes", "1", "touching nodes", [](const Result& r) { return Json(r.summary.touching_nodes); }, Form::integer},
       {"min_gap", "m", "smallest gap at a node", [](const Result& r) { return number(r.certificate.min_gap_nodes); }},
@@ -197,7 +197,8 @@ std::span<const Quantity<computation::Level>> level_quantities() {
        Form::text},
       {"energy", "J", "stored energy", [](const Level& l) { return number(l.energy); }},
       {"reaction", "N", "norm of the obstacle's resultant force", [](const Level& l) { return number(l.reaction); }},
-      {"contact_area", "m^2", "mid-surface area of the touching nodes",
+      {"contact_area", "m^2",
+       "mid-surface area in contact, within the boundaries of the zones; the sum over the obstacles",
        [](const Level& l) { return number(l.contact_area); }},
       {"max_normal_rotation", "1", "largest |r . a_3|", [](const Level& l) { return number(l.max_normal_rotation); }},
       {"multiplier_norm", "N m", "norm of the gradient of lambda",
@@ -237,7 +238,7 @@ std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities() {
        [](const ObstacleContact& o) { return triple(o.reaction.force); }, Form::triple},
       {"reaction/moment", "N m", "its moment about moment_point",
        [](const ObstacleContact& o) { return triple(o.reaction.moment); }, Form::triple},
-      {"area", "m^2", "mid-surface area of the nodes that touch it",
+      {"area", "m^2", "mid-surface area that touches it, within the boundaries of its zones",
        [](const ObstacleContact& o) { return number(o.area); }},
       {"nodes", "1", "nodes that touch it", [](const ObstacleContact& o) { return Json(o.nodes); }, Form::integer},
       {"translation", "m", "how far it has come from where it stood at the start",
@@ -263,7 +264,8 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
       {"load_work", "J", "l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},
       {"max_displacement", "m", "largest |u| at a node",
        [](const HistoryEntry& h) { return number(h.summary.max_displacement); }},
-      {"contact_area", "m^2", "mid-surface area of the touching nodes",
+      {"contact_area", "m^2",
+       "mid-surface area in contact, within the boundaries of the zones; the sum over the obstacles",
        [](const HistoryEntry& h) { return number(h.summary.contact_area); }},
       {"max_pressure", "Pa", "largest eta at a node",
        [](const HistoryEntry& h) { return number(h.summary.max_pressure); }},
@@ -281,7 +283,7 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
 std::span<const Quantity<certificate::ContactZone>> zone_quantities() {
   using certificate::ContactZone;
   static const std::vector<Quantity<ContactZone>> all{
-      {"area", "m^2", "mid-surface area of its nodes", [](const ContactZone& z) { return number(z.area); }},
+      {"area", "m^2", "mid-surface area within its boundary", [](const ContactZone& z) { return number(z.area); }},
       {"nodes", "1", "nodes that touch", [](const ContactZone& z) { return Json(z.nodes); }, Form::integer},
       {"reaction/force", "N", "resultant of the reaction in the zone on the shell",
        [](const ContactZone& z) { return triple(z.reaction.force); }, Form::triple},
