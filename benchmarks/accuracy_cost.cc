@@ -31,6 +31,7 @@ struct Known {
   std::string name;
   computation::Problem problem;
   std::vector<KnownGoal> goals;
+  double least_tolerance = 0;  ///< that it is asked for, unless that is said
 };
 
 std::vector<Known> problems(int degree) {
@@ -44,6 +45,7 @@ std::vector<Known> problems(int degree) {
     if (r.boundaries.empty()) return;
     known.name += ", area";
     known.goals = {{"contact_area", verification::contact_area(r)}};
+    known.least_tolerance = 1e-3;  // an edge is no better than its nodes are near
     all.push_back(std::move(known));
   };
   for (const std::string& name : verification::contact_reference_names())
@@ -116,6 +118,7 @@ int main(int argc, char** argv) {
   for (const plastron::benchmarks::Known& known : plastron::benchmarks::problems(degree))
     if (known.name.find(part) != std::string::npos)
       for (const double tolerance : tolerances)
-        if (!plastron::benchmarks::report(known, tolerance)) are_true = false;
+        if ((argc > 1 || tolerance >= known.least_tolerance) && !plastron::benchmarks::report(known, tolerance))
+          are_true = false;
   return are_true ? 0 : 1;
 }
