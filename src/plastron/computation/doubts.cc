@@ -115,8 +115,7 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
   if (s.edge.is_line())
     warnings.push_back(
         fmt::format("the shell stands on its edge: {:.4g} N of the reaction are concentrated on it, up to {:.4g} N/m; "
-                    "the pressure (eta) at "
-                    "nodes of that edge depends on the mesh",
+                    "the pressure (eta) at nodes of that edge depends on the mesh",
                     s.edge.force, s.edge.max_per_length));
   if (result.levels.empty()) return warnings;
   const contact::Tolerances& used = result.levels.back().tolerances;
