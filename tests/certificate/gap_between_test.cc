@@ -53,6 +53,13 @@ Eigen::Matrix<double, 6, 1> downwards(double u_z) {
   return y;
 }
 
+/// Of all cells near the table and of all ranks.
+double least_gap(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const CellGap& cell : searched_gaps(discrete, y)) least = std::min(least, cell.gap);
+  return algebra::min_over_ranks(least, MPI_COMM_WORLD);
+}
+
 /// All elements that there are for a plane table.
 std::vector<std::pair<fem::Shape, int>> elements() {
   return {{test::quadrilateral, 1},
@@ -67,8 +74,7 @@ TEST(GapBetween, OfAPlaneFaceIsThatOfItsLowestCorner) {
     const Shell s = shell_over({}, test::skew(), test::flat, shape, degree);
     const auto y =
         nodal(s, [](const assembly::NodalPoint& p) { return downwards(-0.19 - 0.05 * p.x[0] + 0.02 * p.x[1]); });
-    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, y), flat_gap - 0.19 - 0.05 + 0.02 * 0.1, 1e-14)
-        << "degree " << degree;
+    EXPECT_NEAR(least_gap(*s.discrete, y), flat_gap - 0.19 - 0.05 + 0.02 * 0.1, 1e-14) << "degree " << degree;
   }
 }
 
@@ -79,7 +85,7 @@ TEST(GapBetween, OfAVertexLiftedOffTheTableIsAnEighthOfTheLiftBelowIt) {
     const Shell s = shell_over({}, test::skew(), test::flat, shape, 2);
     const auto y = nodal(
         s, [](const assembly::NodalPoint& p) { return downwards(p.x.norm() < 1e-12 ? lift - flat_gap : -flat_gap); });
-    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, y), -lift / 8, 1e-14);
+    EXPECT_NEAR(least_gap(*s.discrete, y), -lift / 8, 1e-14);
   }
 }
 
@@ -88,7 +94,7 @@ TEST(GapBetween, OfElementsOfDegreeOneIsNeverLowerThanTheirNodesOnAPlaneTable) {
     const Shell s = shell_over({}, test::skew(), test::flat, shape, 1);
     const auto y =
         nodal(s, [](const assembly::NodalPoint& p) { return downwards(p.x.norm() < 1e-12 ? 0.1 : -flat_gap); });
-    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, y), 0, 1e-14);
+    EXPECT_NEAR(least_gap(*s.discrete, y), 0, 1e-14);
   }
 }
 
@@ -97,7 +103,7 @@ TEST(GapBetween, SeesADipOfTheSurfaceThatNoNodeHas) {
   const std::array<std::string, 3> dip{"x", "y", "0.3 - x*(1 - x)"};
   for (const auto& [shape, degree] : {std::pair{test::quadrilateral, 1}, std::pair{test::triangle, 1}}) {
     const Shell s = shell_over({}, fem::Rectangle{}, dip, shape, degree);
-    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, at_rest(s)), 0.3 - 0.25 - thickness / 2, 1e-14);
+    EXPECT_NEAR(least_gap(*s.discrete, at_rest(s)), 0.3 - 0.25 - thickness / 2, 1e-14);
   }
 }
 
@@ -111,7 +117,7 @@ TEST(GapBetween, FeelsTheRotationOfTheFaceWithoutItsPartAlongTheNormal) {
       return (Eigen::Matrix<double, 6, 1>() << 0.1, 0, -0.2, -0.5, 0.3, 7).finished();
     });
     const double change = -0.6 * (0.1 - thickness / 2 * -0.5) + 0.8 * -0.2;
-    EXPECT_NEAR(min_gap_between_nodes(*s.discrete, y), at_edge + change, 1e-14) << "degree " << degree;
+    EXPECT_NEAR(least_gap(*s.discrete, y), at_edge + change, 1e-14) << "degree " << degree;
   }
 }
 
@@ -123,7 +129,7 @@ TEST(GapBetween, InterpolatesAsTheFormulationDoes) {
   const double expected = 1 + (c - thickness / 2 - 1) * std::sqrt(1 - middle * middle);
   const auto lowest = [&](element::Formulation formulation) {
     const Shell s = shell_over({}, domain, cylinder, test::quadrilateral, 1, formulation);
-    return min_gap_between_nodes(*s.discrete, nodal(s, [&](const assembly::NodalPoint& p) {
+    return least_gap(*s.discrete, nodal(s, [&](const assembly::NodalPoint& p) {
       return (Eigen::Matrix<double, 6, 1>() << c * p.a3, Vector3d::Zero()).finished();
     }));
   };
@@ -131,14 +137,41 @@ TEST(GapBetween, InterpolatesAsTheFormulationDoes) {
   EXPECT_GT(std::abs(lowest(element::Formulation::tangent) - expected), 1e-3);
 }
 
+// Far smaller than the lattice's spacing, and in the middle between its points.
+TEST(GapBetween, IsSearchedForBodiesSmallerThanACell) {
+  const obstacle::Ball ball{.centre = {0.4375, 0.4375, 0.3 - thickness / 2 + 0.002}, .radius = 0.005};
+  for (const auto& [shape, degree] : elements()) {
+    Shell s = shell_over({}, fem::Rectangle{}, test::flat, shape, degree);
+    s.discrete->obstacles.all = s.discrete->obstacles_at_start.all = {{.name = "ball", .shape = ball}};
+    const std::vector<CellGap> cells = searched_gaps(*s.discrete, at_rest(s));
+    const auto deepest = std::ranges::min_element(cells, {}, &CellGap::gap);
+    if (deepest == cells.end()) continue;  // on another rank
+    if (deepest->gap > 0) continue;
+    EXPECT_NEAR(deepest->gap, -0.007, 1e-3) << "degree " << degree;
+    EXPECT_LT((deepest->x - ball.centre.head<2>()).norm(), 0.005);
+  }
+  const Shell s = shell_over({}, fem::Rectangle{}, test::flat, test::quadrilateral, 2);
+  s.discrete->obstacles.all = s.discrete->obstacles_at_start.all = {{.name = "ball", .shape = ball}};
+  EXPECT_NEAR(least_gap(*s.discrete, at_rest(s)), -0.007, 1e-3);
+}
+
+TEST(GapBetween, IsTheThicknessWhereTheShellHasGoneThroughABody) {
+  const Shell s = shell_over({}, fem::Rectangle{}, test::flat, test::quadrilateral, 2);
+  const obstacle::Ball ball{.centre = {0.4375, 0.4375, 0.1}, .radius = 0.005};
+  s.discrete->obstacles.all = s.discrete->obstacles_at_start.all = {{.name = "ball", .shape = ball}};
+  EXPECT_GT(least_gap(*s.discrete, at_rest(s)), 0);
+  const auto through = nodal(s, [](const assembly::NodalPoint&) { return downwards(-0.4); });
+  EXPECT_NEAR(least_gap(*s.discrete, through), -thickness, 1e-12);
+}
+
 TEST(GapBetween, IsInfiniteWithoutAnObstacleAndWhereNoCellIsNearIt) {
   const auto infinity = std::numeric_limits<double>::infinity();
   Shell s = shell_over({.point = {0, 0, -50}}, test::skew(), test::flat, test::quadrilateral, 2);
-  EXPECT_EQ(min_gap_between_nodes(*s.discrete, at_rest(s)), infinity);
+  EXPECT_EQ(least_gap(*s.discrete, at_rest(s)), infinity);
   s = shell_over({}, test::skew(), test::flat, test::quadrilateral, 2);
-  EXPECT_NEAR(min_gap_between_nodes(*s.discrete, at_rest(s)), flat_gap, 1e-14);
+  EXPECT_NEAR(least_gap(*s.discrete, at_rest(s)), flat_gap, 1e-14);
   s.discrete->obstacles = {};
-  EXPECT_EQ(min_gap_between_nodes(*s.discrete, at_rest(s)), infinity);
+  EXPECT_EQ(least_gap(*s.discrete, at_rest(s)), infinity);
 }
 
 }  // namespace

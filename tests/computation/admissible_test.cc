@@ -120,7 +120,7 @@ double depth(const Result& r, int intervals) {
   moved.displacement = r.solution->nodal.y;
   moved.positions = discrete.positions();
   linearise(discrete, moved);
-  const double depth = -certificate::min_gap_between_nodes(discrete, r.solution->nodal.y, intervals);
+  const double depth = -certificate::min_gap_on_lattice(discrete, r.solution->nodal.y, intervals);
   linearise(discrete, state);
   return depth;
 }

@@ -430,6 +430,22 @@ TEST(InitialGap, that_is_negative_everywhere_asks_for_a_reversed_normal) {
   EXPECT_THAT(warnings(lifted), ElementsAre(AllOf(HasSubstr("initial gap: -0.01"), HasSubstr("is a normal reversed"))));
 }
 
+TEST(Examination, warns_where_nodes_may_miss_a_small_obstacle) {
+  computation::Problem p = pressed_strip();  // nodes are 1/32 apart
+  const auto roller = [](double radius) {
+    return obstacle::Obstacle{
+        .name = "roller",
+        .shape = obstacle::Cylinder{.point = {0.51, 0, -radius}, .axis = {0, 1, 0}, .radius = radius}};
+  };
+  p.obstacles = {roller(0.01)};
+  EXPECT_THAT(warnings(p), ElementsAre(AllOf(HasSubstr("all nodes may miss it"), HasSubstr("radius 0.01 m"))));
+  p.obstacles = {roller(0.02)};
+  EXPECT_THAT(warnings(p), IsEmpty());
+  p.obstacles = {roller(0.01)};
+  p.accuracy = computation::Accuracy{.goals = {{"energy", 1e-3}}};
+  EXPECT_THAT(warnings(p), IsEmpty());
+}
+
 // ---- units ---------------------------------------------------------------------------------------------------------
 
 std::string times(const std::string& scale, const std::string& text) { return scale + "*(" + text + ")"; }

@@ -107,5 +107,52 @@ TEST(Gap, under_a_rigid_motion_is_the_distance_of_the_rigidly_moved_point) {
   });
 }
 
+/// A point of a flat shell of thickness 0.2 with its lower face at -0.1, and what a small body under its mid-surface tells.
+FaceGap over(const Shape& shape, double x, Face face = Face::nearer) {
+  return face_gap(Obstacle{.shape = shape, .face = face}, {{x, 0, 0}, Vector3d::UnitZ(), thickness});
+}
+
+TEST(FaceGap, of_a_body_thinner_than_the_shell_is_to_its_side_that_looks_at_the_mid_surface) {
+  const Ball ball{.centre = {0, 0, -0.05}, .radius = 0.03};        // the face is below its centre
+  const Box sheet{.centre = {0, 0, -0.09}, .size = {1, 1, 0.06}},  // the face is nearer to its lower side
+      blade{.centre = {0, 0, -0.55}, .size = {0.04, 1, 1}};        // the face is nearer to its walls
+  for (const auto& [shape, top] : {std::pair<Shape, double>{ball, -0.02}, {sheet, -0.06}, {blade, -0.05}})
+    for (const Face face : {Face::nearer, Face::lower}) {
+      const FaceGap gap = over(shape, 0, face);
+      EXPECT_LT((gap.normal - Vector3d::UnitZ()).norm(), 1e-12);
+      EXPECT_NEAR(gap.distance, -0.1 - top, 1e-12);
+      EXPECT_LE(gap.clearance, 0);
+    }
+}
+
+TEST(FaceGap, beside_a_body_under_the_mid_surface_is_the_way_to_its_side) {
+  const FaceGap gap = over(Ball{.centre = {0, 0, -0.05}, .radius = 0.03}, 0.04);
+  EXPECT_NEAR(gap.distance, 0.01, 1e-9);
+  EXPECT_NEAR(gap.normal[0], 1, 1e-9);
+  EXPECT_GT(gap.clearance, 0);
+  EXPECT_NEAR(gap.roundness, 0.03, 1e-9);
+}
+
+TEST(FaceGap, of_a_body_that_has_come_past_the_mid_surface_tells_the_face_it_came_through) {
+  const Box blade{.centre = {0.0, 0, -0.47}, .size = {0.1, 1, 1}};  // up to 0.03
+  EXPECT_NEAR(over(blade, 0.045).distance, -0.13, 1e-12);
+  const Box hanging{.centre = {0.0, 0, 0.47}, .size = {0.1, 1, 1}};
+  const FaceGap gap = over(hanging, 0.045);
+  EXPECT_GT(gap.z, 0);
+  EXPECT_NEAR(gap.distance, -0.13, 1e-12);
+  EXPECT_LT((gap.normal + Vector3d::UnitZ()).norm(), 1e-12);
+}
+
+TEST(Passage, is_through_where_an_obstacle_is_on_the_way_and_not_beside_it) {
+  const Ball ball{.centre = {0, 0, -0.05}, .radius = 0.03};
+  const auto down = [&](double x) {
+    return passage(Obstacle{.shape = ball}, {x, 0, 0}, {x, 0, -0.1}, Vector3d::UnitZ());
+  };
+  EXPECT_TRUE(down(0.01).is_through);
+  EXPECT_FALSE(down(0.04).is_through);
+  EXPECT_NEAR(down(0.04).clearance, 0.01, 1e-9);
+  EXPECT_FALSE(passage(Obstacle{.shape = ball}, {0, 0, 0}, {0.2, 0, 0}, Vector3d::UnitZ()).is_through);
+}
+
 }  // namespace
 }  // namespace plastron::obstacle

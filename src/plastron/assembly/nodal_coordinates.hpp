@@ -22,6 +22,7 @@ struct RigidObstacles {
   std::vector<obstacle::Obstacle> all{};  ///< where their gaps are linearised
   std::vector<Vector3d> moved{};          ///< how far forces have pressed each on from there; empty: nowhere [m]
   double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
+  bool are_linear = false;  ///< gaps are those of (M16) at the undeformed shell, wherever it is
 
   bool empty() const { return all.empty(); }
   Vector3d way(std::size_t k) const { return moved.empty() ? Vector3d(0, 0, 0) : moved[k]; }
@@ -32,6 +33,18 @@ struct RigidObstacles {
     gap.initial -= gap.normal.dot(way(k));
     return gap;
   }
+  /// Against obstacle k, `now` where it stands, of the shell at `at`: not linearised unless the gaps are linear, as those of planes are.
+  obstacle::FaceGap true_gap(std::size_t k, const obstacle::Obstacle& now, obstacle::ShellPoint at) const {
+    if (are_linear) {
+      obstacle::ShellPoint undeformed = at;
+      undeformed.u = undeformed.r = Vector3d::Zero();
+      const obstacle::Gap linear = gap(k, undeformed);
+      const double distance = linear(at.u, at.r);
+      return {.z = linear.z, .distance = distance, .normal = linear.normal, .clearance = distance};
+    }
+    at.thickness *= face_scale;
+    return obstacle::face_gap(now, at);
+  }
   /// Obstacle k where it stands now.
   obstacle::Obstacle now(std::size_t k) const {
     obstacle::Obstacle result = all[k];
@@ -40,7 +53,9 @@ struct RigidObstacles {
   }
   /// The same standing where they do in the state.
   RigidObstacles standing(const State& state) const {
-    RigidObstacles result{.moved = std::vector<Vector3d>(all.size(), Vector3d::Zero()), .face_scale = face_scale};
+    RigidObstacles result{.moved = std::vector<Vector3d>(all.size(), Vector3d::Zero()),
+                          .face_scale = face_scale,
+                          .are_linear = are_linear};
     for (std::size_t k = 0; k < all.size(); ++k) result.all.push_back(all[k].standing(state.time, state.position(k)));
     return result;
   }

@@ -1,13 +1,15 @@
 #include <plastron/certificate/certificate.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/certificate/contact_zones.hpp>
-#include <plastron/certificate/gap_between.hpp>
 #include <plastron/fem/ties.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -237,16 +239,17 @@ Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution&
 double ratio(double part, double whole) { return whole > 0 ? part / whole : part; }
 
 /// `least` are the scales below which forces and energies are rounding.
-Certificate certificate_of(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Sums& sums,
-                           const Summary& s, const StrainScale& least) {
+Certificate certificate_of(const assembly::DiscreteShell& discrete, const Sums& sums, const Summary& s,
+                           const StrainScale& least) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const auto sum = [comm](double value) { return algebra::sum_over_ranks(value, comm); };
-  Certificate c;
+  Certificate c{.min_gap_between = std::numeric_limits<double>::infinity()};
   c.stationarity =
       ratio(std::sqrt(sum(sums.free_residual)), std::sqrt(std::max(sum(sums.all_forces), least.squared_force)));
   c.min_pressure = s.touching_nodes > 0 ? algebra::min_over_ranks(sums.min_pressure, comm) : 0;
   c.min_gap_nodes = algebra::min_over_ranks(sums.min_gap, comm);
-  c.min_gap_between = min_gap_between_nodes(discrete, solution.y);
+  for (const ObstacleContact& obstacle : s.obstacles)
+    c.min_gap_between = std::min(c.min_gap_between, obstacle.least_gap);
   c.support_error = algebra::max_over_ranks(sums.support_error, comm);
   c.complementarity = algebra::max_over_ranks(sums.complementarity, comm);
   const Vector3d force = s.loads.force + s.reaction.force + s.support_reaction.force;
@@ -320,6 +323,84 @@ ObstacleContact untouched(const obstacle::Obstacle& at_start, const obstacle::Ob
 
 }  // namespace
 
+namespace {
+
+/// Of the boundary of the domain.
+std::vector<char> nodes_on_edges(const fem::Space& space) {
+  std::vector<char> marks(static_cast<std::size_t>(space.layout->local_size()));
+  for (const fem::BoundarySide& side : space.sides)
+    if (!side.is_inner)
+      for (const int i : fem::side_nodes(space.shape(), space.degree, side.side))
+        marks[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
+  return marks;
+}
+
+/// Owned nodes that an obstacle pushes along the shell out of a place deep inside of it.
+struct PushedSideways {
+  std::int64_t nodes = 0;
+  double force = 0, all_forces = 0;  ///< at nodes inside of the shell; at all nodes that touch [N]
+};
+PushedSideways pushed_sideways(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t k,
+                               const std::vector<char>& on_edges) {
+  constexpr double sideways = 0.5;      // cosine between the obstacle's normal and the shell's: 60 degrees
+  constexpr double deep_inside = 0.25;  // of the thickness
+  const obstacle::Obstacle obstacle = discrete.obstacles.now(k);
+  PushedSideways pushed;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const std::size_t at = i * discrete.obstacles.all.size() + k;
+    if (solution.touching.local()[at] == 0) continue;
+    const obstacle::Gap& gap = discrete.coordinates.gaps[k][i];
+    const assembly::NodalPoint& point = discrete.points[i];
+    const double force = solution.pressure.local()[at] * point.weight;
+    pushed.all_forces += force;
+    if (!(std::abs(gap.normal.dot(point.a3)) < sideways) ||
+        !(obstacle.nearest(gap.contact_point).distance < -deep_inside * point.thickness))
+      continue;
+    pushed.nodes += 1;
+    if (!on_edges[i]) pushed.force += force;
+  }
+  return pushed;
+}
+
+void add_pushed_sideways(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Summary& summary) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  const std::vector<char> on_edges = nodes_on_edges(discrete.space());
+  for (std::size_t k = 0; k < summary.obstacles.size(); ++k) {
+    const auto pushed = algebra::in_agreement<obstacle::ObstacleError>(
+        comm, [&] { return pushed_sideways(discrete, solution, k, on_edges); });
+    summary.obstacles[k].sideways_nodes = algebra::sum_over_ranks(pushed.nodes, comm);
+    summary.obstacles[k].sideways_part =
+        ratio(algebra::sum_over_ranks(pushed.force, comm), algebra::sum_over_ranks(pushed.all_forces, comm));
+  }
+}
+
+/// The searched gaps, and of each obstacle the least of all ranks with its place.
+void add_least_gaps(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Verdict& verdict) {
+  if (discrete.obstacles.empty()) return;
+  const MPI_Comm comm = discrete.space().layout->comm;
+  constexpr double nowhere = std::numeric_limits<double>::infinity();
+  const auto cells =
+      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return searched_gaps(discrete, solution.y); });
+  for (std::size_t k = 0; k < verdict.summary.obstacles.size(); ++k) {
+    ObstacleContact& contact = verdict.summary.obstacles[k];
+    Eigen::Vector2d at(nowhere, nowhere);
+    double least = nowhere;
+    for (const CellGap& cell : cells)
+      if (cell.obstacle == k && cell.gap < least) {
+        least = cell.gap;
+        at = cell.x;
+      }
+    contact.least_gap = algebra::min_over_ranks(least, comm);
+    if (!std::isfinite(contact.least_gap)) continue;
+    if (least > contact.least_gap) at.setConstant(nowhere);
+    contact.least_gap_at[0] = algebra::min_over_ranks(at[0], comm);
+    contact.least_gap_at[1] = algebra::min_over_ranks(at[0] > contact.least_gap_at[0] ? nowhere : at[1], comm);
+  }
+  std::ranges::copy_if(cells, std::back_inserter(verdict.entered), [](const CellGap& cell) { return cell.gap < 0; });
+}
+
+}  // namespace
+
 Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const algebra::Vector r = residual(discrete, solution);
@@ -337,6 +418,8 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
 
   Verdict verdict{.summary = summary_of(discrete, solution, sums), .certificate = {}};
   verdict.summary.size = size;
+  add_least_gaps(discrete, solution, verdict);
+  add_pushed_sideways(discrete, solution, verdict.summary);
   const double a = 2 * (verdict.summary.energy.total() + verdict.summary.tangency_energy);
   const StrainScale scale = sums.strain_scale.over_ranks(comm);
   const bool is_unstrained = a < rounding_of_energy * scale.energy;
@@ -345,8 +428,7 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   verdict.summary.support_reactions = support_reactions(discrete, sums.at_supports);
   verdict.summary.body_reactions = std::move(bodies.bodies);
   verdict.summary.point_reactions = point_reactions(discrete, sums.at_points);
-  verdict.certificate =
-      certificate_of(discrete, solution, sums, verdict.summary, is_unstrained ? scale : StrainScale{});
+  verdict.certificate = certificate_of(discrete, sums, verdict.summary, is_unstrained ? scale : StrainScale{});
   return verdict;
 }
 

@@ -3,9 +3,11 @@
 #include <plastron/certificate/body_reactions.hpp>
 #include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/edge_contact.hpp>
+#include <plastron/certificate/gap_between.hpp>
 #include <plastron/certificate/point_reactions.hpp>
 #include <plastron/certificate/support_reactions.hpp>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,12 @@ struct ObstacleContact {
   Vector3d translation =
       Vector3d::Zero();  ///< from where it stood at the start, of the origin of its shape's own coordinates [m]
   Vector3d rotation = Vector3d::Zero();  ///< from how it stood: axis times angle [rad]
-  std::vector<ContactZone> zones{};      ///< see contact_zones(); of the finest mesh, for certify() leaves them out
+  /// Smallest gap anywhere between the shell and the obstacle, see searched_gaps(); infinite if no cell is near [m].
+  double least_gap = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d least_gap_at = Eigen::Vector2d::Zero();  ///< parameters in Omega
+  std::int64_t sideways_nodes = 0;   ///< that it pushes along the shell, out of a place that lay deep inside of it
+  double sideways_part = 0;          ///< of the reaction, at those of them that are not on an edge of the shell
+  std::vector<ContactZone> zones{};  ///< see contact_zones(); of the finest mesh, for certify() leaves them out
 };
 
 struct Certificate {
@@ -85,6 +92,7 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
 struct Verdict {
   Summary summary;
   Certificate certificate;
+  std::vector<CellGap> entered{};  ///< this rank's cells with a gap below 0
 };
 /// With moments about the origin (collective).
 Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& solution);

@@ -18,8 +18,56 @@ constexpr double of_thin_shells = 1e-4;
 constexpr double of_largest_pressure = 1e-4;
 /// What a mesh may miss of a balance that only its refinement brings about.
 constexpr double of_the_mesh = 0.05;
-/// Where nothing touches, a depth beyond this part of the thickness is contact that the nodes have missed.
+/// Where no node touches an obstacle, a depth beyond this part of the thickness is contact that the nodes have missed.
 constexpr double missed_depth = 1e-2;
+/// Where nodes touch it, half of the way to the mid-surface: an obstacle that is deeper between them passes through the shell.
+constexpr double passing_depth = 0.25;
+/// Of an obstacle's reaction.
+constexpr double sideways_part = 1e-2;
+
+const char* missed_reason(const ObstacleContact& obstacle) {
+  return obstacle.nodes == 0 ? "a hundredth of the thickness where no node touches the obstacle: deeper, the nodes "
+                               "have missed the contact; refine the "
+                               "mesh there, or ask for an accuracy in place of the mesh"
+                             : "a quarter of the thickness between nodes: deeper, the obstacle passes through the "
+                               "shell; refine the mesh there, or ask "
+                               "for an accuracy in place of the mesh";
+}
+
+std::string place_of(const ObstacleContact& obstacle) {
+  return fmt::format("{}{} at x = {:.4g}, y = {:.4g}", obstacle.name.empty() ? "the obstacle" : "the obstacle ",
+                     obstacle.name.empty() ? "" : fmt::format("\"{}\"", obstacle.name), obstacle.least_gap_at[0],
+                     obstacle.least_gap_at[1]);
+}
+
+/// The row of the obstacle that is the farthest beyond what it may be.
+void add_gap_between(const Summary& s, double admissible, std::vector<CertificateLimit>& limits) {
+  const auto allowed = [&](const ObstacleContact& obstacle) {
+    return s.is_admissible_wanted ? admissible : least_gap_allowed(s, obstacle);
+  };
+  const ObstacleContact* worst = nullptr;
+  for (const ObstacleContact& obstacle : s.obstacles)
+    if (std::isfinite(obstacle.least_gap) &&
+        (!worst || obstacle.least_gap - allowed(obstacle) < worst->least_gap - allowed(*worst)))
+      worst = &obstacle;
+  if (!worst) return;
+  const char* reason =
+      s.is_admissible_wanted
+          ? "admissible = true wants the shell out of the obstacles between its nodes, too; where no lift of "
+            "bounds brings that, supports hold it there, obstacles leave no room or the mesh is too coarse"
+          : missed_reason(*worst);
+  limits.push_back({"min_gap_between", "m", worst->least_gap, allowed(*worst), true, reason, place_of(*worst)});
+}
+
+void add_pushed_sideways(const Summary& s, std::vector<CertificateLimit>& limits) {
+  const auto worst = std::ranges::max_element(s.obstacles, {}, &ObstacleContact::sideways_part);
+  if (worst == s.obstacles.end() || worst->sideways_part == 0) return;
+  limits.push_back({"pushed_sideways", "1", worst->sideways_part, sideways_part, false,
+                    "an obstacle presses on the shell's face: where more of the shell than its thickness lies in an "
+                    "obstacle, the surface nearest "
+                    "to a point need not be the one that the shell meets; let the obstacle come in by [[step]]s",
+                    fmt::format("the obstacle{}", worst->name.empty() ? "" : fmt::format(" \"{}\"", worst->name))});
+}
 
 void add_contact_limits(const Verdict& v, double length, std::vector<CertificateLimit>& limits) {
   const Summary& s = v.summary;
@@ -27,17 +75,9 @@ void add_contact_limits(const Verdict& v, double length, std::vector<Certificate
   if (std::isfinite(c.min_gap_nodes))
     limits.push_back({"min_gap_nodes", "m", c.min_gap_nodes, -algebraic * length, true,
                       "a millionth of the thickness or of the largest displacement, whichever is more"});
-  if (s.is_admissible_wanted && std::isfinite(c.min_gap_between))
-    limits.push_back({"min_gap_between", "m", c.min_gap_between, -algebraic * length, true,
-                      "admissible = true wants the shell out of the obstacles between its nodes, too; where no lift of "
-                      "bounds brings that, supports hold it there, obstacles leave no room or the mesh is too coarse"});
-  if (s.touching_nodes == 0) {
-    if (!s.is_admissible_wanted && std::isfinite(c.min_gap_between))
-      limits.push_back(
-          {"min_gap_between", "m", c.min_gap_between, -missed_depth * s.least_thickness, true,
-           "where no node touches, a hundredth of the thickness: deeper, the nodes have missed the contact"});
-    return;
-  }
+  add_gap_between(s, -algebraic * length, limits);
+  add_pushed_sideways(s, limits);
+  if (s.touching_nodes == 0) return;
   limits.push_back({"min_pressure", "Pa", c.min_pressure, -of_largest_pressure * s.max_pressure, true,
                     "an obstacle does not pull: a ten-thousandth of the largest pressure"});
   limits.push_back(
@@ -50,7 +90,12 @@ void add_contact_limits(const Verdict& v, double length, std::vector<Certificate
 std::string CertificateLimit::text() const {
   const std::string_view space = unit == "1" ? "" : " ";
   const std::string_view shown = unit == "1" ? "" : unit;
-  return fmt::format("{} is {:.2g}{}{}, its limit {:.2g}{}{}", row, value, space, shown, limit, space, shown);
+  const std::string where = place.empty() ? "" : fmt::format(" ({})", place);
+  return fmt::format("{} is {:.2g}{}{}{}, its limit {:.2g}{}{}", row, value, space, shown, where, limit, space, shown);
+}
+
+double least_gap_allowed(const Summary& summary, const ObstacleContact& obstacle) {
+  return -(obstacle.nodes == 0 ? missed_depth : passing_depth) * summary.least_thickness;
 }
 
 std::vector<CertificateLimit> certificate_limits(const Verdict& v, element::Formulation formulation) {

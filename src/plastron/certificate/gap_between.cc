@@ -11,24 +11,165 @@ namespace plastron::certificate {
 
 namespace {
 
-/// Between its nodes a polynomial leaves the range of its nodal values by less than the width of that range, and the
-/// undeformed surface, which no polynomial bounds, by less than the cell's diameter.
-bool is_near_obstacle(const assembly::DiscreteShell& discrete, std::size_t obstacle, const algebra::Vector& y,
-                      std::span<const algebra::LocalIndex> nodes) {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, radius = 0;
-  const Vector3d& first = discrete.points[static_cast<std::size_t>(nodes[0])].phi;
-  for (const algebra::LocalIndex index : nodes) {
-    const auto node = static_cast<std::size_t>(index);
-    const double g = discrete.nodal_gap(obstacle, node, y);
-    lowest = std::min(lowest, g);
-    highest = std::max(highest, g);
-    radius = std::max(radius, (discrete.points[node].phi - first).norm());
+using fem::Vector2d;
+
+/// Depth that the search may overlook, as a part of the thickness: half of what counts as contact that the nodes have missed.
+constexpr double overlooked_depth = 5e-3;
+/// The search gives up on a cell after so many points: along sharp edges that lie in contact there is no end but the smallest size.
+constexpr std::size_t most_points = 4096;
+
+/// The shell where a solution has moved it: points of one cell at a time.
+class CellPoints {
+ public:
+  CellPoints(const assembly::DiscreteShell& discrete, const algebra::Vector& y) : discrete_(discrete), y_(y) {
+    for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) {
+      now_.push_back(discrete.obstacles.now(k));
+      ways_.push_back(now_[k].placement.translation - discrete.obstacles_at_start.all[k].placement.translation);
+    }
   }
-  return lowest <= highest - lowest + 2 * radius;
-}
+
+  void look_at(std::size_t cell, const element::BasisAt& basis) {
+    const std::size_t count = basis.xi.size();
+    jets_.resize(count);
+    for (auto* values : {&px_, &py_, &thickness_}) values->resize(count);
+    const assembly::ShellOperator& shell = discrete_.shell;
+    shell.surface().jets(shell.space().cells[cell], basis.xi, jets_, false);
+    shell.surface().positions(shell.space().cells[cell], basis.xi, px_, py_);
+    shell.section(cell).thickness.evaluate(px_, py_, thickness_);
+    values_ = shell.interpolation().values(cell, basis, shell.gather(cell, y_));
+  }
+
+  std::size_t size() const { return jets_.size(); }
+  Vector2d x(std::size_t p) const { return {px_[p], py_[p]}; }
+  double thickness(std::size_t p) const { return thickness_[p]; }
+  /// An obstacle that the shell has gone through is as deep in it as the shell is thick.
+  obstacle::FaceGap gap(std::size_t obstacle, std::size_t p) const {
+    const Vector3d a3 = geometry::unit_normal(jets_[p]);
+    const obstacle::ShellPoint at =
+        assembly::shell_point(jets_[p].value, a3, thickness_[p], values_.row(static_cast<Eigen::Index>(p)).transpose());
+    obstacle::FaceGap gap = discrete_.obstacles.true_gap(obstacle, now_[obstacle], at);
+    if (!may_pass(obstacle, at)) return gap;
+    const obstacle::Passage passage = obstacle::passage(now_[obstacle], at.phi + ways_[obstacle], at.phi + at.u, a3);
+    gap.clearance = std::min(gap.clearance, passage.clearance);
+    if (passage.is_through) gap.distance = std::min(gap.distance, -at.thickness);
+    return gap;
+  }
+  /// How far from point p the cell's points are whose coordinates differ by no more than `half`, with a reserve for strains and curvature.
+  double reach(std::size_t p, double half) const {
+    constexpr double reserve = 1.25;
+    return reserve * half * (jets_[p].d[0].norm() + jets_[p].d[1].norm());
+  }
+
+  /// A cell is far from an obstacle where its first node is: the distance grows no faster than the way.
+  bool is_near(std::size_t cell, std::size_t obstacle) const {
+    constexpr double reserve = 1.5;  // for what bulges between nodes
+    const auto nodes = discrete_.space().nodes(cell);
+    const auto first = static_cast<std::size_t>(nodes[0]);
+    const auto displaced = [&](std::size_t i) {
+      return Vector3d(discrete_.points[i].phi + Eigen::Map<const Vector3d>(y_.local().data() + 6 * i));
+    };
+    double radius = 0;
+    for (const algebra::LocalIndex i : nodes)
+      radius = std::max(radius, (displaced(static_cast<std::size_t>(i)) - displaced(first)).norm());
+    const assembly::NodalPoint& at = discrete_.points[first];
+    const Eigen::Map<const Eigen::Matrix<double, 6, 1>> moved(y_.local().data() + 6 * first);
+    return discrete_.obstacles
+               .true_gap(obstacle, now_[obstacle], assembly::shell_point(at.phi, at.a3, at.thickness, moved))
+               .clearance <= reserve * radius;
+  }
+  std::vector<std::size_t> near_obstacles(std::size_t cell) const {
+    std::vector<std::size_t> near;
+    for (std::size_t k = 0; k < now_.size(); ++k)
+      if (is_near(cell, k)) near.push_back(k);
+    return near;
+  }
+
+ private:
+  /// The mid-surface has gone farther than half of the thickness, on a straight way as far as is known: moving obstacles come step by step.
+  bool may_pass(std::size_t obstacle, const obstacle::ShellPoint& at) const {
+    return !discrete_.obstacles.are_linear && !now_[obstacle].is_plane() &&
+           discrete_.obstacles_at_start.all[obstacle].motions.empty() &&
+           (at.u - ways_[obstacle]).norm() > at.thickness / 2;
+  }
+
+  const assembly::DiscreteShell& discrete_;
+  const algebra::Vector& y_;
+  std::vector<obstacle::Obstacle> now_{};
+  std::vector<Vector3d> ways_{};  ///< that forces have pressed obstacles
+  std::vector<geometry::SurfaceJet> jets_{};
+  std::vector<double> px_{}, py_{}, thickness_{};
+  element::CellField values_{};
+};
 
 /// Twice as fine as the nodes, and in elements of degree 1 four times.
 int intervals_of(int degree) { return std::max(4, 2 * degree); }
+
+/// A piece of a cell: the points whose coordinates differ from the centre's by no more than `half`.
+struct Piece {
+  Vector2d centre;
+  double half;
+};
+
+Vector2d put_into(fem::Shape shape, Vector2d xi) {
+  xi = xi.cwiseMax(0).cwiseMin(1);
+  if (shape == fem::Shape::triangle && xi.sum() > 1) xi = (xi.array() - (xi.sum() - 1) / 2).max(0).matrix();
+  return xi;
+}
+
+/// The search in one cell for one obstacle.
+class GapSearch {
+ public:
+  GapSearch(const fem::Space& space, std::size_t cell, std::size_t obstacle)
+      : space_(space), best_{cell, obstacle, std::numeric_limits<double>::infinity(), Vector2d::Zero()} {}
+
+  /// `points` looks at the centres of `pieces`.
+  void note(const CellPoints& points, std::span<const Piece> pieces) {
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      const obstacle::FaceGap gap = points.gap(best_.obstacle, p);
+      if (gap.distance < best_.gap) {
+        best_.gap = gap.distance;
+        best_.x = points.x(p);
+      }
+      if (!is_clear(gap, points.reach(p, pieces[p].half), overlooked_depth * points.thickness(p)))
+        open_.push_back(pieces[p]);
+    }
+    seen_ += pieces.size();
+  }
+
+  CellGap finish(CellPoints& points) {
+    while (!open_.empty() && seen_ < most_points) {
+      const std::vector<Piece> pieces = divided();
+      std::vector<Vector2d> xi;
+      xi.reserve(pieces.size());
+      for (const Piece& piece : pieces) xi.push_back(piece.centre);
+      points.look_at(best_.cell, element::basis_at(space_.shape(), space_.degree, xi));
+      note(points, pieces);
+    }
+    return best_;
+  }
+
+ private:
+  /// No face in the piece is deeper than `tolerance` without being so at the centre: the obstacle is farther than the piece reaches, or
+  /// its rounding is so wide that a cap of that depth is as wide as the piece.
+  static bool is_clear(const obstacle::FaceGap& gap, double reach, double tolerance) {
+    return gap.clearance >= reach || reach <= tolerance || reach * reach <= 2 * tolerance * gap.roundness;
+  }
+
+  std::vector<Piece> divided() {
+    std::vector<Piece> pieces;
+    for (const Piece& piece : open_)
+      for (const double i : {-0.5, 0.5})
+        for (const double j : {-0.5, 0.5})
+          pieces.push_back({put_into(space_.shape(), piece.centre + piece.half * Vector2d(i, j)), piece.half / 2});
+    open_.clear();
+    return pieces;
+  }
+
+  const fem::Space& space_;
+  CellGap best_;
+  std::vector<Piece> open_{};
+  std::size_t seen_ = 0;
+};
 
 }  // namespace
 
@@ -37,42 +178,44 @@ void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector&
   const fem::Space& space = discrete.space();
   const element::BasisAt basis = element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals));
   std::vector<double> gaps(basis.xi.size());
-  std::vector<geometry::SurfaceJet> jets(basis.xi.size());
-  std::vector<double> px(jets.size()), py(jets.size()), e(jets.size());
+  CellPoints points(discrete, y);
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const element::CellField field = discrete.shell.gather(c, y);
-    std::vector<std::size_t> near;
-    for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k)
-      if (is_near_obstacle(discrete, k, y, space.nodes(c))) near.push_back(k);
+    const std::vector<std::size_t> near = points.near_obstacles(c);
     if (near.empty()) continue;
-    discrete.shell.surface().jets(space.cells[c], basis.xi, jets, false);
-    discrete.shell.surface().positions(space.cells[c], basis.xi, px, py);
-    discrete.shell.section(c).thickness.evaluate(px, py, e);
-    const element::CellField values = discrete.shell.interpolation().values(c, basis, field);
-    const element::CellField moved = discrete.state_values(c, basis);
+    points.look_at(c, basis);
     for (const std::size_t k : near) {
-      for (std::size_t p = 0; p < jets.size(); ++p) {
-        const auto row = values.row(static_cast<Eigen::Index>(p));
-        const Vector3d a3 = geometry::unit_normal(jets[p]);
-        const obstacle::Gap gap = discrete.gap(
-            k, assembly::shell_point(jets[p].value, a3, e[p], moved.row(static_cast<Eigen::Index>(p)).transpose()));
-        gaps[p] = gap(row.head<3>(), geometry::tangential(row.tail<3>(), a3));
-      }
+      for (std::size_t p = 0; p < gaps.size(); ++p) gaps[p] = points.gap(k, p).distance;
       visit(c, k, gaps);
     }
   }
 }
 
-double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
-                             std::optional<int> intervals) {
+std::vector<CellGap> searched_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  const fem::Space& space = discrete.space();
+  const int intervals = intervals_of(space.degree);
+  const element::BasisAt basis = element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals));
+  std::vector<Piece> lattice;
+  for (const Vector2d& xi : basis.xi) lattice.push_back({xi, 0.5 / intervals});
+  std::vector<CellGap> all;
+  CellPoints points(discrete, y);
+  for (std::size_t c = 0; c < space.owned_cells; ++c)
+    for (const std::size_t k : points.near_obstacles(c)) {
+      points.look_at(c, basis);
+      GapSearch search(space, c, k);
+      search.note(points, lattice);
+      all.push_back(search.finish(points));
+    }
+  return all;
+}
+
+double min_gap_on_lattice(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals) {
   if (discrete.obstacles.empty()) return std::numeric_limits<double>::infinity();
   const MPI_Comm comm = discrete.space().layout->comm;
   double smallest = std::numeric_limits<double>::infinity();
   algebra::in_agreement<obstacle::ObstacleError>(comm, [&] {
-    sample_gaps(discrete, y, intervals.value_or(intervals_of(discrete.space().degree)),
-                [&](std::size_t, std::size_t, std::span<const double> gaps) {
-                  smallest = std::min(smallest, *std::ranges::min_element(gaps));
-                });
+    sample_gaps(discrete, y, intervals, [&](std::size_t, std::size_t, std::span<const double> gaps) {
+      smallest = std::min(smallest, *std::ranges::min_element(gaps));
+    });
   });
   return algebra::min_over_ranks(smallest, comm);
 }

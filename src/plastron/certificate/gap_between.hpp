@@ -1,4 +1,4 @@
-// The gap between the nodes, where no bound holds it: measured and reported (M21), or bounds lifted until it is not negative
+// The gap between the nodes, where no bound holds it: searched, measured and reported (M21), or bounds lifted until it is not negative
 // (computation/bound_lifts.hpp).
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace plastron::certificate {
 
@@ -18,9 +19,19 @@ using GapVisitor = std::function<void(std::size_t cell, std::size_t obstacle, st
 void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals,
                  const GapVisitor& visit);
 
-/// Smallest gap on a lattice of 2k intervals a side, four at least, or of as many as are given, in every cell that is near the obstacle;
-/// +infinity without obstacle or without such cells (collective).
-double min_gap_between_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
-                             std::optional<int> intervals = {});
+/// The least gap between an owned cell and an obstacle near it.
+struct CellGap {
+  std::size_t cell, obstacle;
+  double gap;         ///< [m]
+  Eigen::Vector2d x;  ///< where, parameters in Omega
+};
+
+/// Obstacles smaller than a cell are searched for, too: pieces of cells are divided until each is farther from the obstacle than it is
+/// large, or smaller than the obstacle's roundings (docs/methods/contact.md). Throws ObstacleError on this rank alone.
+std::vector<CellGap> searched_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y);
+
+/// Smallest gap on a lattice of so many intervals a side in every cell that is near the obstacle; +infinity without obstacle or without
+/// such cells (collective).
+double min_gap_on_lattice(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals);
 
 }  // namespace plastron::certificate

@@ -154,6 +154,8 @@ bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
   cuts_.clear();
   goals_ = estimates ? goal_records(problem_, *estimates, result.summary) : std::vector<GoalRecord>{};
   missed_ = estimates ? shortfall(goals_, *estimates) : "there are no estimates";
+  const std::string missed_contact = this->missed_contact(result, space);
+  if (!missed_contact.empty()) missed_ += (missed_.empty() ? "" : "; ") + missed_contact;
   if (estimates) std::ranges::transform(goals_, std::back_inserter(values_.emplace_back()), &GoalRecord::value);
   const bool has_witness =
       estimates && std::ranges::all_of(estimates->goals, [](const auto& g) { return g.at_higher_degree.has_value(); });
@@ -185,6 +187,25 @@ std::vector<double> AccuracyLoop::changes(std::size_t goal, std::size_t count) c
   for (auto mesh = values_.rbegin(); values_.rend() - mesh > 1 && result.size() < count; ++mesh)
     result.push_back(std::abs((*mesh)[goal] - (*(mesh + 1))[goal]));
   return result;
+}
+
+// Cells with nodes inside are left out: those are held there, and smaller cells are no means against it.
+std::string AccuracyLoop::missed_contact(const Result& result, const fem::Space& space) {
+  entered_.clear();
+  if (!result.solution || problem_.linearisation.once) return {};
+  const Solution& solution = *result.solution;
+  for (const certificate::CellGap& cell : solution.entered) {
+    const double allowed = certificate::least_gap_allowed(result.summary, result.summary.obstacles[cell.obstacle]);
+    const auto is_outside = [&](algebra::LocalIndex node) {
+      return solution.discrete->nodal_gap(cell.obstacle, static_cast<std::size_t>(node), solution.nodal.y) >= allowed;
+    };
+    if (cell.gap < allowed && std::ranges::all_of(space.nodes(cell.cell), is_outside)) entered_.push_back(cell.cell);
+  }
+  if (algebra::sum_over_ranks(static_cast<std::int64_t>(entered_.size()), space.layout->comm) == 0) return {};
+  const auto limits = certificate::certificate_limits({.summary = result.summary, .certificate = result.certificate},
+                                                      result.formulation);
+  const auto row = std::ranges::find(limits, "min_gap_between", &certificate::CertificateLimit::row);
+  return row == limits.end() ? std::string{} : row->text();
 }
 
 // What has no limit changes as much each time its place is divided (a logarithm) or more (a power).
@@ -224,6 +245,11 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     if (marked(1) == 0) marks_.assign(space.owned_cells, 1);
   } else {
     marks_.assign(space.owned_cells, 1);
+  }
+  if (!is_uniform_ && algebra::sum_over_ranks(static_cast<std::int64_t>(entered_.size()), space.layout->comm) > 0) {
+    cuts_.clear();
+    if (!estimates || shortfall(goals_, *estimates).empty()) marks_.assign(space.owned_cells, 0);
+    for (const std::size_t cell : entered_) marks_[cell] = 1;
   }
   constexpr double smallest = 0x1p-24;  // of a coarse cell; p4est ends at 2^-29
   for (std::size_t c = 0; c < marks_.size(); ++c)

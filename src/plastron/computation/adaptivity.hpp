@@ -55,6 +55,8 @@ class AccuracyLoop {
   /// Decides on cuts and marks. How many cells they add (collective).
   std::int64_t mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates);
   void cut(const fem::Space& space, const estimation::Estimates& estimates);
+  /// Notes the cells in which the nodes have missed an obstacle, and tells of it in words; empty where none is (collective).
+  std::string missed_contact(const Result& result, const fem::Space& space);
   /// To fifteen times the tolerance of the energy, if that is asked for.
   bool edges_are_known(const std::optional<estimation::Estimates>& estimates) const;
   bool is_settled(const std::vector<GoalRecord>& before) const;
@@ -80,6 +82,7 @@ class AccuracyLoop {
   std::vector<std::vector<double>> values_{};  ///< of the goals, mesh by mesh
   std::vector<fem::Cuts> cuts_{};
   std::vector<signed char> marks_{};
+  std::vector<std::size_t> entered_{};  ///< cells in which the nodes have missed an obstacle
   std::string missed_{};
 };
 

@@ -1,8 +1,5 @@
 #include <plastron/computation/doubts.hpp>
 
-#include <plastron/algebra/agreement.hpp>
-#include <plastron/obstacle/error.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,10 +14,6 @@ constexpr double largest_rotation = 0.3;
 constexpr double largest_displacement = 0.3;
 /// Penetration between nodes that is worth a word, as a part of the thickness.
 constexpr double notable_depth = 0.05;
-/// Inside of an obstacle by more than this part of the thickness, its nearest surface need not be the one that the shell has met.
-constexpr double deep_inside = 0.25;
-/// The cosine between an obstacle's normal and the shell's below which the obstacle pushes sideways: 60 degrees.
-constexpr double sideways = 0.5;
 /// Tolerances may be so much looser than asked for before it is said.
 constexpr double notable_loosening = 1e3;
 
@@ -40,39 +33,19 @@ std::string penetration_text(double depth, double part) {
       depth, 100 * part);
 }
 
-/// On this rank.
-std::int64_t nodes_pushed_sideways(const Solution& solution, std::size_t k) {
-  const assembly::DiscreteShell& discrete = *solution.discrete;
-  const obstacle::Obstacle obstacle = discrete.obstacles.now(k);
-  std::int64_t count = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-    if (solution.nodal.touching.local()[i * discrete.obstacles.all.size() + k] == 0) continue;
-    const obstacle::Gap& gap = discrete.coordinates.gaps[k][i];
-    const assembly::NodalPoint& point = discrete.points[i];
-    if (std::abs(gap.normal.dot(point.a3)) < sideways &&
-        obstacle.nearest(gap.contact_point).distance < -deep_inside * point.thickness)
-      ++count;
-  }
-  return count;
-}
-
 }  // namespace
 
-std::vector<std::string> sideways_warnings(const Solution& solution) {
+std::vector<std::string> sideways_warnings(const certificate::Summary& summary) {
   std::vector<std::string> warnings;
-  const MPI_Comm comm = solution.discrete->space().layout->comm;
-  for (std::size_t k = 0; k < solution.discrete->obstacles.all.size(); ++k) {
-    const std::int64_t mine =
-        algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return nodes_pushed_sideways(solution, k); });
-    const std::int64_t count = algebra::sum_over_ranks(mine, comm);
+  for (const certificate::ObstacleContact& obstacle : summary.obstacles) {
+    const std::int64_t count = obstacle.sideways_nodes;
     if (count == 0) continue;
-    const std::string& name = solution.discrete->obstacles.all[k].name;
     warnings.push_back(
         fmt::format("{} {} deep inside of {} at the start {} pushed out of it sideways, along the shell: the surface "
                     "nearest to a point inside of a body need not be the one that the shell meets; let the obstacle "
                     "come in by [[step]]s, round its edges or refine the mesh",
-                    count, count == 1 ? "node" : "nodes", name.empty() ? "the obstacle" : "\"" + name + "\"",
-                    count == 1 ? "was" : "were"));
+                    count, count == 1 ? "node" : "nodes",
+                    obstacle.name.empty() ? "the obstacle" : "\"" + obstacle.name + "\"", count == 1 ? "was" : "were"));
   }
   return warnings;
 }
@@ -96,7 +69,8 @@ std::vector<std::string> body_warnings(const certificate::Summary& summary) {
 }
 
 void judge_certificate(Result& result) {
-  result.limits = certificate::certificate_limits({result.summary, result.certificate}, result.formulation);
+  result.limits = certificate::certificate_limits({.summary = result.summary, .certificate = result.certificate},
+                                                  result.formulation);
   result.missed_limits.clear();
   for (const auto& limit : result.limits)
     if (!limit.holds())

@@ -13,8 +13,8 @@ namespace plastron::computation {
 std::vector<std::string> linear_model_warnings(const certificate::Summary& summary);
 
 /// Nodes that were deep inside of an obstacle and were pushed out of it along the shell and not across it: their nearest surface at the
-/// start may have been the wrong one (collective).
-std::vector<std::string> sideways_warnings(const Solution& solution);
+/// start may have been the wrong one.
+std::vector<std::string> sideways_warnings(const certificate::Summary& summary);
 
 /// Rigid bodies that take their nodes into obstacles.
 std::vector<std::string> body_warnings(const certificate::Summary& summary);

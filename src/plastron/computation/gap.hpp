@@ -9,7 +9,7 @@ namespace plastron::computation {
 
 /// For (M16).
 inline assembly::RigidObstacles rigid_obstacles(const Problem& problem) {
-  return {.all = problem.obstacles, .face_scale = problem.face_scale};
+  return {.all = problem.obstacles, .face_scale = problem.face_scale, .are_linear = problem.linearisation.once};
 }
 
 /// The supports hold the row's face inside of its obstacle, and no bound can move it out. What its gap is summed from leaves

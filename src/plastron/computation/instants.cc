@@ -8,6 +8,16 @@ double between(double from, double to, double part) { return part == 1 ? to : fr
 
 }  // namespace
 
+Instant between(const Instant& from, const Instant& to, double part) {
+  Instant now{.step = to.step,
+              .time = between(from.time, to.time, part),
+              .load_factor = between(from.load_factor, to.load_factor, part)};
+  for (std::size_t k = 0; k < to.force_factors.size(); ++k)
+    now.force_factors.push_back(
+        between(from.force_factors.empty() ? 1 : from.force_factors[k], to.force_factors[k], part));
+  return now;
+}
+
 std::vector<Instant> instants(const Problem& problem) {
   if (problem.steps.empty()) return {Instant{}};
   std::vector<Instant> all;

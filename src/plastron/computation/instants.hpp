@@ -13,6 +13,9 @@ struct Instant {
   std::vector<double> force_factors{};  ///< of the forces that press obstacles; empty: 1
 };
 
+/// A part of the way from one instant to a later one.
+Instant between(const Instant& from, const Instant& to, double part);
+
 /// In each step, loads and forces go in equal parts from their factors before to those of the step; before the first they are 0. A
 /// problem without steps has one instant, at time 0, with all of its loads.
 std::vector<Instant> instants(const Problem& problem);

@@ -212,7 +212,7 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   certificate::NodalSolution& nodal = found.nodal;
   Stopwatch watch;
   run.tell("certificate");
-  const certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);
+  certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);
   run.seconds.certificate = watch.lap();
   std::optional<estimation::Estimates> estimates;
   std::vector<double> values;
@@ -227,9 +227,9 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   record.lift_rounds = lifted.rounds;
   record.energy_before_lifts = lifted.energy_before.value_or(record.energy);
   record.seconds = run.seconds;
-  Solution solution{.discrete = run.take(), .nodal = std::move(nodal)};
+  Solution solution{.discrete = run.take(), .nodal = std::move(nodal), .entered = std::move(verdict.entered)};
   if (estimates) solution.cell_errors = estimates->cells;
-  return {std::move(record), std::move(solution), verdict, std::move(estimates), std::move(values)};
+  return {std::move(record), std::move(solution), std::move(verdict), std::move(estimates), std::move(values)};
 }
 
 }  // namespace plastron::computation

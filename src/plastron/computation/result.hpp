@@ -93,6 +93,7 @@ struct Solution {
   recovery::Choice recovery{};  ///< of the fields; see choose_recovery()
   /// Squared error in the energy norm of each owned cell, estimated [J]; empty where nobody wanted to know.
   std::vector<double> cell_errors{};
+  std::vector<certificate::CellGap> entered{};  ///< this rank's cells with a gap below 0 somewhere
 };
 
 /// Where the shell is strained most.

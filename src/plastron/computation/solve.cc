@@ -2,7 +2,8 @@
 //   find U in K with a(U, V - U) >= l(V - U) for all V in K              (M17, M18), without obstacle (M11)
 // on a sequence of nested meshes. On each: the nodal coordinates make K a box, the active set of the mesh before
 // is the first guess, and the finest solution is certified from its strains and bounds. Where there are steps, the finest mesh goes
-// through them, each of their parts starting from the one before.
+// through them, each of their parts starting from the one before. Where an obstacle could pass through the shell from one instant to the
+// next, more of them are solved between.
 #include <plastron/computation/solve.hpp>
 
 #include <plastron/certificate/moment_point.hpp>
@@ -15,6 +16,7 @@
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/locking.hpp>
 #include <plastron/computation/memory.hpp>
+#include <plastron/computation/passing.hpp>
 #include <plastron/computation/point_supports.hpp>
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/stopwatch.hpp>
@@ -72,11 +74,11 @@ class Computation {
     bool goes_on = problem_.accuracy ? meshes_by_accuracy() : uniform_meshes();
     if (goes_on && !problem_.steps.empty()) goes_on = begin();
     for (std::size_t i = 1; goes_on && i < instants_.size(); ++i)
-      goes_on = advance(instants_[i], continued_at(instants_[i]));
+      goes_on = approach(instants_[i - 1], instants_[i]) && advance(instants_[i], continued_at(instants_[i]));
     if (result_.solution && problem_.steps.empty()) judge_certificate(result_);
     if (result_.solution) {
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
-      warn(sideways_warnings(*result_.solution), observer_, result_);
+      warn(sideways_warnings(result_.summary), observer_, result_);
       warn(body_warnings(result_.summary), observer_, result_);
       warn(point_support_warnings(result_, problem_.supports), observer_, result_);
       add_contact_zones(result_);
@@ -105,6 +107,7 @@ class Computation {
     for (int i = 0; i < problem_.discretisation.refinements; ++i) meshes_.refine({});
     if (!meshes_for_goals()) return false;
     if (instants_.size() == 1) return true;
+    if (!approach_last()) return false;
     on_mesh_ = &instants_.back();
     cuts_.clear();
     marks_.assign(meshes_.space()->owned_cells, 0);
@@ -134,7 +137,13 @@ class Computation {
   /// The first instant on the finest mesh: as it is, or anew if another one was solved there. Whether the computation goes on.
   bool begin() {
     const Instant& first = instants_.front();
-    if (on_mesh_ != &first) return advance(first, state_at(first));
+    if (on_mesh_ != &first) {
+      auto discrete = std::move(result_.solution->discrete);
+      if (!start_out(discrete, first)) return false;
+      if (!discrete) return advance(first, continued_at(first));
+      result_.solution->discrete = std::move(discrete);
+      return advance(first, state_at(first));
+    }
     note(first);
     return true;
   }
@@ -168,6 +177,11 @@ class Computation {
     task.seconds.mesh = watch.lap();
     if (observer_.phase) observer_.phase(number, "geometry");
     auto discrete = assembly::discretise(meshes_.space(), surface_, shell_, std::move(start));
+    if (number == 0 && !start_out(discrete, *on_mesh_)) {
+      if (result_.levels.empty()) result_.solution.reset();
+      return false;
+    }
+    if (!discrete) discrete = shell_at(*on_mesh_, task);
     task.seconds.discretisation = watch.lap();
     LevelResult level = solve_level(task, std::move(discrete), observer_);
     if (level.record.status == contact::Status::interrupted) return false;  // the mesh before is the result
@@ -235,6 +249,93 @@ class Computation {
     return start;
   }
 
+  /// The shell of the solution at hand, linearised for an instant with what it takes from that solution.
+  std::unique_ptr<assembly::DiscreteShell> shell_at(const Instant& instant, LevelTask& task) {
+    const ContactTrend trend = contact_trend(*result_.solution->discrete, result_.solution->nodal);
+    assembly::State start = continued_at(instant);
+    auto discrete = std::move(result_.solution->discrete);
+    result_.solution.reset();
+    linearise(*discrete, std::move(start));
+    task.zone = expected_zone(*discrete, trend);
+    return discrete;
+  }
+
+  /// How far to go at once from `done` on, parts of the way between two instants: no farther than obstacles can go without passing through
+  /// the shell where `y` has it.
+  static double next_part(const assembly::DiscreteShell& discrete, const algebra::Vector& y, const Instant& from,
+                          const Instant& to, double done) {
+    constexpr double least = 0x1p-10;
+    const auto time = [&](double part) { return between(from, to, part).time; };
+    double next = 1;
+    while (next - done > least && may_pass(discrete, y, time(done), time(next))) next = done + (next - done) / 2;
+    return next;
+  }
+
+  /// Solves an instant on the way, whose results nobody asks for. Whether the computation goes on.
+  bool pass(const Instant& instant, std::unique_ptr<assembly::DiscreteShell> discrete, LevelTask task) {
+    task.number = std::max(0, static_cast<int>(result_.levels.size()) - 1);
+    task.settings = problem_.contact;
+    task.linearisation = problem_.linearisation;
+    task.admissible = problem_.admissible;
+    LevelResult level = solve_level(task, std::move(discrete), observer_);
+    result_.status = level.record.status;
+    if (result_.status == contact::Status::interrupted) return false;
+    if (result_.levels.empty() && result_.status != contact::Status::solved) result_.levels.push_back(level.record);
+    take(std::move(level));
+    passed_.reset();
+    judge_certificate(result_);
+    if (result_.status == contact::Status::solved) return true;
+    if (missed_on_the_way_.empty())
+      missed_on_the_way_ =
+          fmt::format("at time {:g}, on the way of the moving obstacles: {}", instant.time, status_text(result_));
+    warn({missed_on_the_way_}, observer_, result_);
+    return result_.status == contact::Status::inaccurate;
+  }
+
+  /// Instants on the way from `done` on, from the solution at hand: as many as keep obstacles from passing through the shell. Whether the
+  /// computation goes on.
+  bool approach(const Instant& from, const Instant& to, double done = 0) {
+    for (;;) {
+      const Solution& at_hand = *result_.solution;
+      done = next_part(*at_hand.discrete, at_hand.nodal.y, from, to, done);
+      if (done == 1) return true;
+      if (wants_to_stop(observer_, comm_)) {
+        result_.status = contact::Status::interrupted;
+        return false;
+      }
+      const Instant instant = between(from, to, done);
+      LevelTask task;
+      auto discrete = shell_at(instant, task);
+      if (!pass(instant, std::move(discrete), std::move(task))) return false;
+    }
+  }
+
+  /// The same from the undeformed shell on. `discrete` stays where no instant is needed; else it goes into the solution at hand.
+  bool start_out(std::unique_ptr<assembly::DiscreteShell>& discrete, const Instant& to) {
+    if (problem_.steps.empty()) return true;
+    const Instant start{.load_factor = 0, .force_factors = std::vector<double>(problem_.obstacles.size(), 0)};
+    const algebra::Vector undeformed(discrete->space().layout, 6);
+    const double first = next_part(*discrete, undeformed, start, to, 0);
+    if (first == 1) return true;
+    const Instant instant = between(start, to, first);
+    linearise(*discrete, state_at(instant));
+    return pass(instant, std::move(discrete), {}) && approach(start, to, first);
+  }
+
+  /// From the first instant to the last one without their results, where an obstacle could pass through the shell in one go.
+  bool approach_last() {
+    const Solution& at_hand = *result_.solution;
+    if (!may_pass(*at_hand.discrete, at_hand.nodal.y, instants_.front().time, instants_.back().time)) return true;
+    for (std::size_t i = 1; i < instants_.size(); ++i) {
+      if (!approach(instants_[i - 1], instants_[i])) return false;
+      if (i + 1 == instants_.size()) break;
+      LevelTask task;
+      auto discrete = shell_at(instants_[i], task);
+      if (!pass(instants_[i], std::move(discrete), std::move(task))) return false;
+    }
+    return true;
+  }
+
   /// An instant on the finest mesh, from a state and the contact zone of the solution at hand. Whether the computation goes on.
   bool advance(const Instant& instant, assembly::State start) {
     if (wants_to_stop(observer_, comm_)) {
@@ -291,6 +392,10 @@ class Computation {
     if (result_.status == contact::Status::solved && !missed_accuracy_.empty()) {
       result_.status = contact::Status::accuracy_not_reached;
       result_.missed_limits = missed_accuracy_;
+    }
+    if (result_.status == contact::Status::solved && !missed_on_the_way_.empty()) {
+      result_.status = contact::Status::inaccurate;
+      result_.missed_limits = missed_on_the_way_;
     }
     for (const HistoryEntry& entry : result_.history)
       if (result_.status == contact::Status::solved && entry.status != contact::Status::solved) {
@@ -350,6 +455,7 @@ class Computation {
   std::vector<fem::Cuts> cuts_{};                ///< of the present mesh, where accuracy is asked for
   std::vector<signed char> marks_{};             ///< of its cells, where there are no cuts
   std::string missed_accuracy_{};
+  std::string missed_on_the_way_{};  ///< between instants
   bool is_beyond_linear_ = false;
 };
 

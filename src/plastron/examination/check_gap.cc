@@ -1,4 +1,5 @@
 // The gap of the undeformed shell (M16): K must not be empty.
+#include <plastron/computation/cell_sizes.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/examination/checks.hpp>
 
@@ -26,6 +27,24 @@ std::string supports_of(std::size_t node, const Examined& examined, const Examin
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// All nodes of a given mesh may miss an obstacle that is smaller than their distance. An accuracy refines there.
+void check_roundness(Examined& examined, const assembly::NodalPoint& nearest, std::size_t obstacle) {
+  const computation::Problem& problem = examined.problem;
+  if (problem.accuracy || problem.obstacles[obstacle].is_plane()) return;
+  const double radius =
+      obstacle::face_gap(problem.obstacles[obstacle], {nearest.phi, nearest.a3, nearest.thickness}).roundness;
+  double longest = 0;
+  for (const computation::CellSize& cell : computation::cell_sizes(problem))
+    longest = std::max(longest, cell.longest_side);
+  const double spacing = longest / problem.discretisation.degree;
+  if (!(radius > 0) || 2 * radius >= spacing) return;
+  examined.add(
+      Severity::warning,
+      "nodes of the finest mesh are up to {:.3g} m apart, and {} has a rounding of radius {:.3g} m where it is "
+      "nearest: all nodes may miss it; refine the mesh, or leave out [mesh] and ask for an accuracy",
+      spacing, obstacle_text(problem, obstacle), radius);
+}
+
 }  // namespace
 
 void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
@@ -47,7 +66,9 @@ void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obsta
                           "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",
                           supports_of(i, examined, nodes), which, examined.place(points[i].x), -row.bound_gap,
                           question);
-  const auto& at = points[static_cast<std::size_t>(least - gaps.begin())].x;
+  const assembly::NodalPoint& nearest = points[static_cast<std::size_t>(least - gaps.begin())];
+  check_roundness(examined, nearest, obstacle);
+  const auto& at = nearest.x;
   const bool reaches_in = least->initial < -rounding;
   examined.add(reaches_in ? Severity::warning : Severity::note, "initial gap{}: {:.4g} m (at {}) to {:.4g} m{}{}",
                examined.problem.obstacles.size() == 1 ? "" : " to " + which, least->initial, examined.place(at),

@@ -1,17 +1,156 @@
 #include <plastron/obstacle/gap.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 namespace plastron::obstacle {
 
+namespace {
+
+/// An obstacle pushes a face inwards where the cosine between its normal and the face's is below this, else sideways: 60 degrees.
+constexpr double sideways = -0.5;
+
+/// Half a fibre, from the mid-surface straight to the face; or another straight line.
+struct HalfFibre {
+  Vector3d middle, outward;  ///< outward: a unit vector
+  double length;
+
+  Vector3d at(double s) const { return middle + s * outward; }
+  Vector3d face() const { return at(length); }
+};
+
+/// The first place on the line from + s direction, 0 < s <= length, where the distance changes its sign. No surface is nearer than the
+/// distance, so steps of that length miss none; the least step may miss a chord that is a hundredth of the line.
+std::optional<double> crossing(const Obstacle& obstacle, const Vector3d& from, const Vector3d& direction,
+                               double length) {
+  constexpr double least_step = 1e-2;
+  const auto distance = [&](double s) { return obstacle.nearest(from + s * direction).distance; };
+  const double first = distance(0);
+  const auto is_beyond = [&](double d) { return (d < 0) != (first < 0); };
+  double before = 0, d = first;
+  while (before < length) {
+    double after = std::min(before + std::max(std::abs(d), least_step * length), length);
+    d = distance(after);
+    if (is_beyond(d)) {
+      while (after - before > 1e-15 * length) {
+        const double middle = before + (after - before) / 2;
+        (is_beyond(distance(middle)) ? after : before) = middle;
+      }
+      return after;
+    }
+    before = after;
+  }
+  return {};
+}
+
+/// One over the larger principal curvature of the surface that is nearest: its normal is an eigenvector of d's Hessian to 0.
+double roundness_at(const Nearest& nearest) {
+  const double trace = nearest.curvature.trace();
+  const double root = std::sqrt(std::max(2 * nearest.curvature.squaredNorm() - trace * trace, 0.0));
+  const double largest = (trace + root) / 2;
+  return largest > 0 ? 1 / largest - nearest.distance : std::numeric_limits<double>::infinity();
+}
+
+FaceGap met_at(const Nearest& at) {
+  return {.distance = at.distance, .normal = at.normal, .clearance = at.distance, .roundness = roundness_at(at)};
+}
+
+/// Where the surface at `foot` faces the mid-surface: its tangent plane there, seen from the face.
+std::optional<FaceGap> tangent_plane(const Obstacle& obstacle, const HalfFibre& fibre, double foot) {
+  const Nearest at = obstacle.nearest(fibre.at(foot));
+  if (!(at.normal.dot(fibre.outward) < 0)) return {};
+  FaceGap gap = met_at(at);
+  gap.distance = gap.clearance = at.normal.dot(fibre.outward) * (fibre.length - foot);
+  return gap;
+}
+
+/// The face is inside, and the nearest way out is not the one that it came in by: the shell leaves along its fibre, if the
+/// fibre leaves the obstacle before the other face.
+std::optional<FaceGap> out_along_fibre(const Obstacle& obstacle, const HalfFibre& fibre) {
+  const auto way = crossing(obstacle, fibre.face(), -fibre.outward, 2 * fibre.length);
+  return way ? tangent_plane(obstacle, fibre, fibre.length - *way) : std::nullopt;
+}
+
+/// What a convex obstacle beside the line answers at the place of the line that is nearest to it.
+Nearest nearest_beside(const Obstacle& obstacle, const HalfFibre& fibre) {
+  double before = 0, after = fibre.length;
+  while (after - before > 1e-10 * fibre.length) {
+    const double middle = (before + after) / 2;
+    (obstacle.nearest(fibre.at(middle)).normal.dot(fibre.outward) < 0 ? before : after) = middle;
+  }
+  return obstacle.nearest(fibre.at(before));
+}
+
+/// The face is outside, but looks away from the obstacle: that stands in the half fibre, around the mid-surface, or beside.
+std::optional<FaceGap> behind_face(const Obstacle& obstacle, const HalfFibre& fibre, const Nearest& middle) {
+  if (!(middle.normal.dot(fibre.outward) < 0)) return {};  // it is behind the mid-surface, too
+  if (middle.distance <= 0) {
+    const auto way = crossing(obstacle, fibre.middle, -fibre.outward, fibre.length);
+    return way ? tangent_plane(obstacle, fibre, -*way) : std::nullopt;
+  }
+  if (const auto way = crossing(obstacle, fibre.middle, fibre.outward, fibre.length))
+    return tangent_plane(obstacle, fibre, *way);
+  return met_at(nearest_beside(obstacle, fibre));
+}
+
+/// Of a point of the mid-surface inside of an obstacle that pushes it sideways: the face through which the fibre does not leave.
+double entered_face(const Obstacle& obstacle, const Vector3d& middle, const Vector3d& up, double half,
+                    double otherwise) {
+  const auto above = crossing(obstacle, middle, up, half), below = crossing(obstacle, middle, -up, half);
+  if (!above && !below) return otherwise;
+  return above && (!below || *above <= *below) ? -0.5 : 0.5;
+}
+
+/// Of the face at height z; `in_middle` is what the obstacle answers at the mid-surface, if it was asked.
+FaceGap gap_of_face(const Obstacle& obstacle, const ShellPoint& at, double z, std::optional<Nearest> in_middle) {
+  const Vector3d middle = at.phi + at.u, director = at.a3 + at.r;
+  const Nearest near = obstacle.nearest(middle + z * director);
+  const HalfFibre fibre{middle, (z < 0 ? -1 : 1) * director.normalized(), std::abs(z) * director.norm()};
+  FaceGap gap = met_at(near);
+  const double away = near.normal.dot(fibre.outward);
+  if (!obstacle.is_plane() && near.distance >= fibre.length && away > 0) gap.clearance -= fibre.length;
+  if (!obstacle.is_plane() && near.distance < fibre.length) {
+    if (!in_middle) in_middle = obstacle.nearest(middle);
+    std::optional<FaceGap> other;
+    if (near.distance < 0 && away > sideways)
+      other = out_along_fibre(obstacle, fibre);
+    else if (near.distance >= 0 && (away > 0 || in_middle->distance < near.distance))
+      other = behind_face(obstacle, fibre, *in_middle);
+    gap = other.value_or(gap);
+  }
+  gap.z = z;
+  return gap;
+}
+
+}  // namespace
+
+FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at) {
+  if (obstacle.face != Face::nearer)
+    return gap_of_face(obstacle, at, (obstacle.face == Face::lower ? -0.5 : 0.5) * at.thickness, {});
+  const Vector3d middle = at.phi + at.u, director = at.a3 + at.r;
+  const Nearest in_middle = obstacle.nearest(middle);
+  double position = face_position(obstacle.face, in_middle.normal, at.a3);
+  if (in_middle.distance < 0 && std::abs(in_middle.normal.dot(at.a3)) < -sideways)
+    position = entered_face(obstacle, middle, director.normalized(), director.norm() * at.thickness / 2, position);
+  return gap_of_face(obstacle, at, position * at.thickness, in_middle);
+}
+
+Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to, const Vector3d& normal) {
+  const Nearest first = obstacle.nearest(from), last = obstacle.nearest(to);
+  if (!(first.normal.dot(normal) * last.normal.dot(normal) < 0)) return {};
+  const HalfFibre way{from, (to - from).normalized(), (to - from).norm()};
+  return {.clearance = nearest_beside(obstacle, way).distance,
+          .is_through = first.distance > 0 && crossing(obstacle, from, way.outward, way.length)};
+}
+
 Gap gap_at(const Obstacle& obstacle, const ShellPoint& at) {
-  const Vector3d n = obstacle.face == Face::nearer ? obstacle.nearest(at.phi + at.u).normal : Vector3d::Zero();
-  const double z = face_position(obstacle.face, n, at.a3) * at.thickness;
-  const Vector3d point = at.phi + z * at.a3, moved = at.u + z * at.r;
-  const Nearest nearest = obstacle.nearest(point + moved);
-  return {nearest.distance - nearest.normal.dot(moved), nearest.normal, z, point};
+  const FaceGap gap = face_gap(obstacle, at);
+  return {gap.distance - gap.normal.dot(at.u + gap.z * at.r), gap.normal, gap.z, at.phi + gap.z * at.a3};
 }
 
 double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at) {
-  return obstacle.nearest(gap.contact_point + at.u + gap.z * at.r).distance;
+  return gap_of_face(obstacle, at, gap.z, {}).distance;
 }
 
 }  // namespace plastron::obstacle

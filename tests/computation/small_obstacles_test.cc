@@ -1,0 +1,228 @@
+// Obstacles thinner than the shell, smaller than a cell, or that go farther in a step than they are thick: met from the side that they come
+// from, or not called solved.
+#include <plastron/computation/instants.hpp>
+#include <plastron/computation/solve.hpp>
+#include <plastron/computation/verify.hpp>
+#include <plastron/obstacle/surface_mesh.hpp>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using namespace test;
+using contact::Status;
+using obstacle::Obstacle;
+using testing::HasSubstr;
+
+constexpr double e = 0.05;
+
+/// A strip along x in the plane z = 0, clamped at both ends and kept in the plane of its length, without a load.
+Problem strip(double length = 1, double modulus = 1) {
+  Problem p = with_chart(free_plate(), {"x", "y", "0"}, {});
+  p.domain = fem::Rectangle{.to = {length, 0.125 * length}, .cells = {8, 1}};
+  p.sections.common.thickness = Expression(e * length);
+  p.sections.common.material = shell::Material::from_young_poisson(modulus, 0.3, 1);
+  p.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
+  p.area_loads.clear();
+  p.discretisation = {.degree = 2, .refinements = 1};
+  return p;
+}
+
+/// A body whose top reaches `depth` into the strip's lower face at x = `at`; its lowest point is `height` below.
+Obstacle wire(double radius, double depth, double at = 0.5) {
+  return {.name = "wire",
+          .shape = obstacle::Cylinder{.point = {at, 0, -e / 2 + depth - radius}, .axis = {0, 1, 0}, .radius = radius}};
+}
+Obstacle box(double width, double height, double depth) {
+  return {.name = "box",
+          .shape = obstacle::Box{.centre = {0.5, 0.0625, -e / 2 + depth - height / 2}, .size = {width, 1, height}}};
+}
+
+Result solved(Problem p, const Obstacle& obstacle) {
+  p.obstacles = {obstacle};
+  return solve(p, MPI_COMM_WORLD);
+}
+
+/// What the obstacle presses upwards [N].
+double upward(const Result& r) { return r.summary.reaction.force[2]; }
+
+/// Along a line a hump touches a thick roller as it touches a wire.
+void expect_like_a_roller(const Result& r, double depth) {
+  const Result roller = solved(strip(), wire(0.2, depth));
+  ASSERT_EQ(r.status, Status::solved) << status_text(r);
+  EXPECT_GT(upward(r), 0);
+  EXPECT_NEAR(upward(r) / upward(roller), 1, 2e-2);
+  EXPECT_NEAR(r.summary.energy.total() / roller.summary.energy.total(), 1, 2e-2);
+}
+
+TEST(AWire, ThinnerThanTheShellIsMetFromBelow) {
+  for (const double radius : {0.02, 0.01, 0.004})  // the last one lies wholly inside of the undeformed shell
+    for (const double depth : {0.004, 0.015}) {
+      SCOPED_TRACE(fmt::format("radius {}, depth {}", radius, depth));
+      expect_like_a_roller(solved(strip(), wire(radius, depth)), depth);
+    }
+}
+
+TEST(AThinBox, DoesNotPushNodesOutOfItsFarSide) {
+  expect_like_a_roller(solved(strip(), box(0.02, 0.008, 0.015)), 0.015);
+}
+
+TEST(ABlade, NarrowerThanTheShellIsMetAtItsTip) { expect_like_a_roller(solved(strip(), box(0.02, 0.2, 0.015)), 0.015); }
+
+TEST(ABlade, DeeperThanTheShellIsThickIsNotCalledSolved) {
+  Problem p = strip();
+  p.domain = fem::Rectangle{.to = {1, 0.125}, .cells = {32, 1}};
+  const Result r = solved(p, box(0.06, 0.5, 0.08));
+  EXPECT_NE(r.status, Status::solved);
+  EXPECT_THAT(status_text(r), HasSubstr("\"box\""));
+}
+
+TEST(AWire, FromAboveIsTheMirrorImage) {
+  Obstacle above = wire(0.01, 0.015);
+  std::get<obstacle::Cylinder>(above.shape).point[2] *= -1;
+  const Result low = solved(strip(), wire(0.01, 0.015)), high = solved(strip(), above);
+  ASSERT_EQ(high.status, Status::solved) << status_text(high);
+  EXPECT_NEAR(upward(high) / upward(low), -1, 1e-9);
+  above.face = obstacle::Face::upper;
+  EXPECT_NEAR(upward(solved(strip(), above)) / upward(low), -1, 1e-9);
+}
+
+TEST(AWire, IsMetOnTrianglesToo) {
+  Problem p = strip();
+  p.discretisation.cells = fem::Shape::triangle;
+  p.discretisation.tying = false;
+  const Result r = solved(p, wire(0.01, 0.015)), thick = solved(p, wire(0.2, 0.015));
+  ASSERT_EQ(r.status, Status::solved) << status_text(r);
+  EXPECT_NEAR(upward(r) / upward(thick), 1, 2e-2);
+}
+
+TEST(AWire, IsMetInAnyUnits) {
+  const Result metres = solved(strip(), wire(0.01, 0.015));
+  for (const double unit : {1e-6, 1e6}) {
+    Obstacle scaled = wire(0.01, 0.015);
+    auto& body = std::get<obstacle::Cylinder>(scaled.shape);
+    body.point *= unit;
+    body.radius *= unit;
+    const Result r = solved(strip(unit, 1 / (unit * unit)), scaled);
+    ASSERT_EQ(r.status, Status::solved) << status_text(r);
+    EXPECT_NEAR(upward(r) / upward(metres), 1, 1e-6);
+  }
+}
+
+TEST(AWire, IsMetByACurvedShellThatIsTurnedInSpace) {
+  // A quarter of a tube with its axis along y, and the same turned by 90 degrees about x.
+  const auto tube = [](bool is_turned) {
+    Problem p = strip();
+    const std::string x = "R*sin(x)", y = "y", z = "R*cos(x) - R";
+    p = with_chart(p,
+                   is_turned ? std::array<std::string, 3>{x, "R - R*cos(x)", y} : std::array<std::string, 3>{x, y, z},
+                   {{"R", 1}});
+    p.domain = fem::Rectangle{.from = {-0.5, 0}, .to = {0.5, 0.125}, .cells = {8, 1}};
+    p.supports = {clamped("left"), clamped("right")};
+    p.discretisation.refinements = 1;
+    return p;
+  };
+  const auto under = [](bool is_turned, double radius) {
+    const double z = -e / 2 + 0.012 - radius;
+    const Eigen::Vector3d point = is_turned ? Eigen::Vector3d(0, -z, 0) : Eigen::Vector3d(0, 0, z);
+    const Eigen::Vector3d axis = is_turned ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+    return Obstacle{.name = "wire", .shape = obstacle::Cylinder{.point = point, .axis = axis, .radius = radius}};
+  };
+  const Result thick = solved(tube(false), under(false, 0.2)), thin = solved(tube(false), under(false, 0.008)),
+               turned = solved(tube(true), under(true, 0.008));
+  ASSERT_EQ(thin.status, Status::solved) << status_text(thin);
+  ASSERT_EQ(turned.status, Status::solved) << status_text(turned);
+  EXPECT_NEAR(upward(thin) / upward(thick), 1, 3e-2);
+  EXPECT_NEAR(-turned.summary.reaction.force[1] / upward(thin), 1, 1e-6);
+}
+
+TEST(ASheetOfTriangles, ThinnerThanTheShellIsMetFromBelow) {
+  const Obstacle sheet = box(0.3, 0.006, 0.01);
+  obstacle::TriangleMesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.points.emplace_back(0.35 + 0.3 * (k & 1), -0.4 + 0.9 * ((k >> 1) & 1), -e / 2 + 0.004 + 0.006 * (k >> 2));
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  const Result exact = solved(strip(), sheet),
+               triangles = solved(strip(), {.name = "sheet", .shape = obstacle::TriangleSurface(mesh)});
+  ASSERT_EQ(exact.status, Status::solved) << status_text(exact);
+  ASSERT_EQ(triangles.status, Status::solved) << status_text(triangles);
+  EXPECT_GT(upward(exact), 0);
+  EXPECT_NEAR(upward(triangles) / upward(exact), 1, 1e-3);
+}
+
+/// A wire in the middle of a cell and its nodes.
+constexpr double between_nodes = 0.5 + 1.0 / 64;
+
+TEST(AWire, ThatAllNodesMissIsNamedWithItsPlace) {
+  Problem p = strip();
+  p.discretisation.refinements = 0;
+  const Result r = solved(p, wire(0.004, 0.015, between_nodes));
+  EXPECT_EQ(r.status, Status::inaccurate);
+  EXPECT_THAT(r.missed_limits, HasSubstr("min_gap_between"));
+  EXPECT_THAT(r.missed_limits, HasSubstr(fmt::format("the obstacle \"wire\" at x = {:.3g}", between_nodes)));
+  p.obstacles = {wire(0.004, 0.015, between_nodes)};
+  const Verification v =
+      verify(p, finest_mesh(p, MPI_COMM_WORLD), {.state = r.solution->discrete->state, .nodal = r.solution->nodal});
+  EXPECT_EQ(v.result.status, Status::inaccurate);
+}
+
+TEST(AWire, ThatNodesMissIsRefinedTowards) {
+  Problem p = strip();
+  p.discretisation.refinements = 0;
+  p.accuracy = Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 4e4};
+  const Result r = solved(p, wire(0.004, 0.015, between_nodes));
+  ASSERT_EQ(r.status, Status::solved) << status_text(r);
+  EXPECT_GT(r.summary.touching_nodes, 0);
+  EXPECT_NEAR(upward(r) / upward(solved(strip(), wire(0.2, 0.015))), 1, 0.1);
+}
+
+// Pressed down by its load the strip would hang on both sides of a wire that no node sees, or go past it.
+TEST(AWire, ThatALoadMovesTheShellPastIsNotCalledSolved) {
+  Problem p = strip();
+  p.discretisation.refinements = 0;
+  p.area_loads = {force(0, 0, -3e-4)};
+  Obstacle below = wire(0.004, -0.004, between_nodes);
+  const Result free = solve(p, MPI_COMM_WORLD);
+  ASSERT_GT(free.summary.max_displacement, e / 2 + 0.012);
+  const Result r = solved(p, below);
+  EXPECT_NE(r.status, Status::solved);
+  EXPECT_THAT(status_text(r), HasSubstr("\"wire\""));
+}
+
+TEST(ABall, ThatGoesFartherThanItIsThickIsFollowed) {
+  for (const int parts : {1, 2}) {
+    SCOPED_TRACE(fmt::format("{} parts", parts));
+    Problem p = strip();
+    p.obstacles = {wire(0.02, 0)};
+    p.obstacles[0].motions = {{.translation = {0, 0, 0.1}}};
+    p.steps = {{.name = "up", .parts = parts}};
+    const Result r = solve(p, MPI_COMM_WORLD), roller = solved(strip(), wire(0.2, 0.1));
+    ASSERT_EQ(r.status, Status::solved) << status_text(r);
+    EXPECT_EQ(r.history.size(), static_cast<std::size_t>(parts));
+    EXPECT_NEAR(upward(r) / upward(roller), 1, 2e-2);
+  }
+}
+
+TEST(ABall, IsFollowedWhereAccuracyIsAskedFor) {
+  Problem p = strip();
+  p.discretisation.refinements = 0;
+  p.accuracy = Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 4e4};
+  p.obstacles = {wire(0.02, 0)};
+  p.obstacles[0].motions = {{.translation = {0, 0, 0.1}}};
+  p.steps = {{.name = "up", .parts = 2}};
+  const Result r = solve(p, MPI_COMM_WORLD), roller = solved(strip(), wire(0.2, 0.1));
+  ASSERT_EQ(r.status, Status::solved) << status_text(r);
+  EXPECT_NEAR(upward(r) / upward(roller), 1, 0.1);
+}
+
+}  // namespace
+}  // namespace plastron::computation
