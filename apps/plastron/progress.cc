@@ -5,12 +5,14 @@
 #include "messages.hpp"
 #include "terminal.hpp"
 
+#include <plastron/computation/goal_names.hpp>
 #include <plastron/computation/instants.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/io/quantities.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace plastron::app {
 
@@ -41,9 +43,9 @@ void Progress::print_header(const computation::Problem& problem) const {
   print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>9}  estimated errors, relative\n", "mesh", "cells", "unknowns", "contact",
         "steps", "time [s]");
   std::string names, asked;
-  for (const computation::Accuracy::Goal& goal : problem.accuracy->goals) {
+  for (const estimation::Goal& goal : computation::estimated_goals(problem)) {
     names += fmt::format("  {:>{}}", geometry::shortened(goal.name, 24), width_of(goal.name));
-    asked += fmt::format("  {:>{}.1e}", goal.tolerance, width_of(goal.name));
+    asked += fmt::format("  {:>{}.1e}", goal.tolerance.value_or(0), width_of(goal.name));
   }
   print("{:>52}{}\n{:>52}{}\n", "", names, "asked for", asked);
 }
@@ -118,14 +120,23 @@ void Progress::instant(const computation::HistoryEntry& entry) {
   if (parts_ && has_seen_instant_) parts_->done(status_.seconds());  // the first is that of the meshes
   has_seen_instant_ = true;
   if (quiet_) return;
-  if (!has_instants_)
-    print("\n{:>9} {:<20} {:>7} {:>8} {:>6} {:>14} {:>16} {:>16}\n", "time", "step", "loads", "contact", "steps",
-          "obstacles [N]", "max |u| [m]", "energy [J]");
+  // Each obstacle's own force: those of obstacles that press against each other cancel in the sum.
+  constexpr std::size_t most_obstacles = 4;
+  const auto obstacles =
+      std::span(entry.summary.obstacles).first(std::min(entry.summary.obstacles.size(), most_obstacles));
+  if (!has_instants_) {
+    print("\n{:>9} {:<20} {:>7} {:>8} {:>6} {:>16} {:>16}", "time", "step", "loads", "contact", "steps", "max |u| [m]",
+          "energy [J]");
+    for (const auto& obstacle : obstacles)
+      print(" {:>18}", (obstacles.size() == 1 ? "obstacle" : geometry::shortened(obstacle.name, 14)) + " [N]");
+    print("{}\n", entry.summary.obstacles.size() > most_obstacles ? "  and others in history.csv" : "");
+  }
   has_instants_ = true;
-  print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>14.6e} {:>16.6e} {:>16.9e}{}\n", entry.time,
-        geometry::shortened(entry.step, 20), entry.load_factor, entry.level.active, entry.level.iterations,
-        entry.level.reaction, entry.summary.max_displacement, entry.summary.energy.total(),
-        entry.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(entry.status)));
+  print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>16.6e} {:>16.9e}", entry.time, geometry::shortened(entry.step, 20),
+        entry.load_factor, entry.level.active, entry.level.iterations, entry.summary.max_displacement,
+        entry.summary.energy.total());
+  for (const auto& obstacle : obstacles) print(" {:>18.6e}", obstacle.reaction.force.norm());
+  print("{}\n", entry.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(entry.status)));
   if (is_first_rank()) std::fflush(stdout);
 }
 

@@ -5,12 +5,16 @@
 #include <plastron/computation/description.hpp>
 #include <plastron/computation/goal_names.hpp>
 #include <plastron/computation/level.hpp>
+#include <plastron/computation/memory.hpp>
 #include <plastron/computation/solve.hpp>
+#include <plastron/computation/stopwatch.hpp>
 #include <plastron/computation/verify.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
+#include <thread>
 
 #include "computation/problems.hpp"
 
@@ -147,6 +151,97 @@ TEST(Accuracy, EndsWhereALimitStands) {
   EXPECT_NE(hasty.missed_limits.find("max_seconds"), std::string::npos);
 }
 
+/// A dome that stands on its rim: nodal reactions over areas, which double with each mesh, are no pressures there.
+TEST(Accuracy, OfALineReactionOnTheRimIsEstimatedAsThatOfTheEnergy) {
+  Problem p = pressed_bowl();
+  p.charts.clear();
+  p.charts.emplace("", Chart({"x", "y", "-0.8556429978431134 + sqrt(1 - x^2 - y^2)"}, {}));
+  p.sections.common.thickness = Expression(0.05);
+  p.supports = {
+      {.components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::displacement, Direction::y)},
+       .point = Eigen::Vector2d(0, 0)},
+      {.components = {fixed(Unknown::displacement, Direction::y)}, .point = Eigen::Vector2d(0.479425538604203, 0)}};
+  p.area_loads = {force(0, 0, -1.25e-4)};
+  p.discretisation = {.degree = 2, .refinements = 2};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  ASSERT_TRUE(result.summary.edge.is_line());
+  const auto energy = std::ranges::find(result.estimates->goals, "energy", &estimation::GoalEstimate::name);
+  EXPECT_LT(energy->error(), 0.1 * energy->value);
+  EXPECT_GT(energy->error(), 0);
+}
+
+/// Floor and ceiling: the disk touches the ceiling along a circle, in a ring much narrower than the layer at its edges.
+TEST(Accuracy, AsksForNoEdgesOfZonesThatAreLines) {
+  Problem p = with_chart(free_plate(), {"x", "y", "0"});
+  p.domain = fem::Disk{.radius = 1};
+  p.sections.common.thickness = Expression(0.02);
+  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.supports = {clamped("rim")};
+  p.area_loads = {force(0, 0, 0)};
+  p.area_loads[0].force[2] = Expression("-50*0.02^3*cos(2*pi*sqrt(x^2 + y^2))", {});
+  p.obstacles = {{.name = "floor", .shape = obstacle::HalfSpace{.point = {0, 0, -0.02}}},
+                 {.name = "ceiling", .shape = obstacle::HalfSpace{.point = {0, 0, 0.015}, .normal = {0, 0, -1}}}};
+  p.discretisation = {.degree = 4, .layers = Layers::automatic, .refinements = 0};
+  p.accuracy = Accuracy{.goals = {{"energy", 1e-2}, {"reaction", 1e-2}}, .max_unknowns = 30000};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+}
+
+/// A mesh that takes longer than foreseen is stopped, and the one before is the result.
+TEST(Accuracy, StopsAMeshWhoseTimeIsOver) {
+  Problem p = accurate_bowl(1e-5);
+  p.accuracy->max_seconds = 3;
+  const Stopwatch watch;
+  Observer slow;
+  slow.iteration = [&](int level, const contact::Iteration&) {
+    if (level > 0) std::this_thread::sleep_for(std::chrono::milliseconds(3500));
+  };
+  const Result result = solve(p, MPI_COMM_WORLD, slow);
+  EXPECT_LT(watch.seconds(), 8);
+  EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
+  EXPECT_NE(result.missed_limits.find("stopped for max_seconds = 3"), std::string::npos) << result.missed_limits;
+  ASSERT_TRUE(result.solution);
+  EXPECT_EQ(result.levels.back().cells, result.solution->discrete->space().global_cells);
+}
+
+/// Instants on the finest mesh take time, too, and are not computed beyond it.
+TEST(Accuracy, EndsBetweenInstantsWhenTimeIsOver) {
+  Problem p = accurate_bowl(0.3);
+  p.steps = {{.name = "down", .load_factor = 1, .parts = 5}};
+  p.accuracy->max_seconds = 1e-6;
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
+  EXPECT_EQ(result.history.size(), 1U);
+  EXPECT_NE(result.missed_limits.find("max_seconds = 1e-06 was over before time 0.4"), std::string::npos)
+      << result.missed_limits;
+}
+
+TEST(Memory, OfTheNextMeshIsForeseen) {
+  const MemoryUse use = memory_use(MPI_COMM_WORLD);
+  EXPECT_GT(use.peak, 1e7);
+  EXPECT_GT(use.limit, use.peak);
+  EXPECT_LT(use.limit, 1e15);
+  EXPECT_EQ(memory_obstacle({.peak = 1e9, .limit = 16e9}, 4), "");
+  EXPECT_EQ(memory_obstacle({.peak = 1e9, .limit = 4e9}, 0.5), "");
+  EXPECT_EQ(memory_obstacle({.peak = 1e9, .limit = 4e9}, 4),
+            "the next mesh would take about 5.3 GB of memory, and there are 4 GB for it");
+}
+
+/// What misses its accuracy tells where: nearly all of the error is in the cells at the corner.
+TEST(Accuracy, TellsWhereTheErrorIsThatStays) {
+  Problem p = cantilever_plate();
+  p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  p.supports = {clamped(fem::boundary_names(p.domain).front())};
+  p.discretisation = {.degree = 3, .refinements = 1};
+  p.probes = {{"corner", {1, 1}}};
+  p.accuracy = Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}, .max_unknowns = 6000};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
+  EXPECT_NE(result.missed_limits.find("half of the estimated error of probe.corner.M.11 lies in "), std::string::npos)
+      << result.missed_limits;
+}
+
 /// The moment at a re-entrant corner grows with each division of the cells there.
 TEST(Accuracy, IsGivenUpForWhatHasNoLimit) {
   Problem p = cantilever_plate();
@@ -166,7 +261,10 @@ TEST(Accuracy, IsGivenUpForWhatHasNoLimit) {
 TEST(Accuracy, TakesNumbersThatVanish) {
   Problem p = accurate_bowl(1e-2);
   p.probes = {{"centre", {0, 0}}};
-  p.accuracy->goals = {{"probe.centre.u.x", 1e-2}, {"probe.centre.u.z", 1e-3}, {"support.rim.force.y", 1e-2}};
+  p.accuracy->goals = {{"probe.centre.u.x", 1e-2},
+                       {"probe.centre.u.z", 1e-3},
+                       {"probe.centre.N.12", 1e-2},
+                       {"support.rim.force.y", 1e-2}};
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   EXPECT_NEAR(value_of(result, "probe.centre.u.z"), -0.01, 1e-5);
@@ -243,7 +341,15 @@ TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   EXPECT_LE(result.levels.size(), 4U);
-  EXPECT_NEAR(result.levels.back().goals[1].scale, 2 * pressing, 1e-6 * pressing);
+  const auto& goals = result.levels.back().goals;
+  ASSERT_EQ(goals.size(), 4U);
+  EXPECT_NEAR(goals[1].scale, 2 * pressing, 1e-6 * pressing);
+  for (const std::string name : {"plate", "floor"}) {
+    const auto own = std::ranges::find(goals, "obstacle." + name + ".force", &GoalRecord::name);
+    ASSERT_NE(own, goals.end()) << name;
+    EXPECT_NEAR(own->scale, pressing, 1e-6 * pressing) << name;
+    EXPECT_EQ(own->tolerance, 1e-3) << name;
+  }
   EXPECT_NEAR(result.summary.obstacles[1].reaction.force.z(), pressing, 1e-6 * pressing);
 }
 

@@ -93,6 +93,12 @@ TEST(InsideACell, a_jump_of_the_thickness_is_an_error) {
                                   HasSubstr("by 0.02 m"), HasSubstr("breaks"))));
 }
 
+TEST(InsideACell, a_slit_of_another_thickness_is_an_error_however_narrow_beside_the_cells) {
+  for (const fem::Shape shape : both_shapes)
+    EXPECT_THAT(errors(on(shape, with_thickness("abs(x - 0.3115) < 0.0015 ? 0.05 : 0.1"))),
+                ElementsAre(AllOf(HasSubstr("jumps inside of a cell near x = 0.31"), HasSubstr("by 0.05 m"))));
+}
+
 TEST(InsideACell, a_jump_of_the_thickness_on_a_line_of_the_finest_mesh_is_nothing) {
   computation::Problem p = with_thickness("x < 0.25 ? 0.1 : 0.12");  // two cells along x, refined once
   EXPECT_THAT(errors(p), IsEmpty());

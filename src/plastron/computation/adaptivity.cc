@@ -3,6 +3,9 @@
 #include <plastron/algebra/vector.hpp>
 #include <plastron/computation/chord_cuts.hpp>
 #include <plastron/computation/goal_names.hpp>
+#include <plastron/computation/memory.hpp>
+#include <plastron/computation/start_mesh.hpp>
+#include <plastron/fem/surface.hpp>
 
 #include <fmt/format.h>
 
@@ -71,6 +74,16 @@ double least_scale(const estimation::Functional& functional, const certificate::
   return std::holds_alternative<ObstaclePosition>(functional) ? as_good_as_zero * summary.max_displacement : 0;
 }
 
+/// Cauchy and Schwarz: a linear number of a solution with this energy is at most 2 sqrt(E E_z), E_z that of its dual. What is a millionth of that
+/// vanishes, by symmetry as a rule, and its digits are rounding. So is all of the energy of a shell that nothing strains.
+double rounding_scale(const estimation::Functional& functional, const estimation::GoalEstimate& found,
+                      const certificate::Summary& summary) {
+  constexpr double vanishing = 1e-6;
+  if (std::holds_alternative<estimation::Energy>(functional))
+    return summary.is_unstrained ? (summary.load_norms + obstacle_forces(summary)) * summary.max_displacement : 0;
+  return vanishing * 2 * std::sqrt(summary.energy.total() * found.dual_energy);
+}
+
 /// Of the witness's unknowns over those of a space.
 double growth_to_witness(const Problem& problem, const fem::Space& space) {
   return std::pow(1 + static_cast<double>(degrees_of_witness(problem)) / space.degree, 2);
@@ -84,12 +97,13 @@ std::vector<GoalRecord> goal_records(const Problem& problem, const estimation::E
   std::vector<GoalRecord> records;
   for (std::size_t g = 0; g < goals.size(); ++g) {
     const estimation::GoalEstimate& found = estimates.goals[g];
-    const double least = least_scale(goals[g].functional, summary);
+    const double least =
+        std::max(least_scale(goals[g].functional, summary), rounding_scale(goals[g].functional, found, summary));
     records.push_back({.name = found.name,
                        .value = found.value,
                        .difference = found.difference(),
                        .error = found.error(),
-                       .tolerance = problem.accuracy->goals[g].tolerance,
+                       .tolerance = goals[g].tolerance.value(),
                        .scale = std::max(std::abs(found.value), least),
                        .dual_energy = found.dual_energy,
                        .has_estimate = found.has_dual});
@@ -130,6 +144,13 @@ bool is_refined_evenly(const Problem& problem) {
          !problem.joins.empty() || !problem.rigid_bodies.empty();
 }
 
+bool may_cut_chords(const Problem& problem) {
+  const bool is_closed = !problem.joins.empty() && keeps_joins_alike(problem);
+  return !is_refined_evenly(problem) ||
+         (is_closed && !problem.accuracy->is_uniform && problem.discretisation.cells == fem::Shape::quadrilateral &&
+          problem.rigid_bodies.empty());
+}
+
 int degrees_of_witness(const Problem& problem) {
   return std::ranges::any_of(problem.supports, [](const assembly::Support& s) { return s.point.has_value(); }) ? 2 : 1;
 }
@@ -148,7 +169,6 @@ bool AccuracyLoop::wants_witness(const Result& result, const fem::Space& space) 
 }
 
 bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
-  const MPI_Comm comm = space.layout->comm;
   const auto& estimates = result.estimates;
   const std::vector<GoalRecord> before = std::move(goals_);
   cuts_.clear();
@@ -157,29 +177,82 @@ bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
   const std::string missed_contact = this->missed_contact(result, space);
   if (!missed_contact.empty()) missed_ += (missed_.empty() ? "" : "; ") + missed_contact;
   if (estimates) std::ranges::transform(goals_, std::back_inserter(values_.emplace_back()), &GoalRecord::value);
+  take_note(result.levels.back(), space);
   const bool has_witness =
       estimates && std::ranges::all_of(estimates->goals, [](const auto& g) { return g.at_higher_degree.has_value(); });
   wants_edges_ = missed_.empty() && !edges_are_known(estimates);
   if (missed_.empty() && !wants_edges_ && (has_witness || is_settled(before))) return false;
   const std::int64_t added = mark(space, estimates);
-  const double growth = 1 + static_cast<double>(added) / static_cast<double>(space.global_cells);
-  std::string limit = unsettled(6, 0.9);
-  if (limit.empty() && added == 0) limit = "the cells to divide are as small as can be";
-  if (limit.empty()) {
-    const bool is_unseen = missed_.empty() && space.shape() == fem::Shape::quadrilateral;  // by a witness
-    limit =
-        obstacle(result.levels.back(), is_unseen ? std::max(growth, growth_to_witness(problem_, space)) : growth, comm);
-    if (limit.empty()) return true;
-    const std::string doubt = unsettled(3, 0.7);
-    if (!doubt.empty()) limit += "; " + doubt;
-  }
+  const std::string limit = limit_of_meshes(result.levels.back(), added, space);
   if (wants_edges_)
     missed_ = fmt::format("edges of contact zones move by {:.2g} of the zones' size at one degree more",
                           *estimates->edge_change);
-  else if (missed_.empty())
-    missed_ = "the goals are met by one solution only";
-  missed_ += "; " + limit;
+  if (limit.empty()) return true;
+  give_up(limit);
+  if (estimates) missed_ += place_of_error(space, *estimates);
   return false;
+}
+
+void AccuracyLoop::take_note(const Level& level, const fem::Space& space) {
+  const Seconds& s = level.seconds;
+  seconds_to_come_ = instants_to_come_ * (s.total() - s.mesh - s.estimates - s.witness);
+  excesses_.push_back(worst_excess());
+  unknowns_.push_back(level.unknowns);
+  const double growth = s.witness > 0 ? growth_to_witness(problem_, space) : 1;
+  largest_solved_ = std::max(largest_solved_, growth * static_cast<double>(level.unknowns));
+}
+
+std::string AccuracyLoop::limit_of_meshes(const Level& level, std::int64_t added, const fem::Space& space) const {
+  if (std::string limit = unsettled(6, 0.9); !limit.empty()) return limit;
+  if (std::string limit = stalled(); !limit.empty()) return limit;
+  if (added == 0) return "the cells to divide are as small as can be";
+  const bool is_unseen = missed_.empty() && space.shape() == fem::Shape::quadrilateral;  // by a witness
+  double growth = 1 + static_cast<double>(added) / static_cast<double>(space.global_cells);
+  if (is_unseen) growth = std::max(growth, growth_to_witness(problem_, space));
+  std::string limit = obstacle(level, growth, space.layout->comm);
+  const std::string doubt = limit.empty() ? "" : unsettled(3, 0.7);
+  return doubt.empty() ? limit : limit + "; " + doubt;
+}
+
+void AccuracyLoop::give_up(const std::string& why) {
+  missed_ += fmt::format("{}; {}", missed_.empty() ? "the goals are met by one solution only" : "", why);
+}
+
+std::string AccuracyLoop::stalled() const {
+  constexpr std::size_t meshes = 6;
+  constexpr double least_fall = 0.8, least_growth = 3;
+  if (excesses_.size() <= meshes || worst_excess() <= 1) return "";
+  const auto last = excesses_.end() - meshes;
+  const double before = *std::min_element(excesses_.begin(), last), now = *std::min_element(last, excesses_.end());
+  const std::int64_t from = *(unknowns_.end() - meshes - 1), to = unknowns_.back();
+  if (now < least_fall * before || static_cast<double>(to) < least_growth * static_cast<double>(from)) return "";
+  return fmt::format("the estimates have not fallen on the last {} meshes, from {} to {} unknowns", meshes, from, to);
+}
+
+std::string AccuracyLoop::place_of_error(const fem::Space& space, const estimation::Estimates& estimates) const {
+  const auto worst = std::ranges::max_element(goals_, {}, &GoalRecord::excess);
+  if (worst == goals_.end() || !(worst->excess() > 1)) return "";
+  const MPI_Comm comm = space.layout->comm;
+  std::vector<double> shares = estimates.goals[static_cast<std::size_t>(worst - goals_.begin())].cells;
+  for (double& share : shares) share = std::abs(share);
+  const double above = threshold(shares, 0.5, comm);
+  if (std::isinf(above)) return "";  // no cell has any: the next degree alone tells of an error
+  const std::int64_t mine = std::ranges::count_if(shares, [&](double share) { return share > above; });
+  std::vector<double> largest;  // of this rank: share and place
+  if (const auto most = std::ranges::max_element(shares); most != shares.end()) {
+    const fem::Surface surface(space.coarse, problem_.charts);
+    const Eigen::Vector2d centre = fem::centre(space.shape());
+    geometry::SurfaceJet jet;
+    surface.jets(space.cells[static_cast<std::size_t>(most - shares.begin())], {&centre, 1}, {&jet, 1}, false);
+    largest = {*most, jet.value[0], jet.value[1], jet.value[2]};
+  }
+  const std::vector<double> all = algebra::gather_over_ranks(largest, comm);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < all.size(); i += 4)
+    if (all[i] > all[at]) at = i;
+  return fmt::format("; half of the estimated error of {} lies in {} of {} cells, most near ({:.3g}, {:.3g}, {:.3g}) m",
+                     worst->name, algebra::sum_over_ranks(mine, comm), space.global_cells, all[at + 1], all[at + 2],
+                     all[at + 3]);
 }
 
 std::vector<double> AccuracyLoop::changes(std::size_t goal, std::size_t count) const {
@@ -230,7 +303,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
   const auto marked = [&](signed char mark) {
     return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, mark)}, space.layout->comm);
   };
-  if (estimates && !is_uniform_ && worst_excess() > rounding) {
+  if (estimates && may_cut_chords(problem_) && worst_excess() > rounding) {
     marks_ = computation::marks(space, goals_, *estimates, share_to_divide());
     may_join_ = may_join_ && estimates->unjudged_cells == 0 && !(has_joined_ && worst_excess() >= excess_before_);
     excess_before_ = worst_excess();
@@ -241,6 +314,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
       marks_.assign(space.owned_cells, 0);
       for (const estimation::CrossedCell& crossed : estimates->crossed) marks_[crossed.cell] = 1;
     }
+    if (is_uniform_) marks_.assign(space.owned_cells, 1);  // joined edges: chords, or all cells
     cut(space, *estimates);
     if (marked(1) == 0) marks_.assign(space.owned_cells, 1);
   } else {
@@ -321,13 +395,16 @@ double AccuracyLoop::share_to_divide() const {
 
 std::string AccuracyLoop::obstacle(const Level& level, double growth, MPI_Comm comm) const {
   constexpr double cost_exponent = 1.3;  // of a mesh, in its unknowns (docs/performance.md)
-  if (growth * static_cast<double>(level.unknowns) > problem_.accuracy->max_unknowns)
-    return fmt::format("the next mesh would have about {:.2g} unknowns, and max_unknowns = {:g}",
-                       growth * static_cast<double>(level.unknowns), problem_.accuracy->max_unknowns);
-  const double end = since_start_.seconds() + level.seconds.total() * std::pow(growth, cost_exponent);
+  const double unknowns = growth * static_cast<double>(level.unknowns);
+  if (unknowns > problem_.accuracy->max_unknowns)
+    return fmt::format("the next mesh would have about {:.2g} unknowns, and max_unknowns = {:g}", unknowns,
+                       problem_.accuracy->max_unknowns);
+  const double end =
+      since_start_.seconds() + std::pow(growth, cost_exponent) * (level.seconds.total() + seconds_to_come_);
   if (algebra::max_over_ranks(end, comm) > problem_.accuracy->max_seconds)
     return fmt::format("the next mesh would end later than max_seconds = {:g}", problem_.accuracy->max_seconds);
-  return "";
+  const double largest = std::max(largest_solved_, static_cast<double>(level.unknowns));
+  return memory_obstacle(memory_use(comm), unknowns / largest);
 }
 
 }  // namespace plastron::computation

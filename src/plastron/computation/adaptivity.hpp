@@ -34,11 +34,19 @@ bool wants_witness(const Problem& problem, const fem::Space& space, const estima
 /// bodies must not hang, and triangles cannot be divided one by one.
 bool is_refined_evenly(const Problem& problem);
 
+/// Whether chords may be cut before cells are divided: where cells may be divided one by one, and of a rectangle closed to a tube.
+bool may_cut_chords(const Problem& problem);
+
 /// Mesh after mesh, until all goals are met by two solutions, that on a mesh and the witness at one degree more on its cells; of triangles, whose
 /// degree ends at 2, on two meshes in a row without having changed by more than their tolerances. Or until a limit is hit.
 class AccuracyLoop {
  public:
-  explicit AccuracyLoop(const Problem& problem) : problem_(problem), is_uniform_(is_refined_evenly(problem)) {}
+  /// The clock runs since the computation began. On the finest mesh `instants_to_come` are solved once more, for which time is kept.
+  AccuracyLoop(const Problem& problem, const Stopwatch& since_start, int instants_to_come = 0)
+      : problem_(problem),
+        since_start_(since_start),
+        instants_to_come_(instants_to_come),
+        is_uniform_(is_refined_evenly(problem)) {}
 
   /// Whether the goals are to be found at one degree more before wants_more (collective).
   bool wants_witness(const Result& result, const fem::Space& space) const;
@@ -50,6 +58,10 @@ class AccuracyLoop {
   const std::vector<GoalRecord>& goals() const { return goals_; }
   /// Why goals are not met, in words; empty if they are.
   const std::string& missed() const { return missed_; }
+  /// Ends the loop though another mesh was wanted; `why` joins missed().
+  void give_up(const std::string& why);
+  /// Until when meshes may go on, by the level judged last [s since the start]: max_seconds without what the instants to come take.
+  double end_of_meshes() const { return problem_.accuracy->max_seconds - seconds_to_come_; }
 
  private:
   /// Decides on cuts and marks. How many cells they add (collective).
@@ -65,19 +77,32 @@ class AccuracyLoop {
   double share_to_divide() const;
   /// Of a goal from mesh to mesh, the last one first, as many as there were up to `count`.
   std::vector<double> changes(std::size_t goal, std::size_t count) const;
+  /// The level judged last, beside those before.
+  void take_note(const Level& level, const fem::Space& space);
+  /// Why there is no next mesh with so many cells more, in words; empty if there is one (collective).
+  std::string limit_of_meshes(const Level& level, std::int64_t added, const fem::Space& space) const;
+  /// That estimates do not fall any more though the mesh grows, in words; empty if they do.
+  std::string stalled() const;
+  /// Where the goal that is furthest from being met has most of its estimated error, in words (collective).
+  std::string place_of_error(const fem::Space& space, const estimation::Estimates& estimates) const;
   /// Which goals that are not met do not settle, none of their last changes below `least_decay` times the one before, in words.
   std::string unsettled(std::size_t count, double least_decay) const;
   /// Which limit stands against a next mesh with so many times the unknowns; empty if none (collective).
   std::string obstacle(const Level& level, double growth, MPI_Comm comm) const;
 
   const Problem& problem_;
+  const Stopwatch& since_start_;
+  int instants_to_come_;
   bool is_uniform_;
   /// Cells that nothing judged, or errors as large as before, may come back where cells join.
   bool may_join_ = true;
-  bool wants_edges_ = false;  ///< the goals are met, and edges of contact zones are not yet where they belong
-  bool has_joined_ = false;   ///< on the way to the mesh that was judged last
-  double excess_before_ = 0;  ///< of the goal that was furthest from being met there
-  Stopwatch since_start_{};
+  bool wants_edges_ = false;        ///< the goals are met, and edges of contact zones are not yet where they belong
+  bool has_joined_ = false;         ///< on the way to the mesh that was judged last
+  double excess_before_ = 0;        ///< of the goal that was furthest from being met there
+  double seconds_to_come_ = 0;      ///< of the instants to come, on the mesh judged last
+  double largest_solved_ = 0;       ///< unknowns of a mesh or its witness
+  std::vector<double> excesses_{};  ///< of the worst goal, mesh by mesh
+  std::vector<std::int64_t> unknowns_{};  ///< mesh by mesh
   std::vector<GoalRecord> goals_{};
   std::vector<std::vector<double>> values_{};  ///< of the goals, mesh by mesh
   std::vector<fem::Cuts> cuts_{};

@@ -1,6 +1,7 @@
 #include <plastron/computation/goal_names.hpp>
 
 #include <algorithm>
+#include <string_view>
 
 namespace plastron::computation {
 
@@ -28,9 +29,22 @@ std::vector<std::string> goal_names(const Problem& problem) {
 std::vector<estimation::Goal> estimated_goals(const Problem& problem) {
   const estimation::Catalogue catalogue = catalogue_of(problem);
   std::vector<estimation::Goal> goals;
+  const auto add = [&](const std::string& name, double tolerance) {
+    goals.push_back(find_goal(name, catalogue).value());
+    goals.back().tolerance = tolerance;
+  };
+  for (const Accuracy::Goal& goal : problem.accuracy->goals) add(goal.name, goal.tolerance);
+  const auto is_asked_for = [&](const std::string& name) {
+    return std::ranges::find(goals, name, &estimation::Goal::name) != goals.end();
+  };
+  constexpr std::string_view sum = "reaction";
+  if (problem.obstacles.size() < 2) return goals;
   for (const Accuracy::Goal& goal : problem.accuracy->goals) {
-    goals.push_back(find_goal(goal.name, catalogue).value());
-    goals.back().tolerance = goal.tolerance;
+    if (!goal.name.starts_with(sum)) continue;
+    for (const obstacle::Obstacle& obstacle : problem.obstacles) {
+      const std::string own = "obstacle." + obstacle.name + ".force" + goal.name.substr(sum.size());
+      if (!is_asked_for(own)) add(own, goal.tolerance);
+    }
   }
   return goals;
 }

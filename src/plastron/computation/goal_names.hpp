@@ -11,7 +11,8 @@ namespace plastron::computation {
 /// "energy", "reaction", "probe.NAME.u.z" and so on: see estimation::all_goals().
 std::vector<std::string> goal_names(const Problem& problem);
 
-/// What errors are estimated of for the goals of problem.accuracy, in their order. Precondition: names of goal_names().
+/// The goals of problem.accuracy, in their order. Where several obstacles share a reaction that is asked for, each one's own force follows, for
+/// the sum of forces that cancel asks for nothing. Precondition: names of goal_names().
 std::vector<estimation::Goal> estimated_goals(const Problem& problem);
 
 }  // namespace plastron::computation

@@ -27,6 +27,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -60,7 +62,8 @@ class Computation {
   Computation(const Problem& problem, MPI_Comm comm, const Observer& observer)
       : problem_(problem),
         comm_(comm),
-        observer_(observer),
+        asked_(observer),
+        observer_(with_time_limit(observer)),
         shell_(shell_description(problem)),
         instants_(instants(problem)),
         meshes_(mesh_sequence(problem, comm)),
@@ -74,7 +77,8 @@ class Computation {
     bool goes_on = problem_.accuracy ? meshes_by_accuracy() : uniform_meshes();
     if (goes_on && !problem_.steps.empty()) goes_on = begin();
     for (std::size_t i = 1; goes_on && i < instants_.size(); ++i)
-      goes_on = approach(instants_[i - 1], instants_[i]) && advance(instants_[i], continued_at(instants_[i]));
+      goes_on = has_time_for(instants_[i]) && approach(instants_[i - 1], instants_[i]) &&
+                advance(instants_[i], continued_at(instants_[i]));
     if (result_.solution && problem_.steps.empty()) judge_certificate(result_);
     if (result_.solution) {
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
@@ -91,6 +95,32 @@ class Computation {
   }
 
  private:
+  /// With max_seconds the clock may stop a mesh, too, once there is one to be the result.
+  Observer with_time_limit(Observer observer) const {
+    if (!problem_.accuracy || std::isinf(problem_.accuracy->max_seconds)) return observer;
+    observer.stop = [this, asked = observer.stop] {
+      return (asked && asked()) || since_start_.seconds() > end_of_meshes_;
+    };
+    return observer;
+  }
+
+  /// Whether a mesh was stopped by the clock alone, and the one before is the result (collective).
+  bool is_out_of_time() const {
+    return result_.status == contact::Status::interrupted && !std::isinf(end_of_meshes_) && result_.solution &&
+           !wants_to_stop(asked_, comm_);
+  }
+
+  /// Instants are not stopped once they are begun: the solution before is gone then (collective).
+  bool has_time_for(const Instant& instant) {
+    if (!problem_.accuracy) return true;
+    const double max_seconds = problem_.accuracy->max_seconds;
+    if (algebra::max_over_ranks(since_start_.seconds(), comm_) <= max_seconds) return true;
+    missed_accuracy_ +=
+        fmt::format("{}max_seconds = {:g} was over before time {:g}, and the result is that of time {:g}",
+                    missed_accuracy_.empty() ? "" : "; ", max_seconds, instant.time, at_->time);
+    return false;
+  }
+
   assembly::State state_at(const Instant& instant) const {
     return {.time = instant.time, .load_factor = instant.load_factor, .force_factors = instant.force_factors};
   }
@@ -106,7 +136,7 @@ class Computation {
   bool meshes_by_accuracy() {
     for (int i = 0; i < problem_.discretisation.refinements; ++i) meshes_.refine({});
     if (!meshes_for_goals()) return false;
-    if (instants_.size() == 1) return true;
+    if (instants_.size() == 1 || meshes_are_ahead_) return true;
     if (!approach_last()) return false;
     on_mesh_ = &instants_.back();
     cuts_.clear();
@@ -117,12 +147,20 @@ class Computation {
   /// At one instant, from the present mesh on.
   bool meshes_for_goals() {
     const bool is_first = on_mesh_ == &instants_.front();
-    AccuracyLoop loop(problem_);
+    const int instants_to_come = problem_.steps.empty() ? 0 : static_cast<int>(instants_.size());
+    AccuracyLoop loop(problem_, since_start_, instants_to_come);
     for (bool wants_more = true; wants_more;) {
       const int number = static_cast<int>(result_.levels.size());
-      if (!mesh(number)) return false;
+      if (!mesh(number)) {
+        if (!is_out_of_time()) return false;
+        result_.status = result_.levels.back().status;
+        meshes_are_ahead_ = true;
+        loop.give_up(fmt::format("the next mesh was stopped for max_seconds = {:g}", problem_.accuracy->max_seconds));
+        break;
+      }
       if (loop.wants_witness(result_, *meshes_.space())) call_witness(*on_mesh_);
       wants_more = loop.wants_more(result_, *meshes_.space()) && (is_first || result_.estimates);
+      end_of_meshes_ = loop.end_of_meshes();
       result_.levels.back().goals = loop.goals();
       if (observer_.level) observer_.level(number, result_.levels.back());
       cuts_ = loop.cuts();
@@ -130,6 +168,7 @@ class Computation {
       if (is_first) continue;
       for (signed char& mark : marks_) mark = std::max<signed char>(mark, 0);  // what the first instant needs stays
     }
+    end_of_meshes_ = std::numeric_limits<double>::infinity();
     missed_accuracy_ = loop.missed();
     return true;
   }
@@ -237,7 +276,9 @@ class Computation {
         solve_level(task, assembly::discretise(std::move(space), surface_, shell_, std::move(start)), observer_);
     for (std::size_t g = 0; g < witness.values.size(); ++g)
       result_.estimates->goals[g].at_higher_degree = witness.values[g];
-    if (!witness.values.empty()) result_.estimates->edge_change = edge_change(*result_.solution, witness.solution);
+    if (!witness.values.empty())
+      result_.estimates->edge_change =
+          edge_change(*result_.solution, witness.solution, result_.summary.least_thickness);
     result_.levels.back().seconds.witness = watch.lap();
   }
 
@@ -380,7 +421,8 @@ class Computation {
   /// Reached step by step, the last instant may be another one than what the mesh was made for.
   void judge_accuracy_at_end(const Instant& instant) {
     const estimation::Estimates& estimates = *result_.estimates;
-    if (wants_witness(problem_, *meshes_.space(), estimates, result_.summary)) call_witness(instant);
+    if (!meshes_are_ahead_ && wants_witness(problem_, *meshes_.space(), estimates, result_.summary))
+      call_witness(instant);
     const std::string missed = shortfall(goal_records(problem_, estimates, result_.summary), estimates);
     if (missed.empty()) return;
     missed_accuracy_ +=
@@ -442,10 +484,15 @@ class Computation {
 
   const Problem& problem_;
   MPI_Comm comm_;
-  const Observer& observer_;
+  const Observer& asked_;
+  Stopwatch since_start_{};
+  double end_of_meshes_ =
+      std::numeric_limits<double>::infinity();  ///< [s since the start]; none before the first mesh is done
+  Observer observer_;                           ///< what was asked for, and the clock
   assembly::ShellDescription shell_;
   std::vector<Instant> instants_;
   fem::MeshSequence meshes_;
+  bool meshes_are_ahead_ = false;  ///< of the solution, whose successor the clock has stopped
   std::shared_ptr<const fem::Surface> surface_;
   Result result_{};
   Level latest_{};

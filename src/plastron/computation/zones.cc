@@ -22,6 +22,18 @@ bool has_cell_in_contact(const Solution& solution, std::size_t obstacle) {
   return algebra::sum_over_ranks(cells, space.layout->comm) > 0;
 }
 
+/// The width of strips and rings, the radius of round zones [m].
+double width_of(const certificate::ContactZone& zone) {
+  const double length = zone.line_length() + zone.rim_length();
+  return length > 0 ? 2 * zone.area / length : 0;
+}
+
+/// Those that are wider than the layer at their edges, half of the thickness: narrower ones carry their reaction as lines do.
+std::vector<certificate::ContactZone> wide_zones(std::vector<certificate::ContactZone> zones, double thickness) {
+  std::erase_if(zones, [&](const certificate::ContactZone& zone) { return width_of(zone) < thickness / 2; });
+  return zones;
+}
+
 }  // namespace
 
 void add_contact_zones(Result& result) {
@@ -32,12 +44,15 @@ void add_contact_zones(Result& result) {
   }
 }
 
-double edge_change(const Solution& one, const Solution& other) {
+double edge_change(const Solution& one, const Solution& other, double least_thickness) {
   const auto zones = certificate::contact_zones(*one.discrete, one.nodal);
   const auto others = certificate::contact_zones(*other.discrete, other.nodal);
   double most = 0;
-  for (std::size_t k = 0; k < zones.size(); ++k)
-    if (has_cell_in_contact(one, k)) most = std::max(most, certificate::relative_distance(zones[k], others[k]));
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    if (!has_cell_in_contact(one, k)) continue;
+    const auto wide = wide_zones(zones[k], least_thickness);
+    if (!wide.empty()) most = std::max(most, certificate::relative_distance(wide, others[k]));
+  }
   return most;
 }
 

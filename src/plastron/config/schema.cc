@@ -63,11 +63,14 @@ Section accuracy_section() {
       "their tolerances, judged by the errors of recovered stress resultants and by a solution at one degree more on "
       "the same cells (triangles: on two meshes in a row). Tolerances are relative to the number's own size, or to a "
       "thousandth of the largest of its kind where that is more: a component that vanishes by symmetry has no digits; "
-      "that of all obstacles together is relative to the sum of what each bears. Without [mesh] and [accuracy] the "
-      "tolerances of energy and reaction are 1e-3. Triangles, joined edges and rigid bodies: all cells are refined "
-      "alike.",
+      "that of all obstacles together is relative to the sum of what each bears, and holds for each one's own force, "
+      "too. Without [mesh] and [accuracy] the tolerances of energy and reaction are 1e-3. Triangles, joined edges and "
+      "rigid bodies: all cells are refined alike. A mesh that would not fit into the memory of the machine is not "
+      "begun; then the status is accuracy_not_reached.",
       {{.name = "energy", .range = tolerance, .meaning = "tolerance of the stored energy"},
-       {.name = "reaction", .range = tolerance, .meaning = "tolerance of the norm of the obstacles' reaction"},
+       {.name = "reaction",
+        .range = tolerance,
+        .meaning = "tolerance of the norm of the obstacles' reaction, of all together and of each"},
        {.name = "contact_area", .range = tolerance, .meaning = "tolerance of the area of the contact zones"},
        {.name = "max_unknowns",
         .fallback = "2e6",
@@ -77,7 +80,8 @@ Section accuracy_section() {
        {.name = "max_seconds",
         .unit = "s",
         .range = Range::above_to(0, std::numeric_limits<double>::infinity()),
-        .meaning = "no mesh is begun that would end later; if that does not do, the status is accuracy_not_reached"}},
+        .meaning = "no mesh is begun that would end later, steps on it included, and the first mesh apart none goes on "
+                   "beyond; if that does not do, the status is accuracy_not_reached"}},
       {},
       "tolerances of other numbers of results.json, by their names in quotes: \"probe.NAME.u.z\" and its like for u, "
       "r, N, M, Q; "

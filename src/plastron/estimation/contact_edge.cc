@@ -1,15 +1,47 @@
 #include <plastron/estimation/contact_edge.hpp>
 
+#include <plastron/element/element_tables.hpp>
+#include <plastron/fem/basis.hpp>
+#include <plastron/fem/reference_cell.hpp>
+#include <plastron/geometry/frame.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace plastron::estimation {
+
+namespace {
+
+constexpr int samples = 5;  ///< between two nodes
+
+/// On each line of nodes along a direction `samples` points between neighbours, line after line.
+element::BasisAt between_nodes(const fem::Space& space, int direction) {
+  const std::vector<double> line = fem::gauss_lobatto(space.degree + 1).points;
+  std::vector<Eigen::Vector2d> points;
+  for (const double beside : line)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+      for (int s = 1; s <= samples; ++s) {
+        Eigen::Vector2d xi(beside, beside);
+        xi[direction] = line[i] + (line[i + 1] - line[i]) * s / (samples + 1);
+        points.push_back(xi);
+      }
+  return element::basis_at(space.shape(), space.degree, points);
+}
+
+/// How far a field opens a gap.
+double opening(const obstacle::Gap& gap, const auto& row, const Eigen::Vector3d& a3) {
+  return gap.normal.dot(Eigen::Vector3d(row.template head<3>())) +
+         gap.z * gap.normal.dot(geometry::tangential(row.template tail<3>(), a3));
+}
+
+}  // namespace
 
 ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
   const assembly::DiscreteShell& discrete = solved.discrete;
   const fem::Space& space = discrete.space();
   const std::size_t obstacles = discrete.obstacles.all.size();
   if (obstacles == 0) return;
+  if (certificate::edge_contact(discrete, solved.nodal).is_line()) find_rim();
   eta_ = densities(solved.z.multiplier);
   reaction_basis_ = element::reaction_basis_at(space.shape(), space.degree, discrete.shell.tables().quadrature.xi);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
@@ -23,11 +55,119 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
         of_these += touches_it && has_bound ? 1 : 0;
       }
       if (of_these == 0 || of_these == bounded) continue;
+      if (stands_on_rim(cell, k) && !has_end_of_line(cell, k)) continue;
       crossed_.push_back(cell);
       touching_nodes_.push_back(touching);
       across_.push_back(direction_across(cell, k));
       break;
     }
+  find_deepest();
+}
+
+std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell, std::size_t obstacle,
+                                                                const element::BasisAt& at) const {
+  const assembly::DiscreteShell& discrete = solved_.discrete;
+  const assembly::ShellOperator& shell = discrete.shell;
+  const fem::Space& space = discrete.space();
+  std::vector<geometry::SurfaceJet> jets(at.xi.size());
+  std::vector<double> x(jets.size()), y(jets.size()), e(jets.size());
+  shell.surface().jets(space.cells[cell], at.xi, jets, false);
+  shell.surface().positions(space.cells[cell], at.xi, x, y);
+  shell.section(cell).thickness.evaluate(x, y, e);
+  const element::CellField u = shell.interpolation().values(cell, at, shell.gather(cell, solved_.nodal.y));
+  const element::CellField moved = discrete.state_values(cell, at);
+  std::vector<std::pair<double, obstacle::Gap>> result;
+  for (std::size_t p = 0; p < jets.size(); ++p) {
+    const auto row = static_cast<Eigen::Index>(p);
+    const Eigen::Vector3d a3 = geometry::unit_normal(jets[p]);
+    const obstacle::Gap gap =
+        discrete.gap(obstacle, assembly::shell_point(jets[p].value, a3, e[p], moved.row(row).transpose()));
+    result.emplace_back(gap.initial + opening(gap, u.row(row), a3), gap);
+  }
+  return result;
+}
+
+void ContactEdge::find_deepest() {
+  const fem::Space& space = solved_.discrete.space();
+  if (space.shape() != fem::Shape::quadrilateral) return;
+  const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
+  for (int d = 0; d < 2; ++d) between_[static_cast<std::size_t>(d)] = between_nodes(space, d);
+  algebra::Vector depths(space.layout, static_cast<int>(obstacles));
+  for (std::size_t c = 0; c < crossed_.size(); ++c)
+    for (std::size_t k = 0; k < obstacles; ++k) {
+      const auto nodes = space.nodes(crossed_[c]);
+      const auto touches_it = [&](algebra::LocalIndex node) { return touches(static_cast<std::size_t>(node), k); };
+      if (std::ranges::none_of(nodes, touches_it) || stands_on_rim(crossed_[c], k)) continue;
+      const auto d = static_cast<std::size_t>(direction_across(crossed_[c], k));
+      const auto found = gaps(crossed_[c], k, between_[d]);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+          const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
+          if (!touches(node, k)) continue;
+          const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
+          const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
+          const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
+          const auto least = std::min_element(from, to, [](const auto& a, const auto& b) { return a.first < b.first; });
+          if (!(least->first < 0)) continue;
+          deepest_.push_back({c, k, node, d, least - found.begin(), least->first});
+          depths.local()[node * obstacles + k] -= least->first;
+        }
+    }
+  depths.accumulate_ghosts();
+  depths.update_ghosts();
+  for (Deepest& at : deepest_) at.part = -at.gap / depths.local()[at.node * obstacles + at.obstacle];
+}
+
+std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const algebra::Vector& y,
+                                             const Reactions& reactions) const {
+  const assembly::DiscreteShell& discrete = solved_.discrete;
+  std::vector<double> lines(crossed_.size(), 0);
+  for (const Deepest& at : deepest_) {
+    const std::size_t cell = crossed_[at.crossed], entry = at.node * discrete.obstacles.all.size() + at.obstacle;
+    const element::BasisAt& between = between_[at.direction];
+    const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];
+    const element::BasisAt point = element::basis_at(fem::Shape::quadrilateral, discrete.space().degree, {xi});
+    const obstacle::Gap gap = gaps(cell, at.obstacle, point).front().second;
+    geometry::SurfaceJet jet;
+    discrete.shell.surface().jets(discrete.space().cells[cell], {&xi, 1}, {&jet, 1}, false);
+    const element::CellField z = discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, y));
+    const double weight = at.part * discrete.points[at.node].weight;
+    const double mu = weight * (reactions.mu[entry] + (derivative.weighs_gaps ? reactions.eta[entry] : 0));
+    const double eta = weight * reactions.eta[entry];
+    const double reach = opening(gap, z.row(0), geometry::unit_normal(jet)) - derivative.held_at(at.obstacle, gap);
+    lines[at.crossed] += std::max(std::abs(mu * at.gap), solved_.box.pressing.empty() ? std::abs(eta * reach) : 0.0);
+  }
+  return lines;
+}
+
+void ContactEdge::find_rim() {
+  const fem::Space& space = solved_.discrete.space();
+  on_rim_.assign(solved_.discrete.points.size(), 0);
+  for (const fem::BoundarySide& side : space.sides) {
+    if (side.is_inner) continue;
+    if (side.cell < space.owned_cells) rim_sides_.emplace_back(side.cell, side.side);
+    for (const int node : fem::side_nodes(space.shape(), space.degree, side.side))
+      on_rim_[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(node)])] = 1;
+  }
+}
+
+bool ContactEdge::stands_on_rim(std::size_t cell, std::size_t obstacle) const {
+  return !on_rim_.empty() && std::ranges::all_of(solved_.discrete.space().nodes(cell), [&](algebra::LocalIndex node) {
+    const auto i = static_cast<std::size_t>(node);
+    return on_rim_[i] != 0 || !touches(i, obstacle);
+  });
+}
+
+bool ContactEdge::has_end_of_line(std::size_t cell, std::size_t obstacle) const {
+  const fem::Space& space = solved_.discrete.space();
+  return std::ranges::any_of(rim_sides_, [&](const auto& side) {
+    if (side.first != cell) return false;
+    const auto nodes = fem::side_nodes(space.shape(), space.degree, side.second);
+    const auto touching = std::ranges::count_if(nodes, [&](int node) {
+      return touches(static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(node)]), obstacle);
+    });
+    return touching > 0 && touching < std::ssize(nodes);
+  });
 }
 
 int ContactEdge::direction_across(std::size_t cell, std::size_t obstacle) const {
@@ -78,6 +218,7 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
   const fem::Space& space = discrete.space();
   const element::BasisAt& at = shell.tables().quadrature;
   const std::size_t obstacles = discrete.obstacles.all.size();
+  if (stands_on_rim(cell, obstacle)) return 0;  // a line reaction is no density
   Eigen::MatrixXd densities(space.nodes_per_cell(), 2);
   for (int i = 0; i < space.nodes_per_cell(); ++i) {
     const std::size_t node = static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(i)]) * obstacles;
@@ -95,10 +236,7 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
     const obstacle::Gap gap =
         discrete.gap(obstacle, assembly::shell_point(jets[static_cast<std::size_t>(q)].value, p.frame.a3, p.thickness,
                                                      moved.row(q).transpose()));
-    const auto opened = [&](const element::CellField& field) {
-      return gap.normal.dot(Eigen::Vector3d(field.row(q).head<3>())) +
-             gap.z * gap.normal.dot(geometry::tangential(field.row(q).tail<3>(), p.frame.a3));
-    };
+    const auto opened = [&](const element::CellField& field) { return opening(gap, field.row(q), p.frame.a3); };
     penetration += p.area * density(q, 0) * (gap.initial + opened(u));
     reach += p.area * density(q, 1) * (opened(dual) - derivative.held_at(obstacle, gap));
     if (derivative.weighs_gaps) penetration += p.area * density(q, 1) * (gap.initial + opened(u));
@@ -107,20 +245,21 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
   return std::max(std::abs(penetration), solved_.box.pressing.empty() ? std::abs(reach) : 0.0);
 }
 
-std::vector<double> ContactEdge::shares(const Derivative& derivative, const algebra::Vector& z,
-                                        const algebra::Vector& y) const {
-  std::vector<double> all(crossed_.size(), 0);
-  if (eta_.empty()) return all;
+EdgeShares ContactEdge::shares(const Derivative& derivative, const algebra::Vector& z, const algebra::Vector& y) const {
+  EdgeShares result(crossed_.size());
+  if (eta_.empty()) return result;
   algebra::Vector multiplier(z.layout(), z.block());
   solved_.box.apply(z, multiplier);
   algebra::axpy(-1, derivative.dual.load, multiplier);
   const Reactions reactions{.mu = densities(multiplier), .eta = eta_};
+  result.lines = line_shares(derivative, y, reactions);
   for (std::size_t i = 0; i < crossed_.size(); ++i) {
     const element::CellField field = solved_.discrete.shell.gather(crossed_[i], y);
     for (std::size_t k = 0; k < solved_.discrete.obstacles.all.size(); ++k)
-      all[i] += share(crossed_[i], k, derivative, field, reactions);
+      result.all[i] += share(crossed_[i], k, derivative, field, reactions);
+    result.all[i] = std::max(result.all[i], result.lines[i]);
   }
-  return all;
+  return result;
 }
 
 }  // namespace plastron::estimation

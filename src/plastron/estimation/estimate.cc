@@ -77,9 +77,9 @@ class GoalEstimator {
       add_energy_shares(shell, primal_, result.cells);
       result.free_edges += twist_product(primal_, primal_) / 2;
     }
-    std::vector<double> at_edge(edge_.crossed().size(), 0);
+    EdgeShares at_edge(edge_.crossed().size());
     if (std::holds_alternative<ContactArea>(goal.functional))
-      std::ranges::transform(edge_.crossed(), at_edge.begin(), [&](std::size_t c) { return area_share(shell, c); });
+      std::ranges::transform(edge_.crossed(), at_edge.all.begin(), [&](std::size_t c) { return area_share(shell, c); });
     if (!weighs_nothing(d.dual)) {
       const auto z = duals_.solve(d.dual);
       result.has_dual = z.has_value();
@@ -92,7 +92,7 @@ class GoalEstimator {
 
  private:
   /// Returns the shares of the contact zone's edge.
-  std::vector<double> add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) {
+  EdgeShares add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) {
     algebra::Vector y(z.layout(), 6);
     solved_.discrete.coordinates.to_cartesian(z, y);
     result.dual_energy = solved_.discrete.shell.energies(y).total();
@@ -103,17 +103,20 @@ class GoalEstimator {
   }
 
   /// Where the edge of a contact zone crosses a cell, nothing there has a sign that is known.
-  void sum_up(const std::vector<double>& at_edge, GoalEstimate& result) const {
+  void sum_up(const EdgeShares& at_edge, GoalEstimate& result) const {
     const fem::Space& space = solved_.discrete.space();
-    std::vector<double> smooth = result.cells, edge(static_cast<std::size_t>(space.nodes_per_cell()) + 1, 0);
-    for (std::size_t i = 0; i < at_edge.size(); ++i) {
+    std::vector<double> smooth = result.cells, edge(static_cast<std::size_t>(space.nodes_per_cell()) + 1, 0),
+                        lines = edge;
+    for (std::size_t i = 0; i < at_edge.all.size(); ++i) {
       const std::size_t cell = edge_.crossed()[i];
       smooth[cell] = 0;
-      result.cells[cell] = std::max(std::abs(result.cells[cell]), at_edge[i]);
+      result.cells[cell] = std::max(std::abs(result.cells[cell]), at_edge.all[i]);
       edge[edge_.touching_nodes()[i]] += result.cells[cell];
+      lines[edge_.touching_nodes()[i]] += at_edge.lines[i];
     }
     result.estimate = over_ranks(smooth, space.layout->comm);
     result.contact_edge = root_of_squares(edge, space.layout->comm);
+    result.contact_line = root_of_squares(lines, space.layout->comm);
   }
 
   const Solved& solved_;

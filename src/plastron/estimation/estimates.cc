@@ -9,7 +9,7 @@ double GoalEstimate::difference() const { return at_higher_degree ? *at_higher_d
 
 double GoalEstimate::least_error() const {
   constexpr double least_part = 0.2;
-  return least_part * recovered_error();
+  return std::max(least_part * recovered_error(), contact_line);
 }
 
 // Measured on problems with known answers (docs/methods/estimates.md).

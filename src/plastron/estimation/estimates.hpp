@@ -16,6 +16,8 @@ struct GoalEstimate {
   double estimate = 0;  ///< signed: of the exact value minus `value`, as far as its sign can be known
   /// What the edge of the contact zone may add to that, of either sign: it lies somewhere inside of the cells that it crosses, >= 0.
   double contact_edge = 0;
+  /// The part of that for true lines of contact beside the rows of nodes that touch, which a higher degree with the same rows does not see.
+  double contact_line = 0;
   std::vector<double>
       cells{};  ///< shares of the owned cells: signed, and >= 0 where the contact zone's edge crosses the cell
   /// The part of `estimate` for layers of free edges, which no polynomial in a cell sees (free_edges.hpp).
@@ -29,7 +31,8 @@ struct GoalEstimate {
   double difference() const;
   /// The size of |exact value - value| as recovered resultants have it.
   double recovered_error() const { return (estimate < 0 ? -estimate : estimate) + contact_edge; }
-  /// What is left of that whatever a higher degree says: recovered resultants are rarely more than five times too large.
+  /// What is left of that whatever a higher degree says: recovered resultants are rarely more than five times too large, and lines of contact
+  /// stay where they are.
   double least_error() const;
   /// The same by all that is known (docs/methods/estimates.md).
   double error() const;

@@ -109,7 +109,10 @@ std::vector<NamedExpression> thickness_expressions(const Examined& examined) {
 void check_thickness(Examined& examined, const JumpSearch& search) {
   for (const NamedExpression& e : thickness_expressions(examined)) {
     const double scale = scale_of(examined, e);
-    if (const auto jump = search.in_cells(values_of(examined, e, scale), 1e-6, Lines::allowed))
+    const CellFunction values = values_of(examined, e, scale);
+    auto jump = search.in_cells(values, 1e-6, Lines::allowed);
+    if (!jump) jump = search.along_lines(values, 1e-6, Lines::allowed);
+    if (jump)
       examined.add(Severity::error,
                    "the thickness {} jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} m, and elements "
                    "take it for smooth; {}; or let it change over a length",

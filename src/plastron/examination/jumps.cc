@@ -4,6 +4,7 @@
 #include <plastron/fem/mesh_sequence.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace plastron::examination {
@@ -107,6 +108,31 @@ std::optional<Jump> JumpSearch::in_cells(const CellFunction& f, double tolerance
       if (auto jump = between(cell, {points_[i], values[i]}, {points_[k], values[k]}, f, tolerance, on_lines))
         return jump;
   }
+  return {};
+}
+
+std::optional<Jump> JumpSearch::along_lines(const CellFunction& f, double tolerance, Lines on_lines) const {
+  constexpr int enough_samples = 100'000, most = 2000;
+  constexpr std::array offsets{0.29, 0.71};
+  constexpr int lines = 2 * static_cast<int>(offsets.size());
+  const int pieces = std::clamp(enough_samples / (lines * static_cast<int>(space_->cells.size())), 1, most);
+  for (const fem::Cell& cell : space_->cells)
+    for (const double offset : offsets)
+      for (int along = 0; along < 2; ++along) {
+        const double length = space_->shape() == fem::Shape::triangle ? 1 - offset : 1;
+        const auto end = [&](int k) {
+          Vector2d xi(offset, offset);
+          xi[along] = length * k / pieces;
+          xi = drawn_in(space_->shape(), xi);
+          return End{xi, f(cell, xi)};
+        };
+        End from = end(0);
+        for (int k = 1; k <= pieces; ++k) {
+          End to = end(k);
+          if (auto jump = between(cell, from, to, f, tolerance, on_lines)) return jump;
+          from = std::move(to);
+        }
+      }
   return {};
 }
 
