@@ -185,6 +185,33 @@ void print_estimates(const computation::Result& result) {
           result.estimates->unjudged_cells);
 }
 
+/// As many digits as the estimate of the error leaves, two at least.
+std::string with_known_digits(double value, double error) {
+  const double part = value != 0 ? std::abs(error / value) : 1;
+  const int digits = std::isfinite(part) && part > 0 ? static_cast<int>(std::ceil(-std::log10(part))) : 4;
+  return fmt::format("{:.{}g}", value, std::clamp(digits, 2, 6));
+}
+
+void print_stress(const computation::Result& result) {
+  const recovery::StressPeak& peak = result.peak;
+  print("                  von Mises stress {} Pa at ({:.4g}, {:.4g}, {:.4g}) m, z = {:.3g} m{}\n",
+        with_known_digits(peak.von_mises, peak.error), peak.position[0], peak.position[1], peak.position[2],
+        peak.height,
+        std::isfinite(peak.error) && peak.von_mises > 0
+            ? fmt::format(", estimated error {:.2g} %", 100 * peak.error / peak.von_mises)
+            : "");
+  constexpr std::size_t most = 4;
+  if (result.singular_places.empty()) return;
+  print("                  away from places where stresses have no limit:\n");
+  for (std::size_t i = 0; i < std::min(most, result.singular_places.size()); ++i) {
+    const certificate::SingularPlace& place = result.singular_places[i];
+    print("                    {} at ({:.4g}, {:.4g}, {:.4g}) m\n", place.what, place.position[0], place.position[1],
+          place.position[2]);
+  }
+  if (result.singular_places.size() > most)
+    print("                    and {} more (singular_places in results.json)\n", result.singular_places.size() - most);
+}
+
 }  // namespace
 
 void print_summary(const computation::Result& result) {
@@ -197,13 +224,14 @@ void print_summary(const computation::Result& result) {
   print_estimates(result);
   print("largest           |u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad\n", s.max_displacement,
         s.max_relative_displacement, s.max_rotation);
-  print("                  von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) m, z = {:.3g} m\n",
-        result.peak.von_mises, result.peak.position[0], result.peak.position[1], result.peak.position[2],
-        result.peak.height);
+  print_stress(result);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
   for (const auto& r : s.support_reactions)
     if (s.support_reactions.size() > 1) print("  {:<16}{} N\n", r.boundary, vector_text(r.reaction.force));
+  for (const auto& c : s.corner_reactions)
+    print("  at {:<12} {} N, of the corner of {}\n", fmt::format("({:g}, {:g})", c.at[0], c.at[1]),
+          vector_text(c.reaction.force), fmt::join(c.boundaries, ", "));
   for (const auto& p : s.point_reactions)
     print("  at {:<12} {} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
   for (const auto& b : s.body_reactions) {
@@ -214,8 +242,9 @@ void print_summary(const computation::Result& result) {
   if (result.has_obstacle) {
     for (const auto& o : s.obstacles)
       print("{:<17} {} N\n", s.obstacles.size() == 1 ? "obstacle" : o.name, vector_text(o.reaction.force));
-    print("contact           {} nodes, area {:.6e} m^2, pressure at most {:.6e} Pa\n", s.touching_nodes, s.contact_area,
-          s.edge.is_line() ? s.edge.pressure_inside : s.max_pressure);
+    print(
+        "contact           {} nodes, area {:.6e} m^2{}\n", s.touching_nodes, s.contact_area,
+        std::isfinite(result.max_pressure()) ? fmt::format(", pressure at most {:.6e} Pa", result.max_pressure()) : "");
     print_zones(s.obstacles);
     if (s.edge.is_line())
       print("on the edge       {} nodes, {:.6e} N, a line reaction of at most {:.6e} N/m\n", s.edge.nodes, s.edge.force,

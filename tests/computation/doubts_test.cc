@@ -186,5 +186,79 @@ TEST(Certificate, of_a_rigid_motion_that_supports_prescribe_passes) {
   EXPECT_EQ(r.status, Status::solved) << r.missed_limits;
 }
 
+/// A strip that its weight presses on a thin roller across its middle.
+Problem strip_on_roller(int refinements) {
+  Problem p = pressed_strip();
+  p.obstacles[0].shape = obstacle::Cylinder{.point = {0.5, 0, -0.02}, .axis = {0, 1, 0}, .radius = 0.02};
+  p.obstacles[0].name = "roller";
+  p.discretisation = {.degree = 2, .refinements = refinements};
+  return p;
+}
+
+TEST(Contact, along_a_line_inside_the_shell_has_a_reaction_by_length_and_no_pressure) {
+  std::vector<double> line_reactions, pressures;
+  for (const int refinements : {1, 2}) {
+    const Result r = solve(strip_on_roller(refinements), MPI_COMM_SELF);
+    ASSERT_EQ(r.status, Status::solved) << r.missed_limits;
+    EXPECT_THAT(r.warnings, Contains(AllOf(HasSubstr("\"roller\" along lines"), HasSubstr("depends on the mesh"))));
+    EXPECT_TRUE(std::isnan(r.max_pressure()));
+    ASSERT_EQ(r.summary.obstacles[0].zones.size(), 1u);
+    EXPECT_TRUE(r.summary.obstacles[0].zones[0].is_line());
+    line_reactions.push_back(r.summary.obstacles[0].zones[0].line_reaction());
+    pressures.push_back(r.summary.max_pressure);
+    EXPECT_NEAR(line_reactions.back(), r.summary.reaction.force.norm() / 0.125, 0.2 * line_reactions.back());
+  }
+  EXPECT_NEAR(line_reactions[0], line_reactions[1], 0.05 * line_reactions[1]);
+  EXPECT_GT(pressures[1], 1.5 * pressures[0]);
+  Problem pressed = pressed_strip();
+  pressed.discretisation.refinements = 2;
+  const Result r = solve(pressed, MPI_COMM_SELF);
+  EXPECT_DOUBLE_EQ(r.max_pressure(), r.summary.max_pressure);
+  EXPECT_THAT(r.warnings, Not(Contains(HasSubstr("along lines"))));
+}
+
+TEST(TheLargestStress, leaves_out_places_where_stresses_have_no_limit_and_names_them) {
+  Problem cantilever = cantilever_plate(), square = free_plate(), ell = free_plate();
+  square.area_loads = ell.area_loads = cantilever.area_loads;
+  for (const char* side : {"left", "right", "bottom", "top"}) square.supports.push_back(clamped(side));
+  ell.domain = fem::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  for (int k = 1; k <= 6; ++k) ell.supports.push_back(clamped(fmt::format("edge{}", k)));
+  const Result a = solve(cantilever, MPI_COMM_SELF), b = solve(square, MPI_COMM_SELF), c = solve(ell, MPI_COMM_SELF);
+  ASSERT_EQ(a.singular_places.size(), 2u);
+  for (const auto& place : a.singular_places) {
+    EXPECT_THAT(place.what, HasSubstr("corner where supports change of 90 degrees"));
+    EXPECT_EQ(place.at[0], 0);
+    EXPECT_GE((a.peak.position - place.position).norm(), place.radius);
+  }
+  EXPECT_EQ(a.peak.x[0], 0);
+  EXPECT_TRUE(b.singular_places.empty());
+  EXPECT_GT(b.peak.error, 0);
+  ASSERT_EQ(c.singular_places.size(), 1u);
+  EXPECT_THAT(c.singular_places[0].what, HasSubstr("re-entrant corner of 270 degrees"));
+  EXPECT_EQ(c.singular_places[0].at, Eigen::Vector2d(1, 1));
+}
+
+// Clamped, nu = 0.3, thin: M = 0.0513 q a^2 in the middle of an edge (Timoshenko and Woinowsky-Krieger, table 35), where the largest stress is sigma =
+// 6 M/e^2 with the other principal one nu sigma.
+TEST(TheLargestStress, of_a_run_to_an_accuracy_is_as_accurate_as_it_says_and_is_that_of_probes) {
+  Problem p = free_plate();
+  p.sections.common.thickness = Expression(0.02);
+  for (const char* side : {"left", "right", "bottom", "top"}) p.supports.push_back(clamped(side));
+  p.area_loads = {force(0, 0, -1)};
+  p.probes = {{"edge", {0, 0.5}}};
+  p.discretisation = {.degree = 4, .layers = Layers::automatic, .refinements = 0};
+  p.accuracy = Accuracy{.goals = {{"stress", 0.02}, {"probe.edge.M.11", 0.02}, {"probe.edge.von_mises", 0.02}}};
+  const Result r = solve(p, MPI_COMM_SELF);
+  ASSERT_EQ(r.status, Status::solved) << r.missed_limits;
+  const double M = 0.0513, von_mises = 6 * M / (0.02 * 0.02) * std::sqrt(1 - 0.3 + 0.09);
+  const recovery::PointValues& edge = r.probes[0].values;
+  EXPECT_NEAR(std::abs(edge.M[0]), M, 0.02 * M);
+  EXPECT_NEAR(r.peak.von_mises, von_mises, 0.02 * von_mises);
+  EXPECT_NEAR(r.estimates->goals[0].value, r.peak.von_mises, 1e-9 * von_mises);
+  EXPECT_NEAR(r.estimates->goals[1].value, edge.M[0], 1e-9 * M);
+  EXPECT_NEAR(r.estimates->goals[2].value, shell::largest_von_mises(section_forces(edge)).stress, 1e-9 * von_mises);
+  EXPECT_LE(r.peak.error, 0.01 * von_mises);
+}
+
 }  // namespace
 }  // namespace plastron::computation

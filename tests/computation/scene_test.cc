@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/solve.hpp>
-#include <plastron/computation/stress_peak.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>

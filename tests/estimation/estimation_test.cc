@@ -58,6 +58,10 @@ class SolvedSaddle {
   Estimates all(const std::vector<Goal>& goals) {
     return estimation::estimate({.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_}, *pins_, goals);
   }
+  Derivative derivative_of(const Functional& functional) {
+    return derivative(functional, {.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_});
+  }
+  const algebra::Vector& coordinates() const { return z_.z; }
   std::int64_t touching() const { return static_cast<std::int64_t>(std::ranges::count(nodal_.touching.owned(), 1.0)); }
   MPI_Comm comm() const { return discrete_->space().layout->comm; }
   int factorisations() const { return factor_->factorisations(); }
@@ -174,6 +178,25 @@ TEST(AGoalsError, HasAPartOfFreeEdges) {
   EXPECT_NEAR(energy.free_edges, work.free_edges / 2, 1e-9 * work.free_edges);
 }
 
+// Resultants and stresses are linear in the displacements, von Mises's is homogeneous: the value is what the dual's load makes of the solution.
+TEST(Functionals, OfStressesAreTheirOwnDerivatives) {
+  for (const Choice& choice : {Choice{.degree = 2}, Choice{.degree = 4, .refinements = 1},
+                               Choice{.degree = 2, .shape = fem::Shape::triangle, .tying = false}}) {
+    SolvedSaddle saddle(choice);
+    for (const bool is_smooth : {true, false})
+      for (const Functional& f : std::vector<Functional>{
+               PointStress{.at = {0.52, 0.37}, .component = 3, .is_smooth = is_smooth},
+               PointStress{.at = {0, 0.5}, .component = 6, .axis = Eigen::Vector3d(1, 2, 0), .is_smooth = is_smooth},
+               PointStress{.at = {0.52, 0.37}, .kind = StressKind::upper, .component = 2, .is_smooth = is_smooth},
+               PointStress{.at = {0.9, 0.37}, .kind = StressKind::von_mises, .is_smooth = is_smooth},
+               LargestStress{is_smooth}}) {
+        const Derivative d = saddle.derivative_of(f);
+        EXPECT_GT(std::abs(d.value), 0);
+        EXPECT_NEAR(algebra::dot(d.dual.load, saddle.coordinates()), d.value, 1e-9 * std::abs(d.value)) << f.index();
+      }
+  }
+}
+
 TEST(Estimates, ShowByTheDualEnergyWhatHasNoLimit) {
   const Eigen::Vector2d at(0.5, 0.5);
   const auto growth = [&](const Functional& f) {
@@ -182,7 +205,7 @@ TEST(Estimates, ShowByTheDualEnergyWhatHasNoLimit) {
   };
   EXPECT_LT(growth(LoadWork{}), 1.05);
   EXPECT_LT(growth(PointDisplacement{at, 2}), 1.5);  // as a logarithm
-  EXPECT_GT(growth(PointResultant{{0.52, 0.37}, 3}), 1.6);
+  EXPECT_GT(growth(PointStress{.at = {0.52, 0.37}, .component = 3}), 1.6);
 }
 
 TEST(Estimates, AreTheSameHoweverTheCellsAreSpread) {
@@ -190,7 +213,9 @@ TEST(Estimates, AreTheSameHoweverTheCellsAreSpread) {
                                 {"force", ObstacleForce{}},
                                 {"area", ContactArea{}},
                                 {"u", PointDisplacement{{0.52, 0.37}, 2}},
-                                {"M", PointResultant{{0.52, 0.37}, 4}}};
+                                {"M", PointStress{.at = {0.52, 0.37}, .component = 4}},
+                                {"s", PointStress{.at = {0.52, 0.37}, .kind = StressKind::upper, .component = 1}},
+                                {"stress", LargestStress{}}};
   Choice choice{.degree = 3, .refinements = 2, .has_obstacle = true};
   SolvedSaddle spread(choice);
   choice.comm = MPI_COMM_SELF;

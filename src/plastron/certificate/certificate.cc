@@ -11,7 +11,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 
 namespace plastron::certificate {
@@ -61,6 +60,16 @@ double size_of(const assembly::DiscreteShell& discrete) {
   return assembly::bounding_box(discrete.points.size(), place, discrete.space().layout->comm).half_diagonal();
 }
 
+/// Sum of the norms of the nodal loads, couples over the length `size` [N] (collective).
+double load_norms(const assembly::DiscreteShell& discrete, double size) {
+  double sum = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const Vector6 load = block6(discrete.load, i);
+    sum += load.head<3>().norm() + load.tail<3>().norm() / size;
+  }
+  return algebra::sum_over_ranks(sum, discrete.space().layout->comm);
+}
+
 /// Sums over the owned nodes of one rank.
 struct Sums {
   Wrench loads, supports;
@@ -75,7 +84,6 @@ struct Sums {
   double min_pressure = std::numeric_limits<double>::infinity(), min_gap = std::numeric_limits<double>::infinity();
   std::int64_t touching = 0;
   std::vector<NodalSupportForce> at_supports{};
-  std::map<std::size_t, Vector3d> at_points{};  // forces of the supports at nodes that a support holds as a point
 };
 
 void add(Wrench& wrench, const assembly::NodalPoint& p, const Vector6& f, Sums& sums) {
@@ -158,8 +166,6 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
     if (coordinates.is_prescribed(i, k)) {
       add(sums.supports, discrete.points[i], component * direction, sums);
       support += component * direction;
-      if (const auto at = sums.at_points.find(i); at != sums.at_points.end())
-        at->second += component * direction.head<3>();
       sums.support_work += component * direction.dot(y);
       // Prescribed directions are unit vectors orthogonal to all others of the node: the coordinate is a projection.
       const double error = std::abs(direction.dot(y) - coordinates.lower.local()[coordinates.at(i, k)]);
@@ -406,7 +412,6 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   const algebra::Vector r = residual(discrete, solution);
   const double size = size_of(discrete);
   Sums sums;
-  for (const auto& [support, node] : point_nodes(discrete)) sums.at_points.emplace(node, Vector3d::Zero());
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
     sums.obstacles.push_back(untouched(discrete.obstacles_at_start.all[k], discrete.obstacles.now(k)));
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
@@ -425,9 +430,11 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   const bool is_unstrained = a < rounding_of_energy * scale.energy;
   verdict.summary.is_unstrained = is_unstrained;
   verdict.summary.load_norms = load_norms(discrete, size);
-  verdict.summary.support_reactions = support_reactions(discrete, sums.at_supports);
+  SupportReactions supports = support_reactions(discrete, sums.at_supports);
+  verdict.summary.support_reactions = std::move(supports.boundaries);
+  verdict.summary.corner_reactions = std::move(supports.corners);
+  verdict.summary.point_reactions = std::move(supports.points);
   verdict.summary.body_reactions = std::move(bodies.bodies);
-  verdict.summary.point_reactions = point_reactions(discrete, sums.at_points);
   verdict.certificate = certificate_of(discrete, sums, verdict.summary, is_unstrained ? scale : StrainScale{});
   return verdict;
 }

@@ -4,7 +4,6 @@
 #include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/edge_contact.hpp>
 #include <plastron/certificate/gap_between.hpp>
-#include <plastron/certificate/point_reactions.hpp>
 #include <plastron/certificate/support_reactions.hpp>
 
 #include <limits>
@@ -68,6 +67,7 @@ struct Summary {
   double lift_work = 0;
   bool is_unstrained = false;                        ///< displacements strain the shell no more than rounding does
   std::vector<SupportReaction> support_reactions{};  ///< boundary by boundary
+  std::vector<CornerReaction> corner_reactions{};    ///< where supported edges meet
   std::vector<PointReaction> point_reactions{};      ///< of the points that supports hold
   std::vector<BodyReaction> body_reactions{};        ///< of the rigid bodies, in the case's order
   std::vector<ObstacleContact> obstacles{};          ///< one by one, in the problem's order

@@ -57,6 +57,17 @@ double relative_distance(std::span<const ContactZone> zones, std::span<const Con
   return integral / ((all_closed ? 2 : 1) * area);  // the mean distance times length / area
 }
 
+// In a zone of one row of nodes the area follows from how gaps open on both sides: half of a node's own where the row is a poor picture of a strip.
+bool ContactZone::is_line() const {
+  constexpr double narrow = 0.25;
+  return reaction.force.norm() > 0 && area < narrow * nodal_area;
+}
+
+double ContactZone::line_reaction() const {
+  const double length = (line_length() + rim_length()) / 2;
+  return length > 0 ? reaction.force.norm() / length : 0;
+}
+
 double ContactZone::line_length() const { return length_of(*this, false); }
 double ContactZone::rim_length() const { return length_of(*this, true); }
 

@@ -27,7 +27,8 @@ struct ContactLine {
 };
 
 struct ContactZone {
-  double area = 0;  ///< of the mid-surface within its boundary [m^2]
+  double area = 0;        ///< of the mid-surface within its boundary [m^2]
+  double nodal_area = 0;  ///< of the mid-surface that its nodes stand for [m^2]
   std::int64_t nodes = 0;
   Wrench reaction;                                   ///< on the shell
   Vector3d centre = Vector3d::Zero();                ///< of pressure; of the area where nothing is carried [m]
@@ -36,8 +37,11 @@ struct ContactZone {
   Vector3d peak_place = Vector3d::Zero();            ///< where: on the touching face [m]
   std::vector<ContactLine> lines{};                  ///< inside the shell first, then along the rim; long before short
 
-  double line_length() const;  ///< of the lines inside the shell [m]
-  double rim_length() const;   ///< of the lines along the rim [m]
+  /// It is narrower than the distance of nodes, a line or a point: pressures at its nodes depend on the mesh.
+  bool is_line() const;
+  double line_reaction() const;  ///< norm of the force over half the length of its boundary; 0 for a point [N/m]
+  double line_length() const;    ///< of the lines inside the shell [m]
+  double rim_length() const;     ///< of the lines along the rim [m]
   std::int64_t line_points() const;
 };
 

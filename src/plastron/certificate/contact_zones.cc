@@ -70,7 +70,8 @@ std::vector<ContactZone> zone_totals(const assembly::DiscreteShell& discrete, co
   });
   std::vector<ContactZone> zones;
   for (const ZoneSums& s : over_ranks(sums, discrete.space().layout->comm))
-    zones.push_back({.nodes = std::llround(s[1]),
+    zones.push_back({.nodal_area = s[0],
+                     .nodes = std::llround(s[1]),
                      .reaction = {.force = s.segment<3>(2), .moment = s.segment<3>(5)},
                      .centre = s[8] > 0 ? s.segment<3>(9) / s[8] : s.segment<3>(12) / s[0],
                      .peak_pressure = s[15]});

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plastron::computation {
 
@@ -31,6 +33,27 @@ std::string penetration_text(double depth, double part) {
       "between its nodes the shell enters the obstacle by {:.2g} m, {:.0f} % of the thickness: no bound holds it "
       "there; refine the mesh, raise the degree or set admissible = true in [contact]",
       depth, 100 * part);
+}
+
+/// One for each obstacle that the shell touches along lines inside.
+std::vector<std::string> line_contact_warnings(const certificate::Summary& summary) {
+  constexpr double notable = 0.01;  // of the obstacle's reaction
+  std::vector<std::string> warnings;
+  for (const certificate::ObstacleContact& obstacle : summary.obstacles) {
+    double force = 0, per_length = 0;
+    for (const certificate::ContactZone& zone : obstacle.zones) {
+      if (!zone.is_line()) continue;
+      force += zone.reaction.force.norm();
+      per_length = std::max(per_length, zone.line_reaction());
+    }
+    if (!(force > notable * obstacle.reaction.force.norm())) continue;
+    warnings.push_back(fmt::format(
+        "the shell touches {} along lines or in points that are narrower than the distance of nodes: they carry "
+        "{:.4g} N{}; the pressure (eta) at their nodes depends on the mesh",
+        obstacle.name.empty() ? "the obstacle" : "\"" + obstacle.name + "\"", force,
+        per_length > 0 ? fmt::format(", up to {:.4g} N/m", per_length) : ""));
+  }
+  return warnings;
 }
 
 }  // namespace
@@ -91,6 +114,8 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
         fmt::format("the shell stands on its edge: {:.4g} N of the reaction are concentrated on it, up to {:.4g} N/m; "
                     "the pressure (eta) at nodes of that edge depends on the mesh",
                     s.edge.force, s.edge.max_per_length));
+  else
+    for (std::string& text : line_contact_warnings(s)) warnings.push_back(std::move(text));
   if (result.levels.empty()) return warnings;
   const contact::Tolerances& used = result.levels.back().tolerances;
   if (used.gap > notable_loosening * asked.gap_tolerance ||

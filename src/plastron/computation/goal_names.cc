@@ -8,7 +8,7 @@ namespace plastron::computation {
 namespace {
 
 estimation::Catalogue catalogue_of(const Problem& problem) {
-  estimation::Catalogue catalogue{.axis = problem.output.axis};
+  estimation::Catalogue catalogue{.axis = problem.output.axis, .is_smooth = problem.output.smooth};
   for (const Probe& probe : problem.probes) catalogue.probes.push_back({probe.name, probe.at});
   for (const assembly::Support& support : problem.supports)
     if (!support.point && std::ranges::count(catalogue.supports, support.boundary) == 0)

@@ -87,17 +87,18 @@ class LevelRun {
     return z;
   }
 
-  std::vector<double> values(const contact::BoxSolution& z, const certificate::NodalSolution& nodal) const {
-    return estimation::values(task_.valued, {.discrete = *discrete_, .nodal = nodal, .box = *last_->box, .z = z});
+  std::vector<double> values(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
+                             const certificate::Summary& summary) const {
+    return estimation::values(task_.valued, solved(z, nodal, summary));
   }
 
   /// Errors of the solution of the last solve(), and of what is asked for.
-  estimation::Estimates estimate(const contact::BoxSolution& z, const certificate::NodalSolution& nodal) {
+  estimation::Estimates estimate(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
+                                 const certificate::Summary& summary) {
     Stopwatch watch;
     tell("estimates");
     last_->pins.keep();
-    auto estimates = estimation::estimate({.discrete = *discrete_, .nodal = nodal, .box = *last_->box, .z = z},
-                                          last_->pins, *task_.goals);
+    auto estimates = estimation::estimate(solved(z, nodal, summary), last_->pins, *task_.goals);
     seconds.estimates = watch.lap();
     return estimates;
   }
@@ -109,6 +110,15 @@ class LevelRun {
   std::unique_ptr<assembly::DiscreteShell> take() { return std::move(discrete_); }
 
  private:
+  estimation::Solved solved(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
+                            const certificate::Summary& summary) const {
+    return {.discrete = *discrete_,
+            .nodal = nodal,
+            .box = *last_->box,
+            .z = z,
+            .singular = certificate::singular_places(*discrete_, summary)};
+  }
+
   const LevelTask& task_;
   std::unique_ptr<assembly::DiscreteShell> discrete_;
   std::unique_ptr<LinearAlgebra> last_{};
@@ -216,8 +226,8 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   run.seconds.certificate = watch.lap();
   std::optional<estimation::Estimates> estimates;
   std::vector<double> values;
-  if (task.goals && z.status == contact::Status::solved) estimates = run.estimate(z, nodal);
-  if (z.status == contact::Status::solved) values = run.values(z, nodal);
+  if (task.goals && z.status == contact::Status::solved) estimates = run.estimate(z, nodal, verdict.summary);
+  if (z.status == contact::Status::solved) values = run.values(z, nodal, verdict.summary);
 
   Level record = record_of(measured(run.discrete(), nodal, verdict), z);
   record.iterations = static_cast<int>(run.history.size());

@@ -36,6 +36,22 @@ std::vector<fem::Location> located(const fem::CoarseMesh& coarse, const std::vec
 
 }  // namespace
 
+void choose_recovery(const Output& output, Solution& solution) {
+  solution.recovery.axis = output.axis;
+  solution.recovery.patches.reset();
+  if (output.smooth)
+    solution.recovery.patches = std::make_shared<recovery::ResultantPatches>(*solution.discrete, solution.nodal);
+}
+
+void find_stress_peak(Result& result) {
+  const Solution& solution = *result.solution;
+  result.singular_places = certificate::singular_places(*solution.discrete, result.summary);
+  result.peak = recovery::stress_peak(*solution.discrete, solution.nodal, solution.recovery, result.singular_places);
+  if (!result.estimates) return;
+  for (const estimation::GoalEstimate& goal : result.estimates->goals)
+    if (goal.name == "stress") result.peak.error = goal.error();
+}
+
 std::vector<PointValues> values_at(const Solution& solution, const std::vector<Eigen::Vector2d>& points,
                                    std::string_view what) {
   const fem::Space& space = solution.discrete->space();

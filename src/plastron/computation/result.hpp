@@ -3,7 +3,7 @@
 #include <plastron/certificate/certificate_limits.hpp>
 #include <plastron/contact/problem.hpp>
 #include <plastron/estimation/estimates.hpp>
-#include <plastron/recovery/recovery.hpp>
+#include <plastron/recovery/stress_peak.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -96,14 +96,6 @@ struct Solution {
   std::vector<certificate::CellGap> entered{};  ///< this rank's cells with a gap below 0 somewhere
 };
 
-/// Where the shell is strained most.
-struct StressPeak {
-  double von_mises = 0;                                ///< largest equivalent stress at a point of output [Pa]
-  double height = 0;                                   ///< z of it, from the mid-surface along a_3 [m]
-  Eigen::Vector2d x = Eigen::Vector2d::Zero();         ///< parameters in Omega
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the point of the undeformed mid-surface [m]
-};
-
 /// The solution at the end of a step, or of a part of one.
 struct HistoryEntry {
   std::string step;  ///< its name
@@ -121,10 +113,11 @@ struct Result {
   std::string missed_limits{};  ///< rows of the certificate beyond their limits, in words; empty unless inaccurate
   certificate::Summary summary{};
   certificate::Certificate certificate{};
-  std::vector<certificate::CertificateLimit> limits{};  ///< of its rows
-  std::vector<ProbeValue> probes{};                     ///< the same on every rank
-  StressPeak peak{};                                    ///< of the last solution
-  std::vector<Level> levels{};                          ///< of the first instant, where there are steps
+  std::vector<certificate::CertificateLimit> limits{};        ///< of its rows
+  std::vector<ProbeValue> probes{};                           ///< the same on every rank
+  recovery::StressPeak peak{};                                ///< of the last solution
+  std::vector<certificate::SingularPlace> singular_places{};  ///< that the peak leaves out
+  std::vector<Level> levels{};                                ///< of the first instant, where there are steps
   std::vector<HistoryEntry> history{};  ///< on the finest mesh, instant after instant; empty without steps
   bool has_obstacle = false;
   element::Formulation formulation = element::Formulation::tangent;
@@ -137,6 +130,8 @@ struct Result {
 
   /// How the solution was found: on the finest mesh, at the last instant.
   const Level& last_level() const { return history.empty() ? levels.back() : history.back().level; }
+  /// The largest eta at nodes where it is a density, not at those of lines that touch; NaN if there are only lines [Pa].
+  double max_pressure() const;
 };
 
 /// How it ended, in a sentence or two.

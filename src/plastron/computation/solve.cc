@@ -20,7 +20,6 @@
 #include <plastron/computation/point_supports.hpp>
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/stopwatch.hpp>
-#include <plastron/computation/stress_peak.hpp>
 #include <plastron/computation/zones.hpp>
 
 #include <fmt/format.h>
@@ -81,13 +80,13 @@ class Computation {
                 advance(instants_[i], continued_at(instants_[i]));
     if (result_.solution && problem_.steps.empty()) judge_certificate(result_);
     if (result_.solution) {
+      add_contact_zones(result_);
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
       warn(sideways_warnings(result_.summary), observer_, result_);
       warn(body_warnings(result_.summary), observer_, result_);
       warn(point_support_warnings(result_, problem_.supports), observer_, result_);
-      add_contact_zones(result_);
       if (result_.history.empty()) recover();
-      result_.peak = stress_peak(*result_.solution);
+      find_stress_peak(result_);
     }
     adopt_worst_status();
     result_.peak_memory = peak_memory(comm_);

@@ -1,4 +1,4 @@
-// A result's end in words. Apart from what judges it: tables of results name this, and are read without the solver's libraries.
+// A result's end in words, and its pressure. Apart from what judges it: tables of results name this, and are read without the solver's libraries.
 #include <plastron/computation/result.hpp>
 
 #include <fmt/format.h>
@@ -10,6 +10,18 @@ std::string status_text(const Result& result) {
   if (result.status == contact::Status::inaccurate) text += fmt::format(" Beyond its limit: {}.", result.missed_limits);
   if (result.status == contact::Status::accuracy_not_reached) text += fmt::format(" {}.", result.missed_limits);
   return text;
+}
+
+double Result::max_pressure() const {
+  if (summary.edge.is_line()) return summary.edge.pressure_inside;
+  double most = std::numeric_limits<double>::quiet_NaN();
+  bool has_zones = false;
+  for (const certificate::ObstacleContact& obstacle : summary.obstacles)
+    for (const certificate::ContactZone& zone : obstacle.zones) {
+      has_zones = true;
+      if (!zone.is_line()) most = std::fmax(most, zone.peak_pressure);
+    }
+  return has_zones ? most : summary.max_pressure;
 }
 
 }  // namespace plastron::computation

@@ -8,7 +8,6 @@
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/membership.hpp>
 #include <plastron/computation/probes.hpp>
-#include <plastron/computation/stress_peak.hpp>
 #include <plastron/computation/zones.hpp>
 
 #include <algorithm>
@@ -65,9 +64,9 @@ Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSoluti
   judge_certificate(result);
   verification.membership = membership_rows(problem, *found.discrete, found.nodal, verdict.summary);
   choose_recovery(problem.output, found);
-  result.peak = stress_peak(found);
   result.probes = probe(found, problem.probes);
   result.solution = std::move(found);
+  find_stress_peak(result);
   if (!problem.steps.empty()) {
     const Instant end = instants(problem).back();
     result.history.push_back({.step = problem.steps.back().name,

@@ -84,7 +84,8 @@ Section accuracy_section() {
                    "beyond; if that does not do, the status is accuracy_not_reached"}},
       {},
       "tolerances of other numbers of results.json, by their names in quotes: \"probe.NAME.u.z\" and its like for u, "
-      "r, N, M, Q; "
+      "r, N, M, Q; \"probe.NAME.stress_upper.11\", stress_middle, stress_lower, .von_mises; \"stress\", the largest "
+      "of von Mises; "
       "\"support.BOUNDARY.force.z\"; \"obstacle.NAME.force.z\", .area and, of one that a force presses, .position; "
       "load_work"};
 }

@@ -54,6 +54,11 @@ Derivative derivative_of(const ObstaclePosition& position, const Solved& solved)
 
 }  // namespace
 
+const std::shared_ptr<const recovery::ResultantPatches>& Solved::recovered() const {
+  if (!patches) patches = std::make_shared<const recovery::ResultantPatches>(discrete, nodal);
+  return patches;
+}
+
 Derivative derivative(const Functional& functional, const Solved& solved) {
   return std::visit([&](const auto& f) { return derivative_of(f, solved); }, functional);
 }

@@ -1,9 +1,12 @@
 // A functional at a solution: its value and its derivative, from which the dual problem is made.
 #pragma once
 #include <plastron/certificate/certificate.hpp>
+#include <plastron/certificate/singular_places.hpp>
 #include <plastron/estimation/dual_solver.hpp>
 #include <plastron/estimation/functionals.hpp>
+#include <plastron/recovery/resultant_patches.hpp>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,6 +18,10 @@ struct Solved {
   const certificate::NodalSolution& nodal;
   const contact::BoxProblem& box;
   const contact::BoxSolution& z;
+  std::vector<certificate::SingularPlace> singular{};                   ///< that the largest stress leaves out
+  mutable std::shared_ptr<const recovery::ResultantPatches> patches{};  ///< made when they are wanted first
+
+  const std::shared_ptr<const recovery::ResultantPatches>& recovered() const;  ///< (collective)
 };
 
 struct Derivative {

@@ -10,7 +10,11 @@ std::string unit(const ObstacleForce& /*force*/) { return "N"; }
 std::string unit(const SupportForce& /*force*/) { return "N"; }
 std::string unit(const ContactArea& /*area*/) { return "m^2"; }
 std::string unit(const PointDisplacement& point) { return point.component < 3 ? "m" : "rad"; }
-std::string unit(const PointResultant& point) { return point.component < 3 || point.component > 5 ? "N/m" : "N"; }
+std::string unit(const PointStress& point) {
+  if (point.kind != StressKind::resultant) return "Pa";
+  return point.component < 3 || point.component > 5 ? "N/m" : "N";
+}
+std::string unit(const LargestStress& /*stress*/) { return "Pa"; }
 std::string unit(const ObstaclePosition& /*position*/) { return "m"; }
 
 }  // namespace

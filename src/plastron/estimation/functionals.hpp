@@ -32,11 +32,19 @@ struct PointDisplacement {
   Eigen::Vector2d at;
   int component = 0;  ///< u_x u_y u_z r_x r_y r_z
 };
-/// A stress resultant at a point of Omega, of the point's cell alone, in the axes of recovery/surface_axes.hpp.
-struct PointResultant {
+/// A number that follows from the stress resultants at a point, as probes and fields have them.
+enum class StressKind { resultant, lower, middle, upper, von_mises };
+struct PointStress {
   Eigen::Vector2d at;
-  int component = 0;                      ///< N_11 N_22 N_12 [N/m], M likewise [N], Q_1 Q_2 [N/m]
+  StressKind kind = StressKind::resultant;
+  /// Of resultants N_11 N_22 N_12 [N/m], M likewise [N], Q_1 Q_2 [N/m]; of stresses at a height 11 22 12; none of the largest von Mises stress
+  int component = 0;
   std::optional<Eigen::Vector3d> axis{};  ///< that t1 follows
+  bool is_smooth = true;                  ///< recovered over patches, not of the point's cell alone
+};
+/// The largest equivalent stress of von Mises away from singular places [Pa].
+struct LargestStress {
+  bool is_smooth = true;
 };
 /// How far its force has pressed an obstacle [m].
 struct ObstaclePosition {
@@ -44,7 +52,7 @@ struct ObstaclePosition {
 };
 
 using Functional = std::variant<Energy, LoadWork, ObstacleForce, SupportForce, ContactArea, PointDisplacement,
-                                PointResultant, ObstaclePosition>;
+                                PointStress, LargestStress, ObstaclePosition>;
 
 /// Of its value.
 std::string unit_of(const Functional& functional);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace plastron::estimation {
 
@@ -19,20 +20,32 @@ void add_force(const std::string& name, Force force, std::vector<Goal>& goals) {
   }
 }
 
-void add_probe(const Catalogue::Point& probe, const std::optional<Eigen::Vector3d>& axis, std::vector<Goal>& goals) {
+void add_probe(const Catalogue::Point& probe, const Catalogue& catalogue, std::vector<Goal>& goals) {
   constexpr std::array resultants{"N.11", "N.22", "N.12", "M.11", "M.22", "M.12", "Q.1", "Q.2"};
   const std::string prefix = "probe." + probe.name + ".";
   for (int i = 0; i < 6; ++i)
     goals.push_back(
         {prefix + (i < 3 ? "u." : "r.") + axis_names[static_cast<std::size_t>(i % 3)], PointDisplacement{probe.at, i}});
-  for (std::size_t i = 0; i < resultants.size(); ++i)
-    goals.push_back({prefix + resultants[i], PointResultant{probe.at, static_cast<int>(i), axis}});
+  PointStress stress{.at = probe.at, .axis = catalogue.axis, .is_smooth = catalogue.is_smooth};
+  const auto add = [&](const std::string& name, StressKind kind, int component) {
+    stress.kind = kind;
+    stress.component = component;
+    goals.push_back({prefix + name, stress});
+  };
+  for (std::size_t i = 0; i < resultants.size(); ++i) add(resultants[i], StressKind::resultant, static_cast<int>(i));
+  constexpr std::array<std::pair<const char*, StressKind>, 3> heights{{{"stress_lower", StressKind::lower},
+                                                                       {"stress_middle", StressKind::middle},
+                                                                       {"stress_upper", StressKind::upper}}};
+  for (const auto& [name, kind] : heights)
+    for (int i = 0; i < 3; ++i) add(name + std::string(i == 0 ? ".11" : i == 1 ? ".22" : ".12"), kind, i);
+  add("von_mises", StressKind::von_mises, 0);
 }
 
 }  // namespace
 
 std::vector<Goal> all_goals(const Catalogue& catalogue) {
-  std::vector<Goal> goals{{"energy", Energy{}}, {"load_work", LoadWork{}}};
+  std::vector<Goal> goals{
+      {"energy", Energy{}}, {"load_work", LoadWork{}}, {"stress", LargestStress{catalogue.is_smooth}}};
   if (!catalogue.obstacles.empty()) {
     add_force("reaction", ObstacleForce{}, goals);
     goals.push_back({"contact_area", ContactArea{}});
@@ -46,7 +59,7 @@ std::vector<Goal> all_goals(const Catalogue& catalogue) {
   add_force("support_reaction", SupportForce{}, goals);
   for (const std::string& boundary : catalogue.supports)
     add_force("support." + boundary + ".force", SupportForce{.boundary = boundary}, goals);
-  for (const Catalogue::Point& probe : catalogue.probes) add_probe(probe, catalogue.axis, goals);
+  for (const Catalogue::Point& probe : catalogue.probes) add_probe(probe, catalogue, goals);
   return goals;
 }
 

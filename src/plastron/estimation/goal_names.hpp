@@ -1,4 +1,4 @@
-// The numbers of results.json whose errors can be estimated, by name: "energy", "reaction", "contact_area", "probe.NAME.u.z",
+// The numbers of results.json whose errors can be estimated, by name: "energy", "reaction", "contact_area", "stress", "probe.NAME.u.z",
 // "support.NAME.force.x", "obstacle.NAME.force", ...
 #pragma once
 #include <plastron/estimation/functionals.hpp>
@@ -22,6 +22,7 @@ struct Catalogue {
   std::vector<std::string> supports{};    ///< boundaries
   std::vector<Body> obstacles{};          ///< in the problem's order
   std::optional<Eigen::Vector3d> axis{};  ///< of resultants at probes
+  bool is_smooth = true;                  ///< resultants are recovered over patches
 };
 
 /// All that can be asked for, in the order in which results.json has them.

@@ -1,14 +1,17 @@
 #include <plastron/estimation/point_values.hpp>
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/recovery/resultants.hpp>
+#include <plastron/recovery/stress_peak.hpp>
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace plastron::estimation {
 
 namespace {
+
+using recovery::Resultants;
 
 struct Place {
   std::size_t cell;
@@ -29,53 +32,93 @@ std::optional<Place> place_of(const Eigen::Vector2d& at, const fem::Space& space
   return place;
 }
 
-/// J(v) = forces : v on the nodes of the place's cell.
-Derivative linear(const std::optional<Place>& place, const element::CellField& forces, const Solved& solved) {
-  const assembly::ShellOperator& shell = solved.discrete.shell;
+/// J(v) = f . v with f on all nodes, where value is that of the rank which has the point.
+Derivative linear(algebra::Vector f, double value, const Solved& solved) {
   const algebra::Vector none(solved.box.load.layout(), solved.box.load.block());
   Derivative result{.dual = {.load = none, .held = none}};
-  algebra::Vector f(shell.space().layout, 6);
-  double value = 0;
-  if (place) {
-    shell.scatter(place->cell, forces, f);
-    value = forces.cwiseProduct(shell.gather(place->cell, solved.nodal.y)).sum();
-  }
   f.accumulate_ghosts();
   solved.discrete.coordinates.add_transposed(f, result.dual.load);
-  result.value = algebra::sum_over_ranks(value, shell.space().layout->comm);
+  result.value = algebra::sum_over_ranks(value, solved.discrete.space().layout->comm);
   return result;
 }
 
-/// One resultant of the cell alone, continued to the point; linear in `field`.
-class CellResultant {
- public:
-  CellResultant(const PointResultant& point, const Place& place, const assembly::DiscreteShell& discrete)
-      : point_(point), place_(place), points_(discrete, point.axis) {
-    const fem::Space& space = discrete.space();
-    continuation_ = element::resultant_continuation(space.shape(), space.degree, {place.xi});
-    std::vector<geometry::SurfaceJet> jet(1);
-    discrete.shell.surface().parameter_jets(space.cells[place.cell], std::vector{place.xi}, jet);
-    axes_ = recovery::surface_axes(jet[0], geometry::unit_normal(jet[0]), point.axis);
+/// A number made of the resultants at a point, and its derivative by them.
+struct Weighed {
+  double value = 0;
+  Resultants weights = Resultants::Zero();
+};
+
+Weighed weighed(const PointStress& point, const recovery::PointValues& values) {
+  const shell::SectionForces forces = recovery::section_forces(values);
+  Weighed result;
+  if (point.kind == StressKind::resultant) {
+    result.weights[point.component] = 1;
+    Resultants all;
+    all << values.N.transpose(), values.M.transpose(), values.Q.transpose();
+    result.value = all[point.component];
+  } else if (point.kind == StressKind::von_mises) {
+    const auto largest = shell::largest_von_mises(forces);
+    result.value = largest.stress;
+    result.weights = shell::von_mises_derivative(forces, largest.height).transpose();
+  } else {
+    const double side = point.kind == StressKind::lower   ? -1
+                        : point.kind == StressKind::upper ? 1
+                                                          : 0,
+                 e = forces.thickness;
+    result.weights[point.component] = 1 / e;
+    result.weights[3 + point.component] = 6 * side / (e * e);
+    result.value = shell::in_plane_stress(forces, side * e / 2)[point.component];
   }
-  double operator()(const element::CellField& field) const {
-    const recovery::CellResultants all = points_(place_.cell, field);
-    double sum = 0;
+  return result;
+}
+
+/// Forces on the nodes of a cell with f . y = weights . resultants of that cell alone, continued to a point.
+element::CellField forces_of_cell(const Place& place, const recovery::PointValues& at, const Resultants& weights,
+                                  const assembly::DiscreteShell& discrete) {
+  const fem::Space& space = discrete.space();
+  const recovery::ResultantPoints take(discrete);
+  const Eigen::MatrixXd continuation = element::resultant_continuation(space.shape(), space.degree, {place.xi});
+  const recovery::SurfaceAxes axes{.t1 = at.t1, .t2 = at.t2, .a3 = at.a3};
+  element::CellField unit = element::CellField::Zero(space.nodes_per_cell(), 6), forces = unit;
+  for (Eigen::Index i = 0; i < unit.size(); ++i) {
+    unit.data()[i] = 1;
+    const recovery::CellResultants all = take(place.cell, unit);
     for (std::size_t p = 0; p < all.axes.size(); ++p) {
       const auto row = static_cast<Eigen::Index>(p);
-      const recovery::Resultants own = all.values.row(row);
-      sum += continuation_(0, row) *
-             recovery::in_other_axes(own, recovery::change_of_axes(all.axes[p], axes_))[point_.component];
+      forces.data()[i] +=
+          continuation(0, row) * weights.dot(recovery::in_other_axes(Resultants(all.values.row(row)),
+                                                                     recovery::change_of_axes(all.axes[p], axes)));
     }
-    return sum;
+    unit.data()[i] = 0;
   }
+  return forces;
+}
 
- private:
-  const PointResultant& point_;
-  const Place& place_;
-  recovery::ResultantPoints points_;
-  Eigen::MatrixXd continuation_;
-  recovery::SurfaceAxes axes_{};
-};
+/// Of a number made of resultants at a place, which one rank has; values and derivatives are those of what Recovery evaluates.
+Derivative at_place(const PointStress& point, const std::optional<Place>& place, const Solved& solved) {
+  const assembly::DiscreteShell& discrete = solved.discrete;
+  recovery::Choice choice{.axis = point.axis};
+  if (point.is_smooth) choice.patches = solved.recovered();
+  algebra::Vector f(discrete.space().layout, 6);
+  double value = 0;
+  std::optional<recovery::ResultantPatches::Weighed> on_patches;
+  if (place) {
+    const recovery::PointValues at =
+        recovery::Recovery(discrete, solved.nodal, {place->xi}, choice)(place->cell).front();
+    const Weighed number = weighed(point, at);
+    value = number.value;
+    if (point.is_smooth && choice.patches->has_patch(place->cell))
+      on_patches = {.cell = place->cell,
+                    .xi = place->xi,
+                    .position = at.phi,
+                    .axes = {.t1 = at.t1, .t2 = at.t2, .a3 = at.a3},
+                    .weights = number.weights};
+    else
+      discrete.shell.scatter(place->cell, forces_of_cell(*place, at, number.weights, discrete), f);
+  }
+  if (point.is_smooth) choice.patches->add_transposed(discrete, on_patches, f);
+  return linear(std::move(f), value, solved);
+}
 
 }  // namespace
 
@@ -83,30 +126,33 @@ Derivative derivative_of(const PointDisplacement& point, const Solved& solved) {
   const assembly::ShellOperator& shell = solved.discrete.shell;
   const fem::Space& space = shell.space();
   const auto place = place_of(point.at, space);
-  element::CellField forces;
+  algebra::Vector f(space.layout, 6);
+  double value = 0;
   if (place) {
     element::CellField unit = element::CellField::Zero(1, 6);
     unit(0, point.component) = 1;
-    forces =
+    const element::CellField forces =
         shell.interpolation().forces_of(place->cell, element::basis_at(space.shape(), space.degree, {place->xi}), unit);
+    shell.scatter(place->cell, forces, f);
+    value = forces.cwiseProduct(shell.gather(place->cell, solved.nodal.y)).sum();
   }
-  return linear(place, forces, solved);
+  return linear(std::move(f), value, solved);
 }
 
-Derivative derivative_of(const PointResultant& point, const Solved& solved) {
-  const fem::Space& space = solved.discrete.space();
-  const auto place = place_of(point.at, space);
-  element::CellField forces = element::CellField::Zero(space.nodes_per_cell(), 6);
-  if (place) {
-    const CellResultant resultant(point, *place, solved.discrete);
-    element::CellField unit = forces;
-    for (Eigen::Index i = 0; i < unit.size(); ++i) {
-      unit.data()[i] = 1;
-      forces.data()[i] = resultant(unit);
-      unit.data()[i] = 0;
-    }
-  }
-  return linear(place, forces, solved);
+Derivative derivative_of(const PointStress& point, const Solved& solved) {
+  return at_place(point, place_of(point.at, solved.discrete.space()), solved);
+}
+
+// Where the largest stress is, its place changes it in second order only.
+Derivative derivative_of(const LargestStress& stress, const Solved& solved) {
+  recovery::Choice choice;
+  if (stress.is_smooth) choice.patches = solved.recovered();
+  const auto peak = recovery::stress_peak(solved.discrete, solved.nodal, choice, solved.singular);
+  int rank = 0;
+  MPI_Comm_rank(solved.discrete.space().layout->comm, &rank);
+  std::optional<Place> place;
+  if (rank == peak.rank && peak.von_mises > 0) place = Place{peak.cell, peak.xi};
+  return at_place({.at = peak.x, .kind = StressKind::von_mises, .is_smooth = stress.is_smooth}, place, solved);
 }
 
 }  // namespace plastron::estimation

@@ -1,4 +1,4 @@
-// Displacements and resultants at a point of Omega as functionals. A force at a point has infinite energy in Naghdi's model, growing like
+// Displacements, resultants and stresses at a point of Omega as functionals. A force at a point has infinite energy in Naghdi's model, growing like
 // a logarithm; a couple and a resultant likewise, faster.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
@@ -6,6 +6,7 @@
 namespace plastron::estimation {
 
 Derivative derivative_of(const PointDisplacement& point, const Solved& solved);
-Derivative derivative_of(const PointResultant& point, const Solved& solved);
+Derivative derivative_of(const PointStress& point, const Solved& solved);
+Derivative derivative_of(const LargestStress& stress, const Solved& solved);
 
 }  // namespace plastron::estimation

@@ -1,6 +1,6 @@
 #include <plastron/estimation/reactions.hpp>
 
-#include <plastron/fem/reference_cell.hpp>
+#include <plastron/certificate/support_shares.hpp>
 
 #include <algorithm>
 
@@ -41,20 +41,27 @@ bool is_active(const assembly::ContactRow& row, const Solved& solved) {
   return solved.z.activity[solved.discrete.coordinates.at(row.node, row.coordinate)] == bound;
 }
 
-/// Marks of the local nodes on a boundary.
-std::vector<char> nodes_on(const fem::Space& space, const std::string& boundary) {
-  algebra::Vector marks(space.layout, 1);
-  for (const fem::BoundarySide& side : space.sides) {
-    if (side.cell >= space.owned_cells || side.boundary < 0) continue;
-    if (space.coarse->boundaries[static_cast<std::size_t>(side.boundary)] != boundary) continue;
-    for (const int node : fem::side_nodes(space.shape(), space.degree, side.side))
-      marks.local()[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(node)])] = 1;
+/// How much of each force of supports at an owned node counts: all of it, or what the boundary carries.
+class Counted {
+ public:
+  Counted(const SupportForce& force, const assembly::DiscreteShell& discrete) {
+    if (!force.boundary) return;
+    shares_.emplace(discrete);
+    const auto found = std::ranges::find(shares_->boundaries(), *force.boundary);
+    boundary_ = static_cast<std::size_t>(found - shares_->boundaries().begin());
   }
-  marks.accumulate_ghosts();
-  std::vector<char> result(marks.owned().size());
-  std::ranges::transform(marks.owned(), result.begin(), [](double mark) { return mark > 0; });
-  return result;
-}
+  /// The part of a unit force along a direction of (u, r).
+  Vector3d operator()(std::size_t node, const Eigen::Matrix<double, 6, 1>& direction) const {
+    if (!shares_) return direction.head<3>();
+    const auto& all = shares_->at(node);
+    const auto own = std::ranges::find(all, boundary_, &certificate::SupportShares::Share::carrier);
+    return own == all.end() ? Vector3d(Vector3d::Zero()) : Vector3d((own->part * direction).head<3>());
+  }
+
+ private:
+  std::optional<certificate::SupportShares> shares_{};
+  std::size_t boundary_ = 0;
+};
 
 }  // namespace
 
@@ -75,22 +82,22 @@ Derivative derivative_of(const ObstacleForce& force, const Solved& solved) {
 // A support carries what the multiplier of a prescribed coordinate says, without what the obstacles do to that coordinate.
 Derivative derivative_of(const SupportForce& force, const Solved& solved) {
   const assembly::NodalCoordinates& coordinates = solved.discrete.coordinates;
-  const fem::Space& space = solved.discrete.space();
-  const auto owned = static_cast<std::size_t>(space.layout->owned);
-  const std::vector<char> on = force.boundary ? nodes_on(space, *force.boundary) : std::vector<char>(owned, 1);
+  const auto owned = static_cast<std::size_t>(solved.discrete.space().layout->owned);
+  const Counted counted(force, solved.discrete);
   std::vector<WeightedMultiplier> all;
   for (std::size_t i = 0; i < owned; ++i) {
-    if (!on[i] || coordinates.tied[i]) continue;
+    if (coordinates.tied[i]) continue;
     for (int k = 0; k < coordinates.width; ++k) {
       const auto direction = coordinates.direction(i, k);
       if (direction.isZero(0) || !coordinates.is_prescribed(i, k)) continue;
-      const Vector3d d = direction.head<3>();
+      const Vector3d d = counted(i, direction);
+      if (d.isZero(0)) continue;
       all.push_back({coordinates.at(i, k), d});
       for (const assembly::ContactRow& row : coordinates.rows_of(i)) {
         if (!is_active(row, solved)) continue;
         const obstacle::Gap& gap = coordinates.gaps[static_cast<std::size_t>(row.obstacle)][i];
         const Vector3d turned = geometry::tangential(gap.normal, solved.discrete.points[i].a3);
-        const double shared = d.dot(gap.normal) + gap.z * direction.tail<3>().dot(turned);
+        const double shared = direction.head<3>().dot(gap.normal) + gap.z * direction.tail<3>().dot(turned);
         all.push_back({coordinates.at(i, row.coordinate), -shared / row.scale * d});
       }
     }

@@ -26,12 +26,6 @@ Resultants contravariant(const Resultants& in_axes, const SurfaceAxes& axes, con
   return recovery::in_other_axes(in_axes, change);
 }
 
-/// Of the patches' polynomials. A patch is twice as wide as a cell, so that a polynomial of the elements' degree k is worse there than
-/// the element by 2^k times the ratio of successive coefficients: on meshes that matter higher degrees need more.
-int patch_degree(const fem::Space& space) {
-  return space.degree < 3 ? space.degree : std::min(space.degree + space.degree / 2, recovery::Patches::most_degree);
-}
-
 /// Takes the errors of a field's strains in one cell after the other.
 class StrainErrorsOf {
  public:
@@ -153,8 +147,7 @@ std::vector<StrainErrors> StrainRecovery::operator()(const algebra::Vector& y) {
   certificate::NodalSolution field;
   field.y = y;
   const recovery::ResultantPatches resultants =
-      patches_ ? recovery::ResultantPatches(discrete_, field, patches_)
-               : recovery::ResultantPatches(discrete_, field, patch_degree(discrete_.space()));
+      patches_ ? recovery::ResultantPatches(discrete_, field, patches_) : recovery::ResultantPatches(discrete_, field);
   patches_ = resultants.patches();
   const StrainErrorsOf errors(discrete_, y, resultants);
   std::vector<StrainErrors> all;

@@ -12,10 +12,10 @@ namespace plastron::io {
 namespace {
 
 /// Parts of results.json that follow from the solution. The others tell how it was found, or by whom.
-constexpr std::array recomputed_parts{"formulation",    "energy",   "energy_parts",     "load_work", "loads",
-                                      "moment_point",   "reaction", "support_reaction", "size",      "tangency",
-                                      "point_supports", "contact",  "obstacles",        "probes",    "certificate",
-                                      "stress",         "supports", "rigid_bodies"};
+constexpr std::array recomputed_parts{
+    "formulation",      "energy", "energy_parts", "load_work",       "loads",           "moment_point", "reaction",
+    "support_reaction", "size",   "tangency",     "point_supports",  "contact",         "obstacles",    "probes",
+    "certificate",      "stress", "supports",     "corner_supports", "singular_places", "rigid_bodies"};
 /// What in these parts tells how the solution was found.
 constexpr std::array told_only{"contact/admissible/rounds", "contact/admissible/energy_before",
                                "contact/admissible/energy_change"};

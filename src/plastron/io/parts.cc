@@ -30,7 +30,9 @@ Part probes(std::string place, std::string_view meaning) {
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       part("", "the result as a whole, that of the last step where there are steps", result_quantities()),
+      part("singular_places/*/", "where stresses have no limit as the mesh is refined", singular_place_quantities()),
       part("supports/*/", "what each boundary carries that supports hold", support_quantities()),
+      part("corner_supports/*/", "what supports carry at corners where edges meet", corner_support_quantities()),
       part("point_supports/*/", "what each point carries that supports hold", point_support_quantities()),
       part("rigid_bodies/*/", "what each rigid body does", rigid_body_quantities()),
       part("contact/", "contact with all obstacles; null without obstacle", contact_quantities()),

@@ -54,8 +54,13 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.max_relative_displacement); }},
       {"size/max_rotation", "rad", "largest |r| at a node; the linear model needs it small",
        [](const Result& r) { return number(r.summary.max_rotation); }},
-      {"stress/max_von_mises", "Pa", "largest equivalent stress of von Mises in the shell, at points of output",
+      {"stress/max_von_mises", "Pa",
+       "largest equivalent stress of von Mises at points of output, away from singular_places",
        [](const Result& r) { return number(r.peak.von_mises); }},
+      {"stress/error", "Pa",
+       "estimate of its error: that of the goal \"stress\" if that is asked for, else the difference to the resultants "
+       "of its cell alone",
+       [](const Result& r) { return number(r.peak.error); }},
       {"stress/x", "the chart's", "parameters in Omega of its place",
        [](const Result& r) {
          return Json::array({number(r.peak.x[0]), number(r.peak.x[1])});
@@ -78,16 +83,60 @@ std::span<const Quantity<Result>> result_quantities() {
   return all;
 }
 
+std::span<const Quantity<certificate::SingularPlace>> singular_place_quantities() {
+  using certificate::SingularPlace;
+  static const std::vector<Quantity<SingularPlace>> all{
+      {"what", "-", "in words", [](const SingularPlace& p) { return Json(p.what); }, Form::text},
+      {"at", "the chart's", "parameters of the place in Omega",
+       [](const SingularPlace& p) {
+         return Json::array({number(p.at[0]), number(p.at[1])});
+       },
+       Form::pair},
+      {"position", "m", "on the undeformed mid-surface", [](const SingularPlace& p) { return triple(p.position); },
+       Form::triple},
+      {"radius", "m", "stresses that are nearer do not count for stress.max_von_mises",
+       [](const SingularPlace& p) { return number(p.radius); }},
+  };
+  return all;
+}
+
 std::span<const Quantity<certificate::SupportReaction>> support_quantities() {
   using certificate::SupportReaction;
   static const std::vector<Quantity<SupportReaction>> all{
       {"boundary", "-", "its name", [](const SupportReaction& r) { return Json(r.boundary); }, Form::text},
       {"reaction/force", "N",
-       "what the supports of the boundary carry; a node of two boundaries belongs to the first one",
+       "what the supports of the boundary carry along it, without the forces at its corners (corner_supports)",
        [](const SupportReaction& r) { return triple(r.reaction.force); }, Form::triple},
       {"reaction/moment", "N m", "its moment about moment_point",
        [](const SupportReaction& r) { return triple(r.reaction.moment); }, Form::triple},
-      {"nodes", "1", "nodes that carry it", [](const SupportReaction& r) { return Json(r.nodes); }, Form::integer},
+      {"nodes", "1", "nodes that it holds", [](const SupportReaction& r) { return Json(r.nodes); }, Form::integer},
+  };
+  return all;
+}
+
+std::span<const Quantity<certificate::CornerReaction>> corner_support_quantities() {
+  using certificate::CornerReaction;
+  static const std::vector<Quantity<CornerReaction>> all{
+      {"boundaries", "-", "names of the boundaries that meet there",
+       [](const CornerReaction& r) {
+         std::string names;
+         for (const std::string& name : r.boundaries) names += (names.empty() ? "" : ", ") + name;
+         return Json(names);
+       },
+       Form::text},
+      {"at", "the chart's", "parameters of the corner in Omega",
+       [](const CornerReaction& r) {
+         return Json::array({number(r.at[0]), number(r.at[1])});
+       },
+       Form::pair},
+      {"position", "m", "its place on the undeformed mid-surface",
+       [](const CornerReaction& r) { return triple(r.position); }, Form::triple},
+      {"reaction/force", "N",
+       "what the supports carry within one thickness of the corner beyond the line reactions of its edges, in "
+       "directions that several of them fix",
+       [](const CornerReaction& r) { return triple(r.reaction.force); }, Form::triple},
+      {"reaction/moment", "N m", "its moment about moment_point",
+       [](const CornerReaction& r) { return triple(r.reaction.moment); }, Form::triple},
   };
   return all;
 }
@@ -100,7 +149,8 @@ std::span<const Quantity<certificate::PointReaction>> point_support_quantities()
          return Json::array({number(r.at[0]), number(r.at[1])});
        },
        Form::pair},
-      {"force", "N", "what the supports of its node carry there; a force that is not zero depends on the mesh",
+      {"force", "N",
+       "what it carries in directions that no boundary through it fixes; a force that is not zero depends on the mesh",
        [](const PointReaction& r) { return triple(r.force); }, Form::triple},
   };
   return all;
@@ -116,10 +166,10 @@ std::span<const Quantity<Result>> contact_quantities() {
        "depth of the shell in the obstacle between nodes, where no bound holds it (contact.admissible brings it to 0)",
        [](const Result& r) { return number(penetration(r.certificate.min_gap_between)); }},
       {"max_pressure", "Pa",
-       "largest eta at a node; where an edge carries a line reaction, at a node that lies on no edge",
-       [](const Result& r) {
-         return number(r.summary.edge.is_line() ? r.summary.edge.pressure_inside : r.summary.max_pressure);
-       }},
+       "largest eta at a node of a zone that has an area; where an edge carries a line reaction, at a node that lies "
+       "on "
+       "no edge; null where all contact is along lines",
+       [](const Result& r) { return number(r.max_pressure()); }},
       {"edge/nodes", "1", "touching nodes on edges of the shell",
        [](const Result& r) { return Json(r.summary.edge.nodes); }, Form::integer},
       {"edge/force", "N", "sum of their reactions", [](const Result& r) { return number(r.summary.edge.force); }},
@@ -291,7 +341,12 @@ std::span<const Quantity<certificate::ContactZone>> zone_quantities() {
        [](const ContactZone& z) { return triple(z.reaction.moment); }, Form::triple},
       {"centre_of_pressure", "m", "mean place of the reaction on the touching face of the undeformed shell",
        [](const ContactZone& z) { return triple(z.centre); }, Form::triple},
-      {"peak/pressure", "Pa", "largest eta at a node; where an edge carries a line reaction it depends on the mesh",
+      {"is_line", "-",
+       "the zone is a line or a point, narrower than the distance of nodes: pressures at its nodes depend on the mesh",
+       [](const ContactZone& z) { return Json(z.is_line()); }, Form::flag},
+      {"line_reaction", "N/m", "its force over half the length of its boundary; settles where the zone is a line",
+       [](const ContactZone& z) { return number(z.line_reaction()); }},
+      {"peak/pressure", "Pa", "largest eta at a node; in a line, or where an edge carries one, it depends on the mesh",
        [](const ContactZone& z) { return number(z.peak_pressure); }},
       {"peak/x", "the chart's", "parameters in Omega of that node",
        [](const ContactZone& z) {

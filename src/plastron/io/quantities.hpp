@@ -28,8 +28,12 @@ struct Quantity {
 Json number(double value);
 
 std::span<const Quantity<computation::Result>> result_quantities();
+/// Paths inside "singular_places[]".
+std::span<const Quantity<certificate::SingularPlace>> singular_place_quantities();
 /// Paths inside "supports[]".
 std::span<const Quantity<certificate::SupportReaction>> support_quantities();
+/// Paths inside "corner_supports[]".
+std::span<const Quantity<certificate::CornerReaction>> corner_support_quantities();
 /// Paths inside "point_supports[]".
 std::span<const Quantity<certificate::PointReaction>> point_support_quantities();
 /// Paths inside "rigid_bodies[]".

@@ -38,6 +38,10 @@ std::vector<Carrier> carriers(const Json& results) {
   if (supports.size() + bodies.size() > 1 && at_path(results, "point_supports").empty()) {
     for (std::size_t k = 0; k < supports.size(); ++k)
       all.push_back({"supports: " + plain_words(supports[k]["boundary"]), fmt::format("supports/{}/reaction", k)});
+    const Json& corners = at_path(results, "corner_supports");
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      all.push_back(
+          {"corner of " + plain_words(corners[k]["boundaries"]), fmt::format("corner_supports/{}/reaction", k)});
     for (std::size_t k = 0; k < bodies.size(); ++k)
       all.push_back({"fixed: " + plain_words(bodies[k]["name"]), fmt::format("rigid_bodies/{}/reaction", k)});
   } else {

@@ -28,11 +28,27 @@ Json probe_json(const recovery::PointValues& values, const computation::Result& 
   return json;
 }
 
+/// A record for every place where stresses have no limit.
+Json singular_places_json(const computation::Result& result) {
+  Json list = Json::array();
+  for (const certificate::SingularPlace& place : result.singular_places)
+    list.push_back(record_json(singular_place_quantities(), place));
+  return list;
+}
+
 /// A record for every boundary that supports hold.
 Json supports_json(const computation::Result& result) {
   Json list = Json::array();
   for (const certificate::SupportReaction& reaction : result.summary.support_reactions)
     list.push_back(record_json(support_quantities(), reaction));
+  return list;
+}
+
+/// A record for every corner where supported edges meet.
+Json corner_supports_json(const computation::Result& result) {
+  Json list = Json::array();
+  for (const certificate::CornerReaction& reaction : result.summary.corner_reactions)
+    list.push_back(record_json(corner_support_quantities(), reaction));
   return list;
 }
 
@@ -168,7 +184,9 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
+  json["singular_places"] = singular_places_json(result);
   json["supports"] = supports_json(result);
+  json["corner_supports"] = corner_supports_json(result);
   json["point_supports"] = point_supports_json(result);
   json["rigid_bodies"] = rigid_bodies_json(result);
   json["contact"] = contact_json(result);

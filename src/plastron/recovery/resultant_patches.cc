@@ -1,6 +1,6 @@
 #include <plastron/recovery/resultant_patches.hpp>
 
-#include <array>
+#include <algorithm>
 #include <utility>
 
 #include "vertex_entry.hpp"
@@ -26,6 +26,10 @@ std::vector<CellResultants> all_resultants(const assembly::DiscreteShell& discre
 }
 
 }  // namespace
+
+int patch_degree(const fem::Space& space) {
+  return space.degree < 3 ? space.degree : std::min(space.degree + space.degree / 2, Patches::most_degree);
+}
 
 ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution, int degree)
     : shape_(discrete.space().shape()) {
@@ -58,30 +62,83 @@ void ResultantPatches::fit(const std::vector<CellResultants>& cells) {
   coefficients_.update_ghosts();
 }
 
-std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
-                                               const SurfaceAxes& axes) const {
-  std::array<algebra::LocalIndex, 4> patches{};
-  std::array<double, 4> weights{};
-  std::size_t count = 0;
-  double total = 0;
+std::vector<std::pair<algebra::LocalIndex, double>> ResultantPatches::blended(std::size_t cell,
+                                                                              const Eigen::Vector2d& xi) const {
+  std::vector<std::pair<algebra::LocalIndex, double>> vertices;
   const Patches::Kind wanted = patches_->best(cell);
-  if (wanted == Patches::Kind::none) return std::nullopt;
+  if (wanted == Patches::Kind::none) return vertices;
+  double total = 0;
   for (int k = 0; k < fem::corner_count(shape_); ++k) {
     const algebra::LocalIndex vertex = patches_->vertex(cell, k);
     if (patches_->kind(vertex) != wanted) continue;
-    patches[count] = vertex;
-    weights[count] = corner_weight(shape_, k, xi);
-    total += weights[count++];
+    vertices.emplace_back(vertex, corner_weight(shape_, k, xi));
+    total += vertices.back().second;
   }
+  for (auto& [vertex, weight] : vertices) weight += (1 - total) / static_cast<double>(vertices.size());
+  return vertices;
+}
+
+std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
+                                               const SurfaceAxes& axes) const {
+  const auto vertices = blended(cell, xi);
+  if (vertices.empty()) return std::nullopt;
   Resultants sum = Resultants::Zero();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Patches::Plane& plane = patches_->plane(patches[i]);
-    const Eigen::Map<const Eigen::MatrixXd> coefficients(entry(coefficients_, patches[i]).data(), patches_->terms(), 8);
-    const double weight = weights[i] + (1 - total) / static_cast<double>(count);
+  for (const auto& [vertex, weight] : vertices) {
+    const Patches::Plane& plane = patches_->plane(vertex);
+    const Eigen::Map<const Eigen::MatrixXd> coefficients(entry(coefficients_, vertex).data(), patches_->terms(), 8);
     sum += weight *
            in_other_axes(Resultants(patches_->basis(plane, position) * coefficients), change_of_axes(plane.axes, axes));
   }
   return sum;
+}
+
+// The way of at() and fit() back: from the point to the polynomials, through the normal equations, which are symmetric, to the points of the
+// patches' cells, and from resultants there to the cells' nodes.
+void ResultantPatches::add_transposed(const assembly::DiscreteShell& discrete, const std::optional<Weighed>& point,
+                                      algebra::Vector& f) const {
+  const Eigen::Index terms = patches_->terms();
+  algebra::Vector weights(patches_->vertices().layout(), static_cast<int>(8 * terms));
+  const auto at = [&](algebra::LocalIndex vertex) {
+    return Eigen::Map<Eigen::MatrixXd>(entry(weights, vertex).data(), terms, 8);
+  };
+  if (point)
+    for (const auto& [vertex, share] : blended(point->cell, point->xi)) {
+      const Patches::Plane& plane = patches_->plane(vertex);
+      at(vertex) += share * patches_->basis(plane, point->position).transpose() *
+                    in_other_axes_transposed(point->weights, change_of_axes(plane.axes, point->axes));
+    }
+  weights.accumulate_ghosts();
+  for (algebra::LocalIndex vertex = 0; vertex < patches_->vertices().layout()->owned; ++vertex)
+    at(vertex) = patches_->solve(vertex, at(vertex));
+  weights.update_ghosts();
+  const ResultantPoints take(discrete);
+  for (std::size_t cell = 0; cell < discrete.space().owned_cells; ++cell) {
+    const auto touched = [&](int k) {
+      const algebra::LocalIndex vertex = patches_->vertex(cell, k);
+      return patches_->plane(vertex).most != Patches::Kind::none && !at(vertex).isZero(0);
+    };
+    int count = 0;
+    for (int k = 0; k < fem::corner_count(shape_); ++k) count += touched(k) ? 1 : 0;
+    if (count == 0) continue;
+    element::CellField unit = element::CellField::Zero(discrete.space().nodes_per_cell(), 6), forces = unit;
+    const CellResultants points = take(cell, unit);
+    ResultantRows of_points = ResultantRows::Zero(points.values.rows(), 8);
+    for (int k = 0; k < fem::corner_count(shape_); ++k) {
+      if (!touched(k)) continue;
+      const algebra::LocalIndex vertex = patches_->vertex(cell, k);
+      const Patches::Plane& plane = patches_->plane(vertex);
+      for (std::size_t p = 0; p < points.position.size(); ++p)
+        of_points.row(static_cast<Eigen::Index>(p)) +=
+            in_other_axes_transposed(Resultants(patches_->basis(plane, points.position[p]) * at(vertex)),
+                                     change_of_axes(points.axes[p], plane.axes));
+    }
+    for (Eigen::Index i = 0; i < unit.size(); ++i) {
+      unit.data()[i] = 1;
+      forces.data()[i] = take(cell, unit).values.cwiseProduct(of_points).sum();
+      unit.data()[i] = 0;
+    }
+    discrete.shell.scatter(cell, forces, f);
+  }
 }
 
 }  // namespace plastron::recovery

@@ -7,14 +7,20 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace plastron::recovery {
 
+/// A patch is twice as wide as a cell, so that a polynomial of the elements' degree k is worse there than the element by 2^k times the ratio
+/// of successive coefficients: on meshes that matter higher degrees need more.
+int patch_degree(const fem::Space& space);
+
 class ResultantPatches {
  public:
-  /// Polynomials of the elements' degree (collective).
+  /// Polynomials of patch_degree() (collective).
   ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution)
-      : ResultantPatches(discrete, solution, discrete.space().degree) {}
+      : ResultantPatches(discrete, solution, patch_degree(discrete.space())) {}
   /// Polynomials of another degree, of which the points of a patch have to know enough.
   ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution, int degree);
   /// On the patches of another field, which cost as much as the fit itself.
@@ -28,7 +34,22 @@ class ResultantPatches {
   std::optional<Resultants> at(std::size_t cell, const Eigen::Vector2d& xi, const Vector3d& position,
                                const SurfaceAxes& axes) const;
 
+  /// A point of an owned cell, and how much of each resultant there counts.
+  struct Weighed {
+    std::size_t cell = 0;
+    Eigen::Vector2d xi = Eigen::Vector2d::Zero();
+    Vector3d position = Vector3d::Zero();
+    SurfaceAxes axes{};
+    Resultants weights = Resultants::Zero();
+  };
+  /// Adds forces f with f . y = weights . at(...) to the owned cells' nodes (block 6; ghosts are to be accumulated). `point`: on one rank
+  /// alone, in a cell that has_patch() (collective).
+  void add_transposed(const assembly::DiscreteShell& discrete, const std::optional<Weighed>& point,
+                      algebra::Vector& f) const;
+
  private:
+  /// The vertices whose polynomials are blended at a point of a cell, and their weights.
+  std::vector<std::pair<algebra::LocalIndex, double>> blended(std::size_t cell, const Eigen::Vector2d& xi) const;
   void fit(const std::vector<CellResultants>& cells);
 
   fem::Shape shape_;

@@ -10,6 +10,16 @@ Resultants in_other_axes(const Resultants& resultants, const Eigen::Matrix2d& ch
   return result;
 }
 
+Resultants in_other_axes_transposed(const Resultants& weights, const Eigen::Matrix2d& change) {
+  Resultants result, unit = Resultants::Zero();
+  for (Eigen::Index k = 0; k < 8; ++k) {
+    unit[k] = 1;
+    result[k] = weights.dot(in_other_axes(unit, change));
+    unit[k] = 0;
+  }
+  return result;
+}
+
 ResultantPoints::ResultantPoints(const assembly::DiscreteShell& discrete, std::optional<Vector3d> axis)
     : discrete_(discrete), axis_(std::move(axis)) {
   const fem::Shape shape = discrete.space().shape();

@@ -16,6 +16,9 @@ using Resultants = Eigen::Matrix<double, 1, 8>;
 /// The same in other axes: `change` as change_of_axes() gives it.
 Resultants in_other_axes(const Resultants& resultants, const Eigen::Matrix2d& change);
 
+/// Weights w' with w' . resultants = w . in_other_axes(resultants, change) for all resultants.
+Resultants in_other_axes_transposed(const Resultants& weights, const Eigen::Matrix2d& change);
+
 /// A point of a cell with its resultants in its axes.
 struct CellResultants {
   std::vector<Vector3d> position;  ///< phi [m]

@@ -42,6 +42,18 @@ inline double von_mises_at(const SectionForces& f, double z) {
   return von_mises(in_plane_stress(f, z), parabolic_shear_stress(f, z));
 }
 
+/// How much von_mises_at a height changes with each of N_11 N_22 N_12 M_11 M_22 M_12 Q_1 Q_2; zero where there is no stress.
+inline Eigen::Matrix<double, 8, 1> von_mises_derivative(const SectionForces& f, double z) {
+  Eigen::Matrix<double, 8, 1> derivative = Eigen::Matrix<double, 8, 1>::Zero();
+  const Vector3d s = in_plane_stress(f, z);
+  const Eigen::Vector2d shear = parabolic_shear_stress(f, z);
+  const double stress = von_mises(s, shear), e = f.thickness, side = 2 * z / e;
+  if (!(stress > 0)) return derivative;
+  const Vector3d in_plane = Vector3d(2 * s[0] - s[1], 2 * s[1] - s[0], 6 * s[2]) / (2 * stress);
+  derivative << in_plane / e, 12 * z / (e * e * e) * in_plane, 3 / stress * 1.5 * (1 - side * side) / e * shear;
+  return derivative;
+}
+
 struct LargestVonMises {
   double stress = 0;  ///< [Pa]
   double height = 0;  ///< z where it is [m]

@@ -1,0 +1,107 @@
+#include <plastron/recovery/stress_peak.hpp>
+
+#include <plastron/assembly/bounding_box.hpp>
+#include <plastron/certificate/place_order.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::recovery {
+
+namespace {
+
+/// Stresses in this part of the largest one are equal up to rounding.
+constexpr double same = 1 - 1e-9;
+
+StressPeak peak_of(const PointValues& point) {
+  const auto largest = shell::largest_von_mises(section_forces(point));
+  return {.von_mises = largest.stress, .height = largest.height, .x = point.x, .position = point.phi};
+}
+
+bool is_singular(const Vector3d& position, std::span<const certificate::SingularPlace> places) {
+  return std::ranges::any_of(places, [&](const certificate::SingularPlace& place) {
+    return (position - place.position).norm() < place.radius;
+  });
+}
+
+/// The largest ones of this rank, equal up to rounding.
+std::vector<StressPeak> local_peaks(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                                    const Choice& choice, std::span<const certificate::SingularPlace> singular) {
+  const fem::Space& space = discrete.space();
+  const std::vector<Eigen::Vector2d> lattice = fem::lattice(space.shape(), space.degree);
+  const Recovery recovery(discrete, solution, lattice, choice);
+  std::vector<StressPeak> peaks;
+  double most = 0;
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
+    const std::vector<PointValues> points = recovery(cell);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      StressPeak here = peak_of(points[p]);
+      if (!(here.von_mises > 0) || here.von_mises < same * most || is_singular(here.position, singular)) continue;
+      most = std::max(most, here.von_mises);
+      here.cell = cell;
+      here.xi = lattice[p];
+      peaks.push_back(here);
+    }
+  }
+  std::erase_if(peaks, [&](const StressPeak& peak) { return peak.von_mises < same * most; });
+  return peaks;
+}
+
+/// Whether a's place comes first; of one place, the upper face.
+bool is_before(const StressPeak& a, const StressPeak& b, double size) {
+  const auto first = certificate::in_units(a.position, size), second = certificate::in_units(b.position, size);
+  return first != second ? first < second : a.height > b.height;
+}
+
+/// What the cell alone makes another stress of, on the rank of the peak; the same on all (collective).
+double error_of(const StressPeak& peak, const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                const Choice& choice) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  if (!choice.patches) return std::numeric_limits<double>::quiet_NaN();
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  double error = 0;
+  if (rank == peak.rank && peak.von_mises > 0) {
+    const PointValues alone = Recovery(discrete, solution, {peak.xi}, {.axis = choice.axis})(peak.cell).front();
+    error = std::abs(peak.von_mises - shell::largest_von_mises(section_forces(alone)).stress);
+  }
+  return algebra::sum_over_ranks(error, comm);
+}
+
+}  // namespace
+
+StressPeak stress_peak(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Choice& choice,
+                       std::span<const certificate::SingularPlace> singular) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  constexpr std::size_t entries = 11;  // stress, height, x, position, rank, cell, xi
+  std::vector<double> mine;
+  for (const StressPeak& p : local_peaks(discrete, solution, choice, singular)) {
+    mine.insert(mine.end(), {p.von_mises, p.height, p.x[0], p.x[1]});
+    mine.insert(mine.end(), p.position.begin(), p.position.end());
+    mine.insert(mine.end(), {static_cast<double>(rank), static_cast<double>(p.cell), p.xi[0], p.xi[1]});
+  }
+  const std::vector<double> all = algebra::gather_over_ranks(mine, comm);
+  double most = 0;
+  for (std::size_t at = 0; at < all.size(); at += entries) most = std::max(most, all[at]);
+  const auto place = [&](std::size_t i) { return discrete.points[i].phi; };
+  const double size = assembly::bounding_box(discrete.points.size(), place, comm).half_diagonal();
+  StressPeak peak;
+  for (std::size_t at = 0; at < all.size(); at += entries) {
+    const double* v = all.data() + at;
+    const StressPeak here{.von_mises = v[0],
+                          .height = v[1],
+                          .x = {v[2], v[3]},
+                          .position = {v[4], v[5], v[6]},
+                          .rank = static_cast<int>(v[7]),
+                          .cell = static_cast<std::size_t>(v[8]),
+                          .xi = {v[9], v[10]}};
+    if (here.von_mises >= same * most && (peak.von_mises == 0 || is_before(here, peak, size))) peak = here;
+  }
+  peak.error = error_of(peak, discrete, solution, choice);
+  return peak;
+}
+
+}  // namespace plastron::recovery
