@@ -231,7 +231,7 @@ void print_summary(const computation::Result& result) {
     if (s.support_reactions.size() > 1) print("  {:<16}{} N\n", r.boundary, vector_text(r.reaction.force));
   for (const auto& c : s.corner_reactions)
     print("  at {:<12} {} N, of the corner of {}\n", fmt::format("({:g}, {:g})", c.at[0], c.at[1]),
-          vector_text(c.reaction.force), fmt::join(c.boundaries, ", "));
+          vector_text(c.reaction.force), fmt::format("{}", fmt::join(c.boundaries, ", ")));
   for (const auto& p : s.point_reactions)
     print("  at {:<12} {} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
   for (const auto& b : s.body_reactions) {
