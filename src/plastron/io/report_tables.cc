@@ -129,6 +129,7 @@ std::string key_numbers_html(const Json& results) {
                                       Column{"in thicknesses", "size/max_relative_displacement"},
                                       Column{"largest rotation", "size/max_rotation"},
                                       Column{"largest von Mises stress", "stress/max_von_mises"},
+                                      Column{"estimate of its error", "stress/error"},
                                       Column{"contact area", "contact/area"},
                                       Column{"touching nodes", "contact/nodes"},
                                       Column{"largest pressure", "contact/max_pressure"},
