@@ -248,7 +248,7 @@ class PressingSearch {
   std::optional<PressedState> first_fall(const PressedState& here, const Positions& direction, double slope) {
     constexpr double fraction_of_slope = 1e-4;
     constexpr int most_halvings = 50;
-    std::optional<Status> failure;
+    Status failure = Status::cycling;
     for (int halvings = 0; halvings < most_halvings; ++halvings, length_ /= 2) {
       auto next = evaluate(moved(here.positions, length_, direction), here.set);
       if (has_ended_) return {};
@@ -258,9 +258,9 @@ class PressingSearch {
       }
       const bool still_falls = slope_along(direction, next->excess) <= 0;
       if (still_falls || next->value - here.value <= fraction_of_slope * length_ * slope) return next;
-      failure.reset();
+      failure = Status::cycling;
     }
-    return no_more(stopped_in_a_row_ > 0 ? Status::infeasible : failure.value_or(Status::cycling));
+    return no_more(stopped_in_a_row_ > 0 ? Status::infeasible : failure);
   }
 
   // A direction without a length: doubled as long as the slope has not halved.
