@@ -38,6 +38,13 @@ const pictureFile = (entry) => `${entry.case}${typeof entry.picture === 'string'
 
 const question = (text) => text.match(/\*\*Question\.\*\* ([\s\S]*?)\n\n/)[1].replace(/\s+/g, ' ').trim();
 
+/** What the energy is worth, as the run tells. */
+function linearity(json) {
+  const part = json.linearity.left_out;
+  const share = part < 1e-4 ? 'less than 0.01' : part < 10 ? Number((100 * part).toPrecision(2)) : 'more than 1000';
+  return `The linear model leaves out ${share} % of the energy${part > 0.05 ? ', and the run warns of it' : ''}.`;
+}
+
 function section(entry) {
   const json = JSON.parse(readFileSync(join(results, entry.case, 'results.json'), 'utf8'));
   const answers = entry.answers.map(([label, path]) => `${label} **${numberAt(json, path)}** (\`${path}\`)`);
@@ -47,7 +54,7 @@ function section(entry) {
 
 ${question(read('cases', entry.case, 'README.md'))}
 
-Answer: ${answers.join('; ')}. [Case, known answer, what to look at](../cases/${entry.case}/README.md)
+Answer: ${answers.join('; ')}. ${linearity(json)} [Case, known answer, what to look at](../cases/${entry.case}/README.md)
 
     plastron run cases/${entry.case}/case.toml --output out/${entry.case}
 `;
@@ -57,7 +64,7 @@ const top = `# Gallery
 
 Every case of [cases](../cases) as \`scripts/make-gallery\` computed and drew it: the question, one or two numbers of \`results.json\` with the path they have there, and the
 command. Pictures are those that report.html saves: colours as the bar says, displacements as they are or, where they are small, enlarged so that they can be seen. Red lines bound contact
-zones, grey surfaces are obstacles.
+zones, grey surfaces are obstacles. What the linear model leaves out is \`linearity.left_out\`: [theory](theory.md#what-linearity-leaves-out) says what that is worth.
 `;
 
 /** The picture that the page saves, as WebP: a fifth of the PNG. */

@@ -6,14 +6,15 @@
 #include <plastron/config/nearest.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace plastron::app {
 
 namespace {
 
 std::vector<Topic> all_topics() {
-  std::vector<Topic> all = case_topics(), more = result_topics();
-  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  std::vector<Topic> all = case_topics();
+  for (std::vector<Topic> more : {result_topics(), limit_topics()}) std::ranges::move(more, std::back_inserter(all));
   return all;
 }
 
@@ -70,8 +71,8 @@ std::vector<std::string> explained_words() {
 ExitCode explain(const std::string& given) {
   if (given.empty()) {
     if (is_first_rank())
-      print_text(stdout,
-                 case_overview() + "\n" + result_overview() + "\nplastron explain WORD tells of each of them.\n");
+      print_text(stdout, case_overview() + "\n" + result_overview() + "\n" + limit_overview() +
+                             "\nplastron explain WORD tells of each of them.\n");
     return solved;
   }
   const std::string word = plain_word(given);

@@ -5,6 +5,7 @@
 #include "messages.hpp"
 #include "terminal.hpp"
 
+#include <plastron/computation/doubts.hpp>
 #include <plastron/computation/goal_names.hpp>
 #include <plastron/computation/instants.hpp>
 #include <plastron/geometry/quotation.hpp>
@@ -125,16 +126,17 @@ void Progress::instant(const computation::HistoryEntry& entry) {
   const auto obstacles =
       std::span(entry.summary.obstacles).first(std::min(entry.summary.obstacles.size(), most_obstacles));
   if (!has_instants_) {
-    print("\n{:>9} {:<20} {:>7} {:>8} {:>6} {:>16} {:>16}", "time", "step", "loads", "contact", "steps", "max |u| [m]",
-          "energy [J]");
+    print("\n{:>9} {:<20} {:>7} {:>8} {:>6} {:>16} {:>16} {:>8}", "time", "step", "loads", "contact", "steps",
+          "max |u| [m]", "energy [J]", "left out");
     for (const auto& obstacle : obstacles)
       print(" {:>18}", (obstacles.size() == 1 ? "obstacle" : geometry::shortened(obstacle.name, 14)) + " [N]");
     print("{}\n", entry.summary.obstacles.size() > most_obstacles ? "  and others in history.csv" : "");
   }
   has_instants_ = true;
-  print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>16.6e} {:>16.9e}", entry.time, geometry::shortened(entry.step, 20),
-        entry.load_factor, entry.level.active, entry.level.iterations, entry.summary.max_displacement,
-        entry.summary.energy.total());
+  print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>16.6e} {:>16.9e} {:>8.2g}", entry.time,
+        geometry::shortened(entry.step, 20), entry.load_factor, entry.level.active, entry.level.iterations,
+        entry.summary.max_displacement, entry.summary.energy.total(),
+        computation::left_out(entry.summary, entry.level).largest());
   for (const auto& obstacle : obstacles) print(" {:>18.6e}", obstacle.reaction.force.norm());
   print("{}\n", entry.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(entry.status)));
   if (is_first_rank()) std::fflush(stdout);
@@ -212,6 +214,15 @@ void print_stress(const computation::Result& result) {
     print("                    and {} more (singular_places in results.json)\n", result.singular_places.size() - most);
 }
 
+void print_linearity(const computation::Result& result) {
+  const computation::LeftOut part = computation::left_out(result.summary, result.last_level());
+  print("linearity         leaves out {} of the energy (forces on turned parts {}, stretch {}, turned lengths {})\n",
+        computation::percent(part.largest()), computation::percent(part.work),
+        computation::percent(part.remaining_stretch.value_or(part.stretch)), computation::percent(part.rotation));
+  if (const auto& buckling = result.last_level().linearity.buckling)
+    print("                  membrane forces {:.2g} times those that buckle the shell\n", *buckling);
+}
+
 }  // namespace
 
 void print_summary(const computation::Result& result) {
@@ -222,9 +233,11 @@ void print_summary(const computation::Result& result) {
   print("energy            {:.9e} J (membrane {:.1f} %, bending {:.1f} %, shear {:.1f} %)\n", s.energy.total(),
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);
   print_estimates(result);
+  print_linearity(result);
   print("largest           |u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad\n", s.max_displacement,
         s.max_relative_displacement, s.max_rotation);
   print_stress(result);
+  print("                  strain {:.2g} %\n", 100 * s.second_order.largest_strain);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
   for (const auto& r : s.support_reactions)

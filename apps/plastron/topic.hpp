@@ -22,8 +22,12 @@ std::vector<Topic> case_topics();
 /// Statuses, fields, and what stands in results.json.
 std::vector<Topic> result_topics();
 
+/// What the program cannot do.
+std::vector<Topic> limit_topics();
+
 /// What there is in each, a line a section or a part.
 std::string case_overview();
 std::string result_overview();
+std::string limit_overview();
 
 }  // namespace plastron::app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/program.hpp"
 
@@ -33,6 +34,32 @@ std::size_t longest_line(const std::string& text) {
     begin = end + 1;
   }
   return longest;
+}
+
+/// The words of a text, without its marks.
+std::string words_of(const std::string& text) {
+  std::istringstream all(text);
+  std::string words;
+  for (std::string word; all >> word;) words += word + " ";
+  return words;
+}
+
+TEST(Explain, answers_what_cannot_be_computed_as_the_page_of_limits_does) {
+  std::ifstream page(std::filesystem::path(PLASTRON_SOURCE_DIR) / "docs/limits.md");
+  int rows = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("| ") || line.starts_with("| word")) continue;
+    std::vector<std::string> cells;
+    std::istringstream row(line.substr(2, line.size() - 4));
+    for (std::string cell; std::getline(row, cell, '|');) cells.push_back(words_of(cell));
+    ASSERT_EQ(cells.size(), 4u) << line;
+    const std::string text = words_of(answer({"explain", cells[0].substr(0, cells[0].size() - 1)}));
+    for (const std::string& cell : cells) EXPECT_THAT(text, HasSubstr(cell.substr(0, cell.size() - 1)));
+    ++rows;
+  }
+  EXPECT_GE(rows, 10);
+  EXPECT_THAT(answer({"explain", "buckling"}), HasSubstr("cannot be computed"));
+  EXPECT_THAT(answer({"explain", "yield"}), HasSubstr("plasticity"));
 }
 
 // ---- explain ---------------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/goal_names.hpp>
 #include <plastron/estimation/kept_pins.hpp>
+#include <plastron/estimation/linearity.hpp>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -62,6 +63,9 @@ class SolvedSaddle {
     return derivative(functional, {.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_});
   }
   const algebra::Vector& coordinates() const { return z_.z; }
+  Linearity linearity() {
+    return estimation::linearity({.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_}, *pins_, true);
+  }
   std::int64_t touching() const { return static_cast<std::int64_t>(std::ranges::count(nodal_.touching.owned(), 1.0)); }
   MPI_Comm comm() const { return discrete_->space().layout->comm; }
   int factorisations() const { return factor_->factorisations(); }
@@ -262,6 +266,18 @@ TEST(GoalNames, KnowTheirUnits) {
   EXPECT_EQ(unit_of(find_goal("probe.tip.M.12", catalogue)->functional), "N");
   EXPECT_EQ(unit_of(find_goal("probe.tip.Q.1", catalogue)->functional), "N/m");
   EXPECT_EQ(unit_of(find_goal("probe.tip.r.y", catalogue)->functional), "rad");
+}
+
+TEST(Linearity, IsTheSameOnAnyNumberOfRanks) {
+  for (const bool has_obstacle : {false, true}) {
+    SolvedSaddle alone({.degree = 3, .refinements = 1, .has_obstacle = has_obstacle, .comm = MPI_COMM_SELF});
+    SolvedSaddle shared({.degree = 3, .refinements = 1, .has_obstacle = has_obstacle});
+    const Linearity expected = alone.linearity(), found = shared.linearity();
+    EXPECT_GT(*expected.remaining_stretch, 0);
+    EXPECT_NEAR(*found.remaining_stretch, *expected.remaining_stretch, 1e-6 * *expected.remaining_stretch);
+    EXPECT_GT(*expected.buckling, 0);
+    EXPECT_NEAR(*found.buckling, *expected.buckling, 0.05 * *expected.buckling);
+  }
 }
 
 }  // namespace

@@ -73,6 +73,9 @@ TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_EQ(lines[0].rfind("time,step,status,load_factor,energy,", 0), 0U);
   EXPECT_EQ(lines[3].rfind("1.0,\"press, slowly\",solved,1.0,", 0), 0U);
+  EXPECT_THAT(lines[0],
+              testing::AllOf(testing::HasSubstr("probes.centre.N_11,probes.centre.N_22,probes.centre.N_12"),
+                             testing::HasSubstr("probes.centre.u_x"), testing::Not(testing::HasSubstr("N_x"))));
   const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
   for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(commas(lines[i]), commas(lines[0]) + 1);  // one is in the name
 }

@@ -94,7 +94,11 @@ TEST(Report, holds_the_numbers_of_results_json_and_all_sections) {
   // A number that the page shows carries all its digits and its place.
   const std::string energy = results["energy"].dump();
   EXPECT_THAT(page, HasSubstr("data-path=\"energy\" title=\"" + energy + "\""));
-  for (const char* id : {"shell", "balance", "contact", "probes", "plots", "certificate", "levels", "files"})
+  // What linearity leaves out stands at the top.
+  EXPECT_LT(page.find("data-path=\"linearity/left_out\""), page.find("<section"));
+  EXPECT_THAT(page, HasSubstr("The von Mises stress is largest at ("));
+  for (const char* id :
+       {"shell", "estimates", "balance", "contact", "probes", "plots", "certificate", "levels", "files"})
     EXPECT_EQ(occurrences(page, std::string("<section id=\"") + id + "\""), 1U) << id;
   EXPECT_EQ(occurrences(page, "data:image/svg+xml;base64,"), 5U);  // energy, reaction, area, nodes, changes
   EXPECT_THAT(page, Not(HasSubstr("{{")));
@@ -117,6 +121,23 @@ TEST(Report, shows_the_surface_that_the_vtu_file_has) {
   EXPECT_NEAR(-*std::ranges::min_element(u), result.summary.max_displacement, 1e-8);
   EXPECT_EQ(scene["obstacles"].size(), 1U);
   EXPECT_EQ(scene["lines"].size(), result.summary.obstacles[0].zones[0].lines.size());
+}
+
+TEST(Report, shows_no_pressure_below_zero_between_nodes) {
+  const computation::Result result = solved({.degree = 4, .refinements = 1});
+  const Json scene = scene_json(*result.solution, result.summary);
+  if (world_rank() != 0) return;
+  const auto eta = row_of(scene, "eta", 0);
+  EXPECT_GT(*std::ranges::max_element(eta), 0);
+  EXPECT_GE(*std::ranges::min_element(eta), 0);
+}
+
+TEST(Report, sets_estimated_errors_beside_those_that_were_asked_for) {
+  Json results = results_json(solved({.degree = 2, .refinements = 2}), {});
+  results["estimates"]["goals"][0]["tolerance"] = 1e-9;
+  const std::string page = report_html(results, nullptr);
+  EXPECT_THAT(page, HasSubstr("data-path=\"estimates/goals/0/tolerance\""));
+  EXPECT_THAT(page, HasSubstr("<strong>missed</strong>"));
 }
 
 TEST(Report, merges_cells_to_blocks_where_there_are_too_many_points) {

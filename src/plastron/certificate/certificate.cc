@@ -213,6 +213,7 @@ Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution&
   const MPI_Comm comm = discrete.space().layout->comm;
   Summary s;
   s.energy = discrete.shell.energies(solution.y);
+  s.second_order = assembly::second_order(discrete.shell, solution.y);
   s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
   s.loads = over_ranks(sums.loads, comm);
   const std::vector<double> areas = contact_areas(discrete, solution);
@@ -429,6 +430,8 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   const StrainScale scale = sums.strain_scale.over_ranks(comm);
   const bool is_unstrained = a < rounding_of_energy * scale.energy;
   verdict.summary.is_unstrained = is_unstrained;
+  verdict.summary.rounding_energy = rounding_of_energy * scale.energy;
+  if (is_unstrained) verdict.summary.second_order.work = 0;  // membrane forces are rounding
   verdict.summary.load_norms = load_norms(discrete, size);
   SupportReactions supports = support_reactions(discrete, sums.at_supports);
   verdict.summary.support_reactions = std::move(supports.boundaries);

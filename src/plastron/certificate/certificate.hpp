@@ -1,11 +1,13 @@
 // The certificate of a solution (docs/model.md, section 8), recomputed from displacements, strains and bounds alone.
 #pragma once
+#include <plastron/assembly/second_order.hpp>
 #include <plastron/certificate/body_reactions.hpp>
 #include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/edge_contact.hpp>
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/certificate/support_reactions.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -57,6 +59,8 @@ struct Summary {
   double max_rotation = 0;                   ///< max |r| over nodes [rad]
   double least_thickness = 0;                ///< min e over nodes [m]
   double size = 0;                           ///< half the diagonal of the box that holds the nodes [m]
+  assembly::SecondOrder second_order{};      ///< what linear strains leave out; no work where the shell is not strained
+  double rounding_energy = 0;                ///< what rounding alone may store [J]
   double tangency_energy = 0;                ///< energy of the penalty or stabilisation [J]
   double multiplier_norm = 0;                ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
@@ -72,6 +76,12 @@ struct Summary {
   std::vector<BodyReaction> body_reactions{};        ///< of the rigid bodies, in the case's order
   std::vector<ObstacleContact> obstacles{};          ///< one by one, in the problem's order
   EdgeContact edge;                                  ///< what of the contact lies on edges of the shell
+
+  /// An energy over the stored one, finite also where the shell moves as a rigid body.
+  double over_stored(double part) const {
+    const double stored = std::max(energy.total(), rounding_energy);
+    return part == 0 ? 0 : part / stored;
+  }
 };
 
 /// Nodal results of a solution, per local node with valid ghosts.

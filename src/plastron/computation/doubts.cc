@@ -4,28 +4,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace plastron::computation {
 
 namespace {
 
-/// The strains leave out squares of the rotation: half of 0.3^2 is five per cent of the length of a line.
-constexpr double largest_rotation = 0.3;
-/// A displacement of this part of the shell's size turns it as far somewhere, rigid motions apart.
-constexpr double largest_displacement = 0.3;
+/// What linear strains may leave out of the stored energy before it is said.
+constexpr double notable_left_out = 0.05;
+/// Membrane forces over those under which the shell buckles: thin shells with imperfections buckle from here on.
+constexpr double near_buckling = 0.5;
+/// Strain from which measures of strain differ by more than 1 %; metals yield at a tenth of it.
+constexpr double largest_strain = 0.02;
 /// Penetration between nodes that is worth a word, as a part of the thickness.
 constexpr double notable_depth = 0.05;
 /// Tolerances may be so much looser than asked for before it is said.
 constexpr double notable_loosening = 1e3;
 
-std::string linear_model_text(const char* what, const certificate::Summary& s) {
+std::string linear_model_text(const HistoryEntry& instant) {
+  const certificate::Summary& s = instant.summary;
+  const LeftOut part = left_out(s, instant.level);
   return fmt::format(
-      "the linear model is left: {}; the largest rotation is {:.3g} rad, the largest displacement {:.3g} m or {:.3g} "
-      "thicknesses, and strains linear in them are wrong beyond about {:g} rad; reduce the loads or take the result as "
-      "the "
-      "linear model's only",
-      what, s.max_rotation, s.max_displacement, s.max_relative_displacement, largest_rotation);
+      "{}the linear model is left: what it leaves out is {} of the stored energy (membrane forces on turned parts {}, "
+      "stretch by rotations {}, turned lengths {}) at displacements of up to {:.3g} m or {:.3g} thicknesses and "
+      "rotations of up to {:.3g} rad; energy, displacements and forces may be wrong by that and more; use a smaller "
+      "load, a thicker shell or a program for finite rotations",
+      instant.step.empty() ? "" : fmt::format("at time {:g}, ", instant.time), percent(part.largest()),
+      percent(part.work), percent(part.remaining_stretch.value_or(part.stretch)), percent(part.rotation),
+      s.max_displacement, s.max_relative_displacement, s.max_rotation);
+}
+
+std::string buckling_text(double buckling) {
+  return fmt::format(
+      "the membrane forces are {:.2g} times those under which a perfect shell buckles, contact held, and real ones "
+      "buckle from half of these on; the linear model knows no buckling; use a smaller load, a thicker shell or a "
+      "program for finite rotations",
+      buckling);
 }
 
 std::string penetration_text(double depth, double part) {
@@ -73,11 +88,38 @@ std::vector<std::string> sideways_warnings(const certificate::Summary& summary) 
   return warnings;
 }
 
-std::vector<std::string> linear_model_warnings(const certificate::Summary& summary) {
-  if (summary.max_rotation > largest_rotation) return {linear_model_text("rotations are not small", summary)};
-  if (summary.max_displacement > largest_displacement * summary.size)
-    return {linear_model_text("displacements are not small beside the shell", summary)};
-  return {};
+std::string percent(double part) { return part < 10 ? fmt::format("{:.2g} %", 100 * part) : "more than 1000 %"; }
+
+std::vector<std::string> linear_model_warnings(const Result& result) {
+  const HistoryEntry end{.step = "", .level = result.last_level(), .summary = result.summary};
+  const std::span<const HistoryEntry> instants =
+      result.history.empty() ? std::span(&end, 1) : std::span<const HistoryEntry>(result.history);
+  const HistoryEntry* worst = nullptr;
+  double most = notable_left_out, buckling = 0;
+  for (const HistoryEntry& instant : instants) {
+    if (instant.level.status != contact::Status::solved) continue;  // what is no solution says nothing
+    const double part = left_out(instant.summary, instant.level).largest();
+    if (part > most) worst = &instant;
+    most = std::max(most, part);
+    buckling = std::max(buckling, instant.level.linearity.buckling.value_or(0));
+  }
+  std::vector<std::string> warnings;
+  if (worst != nullptr) warnings.push_back(linear_model_text(*worst));
+  if (buckling > near_buckling) warnings.push_back(buckling_text(buckling));
+  return warnings;
+}
+
+std::vector<std::string> strain_warnings(const Result& result) {
+  const double strain = result.summary.second_order.largest_strain;
+  if (!(strain > largest_strain)) return {};
+  const Eigen::Vector3d& at = result.peak.position;
+  return {
+      fmt::format("the largest strain is {:.2g} %, the largest von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) "
+                  "m: most metals "
+                  "yield at strains of 0.1 to 0.5 %, and the law is linear; compare the stress with the yield stress, "
+                  "use a smaller "
+                  "load or a program with plasticity",
+                  100 * strain, result.peak.von_mises, at[0], at[1], at[2])};
 }
 
 std::vector<std::string> body_warnings(const certificate::Summary& summary) {

@@ -11,6 +11,7 @@
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/kept_pins.hpp>
+#include <plastron/estimation/linearity.hpp>
 
 namespace plastron::computation {
 
@@ -99,8 +100,18 @@ class LevelRun {
     tell("estimates");
     last_->pins.keep();
     auto estimates = estimation::estimate(solved(z, nodal, summary), last_->pins, *task_.goals);
-    seconds.estimates = watch.lap();
+    seconds.estimates += watch.lap();
     return estimates;
+  }
+
+  /// What the linear model leaves out of that solution; where errors are estimated, buckling too.
+  estimation::Linearity linearity(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
+                                  const certificate::Summary& summary) {
+    Stopwatch watch;
+    last_->pins.keep();
+    const auto found = estimation::linearity(solved(z, nodal, summary), last_->pins, task_.goals.has_value());
+    seconds.estimates += watch.lap();
+    return found;
   }
 
   void tell(std::string_view phase) const {
@@ -227,9 +238,14 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   std::optional<estimation::Estimates> estimates;
   std::vector<double> values;
   if (task.goals && z.status == contact::Status::solved) estimates = run.estimate(z, nodal, verdict.summary);
-  if (z.status == contact::Status::solved) values = run.values(z, nodal, verdict.summary);
+  estimation::Linearity linearity;
+  if (z.status == contact::Status::solved) {
+    values = run.values(z, nodal, verdict.summary);
+    linearity = run.linearity(z, nodal, verdict.summary);
+  }
 
   Level record = record_of(measured(run.discrete(), nodal, verdict), z);
+  record.linearity = linearity;
   record.iterations = static_cast<int>(run.history.size());
   record.history = std::move(run.history);
   record.factorisations = run.factorisations;

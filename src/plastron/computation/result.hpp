@@ -62,20 +62,21 @@ struct Level {
   std::int64_t active = 0;  ///< nodes in contact
   int iterations = 0;       ///< active-set iterations
   int factorisations = 0;
-  int linearisations = 1;            ///< of the gaps
-  double gap_error = 0;              ///< largest |distance - linearised gap| of the deformed faces in contact [m]
-  double energy = 0;                 ///< 1/2 a(U, U) [J]
-  int lift_rounds = 0;               ///< how often bounds of gaps were lifted
-  double energy_before_lifts = 0;    ///< energy of the solution with bounds at 0; `energy` where none was lifted [J]
-  double reaction = 0;               ///< norm of the obstacle's resultant force [N]
-  double contact_area = 0;           ///< [m^2]
-  double max_normal_rotation = 0;    ///< max |r . a_3|
-  double multiplier_norm = 0;        ///< of lambda [N m]
-  double min_gap = 0;                ///< at nodes [m]
-  double linear_residual = 0;        ///< of the last linear solve, relative
-  contact::Tolerances tolerances{};  ///< that bounds and signs were held to
-  double max_rotation = 0;           ///< max |r| [rad]
-  std::vector<GoalRecord> goals{};   ///< where accuracy is asked for
+  int linearisations = 1;             ///< of the gaps
+  double gap_error = 0;               ///< largest |distance - linearised gap| of the deformed faces in contact [m]
+  double energy = 0;                  ///< 1/2 a(U, U) [J]
+  int lift_rounds = 0;                ///< how often bounds of gaps were lifted
+  double energy_before_lifts = 0;     ///< energy of the solution with bounds at 0; `energy` where none was lifted [J]
+  double reaction = 0;                ///< norm of the obstacle's resultant force [N]
+  double contact_area = 0;            ///< [m^2]
+  double max_normal_rotation = 0;     ///< max |r . a_3|
+  double multiplier_norm = 0;         ///< of lambda [N m]
+  double min_gap = 0;                 ///< at nodes [m]
+  double linear_residual = 0;         ///< of the last linear solve, relative
+  contact::Tolerances tolerances{};   ///< that bounds and signs were held to
+  double max_rotation = 0;            ///< max |r| [rad]
+  estimation::Linearity linearity{};  ///< of a solution that was found
+  std::vector<GoalRecord> goals{};    ///< where accuracy is asked for
   std::vector<contact::Iteration> history{};
   Seconds seconds{};
 };

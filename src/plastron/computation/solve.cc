@@ -80,6 +80,7 @@ class Computation {
                 advance(instants_[i], continued_at(instants_[i]));
     if (result_.solution && problem_.steps.empty()) judge_certificate(result_);
     if (result_.solution) {
+      warn(linear_model_warnings(result_), observer_, result_);
       add_contact_zones(result_);
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
       warn(sideways_warnings(result_.summary), observer_, result_);
@@ -87,6 +88,7 @@ class Computation {
       warn(point_support_warnings(result_, problem_.supports), observer_, result_);
       if (result_.history.empty()) recover();
       find_stress_peak(result_);
+      warn(strain_warnings(result_), observer_, result_);
     }
     adopt_worst_status();
     result_.peak_memory = peak_memory(comm_);
@@ -453,10 +455,6 @@ class Computation {
     latest_ = std::move(level.record);
     result_.solution = std::move(level.solution);
     result_.estimates = std::move(level.estimates);
-    if (is_beyond_linear_ || result_.status != contact::Status::solved) return;  // what is no solution says nothing
-    auto warnings = linear_model_warnings(result_.summary);
-    is_beyond_linear_ = !warnings.empty();
-    warn(std::move(warnings), observer_, result_);
   }
 
   /// Resultants of the present solution, and its probes.
@@ -502,7 +500,6 @@ class Computation {
   std::vector<signed char> marks_{};             ///< of its cells, where there are no cuts
   std::string missed_accuracy_{};
   std::string missed_on_the_way_{};  ///< between instants
-  bool is_beyond_linear_ = false;
 };
 
 }  // namespace

@@ -270,7 +270,8 @@ std::string describe(const StartMesh& mesh, const Problem& problem) {
   }
   const std::string what = !mesh.no_rows.empty() ? fmt::format("no rows along edges: {}", mesh.no_rows)
                            : rows.empty()
-                               ? "no rows along edges: layers are none, or wider than a quarter of the shell"
+                               ? "edge refinement: not needed (edge layers are absent or wider than a quarter of the "
+                                 "shell)"
                                : fmt::format("rows along {} wide{}", fmt::join(rows, ", "),
                                              mesh.has_narrow_rows ? ", and a narrow one at each of these edges" : "");
   const std::string finest =

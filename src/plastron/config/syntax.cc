@@ -2,9 +2,11 @@
 // "12 | line" above a line with carets, several times when two places matter: the last one is where reading stopped.
 #include <fmt/format.h>
 #include <plastron/config/limits.hpp>
+#include <plastron/config/schema.hpp>
 #include <plastron/config/source.hpp>
 #include <plastron/geometry/quotation.hpp>
 
+#include <algorithm>
 #include <cctype>
 #include <sstream>
 
@@ -80,11 +82,32 @@ Sentence about_parts(const std::string& message) {
           vector_or_components(name)};
 }
 
-Sentence about_duplicate(const std::string& message) {
+bool is_repeated(const std::string& path) {
+  return std::ranges::any_of(sections(),
+                             [&](const Section& s) { return s.path == path && s.header.starts_with("[["); });
+}
+
+/// The line of the first header of a section; 0 if none is found.
+std::size_t first_line(const std::string& text, const std::string& section) {
+  std::istringstream lines(text);
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::size_t at = line.find_first_not_of(" \t");
+    if (at != std::string::npos && line.substr(at).starts_with("[" + section + "]")) return number;
+  }
+  return 0;
+}
+
+Sentence about_duplicate(const std::string& message, const std::string& text) {
   const std::string name = quoted_name(message);
   if (message.find(": table (") == std::string::npos && message.find("array of table") == std::string::npos)
     return {fmt::format("\"{}\" is given twice", name), vector_or_components(name)};
-  return {fmt::format("section [{}] is given twice", name), fmt::format("a repeated section is written [[{}]]", name)};
+  const std::string what = fmt::format("section [{}] is given twice", name);
+  const std::size_t first = first_line(text, name);
+  if (is_repeated(name)) return {what, fmt::format("a repeated section is written [[{}]]", name)};
+  return {what, fmt::format("put all its keys below one [{}]{}", name,
+                            first == 0 ? "" : fmt::format(", the first is on line {}", first))};
 }
 
 Sentence translate(const std::string& message, const std::string& text, std::size_t at) {
@@ -92,7 +115,7 @@ Sentence translate(const std::string& message, const std::string& text, std::siz
   if (says("unknown value appeared") || says("not a boolean")) return about_value(text, at);
   if (says("not a valid string") || says("not a valid literal string")) return about_string(text, at);
   if (says("multiline string")) return {"the quotes are never closed", "add three quotes at the end of the text"};
-  if (says("already exists") || says("collides") || says("cannot be defined")) return about_duplicate(message);
+  if (says("already exists") || says("collides") || says("cannot be defined")) return about_duplicate(message, text);
   if (says("neither table nor an array of tables")) return about_parts(message);
   if (says("missing value after")) return {"the value is missing after =", ""};
   if (says("missing key-value separator")) return {"expected = and a value after the key", "write key = value"};

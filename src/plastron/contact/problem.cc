@@ -58,7 +58,7 @@ std::string_view to_string(Status status) {
 std::string_view explain(Status status) {
   switch (status) {
     case Status::solved:
-      return "All bounds and signs of multipliers hold.";
+      return "Solved: no penetration at nodes, no tensile contact pressure.";
     case Status::iteration_limit:
       return "The active set still changed when the iterations ran out; start from a coarser mesh or a smaller load, "
              "or "

@@ -61,4 +61,12 @@ struct Estimates {
   std::int64_t unjudged_cells = 0;  ///< of all ranks
 };
 
+/// How far a solution of the linear model is from what finite displacements would make of it (linearity.hpp).
+struct Linearity {
+  /// What of assembly::SecondOrder::stretch is left after the best further displacement [J].
+  std::optional<double> remaining_stretch{};
+  /// Largest mu with -K_N v = mu A v, K_N the geometric stiffness of N^{ab}, contact held: 1 where the shell buckles.
+  std::optional<double> buckling{};
+};
+
 }  // namespace plastron::estimation

@@ -23,6 +23,9 @@ class ChartCheck {
 
   void run() {
     for (const fem::Cell& cell : examined_.space->cells)
+      for (const geometry::SurfaceJet& jet : samples(cell, examined_.tables.nodes, false).jets)
+        if (is_finite(jet)) largest_element_ = std::max(largest_element_, jet.d[0].cross(jet.d[1]).norm());
+    for (const fem::Cell& cell : examined_.space->cells)
       if (!usable_points(cell) || !usable_nodes(cell)) return;
     examined_.size = (high_ - low_).norm() / 2;
     examined_.is_developable = flattest_ <= 1e-9 * std::max(roundest_, 1 / examined_.size);
@@ -30,6 +33,7 @@ class ChartCheck {
     examined_.add(Severity::note, "chart: regular at {} sample points, mid-surface area {:.6g} m^2", points, area_);
     examined_.add(Severity::note, "thickness: {:.4g} to {:.4g} m; e |kappa| / 2 at most {:.3g} (must stay below 1)",
                   thinnest_, thickest_, sharpest_);
+    check_proportions();
     if (sharpest_ > 0.3)
       examined_.add(Severity::warning,
                     "e |kappa| / 2 reaches {:.2g}: a shell model is doubtful where the thickness is a sizeable part of "
@@ -38,6 +42,17 @@ class ChartCheck {
   }
 
  private:
+  void check_proportions() {
+    constexpr double doubtful = 0.5, no_shell = 1.5;  // of half the diagonal
+    if (!(thickest_ > doubtful * examined_.size)) return;
+    examined_.add(
+        thickest_ > no_shell * examined_.size ? Severity::error : Severity::warning,
+        "the shell is {:.4g} m thick, and the diagonal of the box that holds its mid-surface measures {:.4g} m: "
+        "a shell's thickness is a small part of its extent, a tenth or less; check the units of the thickness "
+        "and of the geometry, or compute a solid with another program",
+        thickest_, 2 * examined_.size);
+  }
+
   bool usable_points(const fem::Cell& cell) {
     const auto& xi = examined_.tables.quadrature.xi;
     const Samples s = samples(cell, xi, true);
@@ -83,11 +98,15 @@ class ChartCheck {
                     x, y);
       return false;
     }
-    if (geometry::tangent_sine(jet) > geometry::degenerate_sine) return true;
+    // A tangent that is zero up to rounding may be at a right angle to the other one.
+    const double element = jet.d[0].cross(jet.d[1]).norm();
+    if (geometry::tangent_sine(jet) > geometry::degenerate_sine &&
+        element > geometry::degenerate_sine * largest_element_)
+      return true;
     examined_.add(Severity::error,
                   "the chart is degenerate at x = {:.6g}, y = {:.6g}: its tangents a_1 and a_2 are parallel or zero "
                   "(|a_1 x a_2| = {:.2g}); choose parameters in which phi has independent tangents",
-                  x, y, jet.d[0].cross(jet.d[1]).norm());
+                  x, y, element);
     return false;
   }
 
@@ -120,6 +139,7 @@ class ChartCheck {
   }
 
   Examined& examined_;
+  double largest_element_ = 0;  ///< |a_1 x a_2| at the nodes
   double thinnest_ = INFINITY, thickest_ = 0, sharpest_ = 0, area_ = 0;
   double flattest_ = 0, roundest_ = 0;  ///< largest of the smaller and of the larger principal curvatures [1/m]
   Eigen::Vector3d low_ = Eigen::Vector3d::Constant(INFINITY), high_ = -low_;  ///< box of the mid-surface

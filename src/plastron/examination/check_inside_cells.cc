@@ -43,10 +43,10 @@ bool check_kinks(Examined& examined, const JumpSearch& search) {
   if (!kink) return true;
   examined.add(
       Severity::error,
-      "the mid-surface has a kink or a jump inside of a cell near x = {:.6g}, y = {:.6g}, of about {:.3g} rad; "
+      "the mid-surface has a kink or a jump inside of a cell near x = {:.6g}, y = {:.6g}, of about {:.3g} degrees; "
       "curvature may jump, the normal may not: round the fold off, or describe the pieces by regions (breaks "
       "of a rectangle, or a .msh file) that meet with one tangent plane",
-      kink->at[0], kink->at[1], kink->size);
+      kink->at[0], kink->at[1], degrees_between(kink->size));
   return false;
 }
 

@@ -3,6 +3,12 @@
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/examination/pressing.hpp>
+#include <plastron/fem/reference_cell.hpp>
+#include <plastron/geometry/frame.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <variant>
 
 namespace plastron::examination {
 
@@ -31,6 +37,101 @@ void add_hold(const Pressing& pressing, const RigidMotions& motions, Examined& e
                  motion);
 }
 
+/// Where the shell rests on an obstacle: the least distance of its faces, and the obstacle's normal there.
+struct Rest {
+  double gap = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+};
+
+/// Whether a shell that contact holds against a rotation can roll: the linear gap sees no more than its first order. The shell is turned by
+/// finite angles and set down again; where the loads then have not lost work, nothing drives it back.
+class Rolling {
+ public:
+  Rolling(const Examined& examined, const RigidMotions& motions, const ExaminedNodes& nodes,
+          const algebra::Vector& load)
+      : examined_(examined), motions_(motions), nodes_(nodes), load_(load) {
+    for (std::size_t i = 0; i < nodes.points.size(); ++i) resultant_ += force_at(i).head<3>();
+    const std::vector<Eigen::Vector2d> xi = fem::lattice(examined.space->shape(), 8);
+    std::vector<geometry::SurfaceJet> jets(xi.size());
+    std::vector<double> x(xi.size()), y(xi.size()), e(xi.size());
+    for (const fem::Cell& cell : examined.space->cells) {
+      examined.surface->jets(cell, xi, jets, false);
+      examined.surface->positions(cell, xi, x, y);
+      examined.problem.sections.at(*examined.space->coarse, cell).thickness.evaluate(x, y, e);
+      for (std::size_t p = 0; p < xi.size(); ++p)
+        for (const double side : {-0.5, 0.5}) faces_.push_back(jets[p].value + side * e[p] * unit_normal(jets[p]));
+    }
+  }
+
+  bool is_possible(const RigidMotion& motion) const {
+    constexpr double angle = 0.2, hardly = 0.05;  // of the work that lifts the shell's size by angle^2 / 2
+    if (resultant_.isZero(0) || !RigidMotions::is_rotation(motion)) return false;
+    const Rest before = rest(motion, 0);
+    for (const double turn : {-angle, angle}) {
+      const Rest after = rest(motion, turn);
+      const double down = after.normal.dot(resultant_);  // < 0: the loads press it on
+      if (!(down < 0)) continue;
+      const double work = work_of(motion, turn) + (before.gap - after.gap) * down;
+      if (work > -hardly * resultant_.norm() * motions_.size() * angle * angle / 2) return true;
+    }
+    return false;
+  }
+
+ private:
+  Eigen::Matrix<double, 6, 1> force_at(std::size_t node) const {
+    return Eigen::Map<const Eigen::Matrix<double, 6, 1>>(load_.owned().data() + 6 * node);
+  }
+
+  Rest rest(const RigidMotion& motion, double angle) const {
+    Rest lowest;
+    for (const Eigen::Vector3d& place : faces_) {
+      const Eigen::Vector3d X = motions_.turned(place, motion, angle);
+      for (const obstacle::Obstacle& obstacle : examined_.problem.obstacles) {
+        const obstacle::Nearest nearest = obstacle.nearest(X);
+        if (nearest.distance < lowest.gap) lowest = {nearest.distance, nearest.normal};
+      }
+    }
+    return lowest;
+  }
+
+  double work_of(const RigidMotion& motion, double angle) const {
+    const Eigen::Matrix3d turn = RigidMotions::turn(motion, angle);
+    double work = 0;
+    for (std::size_t i = 0; i < nodes_.points.size(); ++i) {
+      const assembly::NodalPoint& p = nodes_.points[i];
+      work += force_at(i).head<3>().dot(motions_.turned(p.phi, motion, angle) - p.phi) +
+              force_at(i).tail<3>().dot(turn * p.a3 - p.a3);
+    }
+    return work;
+  }
+
+  const Examined& examined_;
+  const RigidMotions& motions_;
+  const ExaminedNodes& nodes_;
+  const algebra::Vector& load_;
+  Eigen::Vector3d resultant_ = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> faces_{};
+};
+
+/// Distances to other shapes are searched, which takes too long for thousands of points.
+bool has_fast_distance(const obstacle::Obstacle& obstacle) {
+  return !std::holds_alternative<obstacle::HeightField>(obstacle.shape) &&
+         !std::holds_alternative<obstacle::DistanceField>(obstacle.shape) &&
+         !std::holds_alternative<obstacle::TriangleSurface>(obstacle.shape);
+}
+
+void check_rolling(Examined& examined, const RigidMotions& motions, const ExaminedNodes& nodes,
+                   const std::vector<RigidMotion>& held, const algebra::Vector& load) {
+  if (!std::ranges::all_of(examined.problem.obstacles, has_fast_distance)) return;
+  const Rolling rolling(examined, motions, nodes, load);
+  for (const RigidMotion& motion : held)
+    if (rolling.is_possible(motion))
+      examined.add(Severity::warning,
+                   "the shell can roll on the obstacle: {}; turned by 0.2 rad and set down again, the loads do not "
+                   "drive it back, and the linear model does not see that; fix this motion by a support",
+                   motions.in_words(motion));
+}
+
 }  // namespace
 
 void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
@@ -41,10 +142,12 @@ void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
                  "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries",
                  motions.in_words(motion));
   if (free.held_by_obstacle.cols() > 0) {
-    const Pressing found =
-        pressing(motions, free.held_by_obstacle, nodes.points, nodes.coordinates, load_of(examined).owned());
+    const algebra::Vector load = load_of(examined);
+    const Pressing found = pressing(motions, free.held_by_obstacle, nodes.points, nodes.coordinates, load.owned());
     add_hold(found, motions, examined);
-    for (const RigidMotion& motion : readable(free.held_by_obstacle))
+    const std::vector<RigidMotion> held = readable(free.held_by_obstacle);
+    if (found.hold == Hold::pressed) check_rolling(examined, motions, nodes, held, load);
+    for (const RigidMotion& motion : held)
       examined.add(Severity::note, "only the obstacle holds the rigid motion: {}{}", motions.in_words(motion),
                    found.hold == Hold::pressed ? "; the loads press the shell onto it" : "");
   } else if (free.unheld.cols() + free.held_by_obstacle.cols() == 0) {

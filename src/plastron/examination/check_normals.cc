@@ -28,11 +28,12 @@ bool agree(const Seen& first, const geometry::SurfaceJet& jet, double x, double 
     return false;
   }
   if (turned <= tolerance) return true;
-  examined.add(Severity::error,
-               "the mid-surface has a kink at x = {:.6g}, y = {:.6g}: the normals of both sides differ by {:.3g} rad; "
-               "curvature may jump there, the normal may not: round the fold off, or let regions meet with one tangent "
-               "plane",
-               x, y, turned);
+  examined.add(
+      Severity::error,
+      "the mid-surface has a kink at x = {:.6g}, y = {:.6g}: the normals of both sides differ by {:.3g} degrees; "
+      "curvature may jump there, the normal may not: round the fold off, or let regions meet with one tangent "
+      "plane",
+      x, y, degrees_between(turned));
   return false;
 }
 

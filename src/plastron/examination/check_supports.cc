@@ -16,11 +16,12 @@ void check_symmetry(Examined& examined) {
       for (const auto& [direction, value] : rows[i].displacement) {
         if (!first) first = &direction;
         if ((direction - *first).norm() < 1e-6) continue;
-        return examined.add(
-            Severity::error,
-            "the boundary \"{}\" is no symmetry plane: its conormal turns (at x = {:.6g}, y = {:.6g} by {:.3g} rad); "
-            "symmetry needs a plane edge that the shell meets at a right angle",
-            support.boundary, points[i].x[0], points[i].x[1], (direction - *first).norm());
+        return examined.add(Severity::error,
+                            "the boundary \"{}\" is no symmetry plane: its conormal turns (at x = {:.6g}, y = {:.6g} "
+                            "by {:.3g} degrees); "
+                            "symmetry needs a plane edge that the shell meets at a right angle",
+                            support.boundary, points[i].x[0], points[i].x[1],
+                            degrees_between((direction - *first).norm()));
       }
   }
 }

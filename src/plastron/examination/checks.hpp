@@ -51,6 +51,9 @@ std::string obstacle_text(const computation::Problem& problem, std::size_t obsta
 /// (x, y, z) for the user, without what is negligible beside `size` or the vector itself.
 std::string vector_text(Eigen::Vector3d v, double size = 0);
 
+/// The angle between two unit vectors whose difference is that long.
+double degrees_between(double unit_difference);
+
 /// The mesh has the boundaries, regions and nodes that supports, loads and cross-sections name.
 void check_names(Examined& examined);
 /// The chart is regular, the thickness positive, and thin against the curvature. Others rely on it.

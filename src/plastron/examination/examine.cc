@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace plastron::examination {
 
@@ -91,6 +92,10 @@ std::string vector_text(Eigen::Vector3d v, double size) {
   for (double& c : v)
     if (std::abs(c) < negligible) c = 0;
   return fmt::format("({:.3g}, {:.3g}, {:.3g})", v[0], v[1], v[2]);
+}
+
+double degrees_between(double unit_difference) {
+  return 2 * std::asin(std::min(1.0, unit_difference / 2)) * 180 / std::numbers::pi;
 }
 
 bool has_errors(const std::vector<Finding>& findings) {

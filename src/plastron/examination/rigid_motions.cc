@@ -5,6 +5,7 @@
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -72,15 +73,37 @@ RigidMotion RigidMotions::work(const std::vector<assembly::NodalPoint>& points, 
   return sum;
 }
 
-std::string RigidMotions::in_words(const RigidMotion& motion) const {
-  constexpr double negligible = 1e-3;
+namespace {
+
+constexpr double negligible = 1e-3;
+
+}  // namespace
+
+bool RigidMotions::is_rotation(const RigidMotion& motion) {
+  return motion.tail<3>().norm() >= negligible * motion.norm();
+}
+
+/// A translation across the axis moves the axis; one along it makes a screw.
+Vector3d RigidMotions::on_axis(const RigidMotion& motion) const {
   const Vector3d translation = motion.head<3>(), rotation = motion.tail<3>();
-  if (rotation.norm() < negligible * motion.norm()) return "translation along " + vector_text(translation.normalized());
-  // A translation across the axis moves the axis; one along it makes a screw.
+  return centre_ + size_ * rotation.cross(translation) / rotation.squaredNorm();
+}
+
+Eigen::Matrix3d RigidMotions::turn(const RigidMotion& motion, double angle) {
+  return Eigen::AngleAxisd(angle, motion.tail<3>().normalized()).toRotationMatrix();
+}
+
+Vector3d RigidMotions::turned(const Vector3d& place, const RigidMotion& motion, double angle) const {
+  const Vector3d centre = on_axis(motion);
+  return centre + turn(motion, angle) * (place - centre);
+}
+
+std::string RigidMotions::in_words(const RigidMotion& motion) const {
+  const Vector3d translation = motion.head<3>(), rotation = motion.tail<3>();
+  if (!is_rotation(motion)) return "translation along " + vector_text(translation.normalized());
   const Vector3d axis = rotation.normalized();
-  const Vector3d through = centre_ + size_ * rotation.cross(translation) / rotation.squaredNorm();
   std::string turn =
-      fmt::format("rotation about the axis {} through {}", vector_text(axis), vector_text(through, size_));
+      fmt::format("rotation about the axis {} through {}", vector_text(axis), vector_text(on_axis(motion), size_));
   const double pitch = axis.dot(translation) / rotation.norm();
   if (std::abs(pitch) < negligible) return turn;
   return fmt::format("{} with the translation {:.3g} m along it for each radian", turn, pitch * size_);

@@ -26,10 +26,18 @@ class RigidMotions {
   /// The work of nodal forces and couples (u and r of every node in turn) for each coefficient.
   RigidMotion work(const std::vector<assembly::NodalPoint>& points, std::span<const double> forces) const;
 
+  /// A place after a rotation about the axis of the motion, whose translation along it is left out.
+  Eigen::Vector3d turned(const Eigen::Vector3d& place, const RigidMotion& motion, double angle) const;
+  static Eigen::Matrix3d turn(const RigidMotion& motion, double angle);
+  static bool is_rotation(const RigidMotion& motion);
+  double size() const { return size_; }
+
   /// "translation along ..." or "rotation about the axis ... through ...".
   std::string in_words(const RigidMotion& motion) const;
 
  private:
+  Eigen::Vector3d on_axis(const RigidMotion& motion) const;
+
   Eigen::Vector3d centre_;
   double size_;
 };

@@ -15,10 +15,11 @@ namespace {
 constexpr std::array recomputed_parts{
     "formulation",      "energy", "energy_parts", "load_work",       "loads",           "moment_point", "reaction",
     "support_reaction", "size",   "tangency",     "point_supports",  "contact",         "obstacles",    "probes",
-    "certificate",      "stress", "supports",     "corner_supports", "singular_places", "rigid_bodies"};
-/// What in these parts tells how the solution was found.
-constexpr std::array told_only{"contact/admissible/rounds", "contact/admissible/energy_before",
-                               "contact/admissible/energy_change"};
+    "certificate",      "stress", "supports",     "corner_supports", "singular_places", "rigid_bodies", "linearity"};
+/// In these parts, what tells how the solution was found or needs a factor of the matrix.
+constexpr std::array told_only{"contact/admissible/rounds",        "contact/admissible/energy_before",
+                               "contact/admissible/energy_change", "linearity/left_out",
+                               "linearity/remaining_stretch",      "linearity/buckling"};
 /// Parts of the last of its levels that follow from the solution.
 constexpr std::array recomputed_of_level{
     "cells",    "nodes",        "unknowns", "active",       "gap_error",           "energy",
@@ -27,7 +28,7 @@ constexpr std::array recomputed_of_level{
 /// Of the last level where there are steps: its solution is that of the first instant.
 constexpr std::array recomputed_of_mesh{"cells", "nodes", "unknowns"};
 /// What an entry of the history tells of how it was found.
-constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations"};
+constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations", "left_out"};
 
 /// Directions have no error bound: where both principal values are nearly the same, rounding turns them.
 bool is_direction(const std::string& pattern) { return pattern.ends_with("_direction"); }

@@ -1,5 +1,7 @@
 #include <plastron/io/history.hpp>
 
+#include <plastron/io/fields.hpp>
+#include <plastron/io/parts.hpp>
 #include <plastron/io/results.hpp>
 
 #include <algorithm>
@@ -24,8 +26,14 @@ bool is_list_of_numbers(const Json& value) {
          std::ranges::all_of(value, [](const Json& entry) { return entry.is_number() || entry.is_null(); });
 }
 
+/// Components of tensors are called as in the fields.
 std::string component_name(const std::string& path, std::size_t k, std::size_t count) {
   static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+  for (const Field& field : fields()) {
+    const std::string key = dotted("", field.key);
+    if (field.arrays.size() == count && path.starts_with("probes.") && path.ends_with("." + key))
+      return path.substr(0, path.size() - key.size()) + field.arrays[k];
+  }
   return path + "_" + (count == axes.size() ? axes.at(k) : std::to_string(k + 1));
 }
 

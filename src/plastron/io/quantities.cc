@@ -1,5 +1,7 @@
 #include <plastron/io/quantities.hpp>
 
+#include <plastron/computation/left_out.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +12,12 @@ namespace {
 using computation::Result;
 
 Json triple(const Eigen::Vector3d& v) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+computation::LeftOut left_out_of(const Result& r) {
+  return computation::left_out(r.summary, r.levels.empty() ? computation::Level{} : r.last_level());
+}
 
 /// How far the shell enters the obstacle between nodes; 0 if no cell is near it. Keeps a NaN.
 double penetration(double min_gap_between) { return std::max(-min_gap_between, 0.0); }
@@ -54,6 +62,29 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.max_relative_displacement); }},
       {"size/max_rotation", "rad", "largest |r| at a node; the linear model needs it small",
        [](const Result& r) { return number(r.summary.max_rotation); }},
+      {"linearity/left_out", "1",
+       "what the linear model leaves out, over the stored energy: the largest of work, remaining_stretch and half the "
+       "square of the largest rotation; a warning from 0.05 on",
+       [](const Result& r) { return number(left_out_of(r).largest()); }},
+      {"linearity/work", "1",
+       "|int N^{ab} q_ab dS| with q_ab = 1/2 d_a u . d_b u, what membrane forces do on turned parts, over the stored "
+       "energy",
+       [](const Result& r) { return number(left_out_of(r).work); }},
+      {"linearity/stretch", "1",
+       "1/2 int e a^{abrs} q_ab q_rs dS, the energy of the stretch by rotations, over the stored energy; large for "
+       "every thin shell that bends freely",
+       [](const Result& r) { return number(left_out_of(r).stretch); }},
+      {"linearity/remaining_stretch", "1",
+       "the part of stretch that the shell cannot take back by moving on; null if not known",
+       [](const Result& r) { return number(left_out_of(r).remaining_stretch); }},
+      {"linearity/buckling", "1",
+       "membrane forces over those under which a perfect shell buckles, contact held; a warning from 0.5 on; null if "
+       "not known",
+       [](const Result& r) { return r.levels.empty() ? Json(nullptr) : number(r.last_level().linearity.buckling); }},
+      {"linearity/max_strain", "1",
+       "largest principal strain at the faces, by its size; a warning from 0.02 on, most metals yield at 0.001 to "
+       "0.005",
+       [](const Result& r) { return number(r.summary.second_order.largest_strain); }},
       {"stress/max_von_mises", "Pa",
        "largest equivalent stress of von Mises at points of output, away from singular_places",
        [](const Result& r) { return number(r.peak.von_mises); }},
@@ -314,6 +345,8 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
       {"load_work", "J", "l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},
       {"max_displacement", "m", "largest |u| at a node",
        [](const HistoryEntry& h) { return number(h.summary.max_displacement); }},
+      {"left_out", "1", "what the linear model leaves out, as linearity.left_out",
+       [](const HistoryEntry& h) { return number(computation::left_out(h.summary, h.level).largest()); }},
       {"contact_area", "m^2",
        "mid-surface area in contact, within the boundaries of the zones; the sum over the obstacles",
        [](const HistoryEntry& h) { return number(h.summary.contact_area); }},

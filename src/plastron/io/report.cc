@@ -50,7 +50,8 @@ std::string plots_html(const Json& results) {
 
 std::string content_html(const Json& results, const Json& scene, bool has_script) {
   return verdict_html(results) + html_section("warnings", "Warnings", warnings_html(results)) +
-         key_numbers_html(results) + html_section("shell", "Deformed shell", view_html(results, scene, has_script)) +
+         key_numbers_html(results) + html_section("estimates", "Estimated errors", estimates_html(results)) +
+         html_section("shell", "Deformed shell", view_html(results, scene, has_script)) +
          html_section("case", "The case", case_html(at_path(results, "settings"))) +
          html_section("balance", "Forces and moments", balance_html(results)) +
          html_section("contact", "Contact zones", contact_html(results)) +

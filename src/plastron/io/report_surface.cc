@@ -46,7 +46,17 @@ bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape 
   return distance.norm() < 0.25 * std::abs(cell.size);
 }
 
-void append(const recovery::PointValues& point, const std::vector<Field>& fields, std::vector<float>& values) {
+/// The least pressure at a node, or 0: between nodes polynomials undershoot it.
+double least_pressure(const computation::Solution& solution) {
+  double least = 0;
+  const auto owned = static_cast<std::size_t>(solution.discrete->space().layout->owned);
+  for (std::size_t i = 0; i < owned; ++i) least = std::min(least, certificate::total_pressure(solution.nodal, i));
+  return algebra::min_over_ranks(least, solution.discrete->space().layout->comm);
+}
+
+void append(recovery::PointValues point, double least_pressure, const std::vector<Field>& fields,
+            std::vector<float>& values) {
+  if (point.pressure < least_pressure) point.pressure = least_pressure;
   for (const Field& field : fields) {
     const auto taken = field.take(point);
     for (int c = 0; c < field.components; ++c) values.push_back(static_cast<float>(taken[static_cast<std::size_t>(c)]));
@@ -54,7 +64,7 @@ void append(const recovery::PointValues& point, const std::vector<Field>& fields
 }
 
 /// The points that cells of this rank contribute.
-PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn,
+PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn, double least_pressure,
                         const std::vector<Field>& fields) {
   const fem::Space& space = solution.discrete->space();
   const fem::Shape shape = space.shape();
@@ -73,7 +83,7 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
     for (const int k : wanted) {
       records.keys.push_back(block.key);
       records.keys.back()[3] = k;
-      append(points[static_cast<std::size_t>(k)], fields, records.values);
+      append(points[static_cast<std::size_t>(k)], least_pressure, fields, records.values);
     }
   }
   return records;
@@ -160,8 +170,9 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
   surface.cells = drawn_cells(space.shape(), space.degree, cells_by_level(space), most_points);
   if (surface.cells.count == 0) return surface;
   surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);
+  const double least = least_pressure(solution);
   const PointRecords mine =
-      algebra::in_agreement(comm, [&] { return own_points(solution, surface.cells, surface.fields); });
+      algebra::in_agreement(comm, [&] { return own_points(solution, surface.cells, least, surface.fields); });
   const PointRecords all{gathered(mine.keys, comm), gathered(mine.values, comm)};
   surface.rows = in_rows(all);
   return surface;

@@ -103,6 +103,17 @@ std::string limit_html(const Json& limit, const std::string& path) {
 
 }  // namespace
 
+namespace {
+
+/// What the model itself is worth here.
+std::string linearity_html(const Json& results) {
+  const auto value = [&](const std::string& path) { return html_number(at_path(results, path), path); };
+  return "The linear model leaves out " + value("linearity/left_out") +
+         " of the stored energy; the largest strain is " + value("linearity/max_strain") + ".";
+}
+
+}  // namespace
+
 std::string verdict_html(const Json& results) {
   const std::string status = plain_words(at_path(results, "status"));
   const Json& limits = at_path(results, "certificate_limits");
@@ -111,9 +122,9 @@ std::string verdict_html(const Json& results) {
   return fmt::format(
       "<div class=\"verdict {}\" role=\"status\"><span class=\"sign\" aria-hidden=\"true\">{}</span><div><strong "
       "data-path=\"status\">{}</strong> {}<br>\n"
-      "<a href=\"#certificate\">Certificate</a>: {} of {} rows keep their limits.</div></div>\n",
+      "<a href=\"#certificate\">Certificate</a>: {} of {} rows keep their limits. {}</div></div>\n",
       is_good ? "good" : "bad", is_good ? "&#10003;" : "!", html_text(status),
-      html_text(plain_words(at_path(results, "status_text"))), kept, limits.size());
+      html_text(plain_words(at_path(results, "status_text"))), kept, limits.size(), linearity_html(results));
 }
 
 std::string warnings_html(const Json& results) {
@@ -145,7 +156,33 @@ std::string key_numbers_html(const Json& results) {
     const std::string path = fmt::format("levels/{}/unknowns", levels.size() - 1);
     tiles += tile("unknowns", html_number(at_path(results, path), path), "1");
   }
-  return "<div class=\"tiles\">\n" + tiles + "</div>\n";
+  const Json& place = at_path(results, "stress/position");
+  const std::string peak =
+      place.is_null()
+          ? ""
+          : fmt::format(
+                "<p class=\"note\">The von Mises stress is largest at {} m, {} m from the mid-surface "
+                "along a<sub>3</sub>.</p>\n",
+                html_text(plain_words(place)), html_number(at_path(results, "stress/height"), "stress/height"));
+  return "<div class=\"tiles\">\n" + tiles + "</div>\n" + peak;
+}
+
+std::string estimates_html(const Json& results) {
+  HtmlTable table({"<number", "value", "<unit", "estimated error", "relative", "asked for", "<"});
+  const Json& goals = at_path(results, "estimates/goals");
+  for (std::size_t k = 0; k < goals.size(); ++k) {
+    const std::string path = fmt::format("estimates/goals/{}/", k);
+    const Json &value = goals[k]["value"], &error = goals[k]["error"], &tolerance = goals[k]["tolerance"];
+    const bool is_known = value.is_number() && error.is_number() && value.get<double>() != 0;
+    const double relative = is_known ? error.get<double>() / std::abs(value.get<double>()) : std::nan("");
+    const bool is_missed = tolerance.is_number() && !(relative <= tolerance.get<double>());
+    table.row({html_text(plain_words(goals[k]["name"])), html_number(value, path + "value"),
+               html_text(plain_words(goals[k]["unit"])), html_number(error, path + "error"),
+               html_number(number(relative)), tolerance.is_null() ? "" : html_number(tolerance, path + "tolerance"),
+               is_missed ? "<strong>missed</strong>" : ""},
+              is_missed ? "missed" : "");
+  }
+  return goals.empty() ? "" : table.text();
 }
 
 std::string balance_html(const Json& results) {
@@ -204,7 +241,7 @@ std::string contact_html(const Json& results) {
 }
 
 std::string probes_html(const Json& results) {
-  HtmlTable table({"<probe", "u X [m]", "Y", "Z", "r X [rad]", "Y", "Z", "gap [m]", "pressure [Pa]"});
+  HtmlTable table({"<probe", "u X [m]", "Y", "Z", "r X [rad]", "Y", "Z", "gap [m]", "pressure [Pa]", "von Mises [Pa]"});
   const Json& probes = at_path(results, "probes");
   for (const auto& [name, probe] : probes.items()) {
     std::vector<std::string> cells{html_text(name)};
@@ -212,6 +249,7 @@ std::string probes_html(const Json& results) {
       for (const Json& value : probe[key]) cells.push_back(html_number(value, "", largest_component(probe[key])));
     cells.push_back(html_number(probe["gap"]));
     cells.push_back(html_number(probe["eta"]));
+    cells.push_back(html_number(probe["von_mises"]));
     table.row(cells);
   }
   return probes.empty() ? "" : table.text();
@@ -251,11 +289,11 @@ std::string levels_html(const Json& results) {
 
 std::string history_html(const Json& results) {
   if (at_path(results, "history").empty()) return "";
-  return records_html(
-      results, "history",
-      {"<step", "time", "load factor", "energy [J]", "largest |u| [m]", "contact area [m^2]", "largest pressure [Pa]",
-       "<status"},
-      {"step", "time", "load_factor", "energy", "max_displacement", "contact_area", "max_pressure", "status"});
+  return records_html(results, "history",
+                      {"<step", "time", "load factor", "energy [J]", "left out by linearity", "largest |u| [m]",
+                       "contact area [m^2]", "largest pressure [Pa]", "<status"},
+                      {"step", "time", "load_factor", "energy", "left_out", "max_displacement", "contact_area",
+                       "max_pressure", "status"});
 }
 
 std::string files_html(const Json& results) {

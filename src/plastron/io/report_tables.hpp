@@ -9,6 +9,8 @@ namespace plastron::io {
 
 /// Status in a word and a sentence, and how many rows of the certificate keep their limits.
 std::string verdict_html(const Json& results);
+/// Estimated errors beside those that were asked for; empty where none were estimated.
+std::string estimates_html(const Json& results);
 std::string warnings_html(const Json& results);
 std::string key_numbers_html(const Json& results);
 /// Forces and moments on the shell: loads, supports, each obstacle, and their sum.

@@ -1,0 +1,30 @@
+// What the linear model leaves out of a solution, as parts of its stored energy (docs/theory.md, "What linearity leaves out").
+#pragma once
+#include <plastron/computation/result.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace plastron::computation {
+
+struct LeftOut {
+  double work = 0;                            ///< |int N^{ab} q_ab dS|, q_ab = 1/2 d_a u . d_b u
+  double stretch = 0;                         ///< 1/2 int e a^{abrs} q_ab q_rs dS
+  std::optional<double> remaining_stretch{};  ///< the part of it that no further displacement takes back
+  double rotation = 0;                        ///< half the square of the largest rotation: what lengths change by
+
+  /// How much of the energy is in doubt. Without the remaining stretch all of it counts.
+  double largest() const { return std::max({work, remaining_stretch.value_or(stretch), rotation}); }
+};
+
+inline LeftOut left_out(const certificate::Summary& summary, const Level& level) {
+  LeftOut part{.work = std::abs(summary.over_stored(summary.second_order.work)),
+               .stretch = summary.over_stored(summary.second_order.stretch),
+               .rotation = summary.max_rotation * summary.max_rotation / 2};
+  if (level.linearity.remaining_stretch)
+    part.remaining_stretch = std::abs(summary.over_stored(*level.linearity.remaining_stretch));
+  return part;
+}
+
+}  // namespace plastron::computation
