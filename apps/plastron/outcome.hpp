@@ -6,11 +6,16 @@
 
 namespace plastron::app {
 
+/// Of the files of a case's results.
+inline constexpr const char* base_name = "solution";
+
 /// The directory of the results, tried before anything is solved. If nothing is kept in the end it is as it was before.
 class OutputDirectory {
  public:
   /// Makes the directory and writes a file there, which it removes again (collective).
   explicit OutputDirectory(const std::filesystem::path& directory);
+  /// For the results of a case that is read from `inputs`, which they must not replace.
+  OutputDirectory(const std::filesystem::path& directory, const std::vector<std::filesystem::path>& inputs);
   OutputDirectory(const OutputDirectory&) = delete;
   OutputDirectory& operator=(const OutputDirectory&) = delete;
   ~OutputDirectory();

@@ -6,6 +6,12 @@
 #include <plastron/io/plot.hpp>
 #include <plastron/io/unusable_results.hpp>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -15,12 +21,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of_results(const fs::path& file) {
+/// A file that can be read to its end: no pipe, no device.
+std::ifstream opened(const fs::path& file) {
   std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream;
+  if (fs::is_regular_file(file, error)) stream.open(file, std::ios::binary);
+  if (!stream.is_open()) throw io::UnusableResults(fmt::format("{} cannot be read", file.string()));
+  return stream;
+}
+
+std::string text_of_line(const fs::path& file) {
+  constexpr std::uintmax_t largest = std::uintmax_t{64} << 20;
+  std::ifstream stream = opened(file);
+  std::error_code error;
+  if (fs::file_size(file, error) > largest)
+    throw io::UnusableResults(fmt::format("{} has more than {} bytes, too many to be drawn", file.string(), largest));
   std::ostringstream text;
-  if (!stream || !fs::is_regular_file(file, error) || !(text << stream.rdbuf()))
-    throw io::UnusableResults(fmt::format("{} cannot be read", file.string()));
+  if (!(text << stream.rdbuf())) throw io::UnusableResults(fmt::format("{} cannot be read", file.string()));
   return std::move(text).str();
 }
 
@@ -33,7 +50,8 @@ io::Json read_results(const fs::path& directory) {
   if (!fs::exists(file, error))
     throw io::UnusableResults(
         fmt::format("{} has no results.json; name a directory that plastron run wrote to", directory.string()));
-  return io::Json::parse(text_of_results(file));
+  std::ifstream stream = opened(file);
+  return io::parts_to_plot(stream);
 }
 
 /// NAME of "line-NAME.csv", a file beside results.json; empty where it is none.
@@ -50,22 +68,41 @@ std::vector<io::NamedPlot> plots_of(const fs::path& directory) {
     const auto file = entry.get<std::string>();
     const std::string name = line_of(file);
     if (name.empty()) continue;
-    for (io::NamedPlot& plot : io::line_plots(name, text_of_results(directory / file)))
-      plots.push_back(std::move(plot));
+    for (io::NamedPlot& plot : io::line_plots(name, text_of_line(directory / file))) plots.push_back(std::move(plot));
   }
   return plots;
 }
 
+/// A new file of a name that nobody had, so that no link leads elsewhere. With the access that other new files have.
+int new_file(std::string& name) {
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  constexpr mode_t readable = 0666;
+  if (descriptor >= 0) ::fchmod(descriptor, readable & ~mask);
+  return descriptor;
+}
+
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
 /// Under its name only when it is complete.
 void write_picture(const fs::path& file, const std::string& text) {
-  const fs::path partial = file.string() + ".partial";
-  std::ofstream stream(partial, std::ios::binary);
-  stream << text;
-  stream.close();
+  std::string partial = file.string() + ".partial-XXXXXX";
+  const int descriptor = new_file(partial);
+  const bool is_written = descriptor >= 0 && write_all(descriptor, text);
+  const bool is_closed = descriptor >= 0 && ::close(descriptor) == 0;
   std::error_code error;
-  if (stream) fs::rename(partial, file, error);
-  if (stream && !error) return;
-  fs::remove(partial, error);
+  if (is_written && is_closed) fs::rename(partial, file, error);
+  if (is_written && is_closed && !error) return;
+  if (descriptor >= 0) ::unlink(partial.c_str());
   throw io::UnusableResults(fmt::format("{} cannot be written", file.string()));
 }
 

@@ -36,6 +36,13 @@ io::CaseSource source_of(const config::Case& c, const Options& options) {
   return source;
 }
 
+/// The case file and those that it names.
+std::vector<std::filesystem::path> inputs_of(const config::Case& c, const Options& options) {
+  std::vector<std::filesystem::path> inputs{options.case_file};
+  for (const config::InputFile& file : c.files) inputs.push_back(file.path);
+  return inputs;
+}
+
 /// Writes the results and tells of them.
 void report(const computation::Result& result, const config::Case& c, io::CaseSource source, const Options& options,
             io::Output& files) {
@@ -55,7 +62,7 @@ ExitCode run(const Options& options) {
   const auto findings = examine_together([&] { return examination::examine(c.problem); });
   print_findings(findings, case_file, false);
   if (examination::has_errors(findings)) return bad_input;
-  const OutputDirectory output(options.output);
+  const OutputDirectory output(options.output, inputs_of(c, options));
   if (!output.obstacle().empty()) {
     print_error("{}: error: results cannot be written here: {}\n", options.output.string(), output.obstacle());
     return bad_input;
@@ -70,7 +77,7 @@ ExitCode run(const Options& options) {
     print_warning(case_file, text);
   };
   const bool with_report = c.wants_report && !options.without_report;
-  io::Output files(options.output, "solution", MPI_COMM_WORLD, with_report, c.problem.output);
+  io::Output files(options.output, base_name, MPI_COMM_WORLD, with_report, c.problem.output);
   observer.instant = [&](const computation::HistoryEntry& entry, const computation::Solution& solution) {
     progress.instant(entry);
     files.add_instant(entry, solution);

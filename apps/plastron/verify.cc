@@ -77,6 +77,16 @@ void judge_settings(const std::vector<io::Comparison>& settings, Failures& failu
         fmt::format("results.json claims {} = {}, the case has {}", c.path, shown(c.claimed), shown(c.recomputed)));
 }
 
+/// The numbers above follow from the solution. A checksum is all that there is of the rest.
+void judge_files(const io::StoredChecksums& files, bool quiet, Failures& failures) {
+  if (!quiet)
+    print(
+        "{} of {} files have the SHA-256 that run stored: title, warnings, estimates and times of results.json, "
+        "report.html, .vtu, .csv, .svg and .pvd are covered by it alone\n",
+        files.files - std::min(files.files, files.failures.size()), files.files);
+  failures.insert(failures.end(), files.failures.begin(), files.failures.end());
+}
+
 /// The last line, and the exit code.
 ExitCode conclude(const Failures& failures, bool quiet) {
   constexpr std::size_t most = 5;
@@ -122,6 +132,7 @@ ExitCode verify(const Options& options) {
   io::check_sources(claims, folder, MPI_COMM_WORLD);
   const config::Case c = read_case(claims.case_copy, folder);
   check_names(c, claims);
+  const io::StoredChecksums files = io::compare_checksums(options.results, claims.results, MPI_COMM_WORLD);
   print_versions(claims.results, options.quiet);
   if (!options.quiet) print("{}\n\n", c.title.empty() ? claims.case_copy.string() : shortened_title(c.title));
 
@@ -137,6 +148,7 @@ ExitCode verify(const Options& options) {
   judge_rows(verification, claims.results, options.quiet, failures);
   judge_numbers(io::compare_numbers(claims.results, verification.result), options.quiet, failures);
   judge_settings(io::differing_settings(claims.results.value("settings", io::Json()), c.effective), failures);
+  judge_files(files, options.quiet, failures);
   return conclude(failures, options.quiet);
 }
 

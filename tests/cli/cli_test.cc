@@ -337,12 +337,30 @@ TEST(Run, that_is_killed_while_it_solves_leaves_no_results) {
   EXPECT_THAT(files_below(scratch.path), ElementsAre("case.toml"));
 }
 
+TEST(Run, that_would_replace_its_own_case_or_a_directory_is_refused_before_it_solves) {
+  const Scratch scratch;
+  scratch.write("case.toml", case_with(0));
+  ASSERT_EQ(plastron({"run", "case.toml", "-q", "-o", "out"}, scratch.path).exit_code, 0);
+  const std::string copy = text_of(scratch.path / "out/solution.case.toml");
+  const auto refused = [&](const std::string& file, const std::string& directory, const std::string& words) {
+    const Outcome outcome = plastron({"run", file, "-o", directory}, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+    EXPECT_THAT(outcome.output, AllOf(HasSubstr(words), Not(HasSubstr("unknowns"))));
+  };
+  refused("out/solution.case.toml", "out", "the case is read from \"out/solution.case.toml\"");
+  EXPECT_EQ(text_of(scratch.path / "out/solution.case.toml"), copy);
+  fs::create_directories(scratch.path / "taken/results.json");
+  refused("case.toml", "taken", "results.json\" is a directory");
+  EXPECT_EQ(plastron({"run", "out/solution.case.toml", "-q", "-o", "again"}, scratch.path).exit_code, 0);
+}
+
 TEST(Run, that_is_killed_while_it_writes_leaves_whole_files_only) {
   const Scratch scratch;
   scratch.write("case.toml", case_with(4));
   Running run({"run", "case.toml", "-o", "out"}, scratch.path);
   kill_when(run, [&] { return !files_below(scratch.path / "out").empty(); });
-  const auto files = files_below(scratch.path / "out");
+  auto files = files_below(scratch.path / "out");
+  std::erase_if(files, [](const std::string& f) { return f.starts_with(".plastron-partial-"); });
   for (const std::string& f : with_extension(files, ".vtu"))
     EXPECT_THAT(text_of(scratch.path / "out" / f), HasSubstr("</VTKFile>")) << f;
   for (const std::string& f : with_extension(files, ".pvd"))

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -72,6 +74,41 @@ TEST(PlotCommand, DrawsMeshesLinesAndStepsFromTheResultsAlone) {
   EXPECT_THAT(text_of(scratch.path / "out/plot-history-obstacles.svg"), HasSubstr("floor-1"));
   EXPECT_THAT(text_of(scratch.path / "out/plot-line-across-moments.svg"),
               AllOf(HasSubstr("bending moments [N]"), HasSubstr("length [m]"), HasSubstr("M_12")));
+}
+
+TEST(PlotCommand, FollowsNoLinkAndWaitsForNoPipe) {
+  const Scratch scratch;
+  fs::create_directory(scratch.path / "out");
+  const std::string level = R"({"unknowns": 5, "energy": 1.5, "active": 0},{"unknowns": 9, "energy": 2, "active": 0})";
+  scratch.write("out/results.json", R"({"levels": [)" + level + R"(], "history": [], "contact": null, "files": []})");
+  const fs::path precious = scratch.write("precious", "precious");
+  for (const char* name : {"plot-energy.svg", "plot-energy.svg.partial"})
+    fs::create_symlink(precious, scratch.path / "out" / name);
+  EXPECT_EQ(plastron({"plot", "out"}, scratch.path).exit_code, 0);
+  EXPECT_EQ(text_of(precious), "precious");
+  EXPECT_THAT(text_of(scratch.path / "out/plot-energy.svg"), StartsWith("<svg "));
+  EXPECT_EQ(files_below(scratch.path / "out").size(), 3U);
+  fs::remove(scratch.path / "out/results.json");
+  ASSERT_EQ(mkfifo((scratch.path / "out/results.json").c_str(), 0600), 0);
+  const Outcome outcome = plastron({"plot", "out"}, scratch.path, 10);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("cannot be read"));
+}
+
+TEST(PlotCommand, ReadsManyMeshesWithoutAllThatIsSaidOfThem) {
+  const Scratch scratch;
+  std::string levels;
+  for (int k = 1; k <= 100000; ++k)
+    levels +=
+        std::string(k > 1 ? "," : "") + R"({"unknowns": )" + std::to_string(k) +
+        R"(, "energy": 1.5, "active": 0, "history": [)" +
+        R"({"a": 1, "b": 2, "c": 3, "d": 4, "e": 5, "f": 6, "g": 7, "h": 8, "i": 9, "j": 10, "k": 11, "l": 12}]})";
+  scratch.write("results.json", R"({"levels": [)" + levels + R"(], "history": [], "contact": null, "files": []})");
+  const Outcome outcome = shell("ulimit -v 600000; $PLASTRON plot .", scratch.path);
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_LT(fs::file_size(scratch.path / "plot-energy.svg"), 4000000U);
+#endif
 }
 
 TEST(PlotCommand, RefusesWhatIsNoResult) {

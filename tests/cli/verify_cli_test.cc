@@ -287,6 +287,34 @@ TEST(Verify, NoticesFilesThatHaveChanged) {
   expect_unusable(ran, "the copy of the case has changed");
 }
 
+TEST(Verify, NamesEveryFileThatHasChangedAndSaysWhatAChecksumAloneCovers) {
+  const Ran ran(plate + plane + mesh(""));
+  EXPECT_THAT(ran.verify().output, HasSubstr("10 of 10 files have the SHA-256 that run stored"));
+  for (const std::string name : {"report.html", "solution.vtu", "contact-forces.csv", "solution.pvd"}) {
+    const std::string good = text_of(ran.file(name));
+    write_bytes(ran.file(name), good + " ");
+    expect_failed(ran, name + " is not the file that plastron run wrote");
+    fs::remove(ran.file(name));
+    expect_failed(ran, name + " is not there");
+    write_bytes(ran.file(name), good);
+  }
+  const std::string good = text_of(ran.file("results.json"));
+  for (const char* part : {"/title", "/warnings", "/estimates", "/levels/0/energy"}) {
+    edit_results(ran, [&](auto& json) { json[nlohmann::ordered_json::json_pointer(part)] = "another"; });
+    expect_failed(ran, "results.json is not the file that plastron run wrote");
+    write_bytes(ran.file("results.json"), good);
+  }
+  EXPECT_EQ(ran.verify().exit_code, 0);
+  fs::remove(ran.file("SHA256SUMS"));
+  expect_unusable(ran, "there is no SHA256SUMS");
+}
+
+TEST(Verify, RefusesANodeThatTouchesALittle) {
+  const Ran ran(plate + plane + mesh(""));
+  change_solution(ran, 7, 6.5e-319 - 1);
+  expect_unusable(ran, "it can be 0 or 1");
+}
+
 TEST(Verify, TakesOnAnyNumberOfRanksWhatAnyNumberHasWritten) {
   const std::string of_three =
       "export OMPI_MCA_mpi_yield_when_idle=1; unset OMPI_MCA_ess_singleton_isolated "

@@ -87,19 +87,16 @@ TEST(AtomicFile, a_failed_rename_leaves_no_temporary_file) {
 }
 
 TEST(AtomicFile, a_full_disk_is_one_error_with_its_reason) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
-  // The temporary name of the only process is known: a link there sends the text to the device that is always full.
   const ScratchDirectory scratch("full");
-  auto process = static_cast<std::int64_t>(getpid());
-  MPI_Bcast(&process, 1, MPI_INT64_T, 0, world);
-  const auto temporary = scratch.path / ("file." + std::to_string(process) + ".partial");
-  if (world_rank() == 0) std::filesystem::create_symlink("/dev/full", temporary);
-  MPI_Barrier(world);
-  const std::string message = complaint([&] {
-    write_atomically(
-        scratch.path / "file", [] { return std::string("x"); }, world);
-  });
-  EXPECT_THAT(message, HasSubstr("No space left on device"));
+  std::string message;
+  {
+    const FileSizeLimit full(100);
+    message = complaint([&] {
+      write_atomically(
+          scratch.path / "file", [] { return std::string(200, 'x'); }, world);
+    });
+  }
+  EXPECT_THAT(message, HasSubstr("File too large"));
   EXPECT_THAT(scratch.names(), IsEmpty());
 }
 
@@ -113,7 +110,7 @@ TEST(AtomicFiles, appear_together_and_in_their_order) {
   files.add(scratch.path / "a", [] { return only_on_first("first"); });
   files.add(scratch.path / "b", [] { return only_on_first("second"); });
   MPI_Barrier(world);
-  for (const std::string& name : scratch.names()) EXPECT_TRUE(name.ends_with(".partial")) << name;
+  for (const std::string& name : scratch.names()) EXPECT_TRUE(name.starts_with(".plastron-partial-")) << name;
   MPI_Barrier(world);
   files.commit();
   EXPECT_THAT(scratch.names(), UnorderedElementsAre("a", "b"));
@@ -150,6 +147,29 @@ TEST(AtomicFiles, replace_none_when_a_directory_is_in_the_way_of_one) {
   EXPECT_THAT(message, HasSubstr("Is a directory"));
   MPI_Barrier(world);
   EXPECT_THAT(scratch.names(), UnorderedElementsAre("b"));
+  MPI_Barrier(world);
+}
+
+TEST(TriedDirectory, loses_what_killed_runs_have_left_but_nothing_of_runs_that_go_on) {
+  const ScratchDirectory scratch("killed");
+  const auto left = scratch.path / ".plastron-partial-killed", elsewhere = scratch.path / "elsewhere";
+  if (world_rank() == 0) {
+    std::filesystem::create_directory(left);
+    std::ofstream(left / "results.json") << "{";
+    std::filesystem::create_directory(elsewhere);
+    std::ofstream(elsewhere / "kept") << "kept";
+    std::filesystem::create_directory_symlink(elsewhere, scratch.path / ".plastron-partial-link");
+  }
+  MPI_Barrier(world);
+  AtomicFiles running(world);
+  running.add(scratch.path / "a", [] { return only_on_first("first"); });
+  std::vector<std::filesystem::path> made;
+  try_directory(scratch.path, world, made);
+  EXPECT_FALSE(std::filesystem::exists(left));
+  EXPECT_TRUE(std::filesystem::exists(elsewhere / "kept"));
+  MPI_Barrier(world);
+  running.commit();
+  EXPECT_EQ(text_of(scratch.path / "a"), "first");
   MPI_Barrier(world);
 }
 

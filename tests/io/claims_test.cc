@@ -157,7 +157,7 @@ TEST(Claims, that_cannot_be_read_are_refused_in_words) {
       {R"({"status": "solved", "verification": {"case": null}})", "case"},
       {R"({"status": "solved", "verification": {"case": {"copy": "../x"}}})", "copy"},
       {R"({"status": "solved", "verification": {"case": {"copy": "x", "bytes": -1}}})", "bytes"},
-      {R"({"status": "solved", "verification": {"case": {"copy": "x", "bytes": 1, "hash": "h", "path": "p", "files": 3}}})",
+      {R"({"status": "solved", "verification": {"case": {"copy": "x", "bytes": 1, "sha256": "h", "path": "p", "files": 3}}})",
        "files"}};
   for (const auto& [text, named] : wrong) {
     write_text(scratch.path / "results.json", text);
@@ -165,12 +165,11 @@ TEST(Claims, that_cannot_be_read_are_refused_in_words) {
   }
 }
 
-TEST(Checksum, is_that_of_fowler_noll_and_vo) {
-  // The test vectors of the authors, for FNV-1a of 64 bits.
-  EXPECT_EQ(checksum_of_text("").hash, "fnv1a64:cbf29ce484222325");
-  EXPECT_EQ(checksum_of_text("a").hash, "fnv1a64:af63dc4c8601ec8c");
-  EXPECT_EQ(checksum_of_text("foobar").hash, "fnv1a64:85944171f73967e8");
-  EXPECT_EQ(checksum_of_text("foobar").bytes, 6U);
+TEST(Checksum, is_sha_256) {
+  // The examples of FIPS 180.
+  EXPECT_EQ(checksum_of_text("").hash, "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(checksum_of_text("abc").hash, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(checksum_of_text("abc").bytes, 3U);
 }
 
 }  // namespace

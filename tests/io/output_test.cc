@@ -6,9 +6,11 @@
 #include <io/scratch_directory.hpp>
 #include <io/vtu_reader.hpp>
 
+#include <sys/inotify.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <sstream>
 
@@ -20,9 +22,9 @@ using testing::UnorderedElementsAre;
 using testing::UnorderedElementsAreArray;
 
 /// What a run with contact leaves.
-const std::vector<std::string> all_files{"results.json",         "solution.vtu",       "obstacles.vtu",
-                                         "solution.pvd",         "solution.plastron",  "contact-boundary.csv",
-                                         "contact-boundary.vtu", "contact-forces.csv", "report.html"};
+const std::vector<std::string> all_files{
+    "results.json",         "solution.vtu",         "obstacles.vtu",      "solution.pvd", "solution.plastron",
+    "contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv", "report.html",  "SHA256SUMS"};
 
 TEST(Output, of_a_solved_problem_is_files_that_agree) {
   const ScratchDirectory scratch("output");
@@ -30,8 +32,9 @@ TEST(Output, of_a_solved_problem_is_files_that_agree) {
   write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
   EXPECT_THAT(scratch.names(), UnorderedElementsAreArray(all_files));
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
-  EXPECT_EQ(json["files"], Json({"solution.vtu", "obstacles.vtu", "solution.plastron", "solution.pvd",
-                                 "contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv", "report.html"}));
+  EXPECT_EQ(json["files"],
+            Json({"solution.vtu", "obstacles.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
+                  "contact-boundary.vtu", "contact-forces.csv", "report.html", "SHA256SUMS"}));
   EXPECT_EQ(json["status"], Json("solved"));
   EXPECT_EQ(json["ranks"], Json(world_size()));
   EXPECT_EQ(json["levels"].back()["cells"], Json(read_vtu(scratch.path / "solution.vtu").cells));
@@ -52,12 +55,12 @@ TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
       problem, MPI_COMM_WORLD,
       {.instant = [&](const auto& entry, const auto& solution) { output.add_instant(entry, solution); }});
   output.finish(result, {.title = "plate", .settings = {}, .files = {}});
-  EXPECT_THAT(
-      scratch.names(),
-      UnorderedElementsAre("results.json", "solution-0001.vtu", "solution-0002.vtu", "solution-0003.vtu",
-                           "obstacles-0001.vtu", "obstacles-0002.vtu", "obstacles-0003.vtu", "obstacles.vtu",
-                           "solution.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
-                           "contact-boundary.vtu", "contact-forces.csv", "history.csv", "history.svg", "report.html"));
+  EXPECT_THAT(scratch.names(),
+              UnorderedElementsAre("results.json", "solution-0001.vtu", "solution-0002.vtu", "solution-0003.vtu",
+                                   "obstacles-0001.vtu", "obstacles-0002.vtu", "obstacles-0003.vtu", "obstacles.vtu",
+                                   "solution.vtu", "solution.plastron", "solution.pvd", "contact-boundary.csv",
+                                   "contact-boundary.vtu", "contact-forces.csv", "history.csv", "history.svg",
+                                   "report.html", "SHA256SUMS"));
   EXPECT_EQ(text_of(scratch.path / "solution-0003.vtu"), text_of(scratch.path / "solution.vtu"));
   EXPECT_NE(text_of(scratch.path / "solution-0001.vtu"), text_of(scratch.path / "solution.vtu"));
   EXPECT_NE(text_of(scratch.path / "solution.pvd").find("timestep=\"1\" part=\"0\" file=\"solution-0003.vtu\""),
@@ -100,7 +103,7 @@ TEST(Output, of_displacements_that_are_not_finite_has_no_surface) {
   const auto y = result.solution->nodal.y.owned();
   if (!y.empty()) y[0] = std::numeric_limits<double>::quiet_NaN();
   write_output(result, {}, scratch.path, "solution", MPI_COMM_WORLD);
-  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "report.html"));
+  EXPECT_THAT(scratch.names(), UnorderedElementsAre("results.json", "report.html", "SHA256SUMS"));
 }
 
 TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
@@ -123,12 +126,56 @@ TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-/// A link under the temporary name of the next process's file sends the text to the device that is always full.
-void fill_disk_under(const std::filesystem::path& file) {
-  auto process = static_cast<std::int64_t>(getpid());
-  MPI_Bcast(&process, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
-  if (world_rank() == 0)
-    std::filesystem::create_symlink("/dev/full", file.string() + "." + std::to_string(process) + ".partial");
+/// What happens in a directory: "- NAME" where a file goes, "+ NAME" where one gets its name.
+class Watch {
+ public:
+  explicit Watch(const std::filesystem::path& directory) : descriptor_(inotify_init1(IN_NONBLOCK)) {
+    inotify_add_watch(descriptor_, directory.c_str(), IN_MOVED_TO | IN_DELETE);
+  }
+  ~Watch() { close(descriptor_); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+  std::vector<std::string> events() const {
+    alignas(inotify_event) std::array<char, 1 << 16> bytes{};
+    const ssize_t count = read(descriptor_, bytes.data(), bytes.size());
+    std::vector<std::string> all;
+    for (ssize_t at = 0; at < count;) {
+      const auto* event = reinterpret_cast<const inotify_event*>(bytes.data() + at);
+      if (!std::string(event->name).starts_with(".plastron"))
+        all.push_back(((event->mask & IN_DELETE) ? "- " : "+ ") + std::string(event->name));
+      at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
+    }
+    return all;
+  }
+
+ private:
+  int descriptor_;
+};
+
+TEST(Output, takes_results_json_away_before_the_first_file_is_replaced_and_writes_it_last) {
+  const ScratchDirectory scratch("order");
+  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
+  write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const Watch watch(scratch.path);
+  write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::vector<std::string> events = watch.events();
+  ASSERT_EQ(events.size(), all_files.size() + 1);
+  EXPECT_EQ(events.front(), "- results.json");
+  EXPECT_EQ(events.back(), "+ results.json");
+}
+
+TEST(Output, has_the_checksums_of_all_other_files) {
+  const ScratchDirectory scratch("checksums");
+  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
+  write_output(result, {.title = "plate", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
+  std::string sums = text_of(scratch.path / "SHA256SUMS");
+  for (const std::string& name : all_files) {
+    if (name == "SHA256SUMS") continue;
+    EXPECT_NE(sums.find(checksum_of_file(scratch.path / name).hash + "  " + name + "\n"), std::string::npos) << name;
+  }
+  EXPECT_EQ(std::ranges::count(sums, '\n'), static_cast<long>(all_files.size()) - 1);
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
@@ -137,11 +184,15 @@ TEST(Output, on_a_disk_that_is_full_keeps_the_results_of_an_earlier_run) {
   const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
   write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
   const std::string results = text_of(scratch.path / "results.json"), surface = text_of(scratch.path / "solution.vtu");
-  for (const char* file : {"solution.vtu", "results.json"}) {
-    fill_disk_under(scratch.path / file);
-    EXPECT_THROW(write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution",
-                              MPI_COMM_WORLD),
-                 std::runtime_error);
+  const auto report = std::filesystem::file_size(scratch.path / "report.html");
+  ASSERT_GT(report, surface.size());
+  for (const std::uintmax_t bytes : {std::uintmax_t{surface.size() - 1}, report - 1}) {
+    {
+      const FileSizeLimit full(bytes);
+      EXPECT_THROW(write_output(result, {.title = "second", .settings = {}, .files = {}}, scratch.path, "solution",
+                                MPI_COMM_WORLD),
+                   std::runtime_error);
+    }
     MPI_Barrier(MPI_COMM_WORLD);
     EXPECT_EQ(text_of(scratch.path / "results.json"), results);
     EXPECT_EQ(text_of(scratch.path / "solution.vtu"), surface);

@@ -5,6 +5,7 @@
 #include <plastron/io/plot_axis.hpp>
 
 #include <cmath>
+#include <set>
 #include <string>
 
 namespace plastron::io {
@@ -62,6 +63,29 @@ TEST(PlotAxis, holds_all_values_and_survives_none_or_one) {
       }
       EXPECT_FALSE(axis.ticks().empty());
     }
+}
+
+TEST(PlotAxis, has_few_ticks_with_labels_of_their_own_however_near_or_far_its_values_are) {
+  const std::vector<std::vector<double>> ranges{{1, 1 + 2.3e-16}, {210000000000.5, 210000000000.50003},
+                                                {0, 5e-324},      {0, 1e-310},
+                                                {-1e300, 1e300},  {1e300, 1e300 + 2e284},
+                                                {1, 1 + 3e-9},    {1.2345678, 1.2345679},
+                                                {-1e-40, 1e-41},  {1e16, 1e16 + 2, 1e16 + 4}};
+  for (const bool is_log : {true, false})
+    for (const std::vector<double>& values : ranges) {
+      const PlotAxis axis(values, is_log, 10, 20);
+      EXPECT_LE(axis.ticks().size(), is_log ? 700u : 12u) << values[0];
+      EXPECT_GE(axis.ticks().size(), 2u) << values[0];
+      const std::vector<std::string> all = labels(axis);
+      EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size()) << values[0];
+      for (const Tick& t : axis.ticks()) EXPECT_TRUE(std::isfinite(axis.position(t.value))) << values[0];
+    }
+}
+
+TEST(Plot, of_many_points_is_a_line_without_marks) {
+  study::Plot plot{.title = "many", .x = {"x"}, .y = {"y"}, .series = {{"y", {}, {}}}};
+  for (int k = 0; k < 5000; ++k) plot.series[0].x.push_back(k), plot.series[0].y.push_back(k % 7);
+  EXPECT_EQ(count(svg_text(plot), "<circle"), 1u);  // the legend's
 }
 
 TEST(Plot, is_a_whole_file_with_escaped_texts_labels_and_legend) {

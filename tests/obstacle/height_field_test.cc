@@ -210,6 +210,12 @@ TEST(ARefusedHeight, NamesTheObstacleThePointAndTheReason) {
       said(height("log(X)"), {-1, 0, 1}),
       "the obstacle \"floor\" at the point (-1, 0, 1) of space: the height field \"log(X)\" is not finite there; it "
       "and its first two derivatives must be, wherever the shell is");
+  EXPECT_EQ(
+      said(height("0.02*cos(3658*pi*X)"), {0.4, 0.5, 0.075}),
+      "the obstacle \"floor\" at the point (0.4, 0.5, 0.075) of space: the height field is 0.055 m away and has waves "
+      "shorter than 0.0014 m, too many to find the nearest point among; leave out the fine waves, or bring the "
+      "shell nearer");
+  EXPECT_EQ(said(height("0.02*cos(3658*pi*X)"), {0.4, 0.5, 0.021}), "");
   // The foot is beyond the edge.
   Eigen::MatrixXd slope(5, 5);
   for (int i = 0; i < 5; ++i) slope.row(i).setConstant(0.25 * i);

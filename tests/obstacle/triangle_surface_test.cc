@@ -166,8 +166,17 @@ TEST(PointsThatWereRoundedApart, AreJoinedUpToAMillionthOfTheSurface) {
   EXPECT_LE(near.joined_over, joining_tolerance * size);
   TriangleMesh far = scattered(sphere, 1e-5 * size);
   join_near_points(far);
-  EXPECT_THAT(refusal(far),
-              testing::AllOf(testing::HasSubstr("not closed"), testing::HasSubstr("1e-06 of the surface's size")));
+  EXPECT_THAT(refusal(far), testing::AllOf(testing::HasSubstr("not closed"),
+                                           testing::HasSubstr("a millionth of the surface's size")));
+}
+
+TEST(APointFarOut, JoinsNoCornersThatAreApart) {
+  TriangleMesh box = scattered(box_mesh({0, 0, 0}, {1, 1, 1}), 1e-7);
+  box.points.back() = Vector3d(0, 0, 2.8e6);
+  join_near_points(box);
+  EXPECT_GT(box.joined, 0u);
+  EXPECT_LE(box.joined_over, 1e-6);
+  EXPECT_NE(refusal(box).find("not closed"), std::string::npos);
 }
 
 /// However small its triangles are.

@@ -37,7 +37,7 @@ TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const Noda
   const auto count = discrete.points.size(), block = static_cast<std::size_t>(solution.touching.block());
   for (std::size_t i = 0; i < count; ++i) {
     const double gap = discrete.nodal_gap(obstacle, i, solution.y);
-    inside_.push_back(solution.touching.local()[i * block + obstacle] > 0.5 ? 1 : 0);
+    inside_.push_back(solution.touching.local()[i * block + obstacle] != 0 ? 1 : 0);
     root_.push_back(std::sqrt(std::max(gap - discrete.state.lift(i, obstacle), 0.0)));
     place_.push_back(discrete.points[i].phi);
   }

@@ -64,7 +64,8 @@ Section obstacle_section() {
         .meaning =
             "a file .stl, .obj or .ply of at most 256 MB and two million triangles, its path relative to the "
             "case file: the closed surface of a body, turned outward, that does not cut itself. Corners at open sides "
-            "are joined where they are nearer to each other than a millionth of the surface's diagonal"},
+            "are joined where they are nearer to each other than a millionth of the surface's diagonal and a hundredth "
+            "of its median side"},
        {.name = "rotate", .kind = Kind::table, .meaning = "turns the shape before anything else"},
        {.name = "translate",
         .kind = Kind::vector,

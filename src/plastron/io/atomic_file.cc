@@ -1,16 +1,22 @@
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/io/atomic_file.hpp>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <tuple>
+#include <utility>
 
 namespace plastron::io {
 
@@ -75,11 +81,64 @@ class OpenFile {
   int descriptor_;
 };
 
-/// The same on every rank; two runs in one directory do not meet.
-std::filesystem::path temporary_name(const std::filesystem::path& path, MPI_Comm comm) {
-  auto process = static_cast<std::int64_t>(::getpid());
-  MPI_Bcast(&process, 1, MPI_INT64_T, 0, comm);
-  return path.parent_path() / fmt::format("{}.{}.partial", path.filename().string(), process);
+constexpr std::string_view temporary_prefix = ".plastron-partial-";
+
+/// A directory that is open, and locked unless another process has the lock. A link is not followed. File systems without locks say so.
+class LockedDirectory {
+ public:
+  explicit LockedDirectory(const std::filesystem::path& directory)
+      : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)) {
+    struct stat state {};
+    if (descriptor_ < 0) return;
+    is_locked_ = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+    is_taken_ = (!is_locked_ && errno == EWOULDBLOCK) || ::fstat(descriptor_, &state) != 0 || state.st_nlink == 0;
+  }
+  LockedDirectory(const LockedDirectory&) = delete;
+  LockedDirectory& operator=(const LockedDirectory&) = delete;
+  ~LockedDirectory() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  /// Its process has died.
+  bool is_abandoned() const { return is_locked_ && !is_taken_; }
+  /// Keeps it open, and so locked.
+  int release() { return is_taken_ ? -1 : std::exchange(descriptor_, -1); }
+
+ private:
+  int descriptor_;
+  bool is_locked_ = false, is_taken_ = false;
+};
+
+/// The files in a temporary directory, and itself. It holds no directories.
+void remove_temporary(const std::filesystem::path& directory) {
+  std::error_code ignored;  // the first error is the one to tell
+  for (std::filesystem::directory_iterator entry(directory, ignored), end; !ignored && entry != end;
+       entry.increment(ignored))
+    ::unlink(entry->path().c_str());
+  ::rmdir(directory.c_str());
+}
+
+void remove_temporaries_of_dead(const std::filesystem::path& directory) {
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator entry(directory, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    if (!entry->path().filename().string().starts_with(temporary_prefix)) continue;
+    const LockedDirectory directory_of_dead(entry->path());
+    if (directory_of_dead.is_abandoned()) remove_temporary(entry->path());
+  }
+}
+
+/// A fresh directory with a name of its own, so that two runs in one place do not meet and nobody can have put a link there.
+std::pair<std::filesystem::path, int> new_temporary(const std::filesystem::path& beside) {
+  constexpr int most_attempts = 10;  // another process may take a directory that is not yet locked for one of the dead
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    std::string name = (beside / (std::string(temporary_prefix) + "XXXXXX")).string();
+    if (::mkdtemp(name.data()) == nullptr) throw_errno();
+    const int lock = LockedDirectory(name).release();
+    if (lock >= 0) return {name, lock};
+    ::rmdir(name.c_str());
+  }
+  throw std::runtime_error("a temporary directory is removed again and again");
 }
 
 std::int64_t offset_of(std::int64_t size, MPI_Comm comm) {
@@ -101,48 +160,68 @@ void check_replaceable(const std::filesystem::path& path) {
 
 }  // namespace
 
+void AtomicFiles::make_temporary_directory(const std::filesystem::path& first) {
+  std::string name;
+  together("write", first, comm_, [&] {
+    if (rank_in(comm_) == 0) std::tie(temporary_, lock_) = new_temporary(first.parent_path());
+    name = temporary_.string();
+  });
+  temporary_ = algebra::first_words(name, comm_);
+}
+
+void AtomicFiles::remove_temporary_directory() {
+  if (rank_in(comm_) == 0 && !temporary_.empty()) {
+    remove_temporary(temporary_);
+    ::close(lock_);
+  }
+  temporary_.clear();
+}
+
 void AtomicFiles::add(const std::filesystem::path& path, const Piece& piece) {
   constexpr std::string_view what = "write";
   const bool root = rank_in(comm_) == 0;
   std::string text;
   together(what, path, comm_, [&] { text = piece(); });
   const std::int64_t offset = offset_of(static_cast<std::int64_t>(text.size()), comm_);
-  files_.push_back({path, temporary_name(path, comm_)});
+  if (temporary_.empty()) make_temporary_directory(path);
+  PLASTRON_ASSERT(path.parent_path() == temporary_.parent_path(), path.string(), temporary_.string());
+  files_.push_back({path, temporary_ / path.filename()});
   const std::filesystem::path& temporary = files_.back().temporary;
   together(what, path, comm_, [&] {
-    if (root) OpenFile(temporary, O_WRONLY | O_CREAT | O_TRUNC).close();
+    if (root) OpenFile(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW).close();
   });
   together(what, path, comm_, [&] {
-    OpenFile file(temporary, O_WRONLY);
+    OpenFile file(temporary, O_WRONLY | O_NOFOLLOW);
     file.write(text, offset);
     file.flush();
     file.close();
   });
 }
 
-void AtomicFiles::commit() {
-  const bool root = rank_in(comm_) == 0;
-  for (const File& file : files_)
+void AtomicFiles::commit(std::string_view sign) {
+  const auto on_first = [this](const File& file, const auto& step) {
     together("write", file.path, comm_, [&] {
-      if (root) check_replaceable(file.path);
+      if (rank_in(comm_) == 0) step();
+    });
+  };
+  std::stable_partition(files_.begin(), files_.end(), [&](const File& file) { return file.path.filename() != sign; });
+  for (const File& file : files_) on_first(file, [&] { check_replaceable(file.path); });
+  if (!sign.empty())
+    on_first(files_.back(), [&] {
+      std::filesystem::remove(files_.back().path);
+      flush_directory_of(files_.back().path);
     });
   for (const File& file : files_)
-    together("write", file.path, comm_, [&] {
-      if (root) std::filesystem::rename(file.temporary, file.path);
+    on_first(file, [&] {
+      if (&file == &files_.back()) flush_directory_of(file.path);
+      std::filesystem::rename(file.temporary, file.path);
     });
-  const std::vector<File> done = std::move(files_);
+  if (!files_.empty()) on_first(files_.back(), [&] { flush_directory_of(files_.back().path); });
   files_.clear();
-  for (const File& file : done)
-    together("write", file.path, comm_, [&] {
-      if (root) flush_directory_of(file.path);
-    });
+  remove_temporary_directory();
 }
 
-AtomicFiles::~AtomicFiles() {
-  std::error_code ignored;  // the first error is the one to tell
-  if (rank_in(comm_) == 0)
-    for (const File& file : files_) std::filesystem::remove(file.temporary, ignored);
-}
+AtomicFiles::~AtomicFiles() { remove_temporary_directory(); }
 
 void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI_Comm comm) {
   AtomicFiles one(comm);
@@ -158,6 +237,7 @@ void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::v
     }
   });
   make_directory(directory, comm);
+  if (rank_in(comm) == 0) remove_temporaries_of_dead(directory);
   // Enough to be refused by a disk that is full: one block may lie ready in the directory's own.
   constexpr std::size_t some = 1 << 16;
   {

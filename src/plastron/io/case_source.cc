@@ -13,7 +13,7 @@ CaseSource case_source(const std::filesystem::path& case_file, std::string text,
   return source;
 }
 
-Json checksum_json(const Checksum& checksum) { return {{"bytes", checksum.bytes}, {"hash", checksum.hash}}; }
+Json checksum_json(const Checksum& checksum) { return {{"bytes", checksum.bytes}, {"sha256", checksum.hash}}; }
 
 Json case_source_json(const CaseSource& source, const std::string& copy) {
   Json json{{"path", source.path.string()}, {"copy", copy}, {"set", source.settings}};

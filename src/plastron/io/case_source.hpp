@@ -26,9 +26,9 @@ struct CaseSource {
 CaseSource case_source(const std::filesystem::path& case_file, std::string text,
                        const std::vector<std::pair<std::string, std::filesystem::path>>& files);
 
-/// {"bytes": ..., "hash": ...}
+/// {"bytes": ..., "sha256": ...}
 Json checksum_json(const Checksum& checksum);
-/// {"path": ..., "copy": ..., "set": [...], "bytes": ..., "hash": ..., "files": [{"name": ..., "bytes": ..., "hash": ...}]}
+/// {"path": ..., "copy": ..., "set": [...], "bytes": ..., "sha256": ..., "files": [{"name": ..., "bytes": ..., "sha256": ...}]}
 Json case_source_json(const CaseSource& source, const std::string& copy);
 
 }  // namespace plastron::io

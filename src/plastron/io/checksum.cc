@@ -1,32 +1,46 @@
 #include <plastron/io/checksum.hpp>
 
 #include <fmt/format.h>
+#include <openssl/evp.h>
 
+#include <array>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
-#include <string_view>
 
 namespace plastron::io {
 
 namespace {
 
-class Fnv1a {
+class Sha256 {
  public:
+  Sha256() {
+    if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1) refuse();
+  }
   void add(std::string_view text) {
-    for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    if (EVP_DigestUpdate(context_.get(), text.data(), text.size()) != 1) refuse();
     bytes_ += text.size();
   }
-  Checksum checksum() const { return {bytes_, fmt::format("fnv1a64:{:016x}", value_)}; }
+  Checksum checksum() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int size = 0;
+    if (EVP_DigestFinal_ex(context_.get(), digest.data(), &size) != 1) refuse();
+    return {bytes_, fmt::format("{:02x}", fmt::join(digest.data(), digest.data() + size, ""))};
+  }
 
  private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
+  [[noreturn]] static void refuse() { throw std::runtime_error("OpenSSL computes no SHA-256"); }
+  struct Free {
+    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+  };
+  std::unique_ptr<EVP_MD_CTX, Free> context_{EVP_MD_CTX_new()};
   std::uintmax_t bytes_ = 0;
 };
 
 }  // namespace
 
-Checksum checksum_of_text(const std::string& text) {
-  Fnv1a sum;
+Checksum checksum_of_text(std::string_view text) {
+  Sha256 sum;
   sum.add(text);
   return sum.checksum();
 }
@@ -36,7 +50,7 @@ Checksum checksum_of_file(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path, error))
     throw std::runtime_error(fmt::format("{}: there is no such file", path.string()));
   std::ifstream file(path, std::ios::binary);
-  Fnv1a sum;
+  Sha256 sum;
   std::string piece(1 << 16, '\0');
   while (file) {
     file.read(piece.data(), static_cast<std::streamsize>(piece.size()));

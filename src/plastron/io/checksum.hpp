@@ -1,20 +1,20 @@
-// Size and hash of a file, to notice that it is not the one it was. FNV-1a (Fowler, Noll, Vo 1991) finds accidents, not
-// malice: who changes a file with intent could write another hash as well.
+// Size and SHA-256 of a file, to notice that it is not the one it was. Whoever changes a file with intent can write another hash as well.
 #pragma once
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace plastron::io {
 
 struct Checksum {
   std::uintmax_t bytes = 0;
-  std::string hash{};  ///< "fnv1a64:" and sixteen hexadecimal digits
+  std::string hash{};  ///< 64 hexadecimal digits
   bool operator==(const Checksum&) const = default;
 };
 
-Checksum checksum_of_text(const std::string& text);
-/// Throws std::runtime_error where the file cannot be read.
+Checksum checksum_of_text(std::string_view text);
+/// Throws std::runtime_error where there is no regular file or it cannot be read.
 Checksum checksum_of_file(const std::filesystem::path& path);
 
 }  // namespace plastron::io

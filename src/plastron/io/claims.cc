@@ -1,9 +1,12 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/io/claims.hpp>
+#include <plastron/io/output.hpp>
 
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
+#include <sstream>
 
 namespace plastron::io {
 
@@ -12,15 +15,13 @@ namespace {
 /// No results.json is larger; what is would only fill the memory.
 constexpr std::uintmax_t largest_results = std::uintmax_t{64} << 20;
 
-std::string text_of_results(const std::filesystem::path& path) {
+/// Of a regular file: a pipe or a device would be read for ever.
+std::string text_of_file(const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::is_directory(path.parent_path(), error))
-    throw UnusableResults(fmt::format("{}: there is no such directory", path.parent_path().string()));
   if (!std::filesystem::is_regular_file(path, error))
     throw UnusableResults(
-        fmt::format("{}: there are no results here: no results.json; name the directory that "
-                    "plastron run wrote to",
-                    path.parent_path().string()));
+        fmt::format("{}: there are no results here: no {}; name the directory that plastron run wrote to",
+                    path.parent_path().string(), path.filename().string()));
   if (std::filesystem::file_size(path, error) > largest_results)
     throw UnusableResults(fmt::format("{}: the file is larger than any results are", path.string()));
   std::ifstream file(path, std::ios::binary);
@@ -29,9 +30,22 @@ std::string text_of_results(const std::filesystem::path& path) {
   return text;
 }
 
+std::string text_of_results(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path.parent_path(), error))
+    throw UnusableResults(fmt::format("{}: there is no such directory", path.parent_path().string()));
+  return text_of_file(path);
+}
+
 Json json_of(const std::string& text, const std::filesystem::path& path) {
+  // Copies and destructors of a JSON value call themselves as deep as it is nested.
+  constexpr int deepest = 100;
+  const auto is_shallow = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest) throw UnusableResults(fmt::format("{}: it is nested deeper than any results", path.string()));
+    return true;
+  };
   try {
-    return Json::parse(text);
+    return Json::parse(text, is_shallow);
   } catch (const Json::exception& error) {
     throw UnusableResults(fmt::format("{}: this is no JSON, or not all of it: {}", path.string(), error.what()));
   }
@@ -61,7 +75,7 @@ class Entries {
   Checksum checksum() const {
     const Entries bytes = at("bytes");
     if (!bytes.json_.is_number_unsigned()) refuse("bytes");
-    return {bytes.json_.get<std::uintmax_t>(), text("hash")};
+    return {bytes.json_.get<std::uintmax_t>(), text("sha256")};
   }
   std::vector<Entries> list(const char* name) const {
     const Entries entry = at(name);
@@ -93,7 +107,61 @@ std::string change_of(const std::string& what, const std::filesystem::path& path
   }
 }
 
+/// Name -> hash, of the lines of SHA256SUMS.
+std::map<std::string, std::string> stored_hashes(const std::filesystem::path& path) {
+  constexpr std::size_t digits = 64;
+  std::map<std::string, std::string> hashes;
+  std::istringstream lines(text_of_file(path));
+  for (std::string line; std::getline(lines, line);) {
+    const std::string name = line.size() > digits + 2 ? line.substr(digits + 2) : "";
+    if (name.empty() || line.substr(digits, 2) != "  " || std::filesystem::path(name).filename() != name)
+      throw UnusableResults(fmt::format("{}: line {} is no checksum", path.string(), hashes.size() + 1));
+    hashes[name] = line.substr(0, digits);
+  }
+  return hashes;
+}
+
+std::string difference(const std::filesystem::path& path, const std::string& stored) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return fmt::format("{} is not there", path.filename().string());
+  try {
+    if (checksum_of_file(path).hash == stored) return {};
+    return fmt::format("{} is not the file that plastron run wrote: its SHA-256 differs", path.filename().string());
+  } catch (const std::runtime_error& unreadable) {
+    return unreadable.what();
+  }
+}
+
+/// All names that results.json gives its files.
+std::vector<std::string> names_of_files(const Json& results) {
+  std::vector<std::string> names{std::string(results_name)};
+  if (const auto list = results.find("files"); list != results.end() && list->is_array())
+    for (const Json& name : *list)
+      if (name.is_string() && name != Json(checksums_name)) names.push_back(name.get<std::string>());
+  return names;
+}
+
 }  // namespace
+
+StoredChecksums compare_checksums(const std::filesystem::path& directory, const Json& results, MPI_Comm comm) {
+  return algebra::in_agreement<UnusableResults>(comm, [&] {
+    std::error_code error;
+    if (!std::filesystem::exists(directory / checksums_name, error))
+      throw UnusableResults(
+          fmt::format("{}: there is no {}, so nothing tells whether the files are those that one run wrote; run the "
+                      "case again",
+                      directory.string(), checksums_name));
+    const auto hashes = stored_hashes(directory / checksums_name);
+    StoredChecksums found{.files = hashes.size()};
+    for (const auto& [name, stored] : hashes)
+      if (std::string words = difference(directory / name, stored); !words.empty())
+        found.failures.push_back(std::move(words));
+    for (const std::string& name : names_of_files(results))
+      if (!hashes.contains(name))
+        found.failures.push_back(fmt::format("{} has no checksum in {}", name, checksums_name));
+    return found;
+  });
+}
 
 Claims read_claims(const std::filesystem::path& directory, MPI_Comm comm) {
   return algebra::in_agreement<UnusableResults>(comm, [&] {

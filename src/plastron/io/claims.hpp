@@ -29,6 +29,14 @@ Claims read_claims(const std::filesystem::path& directory, MPI_Comm comm);
 /// was when the case was run; all of them are named (collective).
 void check_sources(const Claims& claims, const std::filesystem::path& folder, MPI_Comm comm);
 
+/// How the files of results compare with SHA256SUMS.
+struct StoredChecksums {
+  std::size_t files = 0;                ///< that have a checksum
+  std::vector<std::string> failures{};  ///< in words: which file has changed, is not there, or has no checksum
+};
+/// Compares them. Throws UnusableResults where there is no SHA256SUMS (collective).
+StoredChecksums compare_checksums(const std::filesystem::path& directory, const Json& results, MPI_Comm comm);
+
 /// One value of results.json beside the one that was recomputed.
 struct Comparison {
   std::string path;  ///< "reaction.force[2]"

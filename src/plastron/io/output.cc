@@ -1,5 +1,6 @@
 #include <plastron/io/output.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/contact_report.hpp>
 #include <plastron/io/history.hpp>
@@ -14,7 +15,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
+#include <system_error>
 
 namespace plastron::io {
 
@@ -27,7 +31,43 @@ bool can_be_drawn(const computation::Solution& solution, MPI_Comm comm) {
   return algebra::sum_over_ranks(static_cast<std::int64_t>(finite ? 0 : 1), comm) == 0;
 }
 
+/// Whether a run may write a file of this name.
+bool is_written(std::string_view name, std::string_view base_name) {
+  constexpr std::array exact{results_name, checksums_name, report_name, std::string_view("history.csv"),
+                             std::string_view("history.svg")};
+  const bool is_of_contact = name.starts_with("contact-"), is_of_line = name.starts_with("line-");
+  const bool are_fields = name.starts_with(base_name) || name.starts_with("obstacles") || name.starts_with("solid");
+  return std::ranges::find(exact, name) != exact.end() || ((is_of_contact || is_of_line) && name.ends_with(".csv")) ||
+         ((is_of_contact || are_fields) && name.ends_with(".vtu")) ||
+         (name.starts_with(base_name) && std::ranges::any_of(std::array{".pvd", ".plastron", ".case.toml"},
+                                                             [&](const char* end) { return name.ends_with(end); }));
+}
+
+std::string in_the_way(const std::filesystem::path& directory, const std::string& base_name,
+                       const std::vector<std::filesystem::path>& inputs) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.is_directory(ignored) && is_written(entry.path().filename().string(), base_name))
+      return fmt::format("\"{}\" is a directory, and a file of this name is to be written", entry.path().string());
+  for (const std::filesystem::path& input : inputs) {
+    const auto path = std::filesystem::weakly_canonical(input);
+    if (is_written(path.filename().string(), base_name) &&
+        std::filesystem::equivalent(path.parent_path(), directory, ignored))
+      return fmt::format("the case is read from \"{}\", which the results would replace; choose another directory",
+                         input.string());
+  }
+  return "";
+}
+
 }  // namespace
+
+void check_replaceable(const std::filesystem::path& directory, const std::string& base_name,
+                       const std::vector<std::filesystem::path>& inputs, MPI_Comm comm) {
+  algebra::in_agreement(comm, [&] {
+    const std::string words = in_the_way(directory, base_name, inputs);
+    if (!words.empty()) throw std::runtime_error(words);
+  });
+}
 
 Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report,
                computation::Output given)
@@ -72,6 +112,19 @@ void Output::add_history(const computation::Result& result) {
   add_text("history.svg", [&] { return svg_text(history_plot(history_json(result))); });
 }
 
+/// In the format of sha256sum; made by the first rank alone.
+void Output::add_checksums() {
+  int rank = 0;
+  MPI_Comm_rank(files_.comm(), &rank);
+  files_.add(directory_ / checksums_name, [&] {
+    std::string text;
+    for (const AtomicFiles::File& file : files_.added())
+      if (rank == 0)
+        text += fmt::format("{}  {}\n", checksum_of_file(file.temporary).hash, file.path.filename().string());
+    return text;
+  });
+}
+
 std::vector<std::string> Output::finish(const computation::Result& result, Provenance provenance,
                                         const std::vector<computation::Line>& lines) {
   const bool is_drawn = result.solution && can_be_drawn(*result.solution, files_.comm());
@@ -98,11 +151,13 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
     add_text(provenance.case_copy, [&] { return provenance.source->text; });
   }
   if (with_report_) names_.emplace_back(report_name);
+  names_.emplace_back(checksums_name);
   provenance.heights = given_.heights;
   provenance.files = names_;
   if (with_report_) add_report(result, provenance, is_drawn, directory_, files_);
   add_results(result, provenance, directory_, files_);
-  files_.commit();
+  add_checksums();
+  files_.commit(results_name);
   if (boundary.empty()) remove_contact_report(directory_, files_.comm());
   if (!with_report_) remove_file(directory_ / report_name, files_.comm());
   if (given_.solid_layers == 0) remove_file(directory_ / solid_name, files_.comm());

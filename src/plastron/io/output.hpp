@@ -6,7 +6,15 @@
 
 namespace plastron::io {
 
-/// Files of a run on their way. Those of an earlier run stay until all are complete; results.json is replaced last. All functions are
+/// SHA-256 of all other files, for `plastron verify` and `sha256sum --check`.
+inline constexpr std::string_view checksums_name = "SHA256SUMS";
+
+/// Throws std::runtime_error where a run that writes base_name.vtu and so on would meet a directory in the place of a file, or replace one of
+/// `inputs`, the files that its case is read from (collective).
+void check_replaceable(const std::filesystem::path& directory, const std::string& base_name,
+                       const std::vector<std::filesystem::path>& inputs, MPI_Comm comm);
+
+/// Files of a run on their way. Those of an earlier run stay until all are complete; then its results.json goes first, and the new one comes last. All functions are
 /// collective and throw std::runtime_error.
 class Output {
  public:
@@ -29,6 +37,7 @@ class Output {
   void add_fields(const computation::Solution& solution, double time, const std::string& suffix, bool is_in_series);
   void add_text(const std::string& name, const Piece& text);
   void add_history(const computation::Result& result);
+  void add_checksums();
 
   std::filesystem::path directory_;
   std::string base_name_;

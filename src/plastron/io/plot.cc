@@ -138,11 +138,11 @@ class Drawing {
     std::vector<double> all;
     for (const auto& s : plot_.series)
       for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)
-        if (usable(s.x[i], plot_.x) && usable(s.y[i], plot_.y)) all.push_back((s.*coordinate)[i]);
+        if (can_draw(s.x[i], s.y[i])) all.push_back((s.*coordinate)[i]);
     return all;
   }
-  static bool usable(double value, const study::Axis& axis) {
-    return std::isfinite(value) && (!axis.is_log || value > 0);
+  bool can_draw(double x, double y) const {
+    return PlotAxis::can_draw(x, plot_.x.is_log) && PlotAxis::can_draw(y, plot_.y.is_log);
   }
 
   void axes() {
@@ -187,17 +187,19 @@ class Drawing {
   }
 
   void draw(std::size_t number) {
+    constexpr std::size_t most_marks = 2000;
     const study::Series& s = plot_.series[number];
+    const bool with_markers = s.with_markers && (s.x.size() <= most_marks || !s.with_line);
     std::string path, marks;
     for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
-      if (!usable(s.x[i], plot_.x) || !usable(s.y[i], plot_.y)) continue;
+      if (!can_draw(s.x[i], s.y[i])) continue;
       const double x = x_.position(s.x[i]), y = y_.position(s.y[i]);
       path += fmt::format("{}{:.2f} {:.2f} ", path.empty() ? "M" : "L", x, y);
-      marks += marker(number, x, y, s.dashed);
+      if (with_markers) marks += marker(number, x, y, s.dashed);
     }
     if (path.empty()) return;
     if (s.with_line) put("<path class=\"line c{}\"{} d=\"{}\"/>\n", number % colours.size(), dashes(s.dashed), path);
-    if (s.with_markers) put("{}", marks);
+    put("{}", marks);
   }
 
   /// Returns the lower end.

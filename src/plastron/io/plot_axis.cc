@@ -22,6 +22,9 @@ std::string log_label(int mantissa, int exponent) {
   return mantissa == 1 ? power_of_ten(exponent) : fmt::format("{}·{}", mantissa, power_of_ten(exponent));
 }
 
+/// Sizes whose sums and quotients are doubles, too.
+constexpr double smallest_drawn = 1e-300, largest_drawn = 1e300;
+
 }  // namespace
 
 PlotAxis::PlotAxis(const std::vector<double>& values, bool is_log, double begin, double end)
@@ -33,17 +36,29 @@ PlotAxis::PlotAxis(const std::vector<double>& values, bool is_log, double begin,
     high_ = first ? scaled(value) : std::max(high_, scaled(value));
     first = false;
   }
-  const double width = high_ - low_;
-  const double margin = width > 0 ? 0.06 * width : is_log_ ? 0.5 : std::max(1.0, std::abs(low_)) / 2;
-  low_ -= margin;
-  high_ += margin;
+  widen();
   if (is_log_)
     make_log_ticks();
   else
     make_linear_ticks();
 }
 
-bool PlotAxis::can_draw(double value) const { return std::isfinite(value) && (!is_log_ || value > 0); }
+/// Room beside the values. Values that differ by their rounding alone count as equal. A log axis has half a decade at least, for two ticks.
+void PlotAxis::widen() {
+  constexpr double rounding = 1e-9, part = 0.06, least_decades = 0.5;
+  const double size = std::max(std::abs(low_), std::abs(high_)), width = high_ - low_;
+  double margin = part * width;
+  if (is_log_)
+    margin = std::max(margin, (least_decades - width) / 2);
+  else if (!(width > std::max(rounding * size, smallest_drawn)))
+    margin = std::max(1.0, size) / 2;
+  low_ -= margin;
+  high_ += margin;
+}
+
+bool PlotAxis::can_draw(double value, bool is_log) {
+  return std::abs(value) <= largest_drawn && (!is_log || value >= smallest_drawn);
+}
 
 double PlotAxis::scaled(double value) const { return is_log_ ? std::log10(value) : value; }
 
@@ -67,12 +82,17 @@ void PlotAxis::make_log_ticks() {
     }
 }
 
+/// About six ticks. They are counted, for a step may be lost where it is added to a large value. Labels have the digits that tell them apart.
 void PlotAxis::make_linear_ticks() {
   const double rough = (high_ - low_) / 6, power = std::pow(10.0, std::floor(std::log10(rough)));
   const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
-  for (double value = std::ceil(low_ / step) * step; value <= high_; value += step) {
-    const double rounded = std::abs(value) < step / 1e6 ? 0 : value;
-    ticks_.push_back({rounded, fmt::format("{:.6g}", rounded)});
+  const double largest = std::max(std::abs(low_), std::abs(high_));
+  const int digits = std::clamp(2 + static_cast<int>(std::log10(largest / step)), 6, 15);
+  const double first = std::ceil(low_ / step);
+  const int count = 1 + static_cast<int>(std::floor(high_ / step) - first);
+  for (int k = 0; k < count; ++k) {
+    const double value = (first + k) * step;
+    ticks_.push_back({value, fmt::format("{:.{}g}", value, digits)});
   }
 }
 

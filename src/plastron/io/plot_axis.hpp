@@ -15,7 +15,9 @@ class PlotAxis {
   /// An axis that holds all `values` that can be drawn on it, from `begin` to `end` [px].
   PlotAxis(const std::vector<double>& values, bool is_log, double begin, double end);
 
-  bool can_draw(double value) const;
+  /// Finite, positive on a log axis, and of a size that leaves the axis' width finite.
+  static bool can_draw(double value, bool is_log);
+  bool can_draw(double value) const { return can_draw(value, is_log_); }
   double position(double value) const;  ///< [px]
   /// Length of a unit, of a decade on a log axis [px].
   double per_unit() const;
@@ -23,6 +25,7 @@ class PlotAxis {
 
  private:
   double scaled(double value) const;
+  void widen();
   void make_log_ticks();
   void make_linear_ticks();
 

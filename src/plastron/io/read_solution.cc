@@ -51,8 +51,9 @@ std::uintmax_t size_of_file(const std::filesystem::path& path) {
 /// The file up to its cells.
 class SolutionFile {
  public:
-  explicit SolutionFile(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) {
-    size_ = size_of_file(path_);
+  explicit SolutionFile(std::filesystem::path path) : path_(std::move(path)), size_(size_of_file(path_)) {
+    file_.open(path_,
+               std::ios::binary);  // after size_of_file, which refuses a pipe: to open one would wait for a writer
     if (!file_) refuse("the file cannot be read");
     if (size_ < sizeof header_) refuse("the file is too short to hold a solution");
     read(&header_, sizeof header_);
@@ -100,10 +101,13 @@ class SolutionFile {
   }
 
   std::filesystem::path path_;
-  std::ifstream file_;
-  std::uintmax_t size_ = 0;
+  std::uintmax_t size_;
+  std::ifstream file_{};
   SolutionHeader header_{};
 };
+
+/// No solution holds a larger number, and the fourth power of this one is finite.
+constexpr double largest_value = 1e60;
 
 class SolutionReader {
  public:
@@ -114,7 +118,8 @@ class SolutionReader {
     obstacles_.resize(header_.obstacles);
     for (ObstacleRecord& record : obstacles_) {
       file_.read(&record, sizeof record);
-      if (!std::isfinite(record[0]) || !std::isfinite(record[1])) refuse("an obstacle's position is not finite");
+      if (!(std::abs(record[0]) <= largest_value && std::abs(record[1]) <= largest_value))
+        refuse(fmt::format("an obstacle's position is not finite, or beyond {:g}", largest_value));
     }
     file_.skip(static_cast<std::size_t>(header_.cut_numbers) * sizeof(double));
   }
@@ -171,8 +176,15 @@ class SolutionReader {
                         "or made by another version of the mesh generator",
                         head.at[0], head.at[1], ours.at[0], ours.at[1]));
     for (const double value : values)
-      if (!std::isfinite(value))
-        refuse(fmt::format("a value in the cell at ({:g}, {:g}) is not finite", ours.at[0], ours.at[1]));
+      if (!(std::abs(value) <= largest_value))
+        refuse(fmt::format("a value in the cell at ({:g}, {:g}) is not finite, or beyond {:g}", ours.at[0], ours.at[1],
+                           largest_value));
+    const std::size_t per_node = header_.values_per_node(), end = per_node - header_.has_lifts * header_.obstacles;
+    for (std::size_t node = 0; node < values.size(); node += per_node)
+      for (std::size_t k = node + end - header_.obstacles; k < node + end; ++k)
+        if (values[k] != 0 && values[k] != 1)
+          refuse(fmt::format("a node of the cell at ({:g}, {:g}) touches an obstacle by {:g}; it can be 0 or 1",
+                             ours.at[0], ours.at[1], values[k]));
   }
 
   SolutionFile file_;

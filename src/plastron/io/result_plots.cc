@@ -1,6 +1,7 @@
 #include <plastron/io/result_plots.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -93,6 +94,19 @@ void add_history_plots(const Json& history, bool has_obstacle, std::vector<Named
 }
 
 }  // namespace
+
+Json parts_to_plot(std::istream& results) {
+  constexpr std::array kept{"levels",        "contact",      "files",  "unknowns",    "energy",
+                            "reaction",      "contact_area", "active", "time",        "max_displacement",
+                            "support_force", "obstacles",    "name",   "translation", "force"};
+  constexpr int deepest = 8;
+  return Json::parse(results, [&](int depth, Json::parse_event_t event, const Json& value) {
+    if (depth > deepest) return false;
+    if (event != Json::parse_event_t::key) return true;
+    const auto& key = value.get_ref<const std::string&>();
+    return std::ranges::find(kept, key) != kept.end() || (key == "history" && depth == 1);
+  });
+}
 
 study::Plot history_plot(const Json& history) {
   const bool over_time = std::ranges::none_of(history, [](const Json& instant) { return longest_way(instant) > 0; });

@@ -4,6 +4,7 @@
 #include <plastron/io/quantities.hpp>
 #include <plastron/study/plot.hpp>
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct NamedPlot {
   std::string name;
   study::Plot plot;
 };
+
+/// The parts of results.json that plots are made of. The others are read over: a file of 200 000 meshes would fill 3 GB. Throws Json::exception.
+Json parts_to_plot(std::istream& results);
 
 /// Those that have anything to show: two meshes at least, contact, steps. Throws Json::exception where `results` is not as results_json() makes it.
 std::vector<NamedPlot> result_plots(const Json& results);

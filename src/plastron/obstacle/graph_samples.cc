@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace plastron::obstacle {
 
@@ -27,7 +28,8 @@ std::size_t GraphSamples::Hash::operator()(const Index& index) const {
 GraphSamples::Block GraphSamples::sampled(const Index& index) const {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double spacing = index.spacing();
-  Block block{.jets = {}, .low = inf, .high = -inf, .bend = 0, .change = 0};
+  Block block{.jets = {}, .low = inf, .high = -inf, .bend = 0, .change = 0, .range = 0};
+  double least = inf, most = -inf;
   for (std::size_t k = 0; k < block.jets.size(); ++k) {
     const HeightJet& h = block.jets[k] = height_(index.place(k));
     if (!std::isfinite(h.value) || !h.gradient.allFinite() || !h.hessian.allFinite()) continue;
@@ -35,6 +37,8 @@ GraphSamples::Block GraphSamples::sampled(const Index& index) const {
     block.low = std::min(block.low, h.value - within);
     block.high = std::max(block.high, h.value + within);
     block.bend = std::max(block.bend, h.hessian.norm());
+    least = std::min(least, h.value);
+    most = std::max(most, h.value);
     const auto compare = [&](std::size_t other) {
       const double change = (h.hessian - block.jets[other].hessian).norm();
       if (change > block.change) block.change = change;
@@ -45,17 +49,26 @@ GraphSamples::Block GraphSamples::sampled(const Index& index) const {
   // Twice what second derivatives as great as the greatest sampled would give.
   block.low -= block.bend * spacing * spacing / 2;
   block.high += block.bend * spacing * spacing / 2;
+  block.range = std::max(0.0, most - least);
   return block;
 }
 
 const GraphSamples::Block& GraphSamples::block(const Index& index) {
-  if (const auto found = blocks_.find(index); found != blocks_.end()) return found->second;
-  return blocks_.emplace(index, sampled(index)).first->second;
+  const auto [found, is_new] = numbers_.try_emplace(index, numbers_.size());
+  if (!is_new) return blocks_[found->second];
+  if (found->second == blocks_.size()) blocks_.emplace_back();
+  return blocks_[found->second] = sampled(index);
+}
+
+// A wave of length L whose heights range over a has |h''| up to a / 2 (2 pi / L)^2.
+bool GraphSamples::misses_waves(const Block& block, double spacing) {
+  const double turn = 2 * std::numbers::pi / (least_samples_of_wave * spacing);
+  return block.bend > block.range / 2 * turn * turn;
 }
 
 void GraphSamples::forget_if_many() {
   constexpr std::size_t most_blocks = 40000;  // of 4 kB
-  if (blocks_.size() > most_blocks) blocks_.clear();
+  if (numbers_.size() > most_blocks) numbers_.clear();
 }
 
 }  // namespace plastron::obstacle

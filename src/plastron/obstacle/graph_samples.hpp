@@ -6,6 +6,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <unordered_map>
 
@@ -14,6 +15,7 @@ namespace plastron::obstacle {
 class GraphSamples {
  public:
   static constexpr int side = 8;
+  static constexpr double least_samples_of_wave = 4;
 
   /// side x side samples in the middles of cells. Bounds of the height in all of these cells are estimates: from slopes
   /// and second derivatives of samples.
@@ -21,6 +23,7 @@ class GraphSamples {
     std::array<HeightJet, side * side> jets;  // not finite where there is no height
     double low, high, bend;                   // greatest |h''|
     double change;                            // of h'' from sample to sample, the greatest
+    double range;                             // of the sampled heights
   };
   /// The square from width (i, j) to width (i + 1, j + 1), and it is four of the next lower level.
   struct Index {
@@ -44,6 +47,9 @@ class GraphSamples {
 
   /// Stays where it is until `forget_if_many`.
   const Block& block(const Index& index);
+  /// Samples of this spacing miss waves of the height. Its waves are as short as their height and their greatest second derivative make them, so
+  /// samples that miss them cannot hide that.
+  static bool misses_waves(const Block& block, double spacing);
   void forget_if_many();
 
  private:
@@ -53,7 +59,8 @@ class GraphSamples {
   Block sampled(const Index& index) const;
 
   std::function<HeightJet(const Eigen::Vector2d&)> height_;
-  std::unordered_map<Index, Block, Hash> blocks_;
+  std::unordered_map<Index, std::size_t, Hash> numbers_;
+  std::deque<Block> blocks_;  // the first numbers_.size() are in use; the others wait to be used again
 };
 
 }  // namespace plastron::obstacle

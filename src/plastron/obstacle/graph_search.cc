@@ -21,16 +21,16 @@ class GraphSearch {
   GraphSearch(double reach, const Vector3d& X, GraphSamples& samples)
       : samples_(samples), X_(X), reach_(reach), best_(reach * reach / 2 * (1 - 1e-9)) {}
 
-  std::vector<GraphStart> starts() {
+  GraphStarts starts() {
     constexpr double samples_of_reach = 8;
     const int level = GraphSamples::level_of(reach_ / samples_of_reach);
     const double width = GraphSamples::side * Index{level, 0, 0}.spacing();
     const auto at = [&](double x) { return static_cast<std::int64_t>(std::floor(x / width)); };
     for (std::int64_t i = at(X_[0] - reach_); i <= at(X_[0] + reach_); ++i)
-      for (std::int64_t j = at(X_[1] - reach_); j <= at(X_[1] + reach_); ++j) visit({level, i, j}, 0);
+      for (std::int64_t j = at(X_[1] - reach_); j <= at(X_[1] + reach_) && missed_ == 0; ++j) visit({level, i, j}, 0);
     std::erase_if(found_, [&](const GraphStart& start) { return start.least > best_; });
     std::ranges::stable_sort(found_, {}, &GraphStart::least);
-    return std::move(found_);
+    return {std::move(found_), missed_};
   }
 
  private:
@@ -47,8 +47,12 @@ class GraphSearch {
     if (across >= 2 * best_) return;
     const Block& block = samples_.block(index);
     const double up = std::max({0.0, X_[2] - block.high, block.low - X_[2]});
-    if (across + up * up >= 2 * best_) return;
+    if (across + up * up >= 2 * best_ || missed_ > 0) return;
     constexpr int most_divisions = 4;
+    if (depth == most_divisions && GraphSamples::misses_waves(block, spacing)) {
+      missed_ = spacing;
+      return;
+    }
     if (is_resolved(block) || depth == most_divisions) return scan(index, block);
     for (const int i : {0, 1})
       for (const int j : {0, 1}) visit({index.level - 1, 2 * index.i + i, 2 * index.j + j}, depth + 1);
@@ -82,12 +86,13 @@ class GraphSearch {
   GraphSamples& samples_;
   const Vector3d X_;
   double reach_, best_;
+  double missed_ = 0;
   std::vector<GraphStart> found_;
 };
 
 }  // namespace
 
-std::vector<GraphStart> starts_nearer_than(double reach, const Vector3d& X, GraphSamples& samples) {
+GraphStarts starts_nearer_than(double reach, const Vector3d& X, GraphSamples& samples) {
   return GraphSearch(reach, X, samples).starts();
 }
 

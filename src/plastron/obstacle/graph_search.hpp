@@ -14,8 +14,14 @@ struct GraphStart {
   double spacing;  ///< of the samples around it: a foot this near is the same one
 };
 
-/// Of all points within `reach` of X; the most promising first. The graph is sampled at least 8 times within the reach
+struct GraphStarts {
+  std::vector<GraphStart> starts{};  ///< the most promising first
+  double missed =
+      0;  ///< spacing of the finest samples, where these miss waves of the graph and the search ends; else 0
+};
+
+/// Of all points within `reach` of X. The graph is sampled at least 8 times within the reach
 /// and up to 128 times where it changes its curvature from sample to sample.
-std::vector<GraphStart> starts_nearer_than(double reach, const Vector3d& X, GraphSamples& samples);
+GraphStarts starts_nearer_than(double reach, const Vector3d& X, GraphSamples& samples);
 
 }  // namespace plastron::obstacle

@@ -135,7 +135,14 @@ HeightField::Foot HeightField::nearer_foot(const Vector3d& X, const Foot& known)
   constexpr std::size_t most_descents = 100;
   Foot best = known;
   std::vector<Vector2d> feet{known.p};
-  for (const GraphStart& start : starts_nearer_than(std::sqrt(2 * known.value), X, *samples_)) {
+  const double distance = std::sqrt(2 * known.value);
+  const GraphStarts found = starts_nearer_than(distance, X, *samples_);
+  if (found.missed > 0)
+    throw ObstacleError(fmt::format(
+        "the height field is {:.3g} m away and has waves shorter than {:.2g} m, too many to find the nearest "
+        "point among; leave out the fine waves, or bring the shell nearer",
+        distance, GraphSamples::least_samples_of_wave * found.missed));
+  for (const GraphStart& start : found.starts) {
     if (!(start.least < best.value) || feet.size() > most_descents) break;
     const auto is_near = [&](const Vector2d& p) { return (start.p - p).norm() < start.spacing; };
     if (!covers(start.p) || std::ranges::any_of(feet, is_near)) continue;

@@ -1,10 +1,13 @@
 // Corners that were rounded apart when a surface was written: only where it is open, and only as far as rounding goes.
 #include <plastron/obstacle/triangle_sides.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -22,6 +25,21 @@ std::vector<int> open_corners(const TriangleMesh& mesh) {
     if ((i == 0 || !sides[i].is_same(sides[i - 1])) && (i + 1 == sides.size() || !sides[i].is_same(sides[i + 1])))
       corners.insert({sides[i].low, sides[i].high});
   return {corners.begin(), corners.end()};
+}
+
+/// Half of the sides are no longer [m].
+double median_side(const TriangleMesh& mesh) {
+  std::vector<double> lengths;
+  lengths.reserve(3 * mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = static_cast<std::size_t>(triangle[k]), b = static_cast<std::size_t>(triangle[(k + 1) % 3]);
+      lengths.push_back((mesh.points[a] - mesh.points[b]).norm());
+    }
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::ranges::nth_element(lengths, middle);
+  return *middle;
 }
 
 /// Points in cubes much wider than the tolerance: what is near to a point is in its own cube or, seldom, in one beside.
@@ -74,10 +92,20 @@ void remove_unused_points(TriangleMesh& mesh) {
 
 }  // namespace
 
+double joining_distance(const TriangleMesh& mesh) {
+  constexpr double part_of_side = 1e-2;
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : mesh.points) box.extend(p);
+  return std::min(joining_tolerance * box.diagonal().norm(), part_of_side * median_side(mesh));
+}
+
 void join_near_points(TriangleMesh& mesh) {
   const std::vector<int> open = open_corners(mesh);
-  const double tolerance = joining_tolerance * diagonal(mesh);
-  if (open.empty() || !(tolerance > 0)) return;
+  if (open.empty()) return;
+  const double tolerance = joining_distance(mesh);
+  double largest = 0;
+  for (const Vector3d& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+  if (!(tolerance > std::numeric_limits<double>::epsilon() * largest)) return;  // equal points are one already
   Cubes cubes(mesh.points, tolerance);
   std::map<int, int> joined;
   for (const int point : open) {

@@ -53,10 +53,10 @@ void check_sides(const TriangleMesh& mesh, const std::vector<Side>& sides, const
   if (open > 0)
     throw ObstacleError(
         fmt::format("{}: the surface is not closed: {} sides have one triangle only, the first from {} "
-                    "to {}; close it, or join points that should be one (points there are joined up to {:.2g} m, {:g} "
-                    "of the surface's size)",
+                    "to {}; close it, or join points that should be one (points there are joined up to {:.2g} m: a "
+                    "millionth of the surface's size, at most a hundredth of the median side)",
                     name, open, shown(mesh.points[sides[first_open].low]), shown(mesh.points[sides[first_open].high]),
-                    joining_tolerance * diagonal(mesh), joining_tolerance));
+                    joining_distance(mesh)));
 }
 
 /// The part of each triangle: those that hang together by sides have the same number, counted from 0.

@@ -1,7 +1,5 @@
 #include <plastron/obstacle/triangle_sides.hpp>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <tuple>
 
@@ -19,12 +17,6 @@ std::vector<TriangleSide> sorted_sides(const TriangleMesh& mesh) {
     return std::tie(p.low, p.high, p.triangle) < std::tie(q.low, q.high, q.triangle);
   });
   return sides;
-}
-
-double diagonal(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const geometry::Vector3d& p : mesh.points) box.extend(p);
-  return box.diagonal().norm();
 }
 
 }  // namespace plastron::obstacle

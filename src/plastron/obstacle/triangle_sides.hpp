@@ -14,7 +14,8 @@ struct TriangleSide {
 
 std::vector<TriangleSide> sorted_sides(const TriangleMesh& mesh);
 
-/// Of the box along the axes that holds all points [m].
-double diagonal(const TriangleMesh& mesh);
+/// Points at open sides that are this near to each other are one [m]: joining_tolerance of the diagonal, but at most a hundredth of the median
+/// side. A point that lies far out by mistake makes the diagonal long.
+double joining_distance(const TriangleMesh& mesh);
 
 }  // namespace plastron::obstacle
