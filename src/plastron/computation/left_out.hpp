@@ -22,7 +22,9 @@ inline LeftOut left_out(const certificate::Summary& summary, const Level& level)
   LeftOut part{.work = std::abs(summary.over_stored(summary.second_order.work)),
                .stretch = summary.over_stored(summary.second_order.stretch),
                .rotation = summary.max_rotation * summary.max_rotation / 2};
-  if (level.linearity.remaining_stretch)
+  if (summary.is_unstrained)
+    part.remaining_stretch = 0;  // a rigid motion: turning by the exact rotation takes all of it back
+  else if (level.linearity.remaining_stretch)
     part.remaining_stretch = std::abs(summary.over_stored(*level.linearity.remaining_stretch));
   return part;
 }

@@ -5,6 +5,7 @@
 #include <plastron/examination/pressing.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -70,11 +71,11 @@ class Rolling {
     for (const double turn : {-angle, angle}) {
       const Rest after = rest(motion, turn);
       const double down = after.normal.dot(resultant_);  // < 0: the loads press it on
-      if (!(down < 0)) continue;
+      if (!(down < 0)) return false;
       const double work = work_of(motion, turn) + (before.gap - after.gap) * down;
-      if (work > -hardly * resultant_.norm() * motions_.size() * angle * angle / 2) return true;
+      if (work < -hardly * resultant_.norm() * motions_.size() * angle * angle / 2) return false;
     }
-    return false;
+    return true;
   }
 
  private:
@@ -124,8 +125,15 @@ void check_rolling(Examined& examined, const RigidMotions& motions, const Examin
                    const std::vector<RigidMotion>& held, const algebra::Vector& load) {
   if (!std::ranges::all_of(examined.problem.obstacles, has_fast_distance)) return;
   const Rolling rolling(examined, motions, nodes, load);
+  const auto is_possible = [&](const RigidMotion& motion) {
+    try {
+      return rolling.is_possible(motion);
+    } catch (const obstacle::ObstacleError&) {
+      return false;  // at the middle of a ball there is no distance to follow
+    }
+  };
   for (const RigidMotion& motion : held)
-    if (rolling.is_possible(motion))
+    if (is_possible(motion))
       examined.add(Severity::warning,
                    "the shell can roll on the obstacle: {}; turned by 0.2 rad and set down again, the loads do not "
                    "drive it back, and the linear model does not see that; fix this motion by a support",
