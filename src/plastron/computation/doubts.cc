@@ -88,7 +88,10 @@ std::vector<std::string> sideways_warnings(const certificate::Summary& summary) 
   return warnings;
 }
 
-std::string percent(double part) { return part < 10 ? fmt::format("{:.2g} %", 100 * part) : "more than 1000 %"; }
+std::string percent(double part) {
+  if (!(part < 10)) return "more than 1000 %";
+  return part < 0.1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
+}
 
 std::vector<std::string> linear_model_warnings(const Result& result) {
   const HistoryEntry end{.step = "", .level = result.last_level(), .summary = result.summary};

@@ -13,7 +13,7 @@ using computation::Result;
 
 Json triple(const Eigen::Vector3d& v) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
 
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+Json known(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
 computation::LeftOut left_out_of(const Result& r) {
   return computation::left_out(r.summary, r.levels.empty() ? computation::Level{} : r.last_level());
@@ -76,11 +76,11 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(left_out_of(r).stretch); }},
       {"linearity/remaining_stretch", "1",
        "the part of stretch that the shell cannot take back by moving on; null if not known",
-       [](const Result& r) { return number(left_out_of(r).remaining_stretch); }},
+       [](const Result& r) { return known(left_out_of(r).remaining_stretch); }},
       {"linearity/buckling", "1",
        "membrane forces over those under which a perfect shell buckles, contact held; a warning from 0.5 on; null if "
        "not known",
-       [](const Result& r) { return r.levels.empty() ? Json(nullptr) : number(r.last_level().linearity.buckling); }},
+       [](const Result& r) { return r.levels.empty() ? Json(nullptr) : known(r.last_level().linearity.buckling); }},
       {"linearity/max_strain", "1",
        "largest principal strain at the faces, by its size; a warning from 0.02 on, most metals yield at 0.001 to "
        "0.005",
