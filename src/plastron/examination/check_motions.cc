@@ -135,7 +135,7 @@ void check_rolling(Examined& examined, const RigidMotions& motions, const Examin
   for (const RigidMotion& motion : held)
     if (is_possible(motion))
       examined.add(Severity::warning,
-                   "the shell can roll on the obstacle: {}; turned by 0.2 rad and set down again, the loads do not "
+                   "the shell can roll on the obstacle: {}; turned by 11 degrees and set down again, the loads do not "
                    "drive it back, and the linear model does not see that; fix this motion by a support",
                    motions.in_words(motion));
 }
