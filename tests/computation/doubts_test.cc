@@ -69,23 +69,19 @@ Problem dome_under_box(double depth) {
 }
 
 TEST(ABoxThatBeginsInside, PushesTheShellOutAlongItsFibresAsItDoesStepByStep) {
-  Problem slowly = dome_under_box(0);
-  slowly.steps = {{.name = "down", .parts = 6}};
-  slowly.obstacles[0].motions = {{.translation = {0, 0, -0.03}}};
-  const Result at_once = solve(dome_under_box(0.03), MPI_COMM_SELF), r = solve(slowly, MPI_COMM_SELF);
-  for (const Result* result : {&at_once, &r}) {
-    EXPECT_EQ(result->status, Status::solved) << status_text(*result);
-    EXPECT_THAT(result->warnings, Not(Contains(HasSubstr("sideways"))));
-    const auto force = result->summary.reaction.force;
-    EXPECT_LT(force.head<2>().norm(), 0.1 * std::abs(force[2]));
+  for (const double depth : {0.03, 0.05}) {
+    Problem slowly = dome_under_box(0);
+    slowly.steps = {{.name = "down", .parts = 6}};
+    slowly.obstacles[0].motions = {{.translation = {0, 0, -depth}}};
+    const Result at_once = solve(dome_under_box(depth), MPI_COMM_SELF), r = solve(slowly, MPI_COMM_SELF);
+    for (const Result* result : {&at_once, &r}) {
+      EXPECT_EQ(result->status, Status::solved) << status_text(*result);
+      EXPECT_THAT(result->warnings, Not(Contains(HasSubstr("sideways"))));
+      const auto force = result->summary.reaction.force;
+      EXPECT_LT(force.head<2>().norm(), 0.1 * std::abs(force[2]));
+    }
+    EXPECT_NEAR(at_once.summary.reaction.force[2] / r.summary.reaction.force[2], 1, 1e-6);
   }
-  EXPECT_NEAR(at_once.summary.reaction.force[2] / r.summary.reaction.force[2], 1, 1e-3);
-}
-
-TEST(ABoxThatBeginsDeeperInsideThanTheShellIsThick, PushesNodesOutThroughItsWallsWhichIsNoSolution) {
-  const Result r = solve(dome_under_box(0.08), MPI_COMM_SELF);
-  EXPECT_THAT(r.warnings, Contains(AllOf(HasSubstr("deep inside of \"box\""), HasSubstr("[[step]]"))));
-  EXPECT_NE(r.status, Status::solved);
 }
 
 TEST(Penetration, between_nodes_is_told_where_the_mesh_is_too_coarse) {

@@ -135,7 +135,8 @@ TEST(Contact, obeys_its_conditions_at_every_node) {  // g >= 0, eta >= 0, g eta 
     ASSERT_EQ(r.status, Status::solved);
     EXPECT_GT(r.summary.touching_nodes, 0);
     EXPECT_GT(r.summary.reaction.force[2], 0);
-    const auto& [discrete, nodal, recovery, unused] = *r.solution;
+    const auto& discrete = r.solution->discrete;
+    const auto& nodal = r.solution->nodal;
     double weighed = 0;
     for (std::size_t i = 0; i < discrete->points.size(); ++i) {
       const double* y = nodal.y.local().data() + 6 * i;

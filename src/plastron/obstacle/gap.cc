@@ -138,10 +138,12 @@ FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at) {
 
 Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to, const Vector3d& normal) {
   const Nearest first = obstacle.nearest(from), last = obstacle.nearest(to);
-  if (!(first.normal.dot(normal) * last.normal.dot(normal) < 0)) return {};
+  const double before = first.normal.dot(normal), after = last.normal.dot(normal);
+  if (!(before * after < 0)) return {};
   const HalfFibre way{from, (to - from).normalized(), (to - from).norm()};
   return {.clearance = nearest_beside(obstacle, way).distance,
-          .is_through = first.distance > 0 && crossing(obstacle, from, way.outward, way.length)};
+          .is_through = first.distance > 0 && std::min(std::abs(before), std::abs(after)) > -sideways &&
+                        crossing(obstacle, from, way.outward, way.length)};
 }
 
 Gap gap_at(const Obstacle& obstacle, const ShellPoint& at) {
