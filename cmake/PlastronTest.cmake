@@ -1,9 +1,12 @@
 # plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification|slow RANKS 1 2 ... QUICK_RANKS 1|2
-#               SEPARATE files that are compiled by themselves)
+#               SANITIZED_RANKS 1|2 SEPARATE files that are compiled by themselves)
 #
-# A GoogleTest program. With RANKS it is run once under mpirun for every count, and the count is in the test's name. Of a quick program
-# the runs on up to QUICK_RANKS ranks (2) are quick, those on more are verification: on two cores they take many times as long. With the
-# sanitizers two ranks are the most: three take minutes.
+# A test of CTest: the tests of some files, of GoogleTest. With RANKS it runs under mpirun once for every count, and the count is in its name.
+# The runs on up to QUICK_RANKS ranks (2) of a quick test are quick, those on more are verification: on two cores they take many times as long.
+# With the sanitizers, which show what each process does with its memory, one rank is enough, but up to SANITIZED_RANKS for code that exchanges data.
+#
+# All quick tests of a folder FOLDER are one program, FOLDER_test, all others FOLDER_long_test (tests/test_main.cc has the choice of files): half of
+# the compiler's time for one file goes into what all files of a folder include, and a batch of files spares it.
 include(GoogleTest)
 find_package(GTest REQUIRED)
 
@@ -11,8 +14,12 @@ find_package(GTest REQUIRED)
 set(test_options -O1)
 plastron_precompiled(plastron_precompiled_tests OPTIONS ${test_options} EXTERNAL GTest::gtest GTest::gmock
                      HEADERS ${standard_headers} ${external_headers} <gmock/gmock.h> <gtest/gtest.h>)
-# All programs that quick tests run.
+# Names of one file may be those of another file of its batch.
+add_library(plastron_test_names INTERFACE)
+target_compile_options(plastron_test_names INTERFACE -Wno-shadow)
+# All programs that quick tests run, and those that any test runs.
 add_custom_target(quick_tests)
+add_custom_target(all_tests DEPENDS quick_tests plastron plastron-study plastron_generated)
 
 # Sets `environment` and `session` of the test program `name`.
 macro(plastron_mpi_environment name)
@@ -35,8 +42,34 @@ function(plastron_run_test test program ranks)
                        RESOURCE_LOCK ${session} FAIL_REGULAR_EXPRESSION ".")
 endfunction()
 
+# Adds files and libraries to the program of a folder's tests.
+function(plastron_test_program program)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;EXTERNAL;SEPARATE" ${ARGN})
+  if(NOT TARGET ${program})
+    add_executable(${program})
+    target_link_libraries(${program} PRIVATE plastron_warnings plastron_test_names plastron_test_main)
+    target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(${program} PRIVATE PLASTRON_TESTS_DIR="${PROJECT_SOURCE_DIR}/tests" PLASTRON_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                               PLASTRON_BUILD_VERSION="${PROJECT_VERSION}")
+    target_compile_options(${program} PRIVATE ${test_options})
+    plastron_use_precompiled(${program} plastron_precompiled_tests)
+    add_dependencies(all_tests ${program})
+  endif()
+  get_target_property(known ${program} SOURCES)
+  foreach(source IN LISTS ARG_SOURCES)
+    if(NOT source IN_LIST known)
+      target_sources(${program} PRIVATE ${source})
+    endif()
+  endforeach()
+  plastron_unity(${program} SEPARATE ${ARG_SEPARATE})
+  foreach(dependency IN LISTS ARG_DEPENDS)
+    target_link_libraries(${program} PRIVATE plastron_${dependency})
+  endforeach()
+  target_link_libraries(${program} PRIVATE ${ARG_EXTERNAL})
+endfunction()
+
 function(plastron_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;QUICK_RANKS" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;QUICK_RANKS;SANITIZED_RANKS" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL quick)
   endif()
@@ -46,33 +79,32 @@ function(plastron_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 600)
   endif()
-  add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE plastron_warnings plastron_test_main)
-  foreach(dependency IN LISTS ARG_DEPENDS)
-    target_link_libraries(${name} PRIVATE plastron_${dependency})
-  endforeach()
-  target_link_libraries(${name} PRIVATE ${ARG_EXTERNAL})
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  plastron_unity(${name} SEPARATE ${ARG_SEPARATE})
-  target_compile_options(${name} PRIVATE ${test_options})
-  plastron_use_precompiled(${name} plastron_precompiled_tests)
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   if(ARG_LABEL STREQUAL quick)
-    add_dependencies(quick_tests ${name})
+    set(program ${folder}_test)
+    add_dependencies(quick_tests ${program})
+  else()
+    set(program ${folder}_long_test)
   endif()
+  plastron_test_program(${program} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} EXTERNAL ${ARG_EXTERNAL} SEPARATE ${ARG_SEPARATE})
+  list(JOIN ARG_SOURCES "," files)
   plastron_mpi_environment(${name})
   if(NOT ARG_RANKS)
-    add_test(NAME ${name} COMMAND ${name})
+    add_test(NAME ${name} COMMAND ${program} --files=${files})
     set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
   endif()
-  if(PLASTRON_SANITIZE)
-    list(REMOVE_ITEM ARG_RANKS 3)
+  if(NOT ARG_SANITIZED_RANKS)
+    set(ARG_SANITIZED_RANKS 1)
   endif()
   foreach(ranks IN LISTS ARG_RANKS)
+    if(PLASTRON_SANITIZE AND ranks GREATER ARG_SANITIZED_RANKS)
+      continue()
+    endif()
     set(label ${ARG_LABEL})
     if(ranks GREATER ARG_QUICK_RANKS)
       set(label verification)
     endif()
-    add_test(NAME ${name}.ranks=${ranks} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${name}>)
+    add_test(NAME ${name}.ranks=${ranks} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}> --files=${files})
     set_tests_properties(${name}.ranks=${ranks} PROPERTIES LABELS ${label} TIMEOUT ${ARG_TIMEOUT}
                          PROCESSORS ${ranks} ENVIRONMENT "${environment}" RESOURCE_LOCK ${session})
   endforeach()

@@ -4,6 +4,6 @@
 # program `plastron` takes from folders that it must not load whole.
 function(plastron_unity target)
   cmake_parse_arguments(ARG "" "" "SEPARATE" ${ARGN})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PLASTRON_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${PLASTRON_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE ${PLASTRON_UNITY_BATCH})
   set_source_files_properties(${ARG_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -10,7 +10,7 @@
 #include <functional>
 #include <numbers>
 
-namespace plastron::assembly {
+namespace plastron::assembly::inner_curves_test {
 namespace {
 
 using std::numbers::pi;
@@ -32,7 +32,7 @@ void for_every_mesh(const std::function<void(const test::MeshedSurface&)>& check
     for (int refinements = 0; refinements < 3; ++refinements) {
       SCOPED_TRACE(file + (shape == test::triangle ? ", triangles, " : ", ") + std::to_string(refinements) +
                    " refinements");
-      const fem::MeshFile mesh{std::string(PLASTRON_MESH_DIR "/") + file};
+      const fem::MeshFile mesh{std::string(PLASTRON_TESTS_DIR "/fem/data/") + file};
       check(test::meshed(mesh, {"x", "y", "0.3"}, 2, refinements, shape));
     }
 }
@@ -126,4 +126,4 @@ TEST(EdgeLoads, OnABoundaryThatIsNotThereAreRefused) {
 }
 
 }  // namespace
-}  // namespace plastron::assembly
+}  // namespace plastron::assembly::inner_curves_test

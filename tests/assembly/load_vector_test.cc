@@ -116,6 +116,39 @@ TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
   for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-8);
 }
 
+/// The total force of a pressure on the plate, which is divided into 16 cells.
+double pressed(const std::string& pressure, fem::Shape shape = test::quadrilateral) {
+  AreaLoad load;
+  load.pressure = geometry::Expression(pressure, {{"a", 0.3141592653}, {"b", 0.6180339887}});
+  return total(load_vector(plate(2, shape), {load}, {}))[2];
+}
+
+TEST(PiecewiseLoad, OnANarrowPatchSumsToItsIntegral) {
+  for (const auto& [pressure, force] : std::vector<std::pair<std::string, double>>{
+           {"x > a && x < a + 1e-3 ? 1 : 0", 1e-3},
+           {"x > a && x < a + 1e-4 ? 1 : 0", 1e-4},
+           {"x > a && x < a + 1e-4 ? x : 0", 1e-4 * (0.3141592653 + 5e-5)},
+           {"y > a && y < a + 1e-4 ? 1 : 0", 1e-4},
+           {"abs(0.8*(x - a) + 0.6*(y - b)) < 5e-5 && abs(0.8*(y - b) - 0.6*(x - a)) < 0.2 ? 1 : 0", 4e-5},
+           {"(x - a)^2 + (y - b)^2 < 1e-3^2 ? 1 : 0", std::numbers::pi * 1e-6},
+           {"(x - a)^2 + (y - b)^2 < 1e-4^2 ? 1 : 0", std::numbers::pi * 1e-8},
+           {"(x - 0.5)^2 + (y - 0.5)^2 < 1e-4^2 ? 1 : 0", std::numbers::pi * 1e-8},
+           {"x < 1/3 ? 1 : 0", 1.0 / 3},
+           {"max(x - a, 0)", (1 - 0.3141592653) * (1 - 0.3141592653) / 2}}) {
+    EXPECT_NEAR(pressed(pressure) / force, 1, 1e-6) << pressure;
+    EXPECT_NEAR(pressed(pressure, test::triangle) / force, 1, 3e-3) << pressure;  // some oblique cells are divided
+  }
+}
+
+TEST(PiecewiseLoad, OnAShortPartOfAnEdgeSumsToItsIntegral) {
+  for (const double length : {1e-3, 1e-4, 1e-5})
+    for (const double start : {0.1234567, 0.25, 0.6180339887, 0.99}) {
+      EdgeLoad load{.boundary = "bottom"};
+      load.force[1] = geometry::Expression("x > a && x < a + w ? 1 : 0", {{"a", start}, {"w", length}});
+      EXPECT_NEAR(total(load_vector(plate(2, test::quadrilateral), {}, {load}))[1] / length, 1, 1e-6) << start;
+    }
+}
+
 TEST(PiecewiseLoad, IsIntegratedAlikeWithCovariantInterpolation) {
   const auto m = test::meshed(fem::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, 2, 1);
   const ShellOperator covariant(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, true);

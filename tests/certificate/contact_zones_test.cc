@@ -17,7 +17,7 @@
 #include "assembly/sample_shells.hpp"
 #include "larger.hpp"
 
-namespace plastron::certificate {
+namespace plastron::certificate::contact_zones_test {
 namespace {
 
 using testing::ElementsAre;
@@ -428,4 +428,4 @@ TEST(ContactZone, OfNothingIsNone) {
 }
 
 }  // namespace
-}  // namespace plastron::certificate
+}  // namespace plastron::certificate::contact_zones_test

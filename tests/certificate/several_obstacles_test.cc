@@ -14,7 +14,7 @@
 
 #include "assembly/sample_shells.hpp"
 
-namespace plastron::certificate {
+namespace plastron::certificate::several_obstacles_test {
 namespace {
 
 using Eigen::Index;
@@ -252,4 +252,4 @@ TEST(ContactRow, OfTheNearerOfTwoParallelObstaclesBinds) {
 }
 
 }  // namespace
-}  // namespace plastron::certificate
+}  // namespace plastron::certificate::several_obstacles_test

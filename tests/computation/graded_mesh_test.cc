@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Formulations, GradedShell,
 /// The inner curve of the file has cells of either region on its sides; whichever is divided, all of its nodes are held.
 TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
   Problem p = free_plate();
-  p.domain = fem::MeshFile{PLASTRON_MESH_DIR "/two-regions-4.1.msh"};
+  p.domain = fem::MeshFile{PLASTRON_TESTS_DIR "/fem/data/two-regions-4.1.msh"};
   const fem::CoarseMesh coarse = fem::coarse_mesh(p.domain, fem::Shape::quadrilateral);
   p.charts.clear();
   for (const std::string& region : coarse.regions) p.charts.emplace(region, Chart({"x", "y", "0"}, {}));

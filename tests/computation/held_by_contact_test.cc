@@ -8,7 +8,7 @@
 
 #include "computation/problems.hpp"
 
-namespace plastron::computation {
+namespace plastron::computation::held_by_contact_test {
 namespace {
 
 using namespace test;
@@ -125,4 +125,4 @@ TEST(APanelOnTwoRollersPressedByAThird, StartsWhereItTouches) {
 }
 
 }  // namespace
-}  // namespace plastron::computation
+}  // namespace plastron::computation::held_by_contact_test

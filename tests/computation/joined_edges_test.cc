@@ -35,7 +35,7 @@ Problem in_one_piece(fem::Shape cells, int degree, Formulation formulation) {
 
 Problem in_two_pieces(fem::Shape cells, int degree, Formulation formulation) {
   Problem p = of_chart("x");
-  p.domain = fem::MeshFile{.path = std::string(PLASTRON_MESH_DIR) + "/two-squares.msh"};
+  p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/two-squares.msh"};
   p.charts = {{"first", p.charts.at("")}, {"second", of_chart("(x - 1)").charts.at("")}};
   p.joins = {{{"seam_a", "seam_b"}}};
   p.supports = {clamped("west"), clamped("east")};

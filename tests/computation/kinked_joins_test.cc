@@ -12,7 +12,7 @@
 
 #include "computation/problems.hpp"
 
-namespace plastron::computation {
+namespace plastron::computation::kinked_joins_test {
 namespace {
 
 using namespace test;
@@ -24,7 +24,7 @@ constexpr double young = 1e4, thickness = 0.05, bending_stiffness = young * thic
 /// Unit squares with x = 2k + s, y = t each.
 Problem of_squares(const std::string& mesh, const std::map<std::string, std::array<std::string, 3>>& charts) {
   Problem p;
-  p.domain = fem::MeshFile{.path = std::string(PLASTRON_MESH_DIR) + "/" + mesh};
+  p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/" + mesh};
   for (const auto& [region, chart] : charts) p.charts.emplace(region, Chart(chart, {}));
   p.sections.common.thickness = Expression(thickness);
   p.sections.common.material = shell::Material::from_young_poisson(young, 0, 1);
@@ -177,4 +177,4 @@ TEST(KinkedJoins, OfOppositeNormalsAreRefused) {
 }
 
 }  // namespace
-}  // namespace plastron::computation
+}  // namespace plastron::computation::kinked_joins_test

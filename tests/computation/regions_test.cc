@@ -8,7 +8,7 @@
 
 #include "computation/problems.hpp"
 
-namespace plastron::computation {
+namespace plastron::computation::regions_test {
 namespace {
 
 using namespace test;
@@ -188,4 +188,4 @@ TEST(Examination, sees_the_thickness_and_loads_of_each_region) {
 }
 
 }  // namespace
-}  // namespace plastron::computation
+}  // namespace plastron::computation::regions_test

@@ -15,7 +15,7 @@
 #include "computation/problems.hpp"
 #include "larger.hpp"
 
-namespace plastron::computation {
+namespace plastron::computation::rigid_bodies_test {
 namespace {
 
 using namespace test;
@@ -359,4 +359,4 @@ TEST(RigidBodies, HoldTheShellAgainstRigidMotions) {
 }
 
 }  // namespace
-}  // namespace plastron::computation
+}  // namespace plastron::computation::rigid_bodies_test

@@ -14,7 +14,7 @@
 
 #include "computation/problems.hpp"
 
-namespace plastron::computation {
+namespace plastron::computation::small_obstacles_test {
 namespace {
 
 using namespace test;
@@ -237,4 +237,4 @@ TEST(ABall, IsFollowedWhereAccuracyIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace plastron::computation
+}  // namespace plastron::computation::small_obstacles_test

@@ -8,7 +8,7 @@
 
 #include "computation/problems.hpp"
 
-namespace plastron::computation {
+namespace plastron::computation::support_reactions_test {
 namespace {
 
 using namespace test;
@@ -135,4 +135,4 @@ TEST(SupportReactions, as_goals_are_those_that_are_reported) {
 }
 
 }  // namespace
-}  // namespace plastron::computation
+}  // namespace plastron::computation::support_reactions_test

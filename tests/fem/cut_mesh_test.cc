@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace plastron::fem {
+namespace plastron::fem::cut_mesh_test {
 namespace {
 
 CoarseMesh grid(std::size_t columns, std::size_t rows) {
@@ -21,7 +21,7 @@ CoarseMesh grid(std::size_t columns, std::size_t rows) {
   return mesh;
 }
 
-double area(const CoarseMesh& mesh) {
+double area_of(const CoarseMesh& mesh) {
   double sum = 0;
   for (const CoarseCell& cell : mesh.cells) {
     const auto at = [&](int k) {
@@ -65,7 +65,7 @@ TEST(CutMesh, CoversTheSameWithMoreCells) {
   meshes.cut({}, cuts);
   EXPECT_EQ(meshes.space()->global_cells, 12);
   EXPECT_EQ(meshes.space()->layout->global_size, 9 * 7);
-  EXPECT_NEAR(area(*meshes.space()->coarse), 6, 1e-12);
+  EXPECT_NEAR(area_of(*meshes.space()->coarse), 6, 1e-12);
   EXPECT_EQ(meshes.space()->coarse->edges.size(), 2U * (4 + 3));
 }
 
@@ -195,4 +195,4 @@ TEST(CutMesh, DividesAfterwardsAsAnyOther) {
 }
 
 }  // namespace
-}  // namespace plastron::fem
+}  // namespace plastron::fem::cut_mesh_test

@@ -12,7 +12,7 @@
 
 #include "fem/mesh_measure.hpp"
 
-namespace plastron::fem {
+namespace plastron::fem::layered_mesh_test {
 namespace {
 
 using std::numbers::pi;
@@ -162,4 +162,4 @@ TEST(LayeredMesh, OfTrianglesIsItsQuadrilateralsCutCrosswise) {
 }
 
 }  // namespace
-}  // namespace plastron::fem
+}  // namespace plastron::fem::layered_mesh_test

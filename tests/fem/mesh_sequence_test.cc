@@ -50,12 +50,12 @@ std::vector<Sample> samples() {
            3,
            {{"edge1", 2}, {"edge2", 1}, {"edge3", 1}, {"edge4", 1}, {"edge5", 1}, {"edge6", 2}}},
           {"clockwise cells",
-           MeshFile{PLASTRON_MESH_DIR "/clockwise-2.2.msh"},
+           MeshFile{PLASTRON_TESTS_DIR "/fem/data/clockwise-2.2.msh"},
            2.75,
            {{"edge", 3.5 + std::sqrt(1.25) + std::sqrt(0.8125) + std::sqrt(1.8125)}}},
           // "junction" lies inside, where two cells meet, and counts once.
           {"two regions",
-           MeshFile{PLASTRON_MESH_DIR "/two-regions-4.1.msh"},
+           MeshFile{PLASTRON_TESTS_DIR "/fem/data/two-regions-4.1.msh"},
            3,
            {{"clamped", 1}, {"junction", 1}, {"free", 1}, {"", 6}}}};
 }

@@ -12,7 +12,7 @@ int rank() {
   return rank;
 }
 
-MeshFile file(const std::string& name) { return {std::string(PLASTRON_MESH_DIR "/") + name}; }
+MeshFile file(const std::string& name) { return {std::string(PLASTRON_TESTS_DIR "/fem/data/") + name}; }
 
 /// As it is read on the first rank; the others have no such file.
 CoarseMesh shared(const std::string& name, Shape shape) {

@@ -21,7 +21,7 @@ struct TemporaryPath {
 };
 
 inline CoarseMesh read(const std::string& name, Shape shape = Shape::quadrilateral) {
-  return coarse_mesh(MeshFile{std::string(PLASTRON_MESH_DIR "/") + name}, shape);
+  return coarse_mesh(MeshFile{std::string(PLASTRON_TESTS_DIR "/fem/data/") + name}, shape);
 }
 
 inline const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";

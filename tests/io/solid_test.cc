@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-namespace plastron::io {
+namespace plastron::io::solid_test {
 
 namespace {
 
@@ -118,4 +118,4 @@ TEST(SolidVtu, IsThereOnlyIfAskedForAndGoesOtherwise) {
 
 }  // namespace
 
-}  // namespace plastron::io
+}  // namespace plastron::io::solid_test

@@ -78,7 +78,7 @@ TEST(EveryStudy, TakesTheFormulationOfTheCase) {
 TEST(EveryStudy, TakesAMeshFile) {
   for (const Shape cells : {Shape::triangle, Shape::quadrilateral}) {
     Problem p = small_panel({cells, 2});
-    p.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
+    p.domain = fem::MeshFile{PLASTRON_TESTS_DIR "/verification/meshes/distorted-square.msh"};
     p.charts.emplace("square", p.charts.at(""));
     p.charts.erase("");
     p.discretisation.refinements = 0;

@@ -9,7 +9,7 @@
 #include "computation/units.hpp"
 #include "study/tables.hpp"
 
-namespace plastron::study {
+namespace plastron::study::study_units_test {
 namespace {
 
 using namespace test;
@@ -102,4 +102,4 @@ TEST(ASmallCap, InMetresHasItsSoftModes) {
 }
 
 }  // namespace
-}  // namespace plastron::study
+}  // namespace plastron::study::study_units_test

@@ -14,7 +14,7 @@
 
 #include "larger.hpp"
 
-namespace plastron::verification {
+namespace plastron::verification::contact_boundary_test {
 namespace {
 
 struct Mesh {
@@ -171,4 +171,4 @@ TEST_P(EdgeAtAnEnergy, IsWhereTheReferenceHasItToTheFiguresOfThePage) {
 }
 
 }  // namespace
-}  // namespace plastron::verification
+}  // namespace plastron::verification::contact_boundary_test

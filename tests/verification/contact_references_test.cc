@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plastron::verification {
+namespace plastron::verification::contact_references_test {
 namespace {
 
 constexpr std::int64_t most_unknowns = 60'000;
@@ -186,4 +186,4 @@ TEST(ContactClosedForm, TheContactBoundaryOfAStripConvergesToItsClosedForm) {
 }
 
 }  // namespace
-}  // namespace plastron::verification
+}  // namespace plastron::verification::contact_references_test

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
-namespace plastron::verification {
+namespace plastron::verification::formulations_test {
 namespace {
 
 using element::Formulation;
@@ -302,4 +302,4 @@ TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) 
 }
 
 }  // namespace
-}  // namespace plastron::verification
+}  // namespace plastron::verification::formulations_test

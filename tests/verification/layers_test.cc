@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace plastron::verification {
+namespace plastron::verification::layers_test {
 namespace {
 
 /// The saddle clamped on one edge, on its start mesh of the recommended degree.
@@ -95,4 +95,4 @@ TEST(StartMeshInContact, IsWithinOneThousandthOnACapAndAPlateWithFewerThanFourTh
 }
 
 }  // namespace
-}  // namespace plastron::verification
+}  // namespace plastron::verification::layers_test

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace plastron::verification {
+namespace plastron::verification::linear_references_test {
 namespace {
 
 const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsHeld("verification_linear"));
@@ -166,4 +166,4 @@ TEST(RoundOff, ResidualsThroughStrainsKeepTheEnergyIdentityAtDegreeEightAndThick
 }
 
 }  // namespace
-}  // namespace plastron::verification
+}  // namespace plastron::verification::linear_references_test

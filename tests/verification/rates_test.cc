@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-namespace plastron::verification {
+namespace plastron::verification::rates_test {
 namespace {
 
 const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsHeld("verification_rates"));
@@ -104,4 +104,4 @@ TEST(ContactRate, TheSolutionWithAKnownFreeBoundaryConvergesUntilThatBoundaryLim
 }
 
 }  // namespace
-}  // namespace plastron::verification
+}  // namespace plastron::verification::rates_test

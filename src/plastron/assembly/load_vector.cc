@@ -1,9 +1,11 @@
 #include <plastron/assembly/load_vector.hpp>
+#include <plastron/assembly/piece_rules.hpp>
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/element/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/carried_nodes.hpp>
+#include <plastron/geometry/pieces.hpp>
 #include <plastron/geometry/piecewise.hpp>
 
 #include <fmt/format.h>
@@ -34,23 +36,31 @@ void add_function(const VectorFunction& f, std::span<const double> x, std::span<
     values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
 }
 
-bool is_piecewise(const VectorExpression& f) {
-  return std::ranges::any_of(f, [](const geometry::Expression& c) { return geometry::is_piecewise(c); });
-}
-bool is_piecewise(const AreaLoad& load) {
-  return is_piecewise(load.force) || is_piecewise(load.couple) || geometry::is_piecewise(load.pressure);
-}
+/// Pieces of expressions that have several.
+class LoadPieces {
+ public:
+  void add(const geometry::Expression& f) {
+    if (geometry::is_piecewise(f)) all_.emplace_back(f);
+  }
+  void add(const VectorExpression& f) {
+    for (const geometry::Expression& component : f) add(component);
+  }
+  void append_to(PiecesOfAll& functions) const {
+    for (const geometry::Pieces& f : all_) functions.push_back(&f);
+  }
+
+ private:
+  std::vector<geometry::Pieces> all_{};
+};
 
 /// What acts on the area of one region.
 struct RegionLoads {
   std::vector<const AreaLoad*> loads{};
   const geometry::Expression* thickness = nullptr;
   Vector3d weight = Vector3d::Zero();  ///< rho g [N/m^3], to be multiplied by e
+  PiecesOfAll functions{};             ///< those that have several pieces
 
   bool is_empty() const { return loads.empty() && weight.isZero(0); }
-  bool is_piecewise() const {
-    return std::ranges::any_of(loads, [](const AreaLoad* load) { return assembly::is_piecewise(*load); });
-  }
 };
 
 /// Adds loads up, and remembers the first place where one is not finite.
@@ -60,38 +70,34 @@ class LoadSum {
       : shell_(shell), space_(shell.space()), line_(fem::gauss(space_.degree + 1)), f_(f) {}
 
   void add_area_loads(const std::vector<AreaLoad>& all, const Vector3d& gravity) {
-    constexpr int levels = 6;
-    for (const AreaLoad& load : all) check_regions(load);
+    std::vector<LoadPieces> pieces(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      check_regions(all[k]);
+      pieces[k].add(all[k].force);
+      pieces[k].add(all[k].couple);
+      pieces[k].add(all[k].pressure);
+    }
     for (std::size_t c = 0; c < space_.owned_cells; ++c) {
-      const RegionLoads loads = loads_on(c, all, gravity);
-      if (loads.is_empty()) continue;
-      const auto integral = [&](const element::CellPart& part) { return on_part(loads, c, part); };
-      shell_.scatter(c,
-                     loads.is_piecewise()
-                         ? element::Subdivision<element::CellPart, decltype(integral)>(space_.shape(), integral)(levels)
-                         : on_cell(loads, c),
-                     f_);
+      const RegionLoads loads = loads_on(c, all, pieces, gravity);
+      if (!loads.is_empty()) shell_.scatter(c, on_cell(loads, c), f_);
     }
   }
 
   void add_edge_load(const EdgeLoad& load) {
-    constexpr int levels = 20;  // halving a side costs little
     const auto& names = space_.coarse->boundaries;
     const auto found = std::ranges::find(names, load.boundary);
     if (found == names.end())
       throw LoadError(fmt::format("a load names the boundary \"{}\", which the mesh does not have; it has: {}",
                                   load.boundary, fmt::join(names, ", ")));
     const auto boundary = static_cast<int>(found - names.begin());
-    const bool divide = is_piecewise(load.force) || is_piecewise(load.couple);
-    for (const fem::BoundarySide& edge : space_.sides) {
-      if (edge.boundary != boundary || edge.cell >= space_.owned_cells) continue;
-      const auto integral = [&](const element::SidePart& part) { return on_side(load, edge, part); };
-      shell_.scatter(edge.cell,
-                     divide
-                         ? element::Subdivision<element::SidePart, decltype(integral)>(space_.shape(), integral)(levels)
-                         : integral(element::SidePart{}),
-                     f_);
-    }
+    LoadPieces pieces;
+    pieces.add(load.force);
+    pieces.add(load.couple);
+    PiecesOfAll functions;
+    pieces.append_to(functions);
+    for (const fem::BoundarySide& edge : space_.sides)
+      if (edge.boundary == boundary && edge.cell < space_.owned_cells)
+        shell_.scatter(edge.cell, on_side(load, edge, functions), f_);
   }
 
   void throw_if_not_finite() const {
@@ -110,12 +116,16 @@ class LoadSum {
                                     fmt::join(known, ", ")));
   }
 
-  RegionLoads loads_on(std::size_t c, const std::vector<AreaLoad>& all, const Vector3d& gravity) const {
+  RegionLoads loads_on(std::size_t c, const std::vector<AreaLoad>& all, const std::vector<LoadPieces>& pieces,
+                       const Vector3d& gravity) const {
     const CrossSection& section = shell_.section(c);
     const std::string& region = region_of(*space_.coarse, space_.cells[c]);
     RegionLoads loads{.thickness = &section.thickness, .weight = section.density * gravity};
-    for (const AreaLoad& load : all)
-      if (load.acts_in(region)) loads.loads.push_back(&load);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (!all[k].acts_in(region)) continue;
+      loads.loads.push_back(&all[k]);
+      pieces[k].append_to(loads.functions);
+    }
     return loads;
   }
 
@@ -147,16 +157,30 @@ class LoadSum {
     for (int q = 0; q < values.rows(); ++q) values.row(q).head<3>() += e[static_cast<std::size_t>(q)] * loads.weight;
   }
 
+  Positions positions_in(std::size_t c) const {
+    return [this, c](std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) {
+      shell_.surface().positions(space_.cells[c], xi, x, y);
+    };
+  }
+
   element::CellField on_cell(const RegionLoads& loads, std::size_t c) {
+    const Positions positions = positions_in(c);
+    if (are_one_piece(loads.functions, space_.shape(), positions)) return on_smooth_cell(loads, c);
+    const element::ElementTables& tables = shell_.tables();
+    auto rule = rule_between_borders(loads.functions, space_.shape(), space_.degree, positions);
+    if (!rule) rule = rule_of_parts(loads.functions, space_.shape(), {tables.quadrature.xi, tables.weights}, positions);
+    return on_points(loads, c, rule->xi, rule->weights);
+  }
+
+  element::CellField on_smooth_cell(const RegionLoads& loads, std::size_t c) {
     const element::BasisAt& at = shell_.tables().quadrature;
     element::CellField v = values(loads, c, at.xi, [&](int q) { return shell_.point(c, q).frame.a3; });
     for (int q = 0; q < v.rows(); ++q) v.row(q) *= shell_.point(c, q).area;
     return shell_.interpolation().forces_of(c, at, v);
   }
 
-  element::CellField on_part(const RegionLoads& loads, std::size_t c, const element::CellPart& part) {
-    std::vector<Vector2d> xi = shell_.tables().quadrature.xi;
-    for (Vector2d& point : xi) point = part.corner + part.size * point;
+  element::CellField on_points(const RegionLoads& loads, std::size_t c, const std::vector<Vector2d>& xi,
+                               std::span<const double> weights) {
     std::vector<geometry::SurfaceJet> jets(xi.size());
     shell_.surface().jets(space_.cells[c], xi, jets, false);
     std::vector<Vector3d> normals;
@@ -164,17 +188,35 @@ class LoadSum {
     for (const auto& jet : jets) normals.push_back(jet.d[0].cross(jet.d[1]));
     const auto normal = [&](int q) { return normals[static_cast<std::size_t>(q)]; };
     element::CellField v = values(loads, c, xi, [&](int q) { return Vector3d(normal(q).normalized()); });
-    for (int q = 0; q < v.rows(); ++q)
-      v.row(q) *= shell_.tables().weights[static_cast<std::size_t>(q)] * part.size * part.size * normal(q).norm();
+    for (int q = 0; q < v.rows(); ++q) v.row(q) *= weights[static_cast<std::size_t>(q)] * normal(q).norm();
     return shell_.interpolation().forces_of(c, element::basis_at(space_.shape(), space_.degree, xi), v);
   }
 
-  element::CellField on_side(const EdgeLoad& load, const fem::BoundarySide& edge, const element::SidePart& part) {
-    std::vector<double> x(line_.points.size()), y(line_.points.size());
-    std::vector<geometry::SurfaceJet> jets(line_.points.size());
+  element::CellField on_side(const EdgeLoad& load, const fem::BoundarySide& edge, const PiecesOfAll& functions) {
+    if (!functions.empty())
+      if (const auto rule =
+              rule_between_borders(functions, space_.shape(), edge.side, space_.degree, positions_in(edge.cell)))
+        return on_side_points(load, edge, rule->xi, rule->weights);
+    const auto integral = [&](const element::SidePart& part) { return on_side_part(load, edge, part); };
+    constexpr int levels = 20;  // halving a side costs little
+    return functions.empty()
+               ? integral(element::SidePart{})
+               : element::Subdivision<element::SidePart, decltype(integral)>(space_.shape(), integral)(levels);
+  }
+
+  element::CellField on_side_part(const EdgeLoad& load, const fem::BoundarySide& edge, const element::SidePart& part) {
     std::vector<Vector2d> xi;
+    std::vector<double> weights = line_.weights;
     for (const double t : line_.points)
       xi.push_back(fem::side_point(space_.shape(), edge.side, part.start + part.length * t));
+    for (double& weight : weights) weight *= part.length;
+    return on_side_points(load, edge, xi, weights);
+  }
+
+  element::CellField on_side_points(const EdgeLoad& load, const fem::BoundarySide& edge,
+                                    const std::vector<Vector2d>& xi, std::span<const double> weights) {
+    std::vector<double> x(xi.size()), y(xi.size());
+    std::vector<geometry::SurfaceJet> jets(xi.size());
     shell_.surface().positions(space_.cells[edge.cell], xi, x, y);
     shell_.surface().jets(space_.cells[edge.cell], xi, jets, false);
     element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
@@ -184,7 +226,7 @@ class LoadSum {
     const Vector2d along = fem::side_tangent(space_.shape(), edge.side);
     for (std::size_t q = 0; q < xi.size(); ++q)
       values.row(static_cast<Eigen::Index>(q)) *=
-          part.length * line_.weights[q] * (along[0] * jets[q].d[0] + along[1] * jets[q].d[1]).norm();
+          weights[q] * (along[0] * jets[q].d[0] + along[1] * jets[q].d[1]).norm();
     return shell_.interpolation().forces_of(edge.cell, element::basis_at(space_.shape(), space_.degree, xi), values);
   }
 

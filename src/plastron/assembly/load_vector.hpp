@@ -19,7 +19,7 @@ struct LoadError : std::invalid_argument {
 
 /// Nodal forces and couples, six a node, complete on owned nodes (collective). Area loads name regions of the mesh, edge
 /// loads boundaries; rigid bodies of the space bring their own. The weight rho e g of the cross-sections under the acceleration g [m/s^2] is added to the loads.
-/// Loads made of pieces (geometry::is_piecewise) are integrated by subdivision of the cells in which they are not smooth.
+/// Loads made of pieces (geometry::is_piecewise) are integrated between the borders of the pieces, however narrow these are.
 /// Throws LoadError on all ranks alike.
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
                             const std::vector<EdgeLoad>& edge_loads, const Vector3d& gravity = Vector3d::Zero());

@@ -1,5 +1,5 @@
 // What elements take for smooth must be smooth inside of each cell: a_3 and the thickness may not jump there, the
-// curvature had better not. Loads may: they are integrated by subdivision (assembly/subdivision.hpp).
+// curvature had better not. Loads may: they are integrated between their borders (assembly/piece_rules.hpp).
 #include <plastron/examination/jumps.hpp>
 #include <plastron/examination/named_expressions.hpp>
 #include <plastron/geometry/frame.hpp>

@@ -66,6 +66,10 @@ void Expression::compile(const Constants& constants) {
   program_ = std::move(program);
 }
 
+std::map<std::string, double> Expression::constants() const {
+  return program_ ? program_->parser.GetConst() : std::map<std::string, double>();
+}
+
 double Expression::operator()(double x, double y) const {
   if (!program_) return constant_;
   program_->x = x;

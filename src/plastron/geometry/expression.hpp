@@ -1,6 +1,7 @@
 // A scalar function of the two parameters x, y, written by the user as text and evaluated by muParser.
 #pragma once
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -55,6 +56,8 @@ class Expression {
 
   bool is_constant() const { return !program_; }
   const std::string& text() const { return text_; }
+  /// Values of the names that the text may use beside x and y; none for a constant function.
+  std::map<std::string, double> constants() const;
 
  private:
   struct Program;
