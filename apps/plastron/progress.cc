@@ -219,7 +219,7 @@ void print_linearity(const computation::Result& result) {
   print("linearity         leaves out {} of the energy (forces on turned parts {}, stretch {}, turned lengths {})\n",
         computation::percent(part.largest()), computation::percent(part.work),
         computation::percent(part.remaining_stretch.value_or(part.stretch)), computation::percent(part.rotation));
-  if (const auto& buckling = result.last_level().linearity.buckling)
+  if (const auto& buckling = result.last_level().linearity.buckling; buckling.value_or(0) > 0)
     print("                  membrane forces {:.2g} times those that buckle the shell\n", *buckling);
 }
 

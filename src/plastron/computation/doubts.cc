@@ -116,13 +116,14 @@ std::vector<std::string> strain_warnings(const Result& result) {
   const double strain = result.summary.second_order.largest_strain;
   if (!(strain > largest_strain)) return {};
   const Eigen::Vector3d& at = result.peak.position;
-  return {
-      fmt::format("the largest strain is {:.2g} %, the largest von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) "
-                  "m: most metals "
-                  "yield at strains of 0.1 to 0.5 %, and the law is linear; compare the stress with the yield stress, "
-                  "use a smaller "
-                  "load or a program with plasticity",
-                  100 * strain, result.peak.von_mises, at[0], at[1], at[2])};
+  const std::string stress = result.peak.von_mises > 0
+                                 ? fmt::format(", the largest von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) m",
+                                               result.peak.von_mises, at[0], at[1], at[2])
+                                 : "";
+  return {fmt::format(
+      "the largest strain is {:.2g} %{}: most metals yield at strains of 0.1 to 0.5 %, and the law is linear; compare "
+      "stresses with the yield stress, use a smaller load or a program with plasticity",
+      100 * strain, stress)};
 }
 
 std::vector<std::string> body_warnings(const certificate::Summary& summary) {
