@@ -19,7 +19,8 @@ add_library(plastron_test_names INTERFACE)
 target_compile_options(plastron_test_names INTERFACE -Wno-shadow)
 # All programs that quick tests run, and those that any test runs.
 add_custom_target(quick_tests)
-add_custom_target(all_tests DEPENDS quick_tests plastron plastron-study plastron_generated)
+add_custom_target(all_tests)
+add_dependencies(all_tests quick_tests plastron plastron-study plastron_generated)
 
 # Sets `environment` and `session` of the test program `name`.
 macro(plastron_mpi_environment name)
