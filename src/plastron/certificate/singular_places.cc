@@ -172,12 +172,12 @@ std::vector<SingularPlace> singular_corners(const assembly::DiscreteShell& discr
     if (forward.a3.isZero(0) || backward.a3.isZero(0)) continue;
     const double sine = forward.a3.dot(forward.tangent.cross(backward.tangent)),
                  cosine = forward.tangent.dot(backward.tangent);
-    constexpr double rounding = 1e-2;  // [rad]: sides of a smooth curve
+    constexpr double rounding = 1e-2, smooth = 0.15;  // [rad]: straight sides of cells make a smooth curve a polygon
     double angle = std::atan2(sine, cosine);
     if (angle < rounding) angle += 2 * std::numbers::pi;
-    if (angle <= bounded_up_to(forward.holds, backward.holds) + 2 * rounding) continue;
+    if (angle <= bounded_up_to(forward.holds, backward.holds) + smooth) continue;
     const bool is_change = forward.holds != backward.holds;
-    const bool is_corner = std::abs(angle - std::numbers::pi) > 2 * rounding;
+    const bool is_corner = std::abs(angle - std::numbers::pi) > smooth;
     places.push_back(
         {.what = fmt::format("{}{}",
                              is_change && is_corner     ? "corner where supports change"
