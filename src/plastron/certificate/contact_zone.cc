@@ -64,8 +64,8 @@ bool ContactZone::is_line() const {
 }
 
 double ContactZone::line_reaction() const {
-  const double length = (line_length() + rim_length()) / 2;
-  return length > 0 ? reaction.force.norm() / length : 0;
+  const double round = line_length() > 0 ? line_length() : rim_length();
+  return round > 0 ? reaction.force.norm() / (round / 2) : 0;
 }
 
 double ContactZone::line_length() const { return length_of(*this, false); }

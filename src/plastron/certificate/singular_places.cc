@@ -175,9 +175,10 @@ std::vector<SingularPlace> singular_corners(const assembly::DiscreteShell& discr
     constexpr double rounding = 1e-2, smooth = 0.15;  // [rad]: straight sides of cells make a smooth curve a polygon
     double angle = std::atan2(sine, cosine);
     if (angle < rounding) angle += 2 * std::numbers::pi;
-    if (angle <= bounded_up_to(forward.holds, backward.holds) + smooth) continue;
     const bool is_change = forward.holds != backward.holds;
     const bool is_corner = std::abs(angle - std::numbers::pi) > smooth;
+    if (!is_change && !is_corner) continue;
+    if (angle <= bounded_up_to(forward.holds, backward.holds) + smooth) continue;
     places.push_back(
         {.what = fmt::format("{}{}",
                              is_change && is_corner     ? "corner where supports change"

@@ -1,7 +1,7 @@
 // Where stresses have no limit as the mesh is refined: corners of the shell, and points that carry a force.
 //
 // Near a corner the leading parts of Naghdi's operator are those of plane elasticity for the displacements in the tangent plane and for the rotation,
-// and that of a membrane for the deflection (Roessle, SIAM J. Math. Anal. 31, 2000, for plates). Each has bounded stresses up to an angle that depends on what either edge holds of
+// and that of a membrane for the deflection (Roessle and Saendig, J. Elasticity 103, 2011, for plates). Each has bounded stresses up to an angle that depends on what either edge holds of
 // it (Williams, J. Appl. Mech. 19, 1952): 180 degrees where both hold all of it or nothing, 63 (in elasticity at nu = 0.3) or 90 (of the deflection)
 // where one holds all of it and the other nothing, 90 where an edge holds one component of two.
 #pragma once

@@ -163,7 +163,7 @@ std::span<const Quantity<certificate::CornerReaction>> corner_support_quantities
       {"position", "m", "its place on the undeformed mid-surface",
        [](const CornerReaction& r) { return triple(r.position); }, Form::triple},
       {"reaction/force", "N",
-       "what the supports carry within one thickness of the corner beyond the line reactions of its edges, in "
+       "what the supports carry within two thicknesses of the corner beyond the line reactions of its edges, in "
        "directions that several of them fix",
        [](const CornerReaction& r) { return triple(r.reaction.force); }, Form::triple},
       {"reaction/moment", "N m", "its moment about moment_point",
