@@ -64,8 +64,8 @@ bool ContactZone::is_line() const {
 }
 
 double ContactZone::line_reaction() const {
-  const double round = line_length() > 0 ? line_length() : rim_length();
-  return round > 0 ? reaction.force.norm() / (round / 2) : 0;
+  const double way_round = line_length() > 0 ? line_length() : rim_length();
+  return way_round > 0 ? reaction.force.norm() / (way_round / 2) : 0;
 }
 
 double ContactZone::line_length() const { return length_of(*this, false); }
