@@ -99,7 +99,7 @@ LeftOut left_out_of(const Result& r) { return left_out(r.summary, r.last_level()
 TEST(LinearModel, of_a_plate_that_bends_freely_is_left_with_its_rotations_and_not_with_its_stretch) {
   Problem p = cantilever_plate();
   p.sections.common.thickness = Expression(0.01);
-  p.area_loads = {force(0, 0, -0.005)};
+  p.area_loads = {force(0, 0, -0.0005)};
   const Result bent = solve(p, MPI_COMM_SELF);
   EXPECT_GT(left_out_of(bent).stretch, 5);
   EXPECT_LT(*left_out_of(bent).remaining_stretch, 0.01);
@@ -200,7 +200,7 @@ TEST(Strain, beyond_what_a_linear_law_knows_is_told_with_its_stress) {
     const Result r = solve(p, MPI_COMM_SELF);
     EXPECT_NEAR(r.summary.second_order.largest_strain, strain, 1e-9);
     if (strain > 0.02)
-      EXPECT_THAT(r.warnings, Contains(AllOf(HasSubstr("strain is 3 %"), HasSubstr("yield"), HasSubstr("Pa at ("))));
+      EXPECT_THAT(r.warnings, Contains(AllOf(HasSubstr("strain is 3 %"), HasSubstr("yield"))));
     else
       EXPECT_THAT(r.warnings, Not(Contains(HasSubstr("yield"))));
   }
