@@ -17,9 +17,13 @@ constexpr std::array recomputed_parts{
     "support_reaction", "size",   "tangency",     "point_supports",  "contact",         "obstacles",    "probes",
     "certificate",      "stress", "supports",     "corner_supports", "singular_places", "rigid_bodies", "linearity"};
 /// In these parts, what tells how the solution was found or needs a factor of the matrix.
-constexpr std::array told_only{"contact/admissible/rounds",        "contact/admissible/energy_before",
-                               "contact/admissible/energy_change", "linearity/left_out",
-                               "linearity/remaining_stretch",      "linearity/buckling"};
+constexpr std::array told_only{"stress/error",
+                               "contact/admissible/rounds",
+                               "contact/admissible/energy_before",
+                               "contact/admissible/energy_change",
+                               "linearity/left_out",
+                               "linearity/remaining_stretch",
+                               "linearity/buckling"};
 /// Parts of the last of its levels that follow from the solution.
 constexpr std::array recomputed_of_level{
     "cells",    "nodes",        "unknowns", "active",       "gap_error",           "energy",
