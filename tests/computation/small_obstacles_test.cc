@@ -85,10 +85,10 @@ Problem fine_strip() {
 }
 
 TEST(ABlade, LiftsAllNodesOverItsTipInProportionToItsDepth) {
-  const Result once = solved(fine_strip(), box(0.06, 0.5, 0.02)), thrice = solved(fine_strip(), box(0.06, 0.5, 0.06));
-  for (const Result* r : {&once, &thrice}) ASSERT_EQ(r->status, Status::solved) << status_text(*r);
-  EXPECT_NEAR(upward(thrice) / upward(once), 3, 1e-3);
-  EXPECT_LT(thrice.summary.reaction.force.head<2>().norm(), 1e-6 * upward(thrice));
+  const Result once = solved(fine_strip(), box(0.06, 0.5, 0.02)), twice = solved(fine_strip(), box(0.06, 0.5, 0.04));
+  for (const Result* r : {&once, &twice}) ASSERT_EQ(r->status, Status::solved) << status_text(*r);
+  EXPECT_NEAR(upward(twice) / upward(once), 2, 1e-3);
+  EXPECT_LT(twice.summary.reaction.force.head<2>().norm(), 1e-6 * upward(twice));
 }
 
 TEST(ABlade, MuchDeeperThanTheShellIsThickIsNotCalledSolved) {
