@@ -4,7 +4,6 @@
 #include <plastron/computation/chord_cuts.hpp>
 #include <plastron/computation/goal_names.hpp>
 #include <plastron/computation/memory.hpp>
-#include <plastron/computation/start_mesh.hpp>
 #include <plastron/fem/surface.hpp>
 
 #include <fmt/format.h>
@@ -143,13 +142,6 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRe
 bool is_refined_evenly(const Problem& problem) {
   return problem.accuracy->is_uniform || problem.discretisation.cells == fem::Shape::triangle ||
          !problem.joins.empty() || !problem.rigid_bodies.empty();
-}
-
-bool may_cut_chords(const Problem& problem) {
-  const bool is_closed = !problem.joins.empty() && keeps_joins_alike(problem);
-  return !is_refined_evenly(problem) ||
-         (is_closed && !problem.accuracy->is_uniform && problem.discretisation.cells == fem::Shape::quadrilateral &&
-          problem.rigid_bodies.empty());
 }
 
 int degrees_of_witness(const Problem& problem) {
@@ -304,7 +296,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
   const auto marked = [&](signed char mark) {
     return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, mark)}, space.layout->comm);
   };
-  if (estimates && may_cut_chords(problem_) && worst_excess() > rounding) {
+  if (estimates && !is_uniform_ && worst_excess() > rounding) {
     marks_ = computation::marks(space, goals_, *estimates, share_to_divide());
     may_join_ = may_join_ && estimates->unjudged_cells == 0 && !(has_joined_ && worst_excess() >= excess_before_);
     excess_before_ = worst_excess();
@@ -315,7 +307,6 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
       marks_.assign(space.owned_cells, 0);
       for (const estimation::CrossedCell& crossed : estimates->crossed) marks_[crossed.cell] = 1;
     }
-    if (is_uniform_) marks_.assign(space.owned_cells, 1);  // joined edges: chords, or all cells
     cut(space, *estimates);
     if (marked(1) == 0) marks_.assign(space.owned_cells, 1);
   } else {

@@ -34,9 +34,6 @@ bool wants_witness(const Problem& problem, const fem::Space& space, const estima
 /// bodies must not hang, and triangles cannot be divided one by one.
 bool is_refined_evenly(const Problem& problem);
 
-/// Whether chords may be cut before cells are divided: where cells may be divided one by one, and of a rectangle closed to a tube.
-bool may_cut_chords(const Problem& problem);
-
 /// Mesh after mesh, until all goals are met by two solutions, that on a mesh and the witness at one degree more on its cells; of triangles, whose
 /// degree ends at 2, on two meshes in a row without having changed by more than their tolerances. Or until a limit is hit.
 class AccuracyLoop {

@@ -63,6 +63,14 @@ std::set<int> boundaries_within(const Problem& problem) {
   return result;
 }
 
+/// Whether joined edges stay alike whatever rows the others have: opposite sides of a rectangle.
+bool keeps_joins_alike(const Problem& problem) {
+  if (problem.joins.empty()) return true;
+  const std::set<std::string> pair(problem.joins[0].boundaries.begin(), problem.joins[0].boundaries.end());
+  return problem.joins.size() == 1 && std::holds_alternative<fem::Rectangle>(problem.domain) &&
+         (pair == std::set<std::string>{"left", "right"} || pair == std::set<std::string>{"bottom", "top"});
+}
+
 /// Rows cross at corners of four-sided domains; where more is asked for than the corners' cells give, each row is worth a second, narrow one
 /// between it and the edge, at the degree at which that pays. `share` is that of the widest row in the domain's width.
 bool wants_narrow_rows(const Problem& problem, double share) {
@@ -200,13 +208,6 @@ bool has_points(const fem::CoarseMesh& coarse, const Problem& problem) {
 }
 
 }  // namespace
-
-bool keeps_joins_alike(const Problem& problem) {
-  if (problem.joins.empty()) return true;
-  const std::set<std::string> pair(problem.joins[0].boundaries.begin(), problem.joins[0].boundaries.end());
-  return problem.joins.size() == 1 && std::holds_alternative<fem::Rectangle>(problem.domain) &&
-         (pair == std::set<std::string>{"left", "right"} || pair == std::set<std::string>{"bottom", "top"});
-}
 
 StartMesh start_mesh(const Problem& problem) {
   const Discretisation& d = problem.discretisation;

@@ -18,9 +18,6 @@ struct StartMesh {
   std::string no_rows{};          ///< why there are none although the problem asks for them; empty otherwise
 };
 
-/// Whether joined edges stay divided alike whatever rows and chords the mesh has: opposite sides of a rectangle, or no edges at all.
-bool keeps_joins_alike(const Problem& problem);
-
 /// Throws fem::DomainError where the domain cannot be meshed.
 StartMesh start_mesh(const Problem& problem);
 
