@@ -248,6 +248,10 @@ class Campaign:
             self.originals[name] = self.original(name, text)
         self.failures, self.counts, self.largest = [], collections.Counter(), collections.Counter()
 
+    def fail(self, words):
+        self.failures.append(words)
+        print(words, flush=True)
+
     def original(self, name, text):
         folder = self.scratch / "originals" / name
         folder.mkdir(parents=True)
@@ -274,7 +278,7 @@ class Campaign:
         if changed:
             complaints.append("changes %s" % changed)
         for words in complaints:
-            self.failures.append("damage %d (%s): %s %s\n%s" % (number, what, " ".join(arguments), words, printed[-600:]))
+            self.fail("damage %d (%s): %s %s\n%s" % (number, what, " ".join(arguments), words, printed[-600:]))
         return code
 
     def folder_of(self, number):
@@ -294,7 +298,7 @@ class Campaign:
                                                   (folder / "results" / p.name).read_bytes() != p.read_bytes())]
         code = self.command(number, name, ["verify", "results"], folder)
         if code == 0 and changed:
-            self.failures.append("damage %d (%s): verify passes although %s changed" % (number, name, changed))
+            self.fail("damage %d (%s): verify passes although %s changed" % (number, name, changed))
         self.command(number, name, ["plot", "results"], folder)
         if chance.randrange(3) == 0:
             self.command(number, name, ["run", "case.toml", "-q", "-o", "results"], folder)
@@ -329,7 +333,7 @@ def main():
         (folder / "case.toml").write_text(text)
         (folder / name).write_bytes(data)
         if campaign.command(0, name, ["check", "case.toml"], folder) != 0:
-            campaign.failures.append("the undamaged file %s is refused" % name)
+            campaign.fail("the undamaged file %s is refused" % name)
         if options.count < 100:
             break
     for number in [options.only] if options.only is not None else range(1, options.count + 1):
@@ -337,7 +341,7 @@ def main():
     for (command, code), count in sorted(campaign.counts.items(), key=str):
         print("%-7s exit code %-5s %5d" % (command, code, count))
     print("largest:", ", ".join("%.3g %s" % (value, unit) for unit, value in campaign.largest.items()))
-    print("\n".join(campaign.failures) if campaign.failures else "no failures")
+    print("%d failures" % len(campaign.failures))
     sys.exit(1 if campaign.failures else 0)
 
 
