@@ -104,7 +104,7 @@ def surface_files():
 
 
 def raster_file():
-    rows = "\n".join(" ".join("%.5f" % (0.01 * ((i * j) % 3)) for i in range(9)) for j in range(9))
+    rows = "\n".join(" ".join("%.5f" % (0.003 * ((i * j) % 3)) for i in range(9)) for j in range(9))
     return ("ncols 9\nnrows 9\nxllcorner -0.5\nyllcorner -0.5\ncellsize 0.25\nNODATA_value -9999\n" + rows + "\n").encode()
 
 

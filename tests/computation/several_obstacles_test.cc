@@ -140,7 +140,8 @@ TEST(ATubeBetweenPlates, GetsShorterAsARingDoes) {
   EXPECT_NEAR(r.summary.obstacles.at(0).reaction.force[2], force, 1e-8 * force);
   EXPECT_NEAR(r.summary.obstacles.at(1).reaction.force[2], -force, 1e-8 * force);
   EXPECT_NEAR(r.summary.energy.total(), -force * r.summary.obstacles.at(1).translation[2] / 2, 1e-6 * force * way);
-  EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();
+  for (const std::string& warning : r.warnings)  // the tube touches both plates along a line
+    EXPECT_NE(warning.find("along lines"), std::string::npos) << warning;
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST(SupportReactions, leave_a_point_on_an_edge_what_the_edge_does_not_hold) {
   expect_sum(result);
   ASSERT_EQ(result.summary.point_reactions.size(), 2u);
   for (const auto& point : result.summary.point_reactions) EXPECT_LT(point.force.norm(), 1e-9) << point.at.transpose();
-  EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
+  for (const std::string& warning : result.warnings) EXPECT_EQ(warning.find("point"), std::string::npos) << warning;
 }
 
 TEST(SupportReactions, as_goals_are_those_that_are_reported) {

@@ -183,6 +183,7 @@ TEST(AGoalsError, HasAPartOfFreeEdges) {
 }
 
 // Resultants and stresses are linear in the displacements, von Mises's is homogeneous: the value is what the dual's load makes of the solution.
+// The derivative of a cell's own value, which other components continue to the point, is right to a thousandth.
 TEST(Functionals, OfStressesAreTheirOwnDerivatives) {
   for (const Choice& choice : {Choice{.degree = 2}, Choice{.degree = 4, .refinements = 1},
                                Choice{.degree = 2, .shape = fem::Shape::triangle, .tying = false}}) {
@@ -196,7 +197,9 @@ TEST(Functionals, OfStressesAreTheirOwnDerivatives) {
                LargestStress{is_smooth}}) {
         const Derivative d = saddle.derivative_of(f);
         EXPECT_GT(std::abs(d.value), 0);
-        EXPECT_NEAR(algebra::dot(d.dual.load, saddle.coordinates()), d.value, 1e-9 * std::abs(d.value)) << f.index();
+        EXPECT_NEAR(algebra::dot(d.dual.load, saddle.coordinates()), d.value,
+                    (is_smooth ? 1e-9 : 1e-3) * std::abs(d.value))
+            << f.index();
       }
   }
 }

@@ -53,7 +53,7 @@ TEST(Claims, that_are_changed_are_named) {
   for (const char* part : {"energy", "energy_parts", "load_work", "loads", "reaction", "support_reaction", "size",
                            "tangency", "contact", "obstacles", "probes", "certificate", "stress", "supports"})
     for_numbers(claimed[part], part, [&](const std::string& path, Json& number) {
-      if (path.find("_direction") != std::string::npos) return;  // without an error bound
+      if (path.find("_direction") != std::string::npos || path == "stress.error") return;  // without an error bound
       const Json before = number;
       if (number.is_number_integer())
         number = number.get<int>() + 1;

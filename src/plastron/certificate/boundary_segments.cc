@@ -19,7 +19,7 @@ struct CellEnd {
   int touching, other;
 };
 
-constexpr double rounding = 1e-12;  // in reference cells
+constexpr double rounding_of_xi = 1e-12;  // in reference cells
 
 /// The segments of this rank's cells.
 class Marching {
@@ -202,7 +202,7 @@ class Marching {
   /// Not farther outside of the cell than its nodes are apart, and not outside at all where the shell, a region or a smooth part ends.
   bool is_beside_no_border(const Eigen::Vector2d& xi) const {
     for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
-      if (inside_of(side, xi) < (is_border(side) ? -rounding : -1.0 / space_.degree)) return false;
+      if (inside_of(side, xi) < (is_border(side) ? -rounding_of_xi : -1.0 / space_.degree)) return false;
     return true;
   }
 
@@ -218,7 +218,8 @@ class Marching {
     search.axes.col(1) = geometry::unit_normal(jet).cross(search.axes.col(0));
     const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
     for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
-      if (is_border(side) && std::abs(inside_of(side, a)) < rounding && std::abs(inside_of(side, b)) < rounding)
+      if (is_border(side) && std::abs(inside_of(side, a)) < rounding_of_xi &&
+          std::abs(inside_of(side, b)) < rounding_of_xi)
         search.along = search.axes.transpose() * (tangents * (b - a)).normalized();
     return search;
   }

@@ -4,6 +4,7 @@
 #include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/certificate/contact_zones.hpp>
+#include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
 #include <plastron/obstacle/error.hpp>
 
@@ -381,13 +382,28 @@ void add_pushed_sideways(const assembly::DiscreteShell& discrete, const NodalSol
   }
 }
 
+/// Takes out the cells at rigid bodies: no bound keeps a body's nodes out of obstacles, and BodyReaction tells how deep they are.
+void leave_out_bodies(const fem::Space& space, std::vector<CellGap>& cells) {
+  if (!space.carried) return;
+  std::vector<char> is_of_body(static_cast<std::size_t>(space.layout->local_size()));
+  for (const fem::PlacedBody& body : space.carried->bodies)
+    for (const std::size_t member : body.members)
+      is_of_body[static_cast<std::size_t>(space.carried->nodes[member].node)] = 1;
+  std::erase_if(cells, [&](const CellGap& cell) {
+    return std::ranges::any_of(space.nodes(cell.cell), [&](algebra::LocalIndex node) {
+      return is_of_body[static_cast<std::size_t>(node)] != 0;
+    });
+  });
+}
+
 /// The searched gaps, and of each obstacle the least of all ranks with its place.
 void add_least_gaps(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Verdict& verdict) {
   if (discrete.obstacles.empty()) return;
   const MPI_Comm comm = discrete.space().layout->comm;
   constexpr double nowhere = std::numeric_limits<double>::infinity();
-  const auto cells =
+  auto cells =
       algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return searched_gaps(discrete, solution.y); });
+  leave_out_bodies(discrete.space(), cells);
   for (std::size_t k = 0; k < verdict.summary.obstacles.size(); ++k) {
     ObstacleContact& contact = verdict.summary.obstacles[k];
     Eigen::Vector2d at(nowhere, nowhere);

@@ -104,7 +104,7 @@ void add_ends(const assembly::DiscreteShell& discrete, const fem::BoundarySide& 
   }
 }
 
-constexpr std::size_t numbers_per_end = 18;
+constexpr std::size_t numbers_per_edge_end = 18;
 
 std::vector<double> packed(const std::vector<SideEnd>& ends) {
   std::vector<double> numbers;
@@ -120,7 +120,7 @@ std::vector<double> packed(const std::vector<SideEnd>& ends) {
 
 std::map<algebra::GlobalIndex, std::vector<SideEnd>> by_node(const std::vector<double>& numbers) {
   std::map<algebra::GlobalIndex, std::vector<SideEnd>> nodes;
-  for (std::size_t i = 0; i < numbers.size(); i += numbers_per_end) {
+  for (std::size_t i = 0; i < numbers.size(); i += numbers_per_edge_end) {
     const double* n = numbers.data() + i;
     SideEnd end{
         .node = static_cast<algebra::GlobalIndex>(n[0]), .is_forward = n[1] != 0, .boundary = static_cast<int>(n[2])};

@@ -195,7 +195,7 @@ void add_rings(const Problem& problem, const InnerCells& cells, fem::Rows& rows)
 }
 
 /// At least two cells along the longer side on the finest mesh: one cell of whatever degree sees little.
-double largest_size(const Interior& inside) { return std::sqrt(inside.area) / 2; }
+double largest_cell(const Interior& inside) { return std::sqrt(inside.area) / 2; }
 
 /// A point that is held has to be a node.
 bool has_points(const fem::CoarseMesh& coarse, const Problem& problem) {
@@ -219,7 +219,7 @@ StartMesh start_mesh(const Problem& problem) {
   if (!keeps_joins_alike(problem)) return plain("joined edges must have the same cells on both sides");
   auto [rows, layers] = rows_of(problem);
   const Interior inside = interior(problem);
-  const double size = std::min(size_inside(problem, inside), largest_size(inside)) * std::exp2(d.refinements);
+  const double size = std::min(size_inside(problem, inside), largest_cell(inside)) * std::exp2(d.refinements);
   const InnerCells cells{rows, inside, size};
   rows.inner = std::visit(cells, problem.domain);
   add_rings(problem, cells, rows);

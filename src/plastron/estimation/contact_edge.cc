@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace plastron::estimation {
 
@@ -87,11 +88,36 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
   return result;
 }
 
+algebra::Vector ContactEdge::wide_zones() const {
+  const fem::Space& space = solved_.discrete.space();
+  const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
+  algebra::Vector wide(space.layout, static_cast<int>(obstacles));
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+    for (std::size_t k = 0; k < obstacles; ++k) {
+      const auto nodes = space.nodes(cell);
+      const auto touches_at = [&](std::size_t at) { return touches(static_cast<std::size_t>(nodes[at]), k); };
+      const auto all = std::views::iota(std::size_t{0}, nodes.size());
+      if (std::ranges::none_of(all, touches_at)) continue;
+      const bool is_full = std::ranges::all_of(all, touches_at);
+      const std::size_t step = direction_across(cell, k) == 0 ? 1 : n;
+      for (const std::size_t at : all) {
+        const std::size_t along = at / step % n;
+        const bool has_neighbour = (along > 0 && touches_at(at - step)) || (along + 1 < n && touches_at(at + step));
+        if (is_full || (touches_at(at) && has_neighbour))
+          wide.local()[static_cast<std::size_t>(nodes[at]) * obstacles + k] += 1;
+      }
+    }
+  wide.accumulate_ghosts();
+  wide.update_ghosts();
+  return wide;
+}
+
 void ContactEdge::find_deepest() {
   const fem::Space& space = solved_.discrete.space();
   if (space.shape() != fem::Shape::quadrilateral) return;
   const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
   for (int d = 0; d < 2; ++d) between_[static_cast<std::size_t>(d)] = between_nodes(space, d);
+  const algebra::Vector wide = wide_zones();
   algebra::Vector depths(space.layout, static_cast<int>(obstacles));
   for (std::size_t c = 0; c < crossed_.size(); ++c)
     for (std::size_t k = 0; k < obstacles; ++k) {
@@ -103,7 +129,7 @@ void ContactEdge::find_deepest() {
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
-          if (!touches(node, k)) continue;
+          if (!touches(node, k) || wide.local()[node * obstacles + k] > 0) continue;
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);

@@ -48,6 +48,8 @@ class ContactEdge {
     double gap = 0;   ///< < 0 [m]
     double part = 1;  ///< of the node's reaction: other cells have the rest
   };
+  /// Positive at nodes and obstacles where the zone is wider than one row of nodes: its edge is then no line of contact (collective).
+  algebra::Vector wide_zones() const;
   void find_deepest();
   /// Gaps of the shell at points of a cell, and where they are.
   std::vector<std::pair<double, obstacle::Gap>> gaps(std::size_t cell, std::size_t obstacle,

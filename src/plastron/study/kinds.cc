@@ -16,10 +16,9 @@ namespace plastron::study {
 
 namespace {
 
-using Run = decltype(Kind::run);
 using Variants = decltype(Kind::variants);
 
-Kind kind_of(std::string_view name, Run run, Variants variants = nullptr) {
+Kind kind_of(std::string_view name, decltype(Kind::run) run, Variants variants = nullptr) {
   const KindName& of = *find_kind_name(name);
   return {of.name, of.question, run, of.options, variants, run == adaptivity};
 }
