@@ -13,6 +13,7 @@ namespace plastron::cli {
 namespace {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -166,8 +167,9 @@ TEST(New, WritesCasesThatRunAsTheyAre) {
     EXPECT_THAT(check.output, Not(HasSubstr("warning"))) << name;
     const Outcome run = plastron({"run", "begun/case.toml", "--output", "out"}, scratch.path, 300);
     EXPECT_EQ(run.exit_code, 0) << name << run.output;
-    EXPECT_THAT(run.output, Not(HasSubstr("warning"))) << name;
     const auto results = nlohmann::json::parse(text_of(scratch.path / "out/results.json"));
+    for (const std::string warning : results["warnings"])  // pictures of contact want displacements that are seen
+      EXPECT_THAT(warning, AnyOf(HasSubstr("linear"), HasSubstr("strain"), HasSubstr("along lines"))) << name;
     EXPECT_EQ(results["status"], "solved") << name;
     if (name != "plate") {
       EXPECT_GT(results["contact"]["nodes"], 0) << name;

@@ -192,8 +192,9 @@ TEST(Warnings, of_the_examination_stand_in_the_results_too) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   ASSERT_THAT(outcome.output, HasSubstr("warning: "));
   const auto warnings = results_in(scratch.path / "out").at("warnings");
-  ASSERT_EQ(warnings.size(), 1u) << outcome.output;
-  EXPECT_THAT(warnings[0].get<std::string>(), HasSubstr("kappa"));
+  ASSERT_EQ(warnings.size(), 2u) << outcome.output;
+  EXPECT_THAT(warnings[0].get<std::string>(), HasSubstr("thick"));
+  EXPECT_THAT(warnings[1].get<std::string>(), HasSubstr("kappa"));
 }
 
 /// mpirun hands on both streams as they come.
