@@ -34,8 +34,11 @@ class Borders {
 
   bool are_none(double s0, double s1, double t0, double t1) const {
     if (++looks_ > most_looks) throw TooMany();
-    const auto [x, y] = box(s0, s1, t0, t1);
-    return std::ranges::all_of(functions_, [&](const geometry::Pieces* f) { return f->is_one_over(x, y); });
+    const auto sides = box(s0, s1, t0, t1);
+    return std::ranges::all_of(functions_, [&](const geometry::Pieces* f) {
+      const auto& [x, y] = sides;
+      return f->is_one_over(x, y);
+    });
   }
 
   /// Where borders cross the line of s, ascending.

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace plastron::estimation {
 
@@ -95,12 +94,12 @@ algebra::Vector ContactEdge::wide_zones() const {
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
     for (std::size_t k = 0; k < obstacles; ++k) {
       const auto nodes = space.nodes(cell);
-      const auto touches_at = [&](std::size_t at) { return touches(static_cast<std::size_t>(nodes[at]), k); };
-      const auto all = std::views::iota(std::size_t{0}, nodes.size());
-      if (std::ranges::none_of(all, touches_at)) continue;
-      const bool is_full = std::ranges::all_of(all, touches_at);
+      const auto touches_it = [&](algebra::LocalIndex node) { return touches(static_cast<std::size_t>(node), k); };
+      const auto touches_at = [&](std::size_t at) { return touches_it(nodes[at]); };
+      if (std::ranges::none_of(nodes, touches_it)) continue;
+      const bool is_full = std::ranges::all_of(nodes, touches_it);
       const std::size_t step = direction_across(cell, k) == 0 ? 1 : n;
-      for (const std::size_t at : all) {
+      for (std::size_t at = 0; at < nodes.size(); ++at) {
         const std::size_t along = at / step % n;
         const bool has_neighbour = (along > 0 && touches_at(at - step)) || (along + 1 < n && touches_at(at + step));
         if (is_full || (touches_at(at) && has_neighbour))

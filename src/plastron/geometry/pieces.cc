@@ -254,7 +254,7 @@ class Reading {
     return true;
   }
   std::size_t add(Part part) {
-    parts_.push_back(std::move(part));
+    parts_.push_back(part);
     return parts_.size() - 1;
   }
   std::size_t call(std::string_view name, std::array<std::size_t, 3> of) {
