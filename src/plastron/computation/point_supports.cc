@@ -9,7 +9,7 @@ namespace plastron::computation {
 namespace {
 
 /// Of the sum of the norms of all loads: what counts as no force.
-constexpr double negligible = 1e-6;
+constexpr double negligible_force = 1e-6;
 
 /// Six components, all at points: statics alone says what they carry.
 bool is_isostatic(const std::vector<assembly::Support>& supports) {
@@ -27,7 +27,7 @@ bool in_equilibrium(const certificate::Summary& s) {
   sum += s.reaction;
   sum.move_point(-s.moment_point);  // back to the origin
   const double force = sum.force.norm(), moment = sum.moment.norm();
-  return force <= negligible * s.load_norms && moment <= negligible * s.load_norms * s.size;
+  return force <= negligible_force * s.load_norms && moment <= negligible_force * s.load_norms * s.size;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::vector<std::string> point_support_warnings(const Result& result, const std:
   const double force = most->force.norm();
   double pressed = 0;  // by obstacles, which may be all that loads the shell
   for (const certificate::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
-  if (force <= negligible * (s.load_norms + pressed)) return {};
+  if (force <= negligible_force * (s.load_norms + pressed)) return {};
   const std::string what =
       fmt::format("the support at the point ({:.6g}, {:.6g}) carries {:.4g} N", most->at[0], most->at[1], force);
   if (is_isostatic(supports) && in_equilibrium(s))
