@@ -6,7 +6,7 @@
 
 namespace plastron::app {
 
-/// Of the files of a case's results.
+/// Answers for the files of a case's results.
 inline constexpr const char* base_name = "solution";
 
 /// The directory of the results, tried before anything is solved. If nothing is kept in the end it is as it was before.

@@ -53,7 +53,7 @@ Eigen::Matrix<double, 6, 1> downwards(double u_z) {
   return y;
 }
 
-/// Of all cells near the table and of all ranks.
+/// The least of all cells near the table and of all ranks.
 double least_gap(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   double least = std::numeric_limits<double>::infinity();
   for (const CellGap& cell : searched_gaps(discrete, y)) least = std::min(least, cell.gap);

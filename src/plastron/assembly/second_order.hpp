@@ -13,7 +13,7 @@ struct SecondOrder {
       0;  ///< largest principal strain gamma +- e/2 chi at the faces, by its size, at quadrature points
 };
 
-/// Of Cartesian nodal values y = (u, r), block 6 with valid ghosts (collective).
+/// Takes Cartesian nodal values y = (u, r), block 6 with valid ghosts (collective).
 SecondOrder second_order(const ShellOperator& shell, const algebra::Vector& y);
 
 /// The derivative of `work` by y, f . w = int e a^{abrs} q_ab gamma_rs(w) + N^{ab} d_a u . d_b w sqrt(a) dx: nodal forces, complete on

@@ -333,7 +333,7 @@ ObstacleContact untouched(const obstacle::Obstacle& at_start, const obstacle::Ob
 
 namespace {
 
-/// Of the boundary of the domain.
+/// Marks the nodes on the boundary of the domain.
 std::vector<char> nodes_on_edges(const fem::Space& space) {
   std::vector<char> marks(static_cast<std::size_t>(space.layout->local_size()));
   for (const fem::BoundarySide& side : space.sides)

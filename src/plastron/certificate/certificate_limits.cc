@@ -22,7 +22,7 @@ constexpr double of_the_mesh = 0.05;
 constexpr double missed_depth = 1e-2;
 /// Where nodes touch it, half of the way to the mid-surface: an obstacle that is deeper between them passes through the shell.
 constexpr double passing_depth = 0.25;
-/// Of an obstacle's reaction.
+/// A part of an obstacle's reaction.
 constexpr double sideways_part = 1e-2;
 
 const char* missed_reason(const ObstacleContact& obstacle) {

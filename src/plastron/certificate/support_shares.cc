@@ -31,7 +31,7 @@ constexpr double least_part = 1e-3;
 constexpr double corner_sine = 0.0175;
 /// The layer of Q at a supported edge falls like exp(-s sqrt(12 k_s)/e): a corner's force is spread over this many thicknesses.
 constexpr double layer_reach = 2;
-/// Of an edge that is no longer than a few thicknesses this part at most.
+/// The largest part of a short edge that a corner reaches.
 constexpr double most_of_edge = 0.1;
 
 /// On the eigenvectors of a symmetric matrix whose eigenvalues are above `least`.

@@ -16,7 +16,7 @@ namespace plastron::computation {
 
 namespace {
 
-/// Of this process [bytes].
+/// Peak memory of this process [bytes].
 double own_peak() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -38,7 +38,7 @@ double free_memory() {
   return std::numeric_limits<double>::infinity();
 }
 
-/// Of the control group, as containers and batch systems set it [bytes]; infinite without one.
+/// Memory limit of the control group, as containers and batch systems set it [bytes]; infinite without one.
 double group_limit() {
   for (const char* name : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
     std::ifstream file(name);
@@ -59,7 +59,7 @@ MemoryUse memory_use(MPI_Comm comm) {
   const double own = algebra::sum_over_ranks(own_memory(), machine);
   use.limit = algebra::min_over_ranks(std::min(free_memory() + own, group_limit()), machine);
   MPI_Comm_free(&machine);
-  // Of the machine that is fullest.
+  // The machine with the least free memory counts.
   const double part = algebra::max_over_ranks(use.peak / use.limit, comm);
   if (use.peak / use.limit < part) use = {};
   return {.peak = algebra::max_over_ranks(use.peak, comm), .limit = algebra::max_over_ranks(use.limit, comm)};

@@ -28,7 +28,7 @@ double width_of(const certificate::ContactZone& zone) {
   return length > 0 ? 2 * zone.area / length : 0;
 }
 
-/// Those that are wider than the layer at their edges, half of the thickness: narrower ones carry their reaction as lines do.
+/// Zones that are wider than the layer at their edges, half of the thickness: narrower ones carry their reaction as lines do.
 std::vector<certificate::ContactZone> wide_zones(std::vector<certificate::ContactZone> zones, double thickness) {
   std::erase_if(zones, [&](const certificate::ContactZone& zone) { return width_of(zone) < thickness / 2; });
   return zones;

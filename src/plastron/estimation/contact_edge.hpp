@@ -13,7 +13,7 @@
 
 namespace plastron::estimation {
 
-/// Of the crossed cells, without signs.
+/// Shares of the crossed cells, without signs.
 struct EdgeShares {
   explicit EdgeShares(std::size_t cells) : all(cells, 0), lines(cells, 0) {}
   std::vector<double> all;    ///< the largest of all terms

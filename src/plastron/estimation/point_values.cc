@@ -94,7 +94,7 @@ element::CellField forces_of_cell(const Place& place, const recovery::PointValue
   return forces;
 }
 
-/// Of a number made of resultants at a place, which one rank has; values and derivatives are those of what Recovery evaluates.
+/// Derivative of a number made of resultants at a place, which one rank has; values and derivatives are those of what Recovery evaluates.
 Derivative at_place(const PointStress& point, const std::optional<Place>& place, const Solved& solved) {
   const assembly::DiscreteShell& discrete = solved.discrete;
   recovery::Choice choice{.axis = point.axis};

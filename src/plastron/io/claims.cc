@@ -15,7 +15,7 @@ namespace {
 /// No results.json is larger; what is would only fill the memory.
 constexpr std::uintmax_t largest_results = std::uintmax_t{64} << 20;
 
-/// Of a regular file: a pipe or a device would be read for ever.
+/// Reads regular files only: a pipe or a device has no end.
 std::string text_of_file(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))

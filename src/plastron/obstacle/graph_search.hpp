@@ -20,7 +20,7 @@ struct GraphStarts {
       0;  ///< spacing of the finest samples, where these miss waves of the graph and the search ends; else 0
 };
 
-/// Of all points within `reach` of X. The graph is sampled at least 8 times within the reach
+/// Bound for all points within `reach` of X. The graph is sampled at least 8 times within the reach
 /// and up to 128 times where it changes its curvature from sample to sample.
 GraphStarts starts_nearer_than(double reach, const Vector3d& X, GraphSamples& samples);
 
