@@ -70,7 +70,12 @@ const Report& in_plain_units(const Kind& kind) {
   return known.at(name);
 }
 
-TEST_P(EveryUnit, FindsTheSameInEveryStudy) {
+/// Lengths alone, forces alone, and both with another modulus: units_test.cc has all that one computation may meet.
+class EveryStudy : public testing::TestWithParam<Units> {};
+INSTANTIATE_TEST_SUITE_P(Of, EveryStudy, testing::Values(Units{1e-6, 1}, Units{1, 1e6}, Units{1e6, 1e-6}),
+                         [](const auto& units) { return fmt::format("{}", units.index); });
+
+TEST_P(EveryStudy, FindsTheSameInAllUnits) {
   std::vector<const Kind*> all{&comparison()};
   for (const Kind& kind : kinds()) all.push_back(&kind);
   for (const Kind* kind : all) {

@@ -89,26 +89,35 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
 
 algebra::Vector ContactEdge::wide_zones() const {
   const fem::Space& space = solved_.discrete.space();
-  const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
-  algebra::Vector wide(space.layout, static_cast<int>(obstacles));
-  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
-    for (std::size_t k = 0; k < obstacles; ++k) {
-      const auto nodes = space.nodes(cell);
-      const auto touches_it = [&](algebra::LocalIndex node) { return touches(static_cast<std::size_t>(node), k); };
-      const auto touches_at = [&](std::size_t at) { return touches_it(nodes[at]); };
-      if (std::ranges::none_of(nodes, touches_it)) continue;
-      const bool is_full = std::ranges::all_of(nodes, touches_it);
-      const std::size_t step = direction_across(cell, k) == 0 ? 1 : n;
-      for (std::size_t at = 0; at < nodes.size(); ++at) {
-        const std::size_t along = at / step % n;
-        const bool has_neighbour = (along > 0 && touches_at(at - step)) || (along + 1 < n && touches_at(at + step));
-        if (is_full || (touches_at(at) && has_neighbour))
-          wide.local()[static_cast<std::size_t>(nodes[at]) * obstacles + k] += 1;
-      }
-    }
-  wide.accumulate_ghosts();
-  wide.update_ghosts();
-  return wide;
+  const std::size_t obstacles = solved_.discrete.obstacles.all.size();
+  // Marks all nodes of the cells that `belongs` holds for, obstacle by obstacle.
+  const auto marked = [&](const auto& belongs) {
+    algebra::Vector marks(space.layout, static_cast<int>(obstacles));
+    for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+      for (std::size_t k = 0; k < obstacles; ++k)
+        if (belongs(cell, k))
+          for (const algebra::LocalIndex node : space.nodes(cell))
+            marks.local()[static_cast<std::size_t>(node) * obstacles + k] += 1;
+    marks.accumulate_ghosts();
+    marks.update_ghosts();
+    return marks;
+  };
+  const auto touching = [&](std::size_t cell, std::size_t k) {
+    return std::ranges::count_if(space.nodes(cell),
+                                 [&](algebra::LocalIndex node) { return touches(static_cast<std::size_t>(node), k); });
+  };
+  const auto is_full = [&](std::size_t cell, std::size_t k) { return touching(cell, k) == space.nodes_per_cell(); };
+  const auto has_one_of = [&](const algebra::Vector& marks, std::size_t cell, std::size_t k) {
+    return std::ranges::any_of(space.nodes(cell), [&](algebra::LocalIndex node) {
+      return marks.local()[static_cast<std::size_t>(node) * obstacles + k] > 0;
+    });
+  };
+  const algebra::Vector edge = marked([&](std::size_t cell, std::size_t k) { return !is_full(cell, k); });
+  const algebra::Vector inside =
+      marked([&](std::size_t cell, std::size_t k) { return is_full(cell, k) && !has_one_of(edge, cell, k); });
+  const algebra::Vector beside =
+      marked([&](std::size_t cell, std::size_t k) { return is_full(cell, k) && has_one_of(inside, cell, k); });
+  return marked([&](std::size_t cell, std::size_t k) { return touching(cell, k) > 0 && has_one_of(beside, cell, k); });
 }
 
 void ContactEdge::find_deepest() {
