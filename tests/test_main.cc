@@ -13,21 +13,20 @@
 #include <sstream>
 #include <string>
 
-/// A rank that waits for long sleeps. Open MPI and OpenBLAS call this again and again while they wait, and Linux gives the core to another
-/// process only for an instant. Where other processes keep the cores busy, the waiting ranks would use up the time of the rank that they wait
-/// for. A short wait must not sleep: on idle cores a sum over ranks takes microseconds, and waking up takes a hundred.
+/// Open MPI and OpenBLAS call this again and again while they wait. On idle cores it returns at once, and a sum over ranks takes microseconds;
+/// a rank that sleeps takes a hundred to wake up. Where other processes keep the cores busy, each call gives a slice of time away: a rank
+/// that has seen that sleeps while it waits, for Linux wakes it before the others' slices are over.
 extern "C" int sched_yield() noexcept {
   using Clock = std::chrono::steady_clock;
-  static thread_local Clock::time_point began, last;
+  static thread_local Clock::time_point busy_until;
   const Clock::time_point now = Clock::now();
-  if (now - last > std::chrono::microseconds(20)) began = now;  // another wait
-  if (now - began < std::chrono::milliseconds(5)) {
-    syscall(SYS_sched_yield);
-  } else {
+  if (now < busy_until) {
     const timespec moment{.tv_sec = 0, .tv_nsec = 20'000};
     nanosleep(&moment, nullptr);
+  } else {
+    syscall(SYS_sched_yield);
+    if (Clock::now() - now > std::chrono::milliseconds(1)) busy_until = now + std::chrono::milliseconds(50);
   }
-  last = Clock::now();
   return 0;
 }
 

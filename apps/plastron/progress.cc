@@ -242,9 +242,12 @@ void print_summary(const computation::Result& result) {
   print("supports          {} N\n", vector_text(s.support_reaction.force));
   for (const auto& r : s.support_reactions)
     if (s.support_reactions.size() > 1) print("  {:<16}{} N\n", r.boundary, vector_text(r.reaction.force));
+  double largest = s.loads.force.norm();
+  for (const auto& r : s.support_reactions) largest = std::max(largest, r.reaction.force.norm());
   for (const auto& corner : s.corner_reactions)
-    print("  at {:<12} {} N, of the corner of {}\n", fmt::format("({:g}, {:g})", corner.at[0], corner.at[1]),
-          vector_text(corner.reaction.force), fmt::format("{}", fmt::join(corner.boundaries, ", ")));
+    if (corner.reaction.force.norm() > 1e-6 * largest)  // others carry nothing but rounding
+      print("  at {:<12} {} N, of the corner of {}\n", fmt::format("({:g}, {:g})", corner.at[0], corner.at[1]),
+            vector_text(corner.reaction.force), fmt::format("{}", fmt::join(corner.boundaries, ", ")));
   for (const auto& p : s.point_reactions)
     print("  at {:<12} {} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
   for (const auto& b : s.body_reactions) {

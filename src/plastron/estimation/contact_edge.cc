@@ -13,6 +13,8 @@ namespace plastron::estimation {
 namespace {
 
 constexpr int samples = 5;  ///< between two nodes
+constexpr double wide_cell =
+    5;  ///< times e: a cell that touches with all nodes and has this diagonal is a zone and no line
 
 /// On each line of nodes along a direction `samples` points between neighbours, line after line.
 element::BasisAt between_nodes(const fem::Space& space, int direction) {
@@ -112,9 +114,15 @@ algebra::Vector ContactEdge::wide_zones() const {
       return marks.local()[static_cast<std::size_t>(node) * obstacles + k] > 0;
     });
   };
+  const auto is_wide = [&](std::size_t cell) {
+    const assembly::NodalPoint &first = solved_.discrete.points[static_cast<std::size_t>(space.nodes(cell).front())],
+                               &last = solved_.discrete.points[static_cast<std::size_t>(space.nodes(cell).back())];
+    return (last.phi - first.phi).norm() > wide_cell * first.thickness;
+  };
   const algebra::Vector edge = marked([&](std::size_t cell, std::size_t k) { return !is_full(cell, k); });
-  const algebra::Vector inside =
-      marked([&](std::size_t cell, std::size_t k) { return is_full(cell, k) && !has_one_of(edge, cell, k); });
+  const algebra::Vector inside = marked([&](std::size_t cell, std::size_t k) {
+    return is_full(cell, k) && (is_wide(cell) || !has_one_of(edge, cell, k));
+  });
   const algebra::Vector beside =
       marked([&](std::size_t cell, std::size_t k) { return is_full(cell, k) && has_one_of(inside, cell, k); });
   return marked([&](std::size_t cell, std::size_t k) { return touching(cell, k) > 0 && has_one_of(beside, cell, k); });

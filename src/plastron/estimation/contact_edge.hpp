@@ -48,7 +48,7 @@ class ContactEdge {
     double gap = 0;   ///< < 0 [m]
     double part = 1;  ///< of the node's reaction: other cells have the rest
   };
-  /// Positive at nodes and obstacles of zones that have a cell away from their edge (collective).
+  /// Positive at nodes and obstacles of zones that have a cell away from their edge, or a cell several e wide (collective).
   algebra::Vector wide_zones() const;
   void find_deepest();
   /// Gaps of the shell at points of a cell, and where they are.
