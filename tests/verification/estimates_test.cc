@@ -104,7 +104,7 @@ TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmallOrTooLarge) {
     }
   EXPECT_EQ(all, 60);
   EXPECT_LE(too_small, all / 20);
-  EXPECT_LE(too_large, all / 8);  // six of them are R4cap's, whose small zone is taken for a line
+  EXPECT_LE(too_large, all / 10);
 }
 
 /// Of the energy, relative, on meshes that follow from it.

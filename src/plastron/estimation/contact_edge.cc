@@ -13,8 +13,6 @@ namespace plastron::estimation {
 namespace {
 
 constexpr int samples = 5;  ///< between two nodes
-constexpr double wide_cell =
-    5;  ///< times e: a cell that touches with all nodes and has this diagonal is a zone and no line
 
 /// On each line of nodes along a direction `samples` points between neighbours, line after line.
 element::BasisAt between_nodes(const fem::Space& space, int direction) {
@@ -89,7 +87,7 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
   return result;
 }
 
-algebra::Vector ContactEdge::wide_zones() const {
+ContactEdge::Zones ContactEdge::zones() const {
   const fem::Space& space = solved_.discrete.space();
   const std::size_t obstacles = solved_.discrete.obstacles.all.size();
   // Marks all nodes of the cells that `belongs` holds for, obstacle by obstacle.
@@ -114,18 +112,38 @@ algebra::Vector ContactEdge::wide_zones() const {
       return marks.local()[static_cast<std::size_t>(node) * obstacles + k] > 0;
     });
   };
-  const auto is_wide = [&](std::size_t cell) {
-    const assembly::NodalPoint &first = solved_.discrete.points[static_cast<std::size_t>(space.nodes(cell).front())],
-                               &last = solved_.discrete.points[static_cast<std::size_t>(space.nodes(cell).back())];
-    return (last.phi - first.phi).norm() > wide_cell * first.thickness;
+  const auto spread = [&](const algebra::Vector& marks) {
+    return marked([&](std::size_t cell, std::size_t k) { return touching(cell, k) > 0 && has_one_of(marks, cell, k); });
   };
   const algebra::Vector edge = marked([&](std::size_t cell, std::size_t k) { return !is_full(cell, k); });
-  const algebra::Vector inside = marked([&](std::size_t cell, std::size_t k) {
-    return is_full(cell, k) && (is_wide(cell) || !has_one_of(edge, cell, k));
-  });
+  const algebra::Vector inside =
+      marked([&](std::size_t cell, std::size_t k) { return is_full(cell, k) && !has_one_of(edge, cell, k); });
   const algebra::Vector beside =
       marked([&](std::size_t cell, std::size_t k) { return is_full(cell, k) && has_one_of(inside, cell, k); });
-  return marked([&](std::size_t cell, std::size_t k) { return touching(cell, k) > 0 && has_one_of(beside, cell, k); });
+  return {.with_area = spread(marked(
+              [&](std::size_t cell, std::size_t k) { return is_full(cell, k) || is_wider_than_a_line(cell, k); })),
+          .wide = spread(beside)};
+}
+
+bool ContactEdge::is_wider_than_a_line(std::size_t cell, std::size_t obstacle) const {
+  const assembly::DiscreteShell& discrete = solved_.discrete;
+  const auto nodes = discrete.space().nodes(cell);
+  const auto n = static_cast<std::size_t>(discrete.space().degree) + 1;
+  const bool along_first = direction_across(cell, obstacle) == 0;
+  for (std::size_t line = 0; line < n; ++line) {
+    const assembly::NodalPoint* first = nullptr;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto node = static_cast<std::size_t>(nodes[along_first ? line * n + i : i * n + line]);
+      if (!touches(node, obstacle)) {
+        first = nullptr;
+      } else if (first == nullptr) {
+        first = &discrete.points[node];
+      } else if ((discrete.points[node].phi - first->phi).norm() > first->thickness / 2) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 void ContactEdge::find_deepest() {
@@ -133,7 +151,7 @@ void ContactEdge::find_deepest() {
   if (space.shape() != fem::Shape::quadrilateral) return;
   const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
   for (int d = 0; d < 2; ++d) between_[static_cast<std::size_t>(d)] = between_nodes(space, d);
-  const algebra::Vector wide = wide_zones();
+  const Zones found_zones = zones();
   algebra::Vector depths(space.layout, static_cast<int>(obstacles));
   for (std::size_t c = 0; c < crossed_.size(); ++c)
     for (std::size_t k = 0; k < obstacles; ++k) {
@@ -145,13 +163,14 @@ void ContactEdge::find_deepest() {
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
-          if (!touches(node, k) || wide.local()[node * obstacles + k] > 0) continue;
+          if (!touches(node, k) || found_zones.wide.local()[node * obstacles + k] > 0) continue;
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
           const auto least = std::min_element(from, to, [](const auto& a, const auto& b) { return a.first < b.first; });
           if (!(least->first < 0)) continue;
-          deepest_.push_back({c, k, node, d, least - found.begin(), least->first});
+          deepest_.push_back({c, k, node, d, least - found.begin(), least->first, 1,
+                              found_zones.with_area.local()[node * obstacles + k] == 0});
           depths.local()[node * obstacles + k] -= least->first;
         }
     }
@@ -165,6 +184,7 @@ std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const
   const assembly::DiscreteShell& discrete = solved_.discrete;
   std::vector<double> lines(crossed_.size(), 0);
   for (const Deepest& at : deepest_) {
+    if (!at.on_line && derivative.weighs_gaps) continue;  // energies change with the square of the edge's error
     const std::size_t cell = crossed_[at.crossed], entry = at.node * discrete.obstacles.all.size() + at.obstacle;
     const element::BasisAt& between = between_[at.direction];
     const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];

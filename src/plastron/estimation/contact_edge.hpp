@@ -45,11 +45,19 @@ class ContactEdge {
     std::size_t obstacle = 0, node = 0;
     std::size_t direction = 0;  ///< from the node to the point, and which of `between_`
     Eigen::Index point = 0;
-    double gap = 0;   ///< < 0 [m]
-    double part = 1;  ///< of the node's reaction: other cells have the rest
+    double gap = 0;       ///< < 0 [m]
+    double part = 1;      ///< of the node's reaction: other cells have the rest
+    bool on_line = true;  ///< of a zone without area
   };
-  /// Positive at nodes and obstacles of zones that have a cell away from their edge, or a cell several e wide (collective).
-  algebra::Vector wide_zones() const;
+  /// By node and obstacle, positive in these zones.
+  struct Zones {
+    algebra::Vector with_area;  ///< they fill a cell, or are wider than e/2
+    algebra::Vector wide;       ///< they have a cell away from their edge
+  };
+  /// (collective)
+  Zones zones() const;
+  /// Whether neighbouring nodes of a cell that touch are more than e/2 apart, across the zone.
+  bool is_wider_than_a_line(std::size_t cell, std::size_t obstacle) const;
   void find_deepest();
   /// Gaps of the shell at points of a cell, and where they are.
   std::vector<std::pair<double, obstacle::Gap>> gaps(std::size_t cell, std::size_t obstacle,
