@@ -11,6 +11,7 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/config/mistakes.hpp>
 #include <plastron/fem/domain.hpp>
+#include <plastron/io/atomic_file.hpp>
 #include <plastron/io/unusable_results.hpp>
 #include <plastron/obstacle/error.hpp>
 
@@ -44,6 +45,12 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
     return bad_input;
   } catch (const io::UnusableResults& error) {
     if (is_first_rank()) print_text(stderr, fmt::format("error: {}\n", error.what()));
+    return bad_input;
+  } catch (const io::WriteError& error) {
+    print_error(
+        "error: {}; nothing that was there before has changed. Free space there, or choose another place with "
+        "--output\n",
+        error.what());
     return bad_input;
   }
   // What follows may have struck one rank alone, so that rank speaks and takes the others down.

@@ -32,16 +32,22 @@ int rank_in(MPI_Comm comm) {
 template <class Step>
 void together(std::string_view what, const std::filesystem::path& path, MPI_Comm comm, const Step& step) {
   std::string reason;
+  int refused = 0;
   try {
     step();
   } catch (const std::system_error& e) {
     reason = e.code().message();
+    refused = 1;
   } catch (const std::exception& e) {
     reason = e.what();
     if (reason.empty()) reason = "unknown error";
   }
   reason = algebra::first_words(std::move(reason), comm);
-  if (!reason.empty()) throw std::runtime_error(fmt::format("cannot {} \"{}\": {}", what, path.string(), reason));
+  if (reason.empty()) return;
+  MPI_Allreduce(MPI_IN_PLACE, &refused, 1, MPI_INT, MPI_MAX, comm);
+  const std::string message = fmt::format("cannot {} \"{}\": {}", what, path.string(), reason);
+  if (refused != 0) throw WriteError(message);
+  throw std::runtime_error(message);
 }
 
 [[noreturn]] void throw_errno() { throw std::system_error(errno, std::generic_category()); }

@@ -2,18 +2,23 @@
 // files that belong together only when all are complete. A killed run leaves at most a directory ".plastron-partial-*", never half a file, and
 // a disk that is full costs nothing of what was there before. The next run in the same place removes what a killed one has left.
 //
-// Everything here is collective and fails alike on all ranks: one std::runtime_error with the path and the reason of
-// the lowest rank that failed.
+// Everything here is collective and fails alike on all ranks: one exception with the path and the reason of the lowest rank that failed.
 #pragma once
 #include <mpi.h>
 
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace plastron::io {
+
+/// The system refused: the disk is full, a directory is read-only, a limit is reached. In words for the user.
+struct WriteError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// Makes the part of a file that this rank contributes.
 using Piece = std::function<std::string()>;
