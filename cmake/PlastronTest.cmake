@@ -1,9 +1,11 @@
 # plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification|slow RANKS 1 2 ... QUICK_RANKS 1|2
-#               SANITIZED_RANKS 1|2 SEPARATE files that are compiled by themselves)
+#               SANITIZED_RANKS 0|1|2 SEPARATE files that are compiled by themselves)
 #
 # A test of CTest: the tests of some files, of GoogleTest. With RANKS it runs under mpirun once for every count, and the count is in its name.
 # The runs on up to QUICK_RANKS ranks (2) of a quick test are quick, those on more are verification: on two cores they take many times as long.
+# Runs of a verification test on three ranks are slow.
 # With the sanitizers, which show what each process does with its memory, one rank is enough, but up to SANITIZED_RANKS for code that exchanges data.
+# 0 leaves a test out there: whole computations of which others see the same code, and which take a minute with the sanitizers.
 #
 # All quick tests of a folder FOLDER are one program, FOLDER_test, all others FOLDER_long_test (tests/test_main.cc has the choice of files): half of
 # the compiler's time for one file goes into what all files of a folder include, and a batch of files spares it.
@@ -80,6 +82,12 @@ function(plastron_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 600)
   endif()
+  if("${ARG_SANITIZED_RANKS}" STREQUAL "")
+    set(ARG_SANITIZED_RANKS 1)
+  endif()
+  if(PLASTRON_SANITIZE AND ARG_SANITIZED_RANKS EQUAL 0)
+    return()
+  endif()
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   if(ARG_LABEL STREQUAL quick)
     set(program ${folder}_test)
@@ -94,15 +102,14 @@ function(plastron_test name)
     add_test(NAME ${name} COMMAND ${program} --files=${files})
     set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
   endif()
-  if(NOT ARG_SANITIZED_RANKS)
-    set(ARG_SANITIZED_RANKS 1)
-  endif()
   foreach(ranks IN LISTS ARG_RANKS)
     if(PLASTRON_SANITIZE AND ranks GREATER ARG_SANITIZED_RANKS)
       continue()
     endif()
     set(label ${ARG_LABEL})
-    if(ranks GREATER ARG_QUICK_RANKS)
+    if(ranks GREATER 2 AND NOT label STREQUAL quick)
+      set(label slow)
+    elseif(ranks GREATER ARG_QUICK_RANKS)
       set(label verification)
     endif()
     add_test(NAME ${name}.ranks=${ranks} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}> --files=${files})
