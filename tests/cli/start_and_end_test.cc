@@ -315,7 +315,8 @@ TEST(Results, that_the_disk_refuses_are_a_message) {
   scratch.write("case.toml", strip(1));
   const Outcome outcome = shell("trap '' XFSZ; ulimit -f 300; $PLASTRON run case.toml -o out", scratch.path);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("cannot write"), HasSubstr("--output"), Not(HasSubstr("internal error"))));
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("cannot write"), HasSubstr("--output"), Not(HasSubstr("internal error"))));
   EXPECT_FALSE(fs::exists(scratch.path / "out/results.json"));
 }
 
