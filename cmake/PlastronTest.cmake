@@ -3,9 +3,9 @@
 #
 # A test of CTest: the tests of some files, of GoogleTest. With RANKS it runs under mpirun once for every count, and the count is in its name.
 # The runs on up to QUICK_RANKS ranks (2) of a quick test are quick, those on more are verification: on two cores they take many times as long.
-# Runs of a verification test on three ranks are slow.
+# The runs of a verification test on three ranks have the label slow.
 # With the sanitizers, which show what each process does with its memory, one rank is enough, but up to SANITIZED_RANKS for code that exchanges data.
-# 0 leaves a test out there: whole computations of which others see the same code, and which take a minute with the sanitizers.
+# With SANITIZED_RANKS 0 a test is not part of the sanitized build: it takes a minute there, and other tests run the same code.
 #
 # All quick tests of a folder FOLDER are one program, FOLDER_test, all others FOLDER_long_test (tests/test_main.cc has the choice of files): half of
 # the compiler's time for one file goes into what all files of a folder include, and a batch of files spares it.

@@ -13,9 +13,9 @@
 #include <sstream>
 #include <string>
 
-/// Open MPI and OpenBLAS call this again and again while they wait. On idle cores it returns at once, and a sum over ranks takes microseconds;
-/// a rank that sleeps takes a hundred to wake up. Where other processes keep the cores busy, each call gives a slice of time away: a rank
-/// that has seen that sleeps while it waits, for Linux wakes it before the others' slices are over.
+/// Open MPI and OpenBLAS call this function again and again while they wait. On idle cores the C library's version returns at once, and a sum
+/// over ranks takes a few microseconds; a rank that sleeps needs a hundred to wake up. On busy cores each call hands a whole time slice to
+/// another process. After such a call the rank sleeps while it waits, because Linux wakes a sleeping process before the other slices end.
 extern "C" int sched_yield() noexcept {
   using Clock = std::chrono::steady_clock;
   static thread_local Clock::time_point busy_until;

@@ -245,7 +245,7 @@ void print_summary(const computation::Result& result) {
   double largest = s.loads.force.norm();
   for (const auto& r : s.support_reactions) largest = std::max(largest, r.reaction.force.norm());
   for (const auto& corner : s.corner_reactions)
-    if (corner.reaction.force.norm() > 1e-6 * largest)  // others carry nothing but rounding
+    if (corner.reaction.force.norm() > 1e-6 * largest)  // smaller forces are rounding errors
       print("  at {:<12} {} N, of the corner of {}\n", fmt::format("({:g}, {:g})", corner.at[0], corner.at[1]),
             vector_text(corner.reaction.force), fmt::format("{}", fmt::join(corner.boundaries, ", ")));
   for (const auto& p : s.point_reactions)

@@ -253,6 +253,16 @@ TEST(Results, are_written_whoever_reads_what_is_printed) {
   }
 }
 
+TEST(Results, that_the_disk_refuses_are_a_message) {
+  const Scratch scratch;
+  scratch.write("case.toml", strip(1));
+  const Outcome outcome = shell("trap '' XFSZ; ulimit -f 300; $PLASTRON run case.toml -o out", scratch.path);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("cannot write"), HasSubstr("--output"), Not(HasSubstr("internal error"))));
+  EXPECT_FALSE(fs::exists(scratch.path / "out/results.json"));
+}
+
 TEST(Results, that_cannot_be_written_are_found_out_before_anything_is_solved) {
   const Scratch scratch;
   scratch.write("case.toml", strip(0));
@@ -309,16 +319,6 @@ TEST(Interruption, that_is_repeated_ends_the_program_at_once) {
 }
 
 // ---- memory ------------------------------------------------------------------------------------------------------------
-
-TEST(Results, that_the_disk_refuses_are_a_message) {
-  const Scratch scratch;
-  scratch.write("case.toml", strip(1));
-  const Outcome outcome = shell("trap '' XFSZ; ulimit -f 300; $PLASTRON run case.toml -o out", scratch.path);
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
-  EXPECT_THAT(outcome.output,
-              AllOf(HasSubstr("cannot write"), HasSubstr("--output"), Not(HasSubstr("internal error"))));
-  EXPECT_FALSE(fs::exists(scratch.path / "out/results.json"));
-}
 
 TEST(Memory, that_does_not_suffice_is_a_message) {
 #ifdef __SANITIZE_ADDRESS__

@@ -1,7 +1,5 @@
 // One small problem in other units: the numbers of its lengths and forces are multiplied, the shell stays the same.
 #pragma once
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "computation/problems.hpp"
 
@@ -27,13 +25,5 @@ inline Problem panel(const Units& units) {
   p.discretisation = {.degree = 2, .refinements = 1};
   return p;
 }
-
-/// Each alone and together. Lengths with forces that leave the modulus as it is are those of {s, s^2}.
-class EveryUnit : public testing::TestWithParam<Units> {};
-INSTANTIATE_TEST_SUITE_P(Of, EveryUnit,
-                         testing::Values(Units{1e-6, 1}, Units{1e6, 1}, Units{1, 1e-6}, Units{1, 1e6},
-                                         Units{1e-6, 1e-12}, Units{1e6, 1e12}, Units{1e-6, 1e6}, Units{1e6, 1e-6},
-                                         Units{1e-6, 1e-6}, Units{1e6, 1e6}),
-                         [](const auto& units) { return fmt::format("{}", units.index); });
 
 }  // namespace plastron::test

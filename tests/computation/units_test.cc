@@ -1,4 +1,5 @@
 // Metres or micrometres, newtons or meganewtons: the examination and the solution are the same.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
@@ -11,6 +12,14 @@ namespace plastron::computation {
 namespace {
 
 using namespace test;
+
+/// Each alone and together. Lengths with forces that leave the modulus as it is are those of {s, s^2}.
+class EveryUnit : public testing::TestWithParam<Units> {};
+INSTANTIATE_TEST_SUITE_P(Of, EveryUnit,
+                         testing::Values(Units{1e-6, 1}, Units{1e6, 1}, Units{1, 1e-6}, Units{1, 1e6},
+                                         Units{1e-6, 1e-12}, Units{1e6, 1e12}, Units{1e-6, 1e6}, Units{1e6, 1e-6},
+                                         Units{1e-6, 1e-6}, Units{1e6, 1e6}),
+                         [](const auto& units) { return fmt::format("{}", units.index); });
 
 TEST_P(EveryUnit, IsExaminedAlike) {
   const auto findings = examination::examine(panel(GetParam())), plain = examination::examine(panel({}));

@@ -1,4 +1,5 @@
 // Metres or micrometres, newtons or meganewtons: every study and the comparison find the same.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <plastron/study/kinds.hpp>
 

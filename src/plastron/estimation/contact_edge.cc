@@ -151,7 +151,7 @@ void ContactEdge::find_deepest() {
   if (space.shape() != fem::Shape::quadrilateral) return;
   const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
   for (int d = 0; d < 2; ++d) between_[static_cast<std::size_t>(d)] = between_nodes(space, d);
-  const Zones found_zones = zones();
+  const Zones zones_found = zones();
   algebra::Vector depths(space.layout, static_cast<int>(obstacles));
   for (std::size_t c = 0; c < crossed_.size(); ++c)
     for (std::size_t k = 0; k < obstacles; ++k) {
@@ -163,14 +163,14 @@ void ContactEdge::find_deepest() {
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
-          if (!touches(node, k) || found_zones.wide.local()[node * obstacles + k] > 0) continue;
+          if (!touches(node, k) || zones_found.wide.local()[node * obstacles + k] > 0) continue;
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
           const auto least = std::min_element(from, to, [](const auto& a, const auto& b) { return a.first < b.first; });
           if (!(least->first < 0)) continue;
           deepest_.push_back({c, k, node, d, least - found.begin(), least->first, 1,
-                              found_zones.with_area.local()[node * obstacles + k] == 0});
+                              zones_found.with_area.local()[node * obstacles + k] == 0});
           depths.local()[node * obstacles + k] -= least->first;
         }
     }

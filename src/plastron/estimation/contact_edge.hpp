@@ -56,7 +56,7 @@ class ContactEdge {
   };
   /// (collective)
   Zones zones() const;
-  /// Whether neighbouring nodes of a cell that touch are more than e/2 apart, across the zone.
+  /// Whether a row of touching nodes of the cell, taken across the zone, is longer than e/2.
   bool is_wider_than_a_line(std::size_t cell, std::size_t obstacle) const;
   void find_deepest();
   /// Gaps of the shell at points of a cell, and where they are.

@@ -26,7 +26,7 @@ inline constexpr std::size_t most_triangles = 2'000'000;
 TriangleMesh read_triangle_mesh(const std::string& path);
 
 /// Points at open sides that are this near to each other are one, as a part of the diagonal of the box around all
-/// points: six digits of a coordinate leave that open. Where sides are short the distance is less (triangle_sides.hpp).
+/// points: coordinates of six digits are not more certain. Short sides make the distance smaller (triangle_sides.hpp).
 inline constexpr double joining_tolerance = 1e-6;
 
 /// Joins such points, drops triangles that have lost a side by that, and notes both in the mesh. A closed surface stays
