@@ -186,6 +186,10 @@ def make_obstacle(rng, name, shell, point, inside, thickness):
         h = rng.uniform(0.1, 0.4)
         body = {"cone": {"apex": back(0), "axis": out, "half_angle": rng.uniform(0.5, 1.4), "height": h, "fillet": h * rng.choice([0.05, 0.2])}}
     obstacle = {"name": name, "body": body, "out": out, "at": [x, y], "shape": shape, "gap": gap / thickness}
+    half = {"ball": "radius", "cylinder": "radius", "torus": "tube_radius"}.get(next(iter(body)))
+    half = body[next(iter(body))][half] if half else size[2] / 2 if "box" in body else math.inf
+    if thickness / 2 + gap + half < 0:  # its middle is beyond the middle surface: the other face is the nearer one
+        obstacle["out"] = [-v for v in out]
     if moves:
         obstacle["way"] = [-(gap + depth) * v for v in out]
     return obstacle
