@@ -17,7 +17,7 @@ void print_findings(const std::vector<examination::Finding>& findings, const std
                            : f.severity == Severity::warning ? "warning"
                                                              : "note";
     if (is_logging_events())
-      log_event("finding", {{"severity", severity}, {"text", f.text}});
+      log_event("finding", {{"severity", severity}, {"text", with_unit_names(f.text)}});
     else if (f.severity != Severity::note)
       print_error("{}: {}: {}\n", case_file, severity, f.text);
     if (f.severity == Severity::note && with_notes) print("  {}\n", f.text);
@@ -26,13 +26,13 @@ void print_findings(const std::vector<examination::Finding>& findings, const std
 
 void print_warning(const std::string& case_file, std::string_view text) {
   if (is_logging_events())
-    log_event("warning", {{"text", text}});
+    log_event("warning", {{"text", with_unit_names(text)}});
   else
     print_error("{}: warning: {}\n", case_file, text);
 }
 
 void log_status(contact::Status status, std::string_view text) {
-  log_event("status", {{"status", contact::to_string(status)}, {"text", text}});
+  log_event("status", {{"status", contact::to_string(status)}, {"text", with_unit_names(text)}});
 }
 
 void log_level(int level, const computation::Level& record) {

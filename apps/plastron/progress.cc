@@ -38,7 +38,7 @@ std::size_t width_of(const std::string& name) { return std::max<std::size_t>(9, 
 void Progress::print_header(const computation::Problem& problem) const {
   if (!is_by_accuracy_) {
     print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16} {:>9}\n", "level", "cells", "unknowns", "contact", "steps",
-          "min gap [m]", "energy [J]", "time [s]");
+          with_unit_names("min gap [m]"), with_unit_names("energy [J]"), "time [s]");
     return;
   }
   print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>9}  estimated errors, relative\n", "mesh", "cells", "unknowns", "contact",
@@ -127,9 +127,10 @@ void Progress::instant(const computation::HistoryEntry& entry) {
       std::span(entry.summary.obstacles).first(std::min(entry.summary.obstacles.size(), most_obstacles));
   if (!has_instants_) {
     print("\n{:>9} {:<20} {:>7} {:>8} {:>6} {:>16} {:>16} {:>8}", "time", "step", "loads", "contact", "steps",
-          "max |u| [m]", "energy [J]", "left out");
+          with_unit_names("max |u| [m]"), with_unit_names("energy [J]"), "left out");
     for (const auto& obstacle : obstacles)
-      print(" {:>18}", (obstacles.size() == 1 ? "obstacle" : geometry::shortened(obstacle.name, 14)) + " [N]");
+      print(" {:>18}",
+            (obstacles.size() == 1 ? "obstacle" : geometry::shortened(obstacle.name, 14)) + with_unit_names(" [N]"));
     print("{}\n", entry.summary.obstacles.size() > most_obstacles ? "  and others in history.csv" : "");
   }
   has_instants_ = true;

@@ -22,6 +22,7 @@ config::Case read_together(const std::function<config::Case()>& read) {
       throw RefusedCase(errors.format());
     }
   });
+  set_unit_names(c.problem.output.units);
   c.problem.domain = fem::with_shared_mesh(std::move(c.problem.domain), c.problem.discretisation.cells, MPI_COMM_WORLD);
   return c;
 }

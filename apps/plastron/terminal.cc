@@ -18,6 +18,7 @@ namespace plastron::app {
 namespace {
 
 std::optional<int> known_rank;
+computation::UnitNames unit_names;
 
 /// The rank that the launcher of a parallel job gave this process; 0 if there is none.
 int rank_in_environment() {
@@ -63,6 +64,9 @@ bool is_first_rank() {
 
 void set_rank(int rank) { known_rank = rank; }
 
+void set_unit_names(computation::UnitNames units) { unit_names = std::move(units); }
+std::string with_unit_names(std::string_view text) { return unit_names.renamed(text); }
+
 void secure_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
@@ -92,7 +96,9 @@ void print_raw(std::FILE* stream, std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stream);  // nobody may be reading
 }
 
-void print_text(std::FILE* stream, std::string_view text) {
+void print_text(std::FILE* stream, std::string_view given) {
+  const std::string named = with_unit_names(given);
+  std::string_view text = named;
   if (stream == stderr && is_logging_events()) {
     text = text.substr(0, text.find_last_not_of('\n') + 1);
     if (!text.empty()) log_error(text);

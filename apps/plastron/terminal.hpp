@@ -1,6 +1,7 @@
 // Where the program prints: one process only, results on standard output, errors on standard error. What comes from files
 // and arguments is made printable here, and a print that fails (a closed pipe, a full disk) never ends a computation.
 #pragma once
+#include <plastron/computation/unit_names.hpp>
 #include <plastron/config/printable.hpp>
 
 #include <fmt/format.h>
@@ -19,6 +20,10 @@ void set_rank(int rank);
 /// Gives standard input, output and error a place if they are closed (no file of ours may take their number), and lets
 /// writing to a closed pipe fail instead of ending the program. To be called first.
 void secure_standard_streams();
+
+/// The names that the case has for its units: what is printed from here on calls them so.
+void set_unit_names(computation::UnitNames units);
+std::string with_unit_names(std::string_view text);
 
 /// Prints a text of our own as it is.
 void print_raw(std::FILE* stream, std::string_view text);

@@ -51,6 +51,28 @@ TEST(LineTable, has_a_row_a_point_with_every_field) {
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
+TEST(LineTable, is_plotted_in_the_report_and_has_the_names_of_units_of_the_case) {
+  const ScratchDirectory scratch("units");
+  const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), MPI_COMM_WORLD);
+  Output output(scratch.path, "solution", MPI_COMM_WORLD, true, {.units = {"mm", "N"}});
+  output.finish(result, {}, {{"across", {{0.25, 0.5}, {0.5, 0.5}, {1, 0.5}}}});
+  const std::string table = text_of(scratch.path / "line-across.csv"), page = text_of(scratch.path / "report.html"),
+                    fields = text_of(scratch.path / "solution.vtu");
+  EXPECT_TRUE(table.starts_with("s [mm],")) << table.substr(0, 80);
+  EXPECT_NE(table.find("stress_11_upper [MPa]"), std::string::npos);
+  EXPECT_NE(page.find("Profiles along lines"), std::string::npos);
+  EXPECT_NE(page.find("bending moments along across: "), std::string::npos);
+  EXPECT_NE(page.find("<th>area [mm^2]</th>"), std::string::npos);
+  EXPECT_EQ(page.find("[m]"), std::string::npos);
+  EXPECT_NE(fields.find("units=\"MPa\""), std::string::npos);
+  EXPECT_EQ(fields.find("units=\"Pa\""), std::string::npos);
+  const Json json = Json::parse(text_of(scratch.path / "results.json"));
+  EXPECT_EQ(json["units"]["stress/max_von_mises"], "MPa");
+  EXPECT_EQ(json["certificate_limits"]["min_gap_nodes"]["unit"], "mm");
+  EXPECT_EQ(json["unit_names"], (Json{{"length", "mm"}, {"force", "N"}}));
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
 TEST(LineTable, of_points_outside_of_the_domain_is_refused_by_name) {
   const computation::Result result = computation::solve(pressed_plate({.refinements = 1}), MPI_COMM_WORLD);
   EXPECT_THROW(computation::values_at(*result.solution, {{0.5, 0.5}, {3, 0}}, "the line \"across\""), fem::DomainError);

@@ -144,8 +144,8 @@ TEST(Report, merges_cells_to_blocks_where_there_are_too_many_points) {
   for (const fem::Shape shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
     const computation::Result result = solved({.degree = 2, .refinements = 2, .shape = shape});
     const std::int64_t cells = result.levels.back().cells, corners = fem::corner_count(shape);
-    const Json scene = scene_json(*result.solution, result.summary, cells * corners / 4);
-    const Json all = scene_json(*result.solution, result.summary, cells * corners);
+    const Json scene = scene_json(*result.solution, result.summary, {}, cells * corners / 4);
+    const Json all = scene_json(*result.solution, result.summary, {}, cells * corners);
     if (world_rank() != 0) continue;
     EXPECT_EQ(scene["merged"], Json(2));
     EXPECT_EQ(scene["points"], Json(cells * corners / 4));

@@ -21,7 +21,7 @@ function theme(node) {
     const hex = style.getPropertyValue(name).trim();
     return [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16) / 255);
   };
-  return { background: colour('--stage'), line: colour('--line3d'), obstacle: colour('--obstacle'), contact: colour('--contact') };
+  return { background: colour('--stage'), line: colour('--line3d'), obstacle: colour('--obstacle'), contact: colour('--contact'), support: colour('--support') };
 }
 
 /** A click that does not turn the view. */
@@ -93,6 +93,7 @@ function start(place, scene) {
   const layers = [['mesh', 'edges', true], ['undeformed', 'ghost', false]];
   if (scene.obstacles.length > 0) layers.push(['obstacles', 'obstacles', true, '--obstacle']);
   if (scene.lines.length > 0) layers.push(['contact boundary', 'contact', true, '--contact']);
+  if (scene.supports.length > 0) layers.push(['supports', 'supports', true, '--support']);
   for (const [label, name, isVisible, sample] of layers) {
     actions.append(checkbox(label, isVisible, (is) => view.show(name, is), sample));
     view.show(name, isVisible);

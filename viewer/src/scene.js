@@ -21,7 +21,9 @@ function interleaved(rows) {
   return all;
 }
 
-/** Returns {shape, subdivisions, cells, points, merged, fields, position, u, r, normal, obstacles, lines}. */
+const polyline = (line) => ({ ...line, points: floats(line.points), displacements: floats(line.displacements) });
+
+/** Returns {shape, subdivisions, cells, points, merged, fields, position, u, r, normal, obstacles, lines, supports}. */
 export function readScene(json) {
   const fields = json.fields.map((field) => ({
     ...field,
@@ -42,6 +44,7 @@ export function readScene(json) {
       points: floats(o.points),
       triangles: new Uint32Array(bytesOf(o.triangles)),
     })),
-    lines: json.lines.map((l) => ({ ...l, points: floats(l.points), displacements: floats(l.displacements) })),
+    lines: json.lines.map(polyline),
+    supports: json.supports.map(polyline),
   };
 }

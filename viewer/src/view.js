@@ -1,4 +1,4 @@
-// The picture: vtk.js actors of shell, mesh, undeformed mesh, obstacles and contact boundaries, and the camera. Knows no buttons.
+// The picture: vtk.js actors of shell, mesh, undeformed mesh, obstacles, supports and contact boundaries, and the camera. Knows no buttons.
 import '@kitware/vtk.js/Rendering/OpenGL/Actor';
 import '@kitware/vtk.js/Rendering/OpenGL/Camera';
 import '@kitware/vtk.js/Rendering/OpenGL/PolyDataMapper';
@@ -107,18 +107,20 @@ export class View {
     this.shell = layer(renderer, this.points, { polys: cells.polys }, { ambient: 0.5, diffuse: 0.5, specular: 0.08, specularPower: 20 });
     this.edges = layer(renderer, this.points, { lines: cells.lines }, { ...flat, color: [1, 1, 1], opacity: 0.3 });
     this.contact = layer(renderer, new Float32Array(0), { polys: new Uint32Array(0) }, { ...flat });
+    this.supports = layer(renderer, new Float32Array(0), { polys: new Uint32Array(0) }, { ...flat });
     this.mark = sphere(renderer, [1, 1, 1]);
     this.mark.actor.setVisibility(false);
     this.shell.mapper.setColorModeToDirectScalars();
     this.shell.mapper.setScalarVisibility(true);
   }
 
-  /** Colours of the page: {background, line, obstacle, contact}, each [r, g, b] from 0 to 1. */
+  /** Colours of the page: {background, line, obstacle, contact, support}, each [r, g, b] from 0 to 1. */
   setTheme(theme) {
     this.renderer.setBackground(...theme.background);
     this.obstacles.forEach((o) => o.actor.getProperty().setColor(...theme.obstacle));
     this.ghost.actor.getProperty().setColor(...theme.line);
     this.contact.actor.getProperty().setColor(...theme.contact);
+    this.supports.actor.getProperty().setColor(...theme.support);
     this.mark.actor.getProperty().setColor(...theme.line);
     this.render();
   }
@@ -137,15 +139,20 @@ export class View {
     this.shell.data.getPointData().setNormals(vtkDataArray.newInstance({ numberOfComponents: 3, values: this.normals }));
     this.shell.move(this.points);
     this.edges.move(this.points);
-    const polylines = this.lines.map((l) => moved(l.points, scale, l.displacements, new Float32Array(l.points.length)));
-    const { points, polys } = tubes(polylines, 0.0022 * this.size);
-    this.contact.data.getPolys().setData(polys);
-    this.contact.move(points);
+    this.drawLines(this.contact, this.lines);
+    this.drawLines(this.supports, scene.supports);
     if (this.marked !== undefined) this.placeMark();
     this.render();
   }
 
-  /** 'edges', 'ghost', 'obstacles' or 'contact'. */
+  drawLines(target, lines) {
+    const polylines = lines.map((l) => moved(l.points, this.scale, l.displacements, new Float32Array(l.points.length)));
+    const { points, polys } = tubes(polylines, 0.0022 * this.size);
+    target.data.getPolys().setData(polys);
+    target.move(points);
+  }
+
+  /** 'edges', 'ghost', 'obstacles', 'contact' or 'supports'. */
   show(name, isVisible) {
     for (const { actor } of [this[name]].flat()) actor.setVisibility(isVisible);
     this.render();

@@ -253,10 +253,18 @@ std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem:
 
 PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const PieceRule& of_cell,
                         const Positions& positions) {
-  constexpr std::size_t most_parts = 2000;
+  constexpr std::size_t most_parts = 30'000;
   constexpr int most_divisions = 30;
+  constexpr double small = 1.0 / 64;  // shape functions are linear over such a part, nearly: one point is enough
   PieceRule rule;
+  const double area = shape == fem::Shape::triangle ? 0.5 : 1;
+  const Vector2d centre = shape == fem::Shape::triangle ? Vector2d(1.0 / 3, 1.0 / 3) : Vector2d(0.5, 0.5);
   const auto add = [&](const element::CellPart& part) {
+    if (std::abs(part.size) < small) {
+      rule.xi.push_back(part.corner + part.size * centre);
+      rule.weights.push_back(part.size * part.size * area);
+      return;
+    }
     for (std::size_t q = 0; q < of_cell.xi.size(); ++q) {
       rule.xi.push_back(part.corner + part.size * of_cell.xi[q]);
       rule.weights.push_back(part.size * part.size * of_cell.weights[q]);

@@ -3,6 +3,7 @@
 #include <plastron/assembly/cross_sections.hpp>
 #include <plastron/assembly/loads.hpp>
 #include <plastron/assembly/supports.hpp>
+#include <plastron/computation/unit_names.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/element/formulation.hpp>
 #include <plastron/fem/domain.hpp>
@@ -82,6 +83,7 @@ struct Output {
   std::vector<double> heights{};  ///< z / e, at which fields have stresses besides faces and middle
   bool double_precision = false;  ///< of the numbers in .vtu files
   int solid_layers = 0;           ///< of cells through the thickness in solid.vtu; 0: no such file
+  UnitNames units{};              ///< as texts and files call them
 };
 
 struct Problem {

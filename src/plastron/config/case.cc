@@ -73,6 +73,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_accuracy(root, result.problem);
   read_contact(root, result.problem);
   read_solver(root, result.problem);
+  read_units(root, result.problem.output.units);
   result.wants_report = read_output(root, result.problem);
   if (reading.more_mistakes)
     reading.mistakes.push_back(

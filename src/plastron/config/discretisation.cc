@@ -89,6 +89,26 @@ bool read_output(Table& root, computation::Problem& problem) {
   return wants_report;
 }
 
+void read_units(Table& root, computation::UnitNames& units) {
+  auto table = root.table("units");
+  if (!table) return;
+  const auto name = [&](const char* key, std::string& unit, std::initializer_list<std::string_view> taken) {
+    const std::string given = table->text(key).value_or(unit);
+    const bool is_word = !given.empty() && given.size() <= 8 && std::ranges::all_of(given, [](char c) {
+      return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+    });
+    if (is_word && std::ranges::find(taken, given) == taken.end())
+      unit = given;
+    else
+      table->report(key, fmt::format("\"{}\" is no name of a unit of {}", given, key),
+                    "one to eight letters, and not the name of another unit",
+                    std::string("write what the unit is called, such as ") + (unit == "m" ? "\"mm\"" : "\"kN\""));
+  };
+  name("length", units.length, {"N", "J", "Pa", "rad"});
+  name("force", units.force, {"m", "J", "Pa", "rad"});
+  root.effective["units"] = table->effective;
+}
+
 void read_contact(Table& root, computation::Problem& problem) {
   auto contact = root.table("contact");
   if (!contact) return;

@@ -50,4 +50,16 @@ Section output_section() {
                        "it, too"}}};
 }
 
+Section units_section() {
+  return {"units",
+          "[units]",
+          "What the units are called that the case is written in. Numbers do not change: any units will do that fit "
+          "together, and without this section texts and files say m, N, J and Pa.",
+          {{.name = "length", .kind = Kind::name, .fallback = "\"m\"", .meaning = "the unit of length, such as mm"},
+           {.name = "force",
+            .kind = Kind::name,
+            .fallback = "\"N\"",
+            .meaning = "the unit of force, such as kN; E is then in force / length^2: MPa for N and mm"}}};
+}
+
 }  // namespace plastron::config

@@ -40,6 +40,7 @@ Section file_section() {
        {.name = "probe", .kind = Kind::tables, .fallback = "[]", .meaning = "points where results are wanted"},
        {.name = "line", .kind = Kind::tables, .fallback = "[]", .meaning = "lines along which results are tabulated"},
        {.name = "output", .kind = Kind::table, .fallback = "{}", .meaning = "how results are given"},
+       {.name = "units", .kind = Kind::table, .fallback = "{}", .meaning = "what the units are called"},
        {.name = "contact", .kind = Kind::table, .fallback = "{}", .meaning = "the contact solver"},
        {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"}}};
 }
@@ -311,7 +312,8 @@ std::vector<Section> all_sections() {
   append({accuracy_section(), mesh_section(), join_section(), rigid_body_section(), support_section(), load_section()});
   append(obstacle_sections());
   append(step_sections());
-  append({probe_section(), line_section(), arc_section(), output_section(), contact_section(), solver_section()});
+  append({probe_section(), line_section(), arc_section(), output_section(), units_section(), contact_section(),
+          solver_section()});
   return all;
 }
 

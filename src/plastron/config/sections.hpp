@@ -25,6 +25,7 @@ void read_mesh(Table& root, computation::Problem& problem);
 void read_accuracy(Table& root, computation::Problem& problem);
 void read_contact(Table& root, computation::Problem& problem);
 void read_solver(Table& root, computation::Problem& problem);
+void read_units(Table& root, computation::UnitNames& units);
 /// Whether a report is wanted.
 bool read_output(Table& root, computation::Problem& problem);
 void read_joins(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);

@@ -67,7 +67,7 @@ Columns columns_of(const std::string& name, std::string_view csv) {
   std::vector<std::string_view> rows = split(csv, '\n');
   if (rows.back().empty()) rows.pop_back();
   Columns columns;
-  if (rows.empty() || !rows.front().starts_with("s [m],")) refuse(name, 1, "the first column is not \"s [m]\"");
+  if (rows.empty() || !rows.front().starts_with("s [")) refuse(name, 1, "the first column is not \"s\", a length");
   for (const std::string_view head : split(rows.front(), ',')) {
     const std::size_t bracket = head.find(" [");
     columns.names.push_back(head.substr(0, bracket));
@@ -95,7 +95,9 @@ std::vector<NamedPlot> line_plots(const std::string& name, std::string_view csv)
   const std::vector<double>& length = columns.values.front();
   std::vector<NamedPlot> plots;
   for (const Profile& profile : profiles) {
-    study::Plot plot{.title = fmt::format("{} along {}", profile.label, name), .x = {"length [m]"}, .y = {}};
+    study::Plot plot{.title = fmt::format("{} along {}", profile.label, name),
+                     .x = {fmt::format("length{}", columns.units.front())},
+                     .y = {}};
     for (const std::string_view column : profile.columns) {
       const std::vector<double>* values = column.empty() ? nullptr : columns.find(column);
       if (values == nullptr || !has_numbers(*values)) continue;

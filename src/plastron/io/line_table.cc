@@ -11,14 +11,15 @@ namespace plastron::io {
 
 namespace {
 
-std::string line_header(const std::vector<Field>& present) {
-  std::string header = "s [m]";
+std::string line_header(const std::vector<Field>& present, const computation::UnitNames& units) {
+  std::string header = fmt::format("s [{}]", units.length);
   for (const Field& field : present)
     for (int c = 0; c < field.components; ++c) {
       const std::string name = field.is_vector() ? fmt::format("{} {}", field.arrays[0], "XYZ"[c])
                                                  : std::string(field.arrays[static_cast<std::size_t>(c)]);
-      header +=
-          field.unit == "1" || field.unit == "the chart's" ? "," + name : fmt::format(",{} [{}]", name, field.unit);
+      header += field.unit == "1" || field.unit == "the chart's"
+                    ? "," + name
+                    : fmt::format(",{} [{}]", name, units.label(field.unit));
     }
   return header + "\n";
 }
@@ -28,9 +29,9 @@ std::string number_text(double value) { return std::isfinite(value) ? fmt::forma
 }  // namespace
 
 std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
-                     std::span<const double> heights) {
-  const std::vector<Field> present = fields_of(has_obstacle, has_multiplier, heights);
-  std::string text = line_header(present);
+                     const computation::Output& given) {
+  const std::vector<Field> present = fields_of(has_obstacle, has_multiplier, given.heights);
+  std::string text = line_header(present, given.units);
   double length = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i > 0) length += (points[i].phi - points[i - 1].phi).norm();
@@ -44,21 +45,18 @@ std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_
   return text;
 }
 
-std::vector<std::string> add_lines(const computation::Solution& solution, const std::vector<computation::Line>& lines,
-                                   std::span<const double> heights, const std::filesystem::path& directory,
-                                   AtomicFiles& files) {
+std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<computation::Line>& lines,
+                                   const computation::Output& given) {
   int rank = 0;
-  MPI_Comm_rank(files.comm(), &rank);
+  MPI_Comm_rank(solution.discrete->space().layout->comm, &rank);
   const bool has_obstacle = !solution.discrete->obstacles.empty();
   const bool has_multiplier = solution.discrete->tangency.formulation == element::Formulation::mixed;
-  std::vector<std::string> names;
+  std::vector<LineTable> tables;
   for (const computation::Line& line : lines) {
     const auto points = computation::values_at(solution, line.points, fmt::format("the line \"{}\"", line.name));
-    names.push_back(fmt::format("line-{}.csv", line.name));
-    files.add(directory / names.back(),
-              [&] { return rank == 0 ? line_csv(points, has_obstacle, has_multiplier, heights) : std::string(); });
+    tables.push_back({line.name, rank == 0 ? line_csv(points, has_obstacle, has_multiplier, given) : std::string()});
   }
-  return names;
+  return tables;
 }
 
 }  // namespace plastron::io

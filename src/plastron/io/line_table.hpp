@@ -2,23 +2,23 @@
 #pragma once
 #include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
-#include <plastron/io/atomic_file.hpp>
 
-#include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace plastron::io {
 
 /// A header with names and units, then a row a point: the length along the undeformed mid-surface from the first point, by chords, and
-/// every field, `heights` as of fields_of(). What is not defined is empty.
+/// every field, with the heights and names of units of `given`. What is not defined is empty.
 std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
-                     std::span<const double> heights = {});
+                     const computation::Output& given = {});
 
-/// Adds a file for every line and returns their names (collective).
-std::vector<std::string> add_lines(const computation::Solution& solution, const std::vector<computation::Line>& lines,
-                                   std::span<const double> heights, const std::filesystem::path& directory,
-                                   AtomicFiles& files);
+struct LineTable {
+  std::string name;  ///< of the line
+  std::string csv;   ///< of line_csv(), on the first rank
+};
+/// The tables of all lines (collective).
+std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<computation::Line>& lines,
+                                   const computation::Output& given);
 
 }  // namespace plastron::io

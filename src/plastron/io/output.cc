@@ -91,12 +91,14 @@ void Output::add_fields(const computation::Solution& solution, double time, cons
     if (is_in_series) series_.push_back({time, name, part});
   };
   const std::string shell = base_name_ + suffix + ".vtu", obstacles = "obstacles" + suffix + ".vtu";
-  add_vtu(solution, directory_ / shell, files_, {.heights = given_.heights, .is_double = given_.double_precision});
+  add_vtu(solution, directory_ / shell, files_,
+          {.heights = given_.heights, .is_double = given_.double_precision, .units = given_.units});
   keep(shell, 0);
   if (add_obstacle_surfaces(solution, directory_ / obstacles, files_)) keep(obstacles, 1);
   if (given_.solid_layers == 0) return;
   names_.push_back("solid" + suffix + ".vtu");
-  add_solid(solution, given_.solid_layers, directory_ / names_.back(), files_, given_.double_precision);
+  add_solid(solution, given_.solid_layers, directory_ / names_.back(), files_,
+            {.is_double = given_.double_precision, .units = given_.units});
 }
 
 /// Written by the first rank alone.
@@ -109,7 +111,7 @@ void Output::add_text(const std::string& name, const Piece& text) {
 
 void Output::add_history(const computation::Result& result) {
   add_text("history.csv", [&] { return history_csv(result); });
-  add_text("history.svg", [&] { return svg_text(history_plot(history_json(result))); });
+  add_text("history.svg", [&] { return svg_text(renamed(history_plot(history_json(result)), given_.units)); });
 }
 
 /// In the format of sha256sum; made by the first rank alone.
@@ -134,10 +136,12 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
     names_.push_back(provenance.solution);
     add_solution(*result.solution, directory_ / provenance.solution, files_);
   }
+  std::vector<LineTable> tables;
+  if (is_drawn) tables = line_tables(*result.solution, lines, given_);
+  for (const LineTable& table : tables) add_text(fmt::format("line-{}.csv", table.name), [&] { return table.csv; });
   const auto keep_all = [this](const std::vector<std::string>& more) {
     names_.insert(names_.end(), more.begin(), more.end());
   };
-  if (is_drawn) keep_all(add_lines(*result.solution, lines, given_.heights, directory_, files_));
   if (!series_.empty()) {
     names_.push_back(base_name_ + ".pvd");
     add_pvd(series_, directory_ / names_.back(), files_);
@@ -153,8 +157,9 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
   if (with_report_) names_.emplace_back(report_name);
   names_.emplace_back(checksums_name);
   provenance.heights = given_.heights;
+  provenance.units = given_.units;
   provenance.files = names_;
-  if (with_report_) add_report(result, provenance, is_drawn, directory_, files_);
+  if (with_report_) add_report(result, provenance, is_drawn, tables, directory_, files_);
   add_results(result, provenance, directory_, files_);
   add_checksums();
   files_.commit(results_name);

@@ -2,6 +2,7 @@
 
 #include <plastron/io/base64.hpp>
 #include <plastron/io/embedded_page.hpp>
+#include <plastron/io/line_plots.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/report_case.hpp>
 #include <plastron/io/report_html.hpp>
@@ -39,23 +40,31 @@ std::string view_html(const Json& results, const Json& scene, bool has_script) {
 }
 
 /// Pictures keep their style and names for themselves.
-std::string plots_html(const Json& results) {
+std::string plots_html(const std::vector<NamedPlot>& plots) {
   std::string html;
-  for (const auto& [name, plot] : result_plots(results))
+  for (const auto& [name, plot] : plots)
     html += fmt::format("<img class=\"plot\" alt=\"{}: {} over {}\" src=\"data:image/svg+xml;base64,{}\">\n",
                         html_text(valid_utf8(plot.title)), html_text(valid_utf8(plot.y.label)),
                         html_text(valid_utf8(plot.x.label)), base64(valid_utf8(svg_text(plot, PlotLayout::narrow))));
   return html.empty() ? "" : "<div class=\"plots\">\n" + html + "</div>\n";
 }
 
-std::string content_html(const Json& results, const Json& scene, bool has_script) {
+std::string profiles_html(const std::vector<LineTable>& lines) {
+  std::string html;
+  for (const LineTable& line : lines) html += plots_html(line_plots(line.name, line.csv));
+  return html;
+}
+
+std::string content_html(const Json& results, const Json& scene, const std::vector<LineTable>& lines, bool has_script) {
   return verdict_html(results) + html_section("warnings", "Warnings", warnings_html(results)) +
          key_numbers_html(results) + html_section("estimates", "Estimated errors", estimates_html(results)) +
          html_section("shell", "Deformed shell", view_html(results, scene, has_script)) +
          html_section("case", "The case", case_html(at_path(results, "settings"))) +
          html_section("balance", "Forces and moments", balance_html(results)) +
          html_section("contact", "Contact zones", contact_html(results)) +
-         html_section("probes", "Probes", probes_html(results)) + html_section("plots", "Plots", plots_html(results)) +
+         html_section("probes", "Probes", probes_html(results)) +
+         html_section("lines", "Profiles along lines", profiles_html(lines)) +
+         html_section("plots", "Plots", plots_html(result_plots(results))) +
          html_section("certificate", "Certificate", certificate_html(results)) +
          html_section("levels", "Meshes", levels_html(results)) +
          html_section("history", "Steps", history_html(results)) + html_section("files", "Files", files_html(results));
@@ -63,30 +72,31 @@ std::string content_html(const Json& results, const Json& scene, bool has_script
 
 }  // namespace
 
-std::string report_html(const Json& results, const Json& scene) {
+std::string report_html(const Json& results, const Json& scene, const std::vector<LineTable>& lines) {
   const EmbeddedPage parts = embedded_page();
   const std::string given = plain_words(at_path(results, "title"));
   const std::string title = html_text(given.empty() ? "A shell computed by Plastron" : given);
-  return filled(parts.page, {{"title", title},
-                             {"style", std::string(parts.style)},
-                             {"version", html_text(plain_words(at_path(results, "versions/plastron")))},
-                             {"content", content_html(results, scene, !parts.script.empty())},
-                             {"results", script_json(results)},
-                             {"scene", script_json(parts.script.empty() ? Json(nullptr) : scene)},
-                             {"script_source", std::string(parts.script_source)},
-                             {"script", std::string(parts.script)}});
+  return filled(parts.page,
+                {{"title", title},
+                 {"style", std::string(parts.style)},
+                 {"version", html_text(plain_words(at_path(results, "versions/plastron")))},
+                 {"content", unit_names(results).renamed(content_html(results, scene, lines, !parts.script.empty()))},
+                 {"results", script_json(results)},
+                 {"scene", script_json(parts.script.empty() ? Json(nullptr) : scene)},
+                 {"script_source", std::string(parts.script_source)},
+                 {"script", std::string(parts.script)}});
 }
 
 void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,
-                const std::filesystem::path& directory, AtomicFiles& files) {
+                const std::vector<LineTable>& lines, const std::filesystem::path& directory, AtomicFiles& files) {
   int rank = 0;
   MPI_Comm_rank(files.comm(), &rank);
   const bool has_view = is_drawn && !embedded_page().script.empty();
-  const Json scene = has_view ? scene_json(*result.solution, result.summary) : Json(nullptr);
+  const Json scene = has_view ? scene_json(*result.solution, result.summary, provenance.units) : Json(nullptr);
   files.add(directory / report_name, [&]() -> std::string {
     if (rank != 0) return "";
     const std::string text = results_json(result, provenance).dump(-1, ' ', false, Json::error_handler_t::replace);
-    return report_html(Json::parse(text), scene);
+    return report_html(Json::parse(text), scene, lines);
   });
 }
 

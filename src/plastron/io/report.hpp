@@ -1,17 +1,18 @@
 // report.html: a computation as one page that opens in any browser without a network: the case, the verdict, numbers, plots, and the
 // deformed shell to turn round (viewer/).
 #pragma once
+#include <plastron/io/line_table.hpp>
 #include <plastron/io/results.hpp>
 
 namespace plastron::io {
 
 inline constexpr std::string_view report_name = "report.html";
 
-/// The whole page, on the first rank; `scene` as of scene_json(), null where there is nothing to draw. Texts may hold anything.
-std::string report_html(const Json& results, const Json& scene);
+/// The whole page, on the first rank; `scene` as of scene_json(), null where there is nothing to draw, `lines` the profiles to plot. Texts may hold anything.
+std::string report_html(const Json& results, const Json& scene, const std::vector<LineTable>& lines = {});
 
 /// Adds directory/report.html; `is_drawn`: the solution is there and finite (collective). Throws std::runtime_error.
 void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,
-                const std::filesystem::path& directory, AtomicFiles& files);
+                const std::vector<LineTable>& lines, const std::filesystem::path& directory, AtomicFiles& files);
 
 }  // namespace plastron::io

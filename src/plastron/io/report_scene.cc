@@ -1,6 +1,7 @@
 #include <plastron/io/report_scene.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/fem/reference_cell.hpp>
 #include <plastron/io/base64.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/report_surface.hpp>
@@ -26,7 +27,7 @@ Json row_json(const std::vector<float>& row) {
   return is_constant ? number(row.front()) : Json(array_text(row));
 }
 
-Json fields_json(const SampledSurface& surface) {
+Json fields_json(const SampledSurface& surface, const computation::UnitNames& units) {
   Json list = Json::array();
   std::size_t row = 0;
   for (const Field& field : surface.fields) {
@@ -35,7 +36,7 @@ Json fields_json(const SampledSurface& surface) {
     list.push_back({{"key", field.key},
                     {"arrays", field.arrays},
                     {"symbol", field.symbol},
-                    {"unit", field.unit},
+                    {"unit", units.label(field.unit)},
                     {"meaning", field.meaning},
                     {"values", std::move(values)}});
   }
@@ -84,13 +85,56 @@ Json lines_json(const certificate::Summary& summary) {
   return list;
 }
 
+/// Sides of cells on boundaries that have supports: a polyline of nodes each, with what the boundary is called (collective).
+Json supports_json(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+  const fem::Space& space = discrete.space();
+  const auto& names = space.coarse->boundaries;
+  const auto is_supported = [&](int boundary) {
+    return boundary >= 0 && std::ranges::find(discrete.supports, names[static_cast<std::size_t>(boundary)],
+                                              &assembly::Support::boundary) != discrete.supports.end();
+  };
+  const std::size_t nodes = static_cast<std::size_t>(space.degree) + 1, size = 1 + 6 * nodes;
+  std::vector<double> mine;
+  for (const fem::BoundarySide& side : space.sides) {
+    if (side.cell >= space.owned_cells || !is_supported(side.boundary)) continue;
+    mine.push_back(side.boundary);
+    for (const int k : fem::side_nodes(space.shape(), space.degree, side.side)) {
+      const auto node = static_cast<std::size_t>(space.connectivity.element(side.cell)[static_cast<std::size_t>(k)]);
+      const auto& phi = discrete.points[node].phi;
+      mine.insert(mine.end(), phi.begin(), phi.end());
+      for (std::size_t d = 0; d < 3; ++d) mine.push_back(solution.y.local()[6 * node + d]);
+    }
+  }
+  const std::vector<double> all = algebra::gather_over_ranks(mine, space.layout->comm);
+  std::vector<std::vector<double>> sides;
+  for (std::size_t at = 0; at < all.size(); at += size)
+    sides.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(at),
+                       all.begin() + static_cast<std::ptrdiff_t>(at + size));
+  std::ranges::sort(sides);
+  Json list = Json::array();
+  for (const std::vector<double>& side : sides) {
+    std::vector<float> points, displacements;
+    for (std::size_t k = 0; k < nodes; ++k)
+      for (std::size_t d = 0; d < 3; ++d) {
+        points.push_back(static_cast<float>(side[1 + 6 * k + d]));
+        displacements.push_back(static_cast<float>(side[4 + 6 * k + d]));
+      }
+    list.push_back({{"boundary", names[static_cast<std::size_t>(side.front())]},
+                    {"points", array_text(points)},
+                    {"displacements", array_text(displacements)}});
+  }
+  return list;
+}
+
 }  // namespace
 
-Json scene_json(const computation::Solution& solution, const certificate::Summary& summary, std::int64_t most_points) {
+Json scene_json(const computation::Solution& solution, const certificate::Summary& summary,
+                const computation::UnitNames& units, std::int64_t most_points) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const fem::Space& space = discrete.space();
   const SampledSurface surface = sampled_surface(solution, most_points);
   const obstacle::Extent extent = surroundings(solution);
+  const Json supports = supports_json(discrete, solution.nodal);
   int rank = 0;
   MPI_Comm_rank(space.layout->comm, &rank);
   return algebra::in_agreement(space.layout->comm, [&] {
@@ -102,9 +146,10 @@ Json scene_json(const computation::Solution& solution, const certificate::Summar
                 {"mesh_cells", space.global_cells},
                 {"degree", space.degree},
                 {"merged", 1 << surface.cells.merged_levels},
-                {"fields", fields_json(surface)},
+                {"fields", fields_json(surface, units)},
                 {"obstacles", obstacles_json(discrete.obstacles, extent, summary)},
-                {"lines", lines_json(summary)}};
+                {"lines", lines_json(summary)},
+                {"supports", supports}};
   });
 }
 

@@ -1,7 +1,8 @@
 // What the three-dimensional view of report.html draws, as JSON with base64 arrays of little-endian numbers: the shell, obstacles, boundaries
-// of contact zones. viewer/src/scene.js reads it.
+// of contact zones, supported edges. viewer/src/scene.js reads it.
 #pragma once
 #include <plastron/computation/result.hpp>
+#include <plastron/computation/unit_names.hpp>
 #include <plastron/io/quantities.hpp>
 
 namespace plastron::io {
@@ -12,6 +13,6 @@ inline constexpr std::int64_t most_report_points = 26'000;
 /// On the first rank; null on the others, and where the surface cannot be held (collective). "fields" has the entries of io/fields.hpp with
 /// "values": for each component a base64 array of floats, or one number where all are alike. Throws as sampled_surface().
 Json scene_json(const computation::Solution& solution, const certificate::Summary& summary,
-                std::int64_t most_points = most_report_points);
+                const computation::UnitNames& units = {}, std::int64_t most_points = most_report_points);
 
 }  // namespace plastron::io

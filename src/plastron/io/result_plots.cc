@@ -96,9 +96,9 @@ void add_history_plots(const Json& history, bool has_obstacle, std::vector<Named
 }  // namespace
 
 Json parts_to_plot(std::istream& results) {
-  constexpr std::array kept{"levels",        "contact",      "files",  "unknowns",    "energy",
-                            "reaction",      "contact_area", "active", "time",        "max_displacement",
-                            "support_force", "obstacles",    "name",   "translation", "force"};
+  constexpr std::array kept{"levels",       "contact",     "files", "unknowns",         "energy",        "reaction",
+                            "contact_area", "active",      "time",  "max_displacement", "support_force", "obstacles",
+                            "name",         "translation", "force", "unit_names",       "length"};
   constexpr int deepest = 8;
   return Json::parse(results, [&](int depth, Json::parse_event_t event, const Json& value) {
     if (depth > deepest) return false;
@@ -126,7 +126,24 @@ study::Plot history_plot(const Json& history) {
   return plot;
 }
 
-std::vector<NamedPlot> result_plots(const Json& results) {
+study::Plot renamed(study::Plot plot, const computation::UnitNames& units) {
+  plot.x.label = units.renamed(plot.x.label);
+  plot.y.label = units.renamed(plot.y.label);
+  return plot;
+}
+
+computation::UnitNames unit_names(const Json& results) {
+  computation::UnitNames units;
+  if (!results.contains("unit_names")) return units;
+  const Json& names = results["unit_names"];
+  units.length = names.value("length", units.length);
+  units.force = names.value("force", units.force);
+  return units;
+}
+
+namespace {
+
+std::vector<NamedPlot> plots_in_si(const Json& results) {
   std::vector<NamedPlot> plots;
   const Json& levels = results.at("levels");
   add_history_plots(results.at("history"), !results.at("contact").is_null(), plots);
@@ -144,6 +161,14 @@ std::vector<NamedPlot> result_plots(const Json& results) {
     plots.back().plot.y.is_log = true;
   }
   if (levels.size() > 2) plots.push_back({"plot-changes", change_to_finest(levels, has_contact)});
+  return plots;
+}
+
+}  // namespace
+
+std::vector<NamedPlot> result_plots(const Json& results) {
+  std::vector<NamedPlot> plots = plots_in_si(results);
+  for (NamedPlot& named : plots) named.plot = renamed(std::move(named.plot), unit_names(results));
   return plots;
 }
 

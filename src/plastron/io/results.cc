@@ -144,6 +144,19 @@ Json units_json() {
   return units;
 }
 
+/// The names of units in what is written for people: under "unit", in "units", and after numbers in sentences.
+void rename_units(Json& json, const computation::UnitNames& units, bool are_names = false) {
+  for (auto& [key, value] : json.items()) {
+    const bool is_name = are_names || key == "unit";
+    if (value.is_string()) {
+      const auto& text = value.get_ref<const std::string&>();
+      value = is_name ? units.label(text) : units.renamed(text);
+    } else if (value.is_structured()) {
+      rename_units(value, units, is_name || key == "units");
+    }
+  }
+}
+
 /// What `plastron verify` reads besides the numbers.
 Json verification_json(const Provenance& provenance) {
   const auto or_null = [](const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); };
@@ -205,6 +218,12 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["verification"] = verification_json(provenance);
   json["fields"] = fields_json(result, provenance.heights);
   json["units"] = units_json();
+  if (provenance.units.are_named()) {
+    rename_units(json, provenance.units);
+    json["title"] = provenance.title;
+    json["settings"] = provenance.settings;
+  }
+  json["unit_names"] = {{"length", provenance.units.length}, {"force", provenance.units.force}};
   return json;
 }
 

@@ -1,6 +1,7 @@
 // results.json: what a computation found, with what certificate, from which settings. Its numbers are listed in
 // quantities.cc and fields.cc, and for the reader in docs/results.md.
 #pragma once
+#include <plastron/computation/unit_names.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/case_source.hpp>
 #include <plastron/io/quantities.hpp>
@@ -24,6 +25,7 @@ struct Provenance {
   std::string solution{};              ///< the one of `files` that holds the solution with all its digits
   std::string case_copy{};             ///< the one that is a copy of the case file
   std::vector<double> heights{};       ///< z / e at which the .vtu file has stresses besides, see fields_of()
+  computation::UnitNames units{};      ///< as the files call them
 };
 
 inline constexpr std::string_view results_name = "results.json";

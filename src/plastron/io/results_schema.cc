@@ -107,6 +107,7 @@ void add_others(Json& schema) {
        {"properties", {{"solution", text_or_null()}, {"case", {{"type", {"object", "null"}}}}}}});
   add("fields", "the arrays of the .vtu file", list_of(map_to(Json::object())));
   add("units", "path -> unit of every number", map_to(text()));
+  add("unit_names", "of length and force, from [units]", map_to(text()));
 }
 
 }  // namespace

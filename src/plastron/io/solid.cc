@@ -115,7 +115,7 @@ void add_solid_cell(const std::vector<PointValues>& points, const std::vector<st
     }
 }
 
-GridPiece solid_piece(const computation::Solution& solution, int layers) {
+GridPiece solid_piece(const computation::Solution& solution, int layers, const computation::UnitNames& units) {
   const fem::Space& space = solution.discrete->space();
   const bool is_triangle = space.shape() == fem::Shape::triangle;
   GridPiece piece{.type = is_triangle ? CellType::wedge : CellType::hexahedron,
@@ -123,7 +123,8 @@ GridPiece solid_piece(const computation::Solution& solution, int layers) {
   if (space.owned_cells == 0) return piece;
   std::vector<SolidField> present = solid_fields();
   if (solution.discrete->obstacles.empty()) std::erase_if(present, [](const SolidField& f) { return f.of_contact; });
-  for (const SolidField& field : present) piece.point_arrays.push_back({.name = field.name, .unit = field.unit});
+  for (const SolidField& field : present)
+    piece.point_arrays.push_back({.name = field.name, .unit = units.label(field.unit)});
   const recovery::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(space.shape(), space.degree),
                                     solution.recovery);
   const auto bases = lattice_cells(space.shape(), space.degree);
@@ -135,9 +136,9 @@ GridPiece solid_piece(const computation::Solution& solution, int layers) {
 }  // namespace
 
 void add_solid(const computation::Solution& solution, int layers, const std::filesystem::path& path, AtomicFiles& files,
-               bool is_double) {
+               const VtuChoice& choice) {
   add_grid(
-      path, [&] { return solid_piece(solution, layers); }, is_double, files);
+      path, [&] { return solid_piece(solution, layers, choice.units); }, choice.is_double, files);
 }
 
 }  // namespace plastron::io

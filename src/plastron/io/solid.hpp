@@ -9,8 +9,8 @@ inline constexpr std::string_view solid_name =
 
 /// Adds a .vtu file of points phi + z a_3 + u + z r. Each cell of the mesh is divided k x k times, and into layers through the thickness; it has its
 /// own points. At each of them stand displacement, z, the stresses at z and, with obstacles, contact and eta of the face
-/// that they lie on (collective). Throws std::runtime_error.
+/// that they lie on (collective). Of `choice` precision and names of units count. Throws std::runtime_error.
 void add_solid(const computation::Solution& solution, int layers, const std::filesystem::path& path, AtomicFiles& files,
-               bool is_double);
+               const VtuChoice& choice = {});
 
 }  // namespace plastron::io

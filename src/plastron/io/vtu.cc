@@ -28,11 +28,11 @@ std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
   return points;
 }
 
-std::vector<GridArray> arrays_of(const std::vector<Field>& present) {
+std::vector<GridArray> arrays_of(const std::vector<Field>& present, const computation::UnitNames& units) {
   std::vector<GridArray> arrays;
   for (const Field& field : present)
     for (const std::string& name : field.arrays)
-      arrays.push_back({.name = name, .unit = std::string(field.unit), .components = field.is_vector() ? 3 : 1});
+      arrays.push_back({.name = name, .unit = units.label(field.unit), .components = field.is_vector() ? 3 : 1});
   return arrays;
 }
 
@@ -62,9 +62,10 @@ GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& 
   const auto present =
       fields_of(!solution.discrete->obstacles.empty(),
                 solution.discrete->tangency.formulation == element::Formulation::mixed, choice.heights);
-  piece.point_arrays = arrays_of(present);
+  piece.point_arrays = arrays_of(present, choice.units);
   if (solution.cell_errors.size() == space.owned_cells)
-    piece.cell_arrays.push_back({.name = "error_indicator", .unit = "J", .values = solution.cell_errors});
+    piece.cell_arrays.push_back(
+        {.name = "error_indicator", .unit = choice.units.label("J"), .values = solution.cell_errors});
   const recovery::Recovery recovery(*solution.discrete, solution.nodal, xi, solution.recovery);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
     for (const recovery::PointValues& point : recovery(cell)) {

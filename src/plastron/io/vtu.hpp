@@ -11,9 +11,10 @@ namespace plastron::io {
 
 /// What a .vtu file holds, and how exactly.
 struct VtuChoice {
-  double displacement_scale = 1;  ///< points are phi + displacement_scale u
-  std::vector<double> heights{};  ///< z / e of further stresses, see fields_of()
-  bool is_double = false;         ///< coordinates and values in double precision; else rounded to single
+  double displacement_scale = 1;   ///< points are phi + displacement_scale u
+  std::vector<double> heights{};   ///< z / e of further stresses, see fields_of()
+  bool is_double = false;          ///< coordinates and values in double precision; else rounded to single
+  computation::UnitNames units{};  ///< named beside the arrays
 };
 
 /// Adds a .vtu file (collective). Each cell has its own points, equidistant in its parameters, because resultants jump between cells. Throws
