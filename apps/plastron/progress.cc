@@ -172,15 +172,15 @@ void print_lifts(const computation::Result& result) {
         level.lift_rounds, result.summary.largest_lift, change);
 }
 
-/// Estimated errors, relative to the numbers themselves where those are more than the rounding of what they sum.
+/// Estimated errors, relative to the numbers themselves. A reaction of obstacles that press against each other is a small rest of theirs.
 void print_estimates(const computation::Result& result) {
   if (!result.estimates) return;
-  constexpr double rounding = 1e-6;
+  const double rest = result.summary.obstacles.size() > 1 ? 1e-2 : 1e-6;
   double forces = 0;
   for (const certificate::ObstacleContact& obstacle : result.summary.obstacles)
     forces += obstacle.reaction.force.norm();
   for (const estimation::GoalEstimate& g : result.estimates->goals)
-    if (std::abs(g.value) > (g.name == "reaction" ? rounding * forces : 0))
+    if (std::abs(g.value) > (g.name == "reaction" ? rest * forces : 0))
       print("estimated error   of {} {:.2g} % of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value), g.value,
             g.unit);
   if (result.estimates->unjudged_cells > 0)

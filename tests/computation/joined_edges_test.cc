@@ -85,6 +85,43 @@ INSTANTIATE_TEST_SUITE_P(Each, JoinedEdges,
                                          Element{fem::Shape::triangle, 2, Formulation::tangent}));
 
 /// A tube of radius 1 around the y axis, under inner pressure; its ends slide radially.
+struct Sizes {
+  double least, most;
+};
+/// Of the cells, or of those with a side on a boundary (collective).
+Sizes sizes_of_cells(const fem::Space& space, const std::string& boundary = "") {
+  double least = 1, most = 0;
+  const auto add = [&](std::size_t cell) {
+    if (cell >= space.owned_cells) return;
+    least = std::min(least, std::abs(space.cells[cell].size));
+    most = std::max(most, std::abs(space.cells[cell].size));
+  };
+  for (const fem::BoundarySide& side : space.sides)
+    if (side.boundary >= 0 && space.coarse->boundaries[static_cast<std::size_t>(side.boundary)] == boundary)
+      add(side.cell);
+  for (std::size_t cell = 0; boundary.empty() && cell < space.owned_cells; ++cell) add(cell);
+  return {algebra::min_over_ranks(least, MPI_COMM_WORLD), algebra::max_over_ranks(most, MPI_COMM_WORLD)};
+}
+
+TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
+  Problem one = in_one_piece(fem::Shape::quadrilateral, 3, Formulation::tangent),
+          two = in_two_pieces(fem::Shape::quadrilateral, 3, Formulation::tangent);
+  for (Problem* p : {&one, &two}) {
+    p->discretisation.refinements = 0;
+    p->accuracy = Accuracy{.goals = {{"energy", 1e-4}}};
+  }
+  const Result in_one = solve(one, MPI_COMM_WORLD), in_two = solve(two, MPI_COMM_WORLD);
+  ASSERT_EQ(in_two.status, contact::Status::solved) << in_two.missed_limits;
+  EXPECT_NEAR(in_two.summary.energy.total(), in_one.summary.energy.total(), 1e-4 * in_one.summary.energy.total());
+  const fem::Space& space = in_two.solution->discrete->space();
+  const Sizes all = sizes_of_cells(space), first = sizes_of_cells(space, "seam_a"),
+              second = sizes_of_cells(space, "seam_b");
+  EXPECT_GT(all.most, 1.5 * all.least);
+  EXPECT_EQ(first.least, first.most);
+  EXPECT_EQ(second.least, first.most);
+  EXPECT_EQ(second.most, first.most);
+}
+
 Problem tube() {
   Problem p;
   p.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 1}, .cells = {8, 2}};

@@ -140,8 +140,7 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRe
 }
 
 bool is_refined_evenly(const Problem& problem) {
-  return problem.accuracy->is_uniform || problem.discretisation.cells == fem::Shape::triangle ||
-         !problem.joins.empty() || !problem.rigid_bodies.empty();
+  return problem.accuracy->is_uniform || problem.discretisation.cells == fem::Shape::triangle;
 }
 
 int degrees_of_witness(const Problem& problem) {
@@ -307,7 +306,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
       marks_.assign(space.owned_cells, 0);
       for (const estimation::CrossedCell& crossed : estimates->crossed) marks_[crossed.cell] = 1;
     }
-    cut(space, *estimates);
+    if (even_.empty()) cut(space, *estimates);
     if (marked(1) == 0) marks_.assign(space.owned_cells, 1);
   } else {
     marks_.assign(space.owned_cells, 1);
@@ -317,6 +316,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     if (!estimates || shortfall(goals_, *estimates).empty()) marks_.assign(space.owned_cells, 0);
     for (const std::size_t cell : entered_) marks_[cell] = 1;
   }
+  fem::mark_evenly(space, even_, marks_);
   constexpr double smallest = 0x1p-24;  // of a coarse cell; p4est ends at 2^-29
   for (std::size_t c = 0; c < marks_.size(); ++c)
     if (marks_[c] > 0 && std::abs(space.cells[c].size) <= smallest) marks_[c] = 0;

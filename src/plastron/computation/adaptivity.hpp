@@ -1,9 +1,10 @@
 // From estimated errors to the next mesh: what is accurate enough, which cells are to be divided, and when to give up.
 #pragma once
+#include <plastron/computation/description.hpp>
 #include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/computation/stopwatch.hpp>
-#include <plastron/fem/space.hpp>
+#include <plastron/fem/mesh_sequence.hpp>
 
 #include <string>
 #include <vector>
@@ -30,8 +31,7 @@ int degrees_of_witness(const Problem& problem);
 bool wants_witness(const Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
                    const certificate::Summary& summary);
 
-/// Whether all cells of a problem with an accuracy are divided or none: it may ask for that, joined edges must be divided alike, nodes of rigid
-/// bodies must not hang, and triangles cannot be divided one by one.
+/// Whether all cells of a problem with an accuracy are divided or none: it may ask for that, and triangles cannot be divided one by one.
 bool is_refined_evenly(const Problem& problem);
 
 /// Mesh after mesh, until all goals are met by two solutions, that on a mesh and the witness at one degree more on its cells; of triangles, whose
@@ -43,7 +43,9 @@ class AccuracyLoop {
       : problem_(problem),
         since_start_(since_start),
         instants_to_come_(instants_to_come),
-        is_uniform_(is_refined_evenly(problem)) {}
+        is_uniform_(is_refined_evenly(problem)),
+        even_(even_boundaries(problem)),
+        may_join_(even_.empty()) {}
 
   /// Whether the goals are to be found at one degree more before wants_more (collective).
   bool wants_witness(const Result& result, const fem::Space& space) const;
@@ -91,8 +93,9 @@ class AccuracyLoop {
   const Stopwatch& since_start_;
   int instants_to_come_;
   bool is_uniform_;
+  fem::MeshSequence::Even even_;
   /// Cells that nothing judged, or errors as large as before, may come back where cells join.
-  bool may_join_ = true;
+  bool may_join_;
   bool wants_edges_ = false;        ///< the goals are met, and edges of contact zones are not yet where they belong
   bool has_joined_ = false;         ///< on the way to the mesh that was judged last
   double excess_before_ = 0;        ///< of the goal that was furthest from being met there

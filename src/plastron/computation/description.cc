@@ -26,10 +26,17 @@ fem::MeshSequence::Finish joining(const Problem& problem) {
   };
 }
 
+fem::MeshSequence::Even even_boundaries(const Problem& problem) {
+  fem::MeshSequence::Even even;
+  for (const fem::Join& join : problem.joins) even.emplace_back(join.boundaries.begin(), join.boundaries.end());
+  for (const fem::RigidBody& body : problem.rigid_bodies) even.push_back(body.boundaries);
+  return even;
+}
+
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {
   // A mesh file that was not shared before is read by every rank for itself, and one may find another or none.
   auto coarse = algebra::in_agreement<fem::DomainError>(comm, [&] { return start_mesh(problem).coarse; });
-  return {std::move(coarse), problem.discretisation.degree, comm, joining(problem)};
+  return {std::move(coarse), problem.discretisation.degree, comm, joining(problem), even_boundaries(problem)};
 }
 
 }  // namespace plastron::computation

@@ -12,6 +12,8 @@ namespace plastron::computation {
 assembly::ShellDescription shell_description(const Problem& problem);
 /// Ties the nodes on the problem's joined edges, and has its rigid bodies carry theirs, level by level.
 fem::MeshSequence::Finish joining(const Problem& problem);
+/// Joined edges and those of rigid bodies: no node may hang there.
+fem::MeshSequence::Even even_boundaries(const Problem& problem);
 /// The coarsest mesh of the problem's cells and degree (collective).
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm);
 

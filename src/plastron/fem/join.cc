@@ -100,7 +100,8 @@ void add_ties(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kink
     CarriedNode& at = carried->nodes.emplace_back(CarriedNode{.node = i, .own = found->second.own});
     for (const auto& [carrier, block] : found->second.carriers) at.carriers.emplace_back(after.local(carrier), block);
   }
-  space.has_ties = !same.is_empty();
+  std::ranges::sort(space.ties, {}, &Tie::node);  // among those of nodes that hang, none of which lies on a joined edge
+  space.has_ties = space.has_ties || !same.is_empty();
   if (!kinked.empty()) space.carried = std::move(carried);
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <variant>
 
 namespace plastron::fem {
@@ -18,6 +19,7 @@ struct MeshSequence::Storage {
   std::variant<QuadrilateralSequence, TriangleSequence> levels;
   std::shared_ptr<const CoarseMesh> first;  ///< before any cuts, as the sequence orders it
   Finish finish{};
+  Even even{};
   std::shared_ptr<const Space> finished{};
 
   std::shared_ptr<const Space> bare() const {
@@ -81,9 +83,54 @@ void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
         "the processes of this job have different meshes: give all of them the same case and the same mesh file");
 }
 
+/// The owned cells that have a node on some boundaries: a corner is enough, for a node that hangs beside it would depend on it.
+std::vector<std::size_t> cells_along(const Space& space, const std::vector<std::string>& boundaries) {
+  const auto is_named = [&](const BoundarySide& side) {
+    return side.boundary >= 0 &&
+           std::ranges::find(boundaries, space.coarse->boundaries[static_cast<std::size_t>(side.boundary)]) !=
+               boundaries.end();
+  };
+  std::vector<char> is_on(static_cast<std::size_t>(space.layout->local_size()), 0);
+  for (const BoundarySide& side : space.sides)
+    if (is_named(side))
+      for (const int k : side_nodes(space.shape(), space.degree, side.side))
+        is_on[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(k)])] = 1;
+  std::vector<std::size_t> cells;
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+    if (std::ranges::any_of(space.nodes(cell), [&](auto node) { return is_on[static_cast<std::size_t>(node)] != 0; }))
+      cells.push_back(cell);
+  return cells;
+}
+
+/// Marks of the cells along even boundaries that are larger than others of their group; empty where there are none (collective).
+std::vector<signed char> larger_cells(const Space& space, const MeshSequence::Even& even) {
+  const MPI_Comm comm = space.layout->comm;
+  std::vector<signed char> marks(space.owned_cells, 0);
+  for (const std::vector<std::string>& group : even) {
+    const std::vector<std::size_t> cells = cells_along(space, group);
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t cell : cells) least = std::min(least, std::abs(space.cells[cell].size));
+    least = algebra::min_over_ranks(least, comm);
+    for (const std::size_t cell : cells)
+      if (std::abs(space.cells[cell].size) > 1.5 * least) marks[cell] = 1;
+  }
+  const std::int64_t mine = std::ranges::count(marks, 1);
+  return algebra::sum_over_ranks(mine, comm) > 0 ? marks : std::vector<signed char>{};
+}
+
 }  // namespace
 
-MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish) {
+void mark_evenly(const Space& space, const MeshSequence::Even& even, std::span<signed char> marks) {
+  for (std::size_t round = 0; round < even.size(); ++round)  // a cell may lie along boundaries of several groups
+    for (const std::vector<std::string>& group : even) {
+      const std::vector<std::size_t> cells = cells_along(space, group);
+      const std::int64_t mine = std::ranges::count_if(cells, [&](std::size_t cell) { return marks[cell] > 0; });
+      if (algebra::sum_over_ranks(mine, space.layout->comm) > 0)
+        for (const std::size_t cell : cells) marks[cell] = 1;
+    }
+}
+
+MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish, Even even) {
   check_that_all_have_one_mesh(coarse, comm);
   if (coarse.shape == Shape::triangle)
     storage_ =
@@ -91,6 +138,7 @@ MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish 
   else
     storage_ = std::make_unique<Storage>(
         Storage{QuadrilateralSequence(std::move(coarse), degree, comm), {}, std::move(finish)});
+  storage_->even = std::move(even);
   storage_->finish_level();
   storage_->first = space()->coarse;
 }
@@ -147,12 +195,21 @@ void MeshSequence::refine(std::span<algebra::Vector> fields, std::span<const sig
     refine_where(fields, {});
 }
 
+/// Neighbours of divided cells may lie along an even boundary and be divided, too: then the others of their group follow.
+void MeshSequence::refine_evenly(QuadrilateralSequence& cells, std::span<algebra::Vector> fields, Marks marks) {
+  cells.refine(fields, marks);
+  if (storage_->even.empty()) return;
+  for (auto larger = larger_cells(*cells.space(), storage_->even); !larger.empty();
+       larger = larger_cells(*cells.space(), storage_->even))
+    cells.refine(fields, larger);
+}
+
 void MeshSequence::refine_where(std::span<algebra::Vector> fields, Marks marks) {
   const bool has_own_layout = storage_->finished->layout != storage_->bare()->layout;
   if (has_own_layout)
     for (algebra::Vector& field : fields) field = on_layout(storage_->bare()->layout, field);
   if (auto* cells = std::get_if<QuadrilateralSequence>(&storage_->levels))
-    cells->refine(fields, marks);
+    refine_evenly(*cells, fields, marks);
   else
     std::get<TriangleSequence>(storage_->levels).refine(fields);
   storage_->finish_level();
