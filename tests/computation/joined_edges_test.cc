@@ -107,6 +107,7 @@ TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
   Problem one = in_one_piece(fem::Shape::quadrilateral, 3, Formulation::tangent),
           two = in_two_pieces(fem::Shape::quadrilateral, 3, Formulation::tangent);
   for (Problem* p : {&one, &two}) {
+    p->obstacles.clear();
     p->discretisation.refinements = 0;
     p->accuracy = Accuracy{.goals = {{"energy", 1e-4}}};
   }
