@@ -262,6 +262,7 @@ TEST(Accuracy, EndsBetweenInstantsWhenTimeIsOver) {
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
   EXPECT_EQ(result.history.size(), 1U);
+  EXPECT_EQ(result.levels.size(), 1U);  // none at the last instant
   EXPECT_NE(result.missed_limits.find("max_seconds = 1e-06 was over before time 0.4"), std::string::npos)
       << result.missed_limits;
 }

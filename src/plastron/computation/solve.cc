@@ -142,6 +142,7 @@ class Computation {
     on_mesh_ = &instants_.back();
     cuts_.clear();
     marks_.assign(meshes_.space()->owned_cells, 0);
+    end_of_meshes_ = problem_.accuracy->max_seconds;  // the solution at the first instant can be the result
     return meshes_for_goals() || result_.status != contact::Status::interrupted;  // it may be out of reach at once
   }
 
