@@ -66,7 +66,8 @@ Section accuracy_section() {
       "thousandth of the largest of its kind where that is more: a component that vanishes by symmetry has no digits; "
       "that of all obstacles together is relative to the sum of what each bears, and holds for each one's own force, "
       "too. Without [mesh] and [accuracy] the tolerances of energy and reaction are 1e-3. All triangles are refined "
-      "together, and so are cells along joined edges and along edges of rigid bodies. A mesh that would not fit into the memory of the machine is not "
+      "together, and so are cells along joined edges and along edges of rigid bodies. A mesh that would not fit into "
+      "the memory of the machine is not "
       "begun; then the status is accuracy_not_reached.",
       {{.name = "energy", .range = tolerance, .meaning = "tolerance of the stored energy"},
        {.name = "reaction",
