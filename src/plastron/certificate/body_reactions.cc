@@ -15,14 +15,15 @@ BodyVector six_of(const algebra::Vector& v, std::size_t node) {
   return Eigen::Map<const BodyVector>(v.local().data() + 6 * node);
 }
 
-/// (d, length theta).
+/// Returns (d, length theta).
 BodyVector in_lengths(const fem::PlacedBody& placed, const fem::BodyMotion& motion) {
   BodyVector q;
   q << motion.displacement, placed.length * motion.rotation;
   return q;
 }
 
-/// The unknowns that this rank's nodes keep; returns their reactions, zero elsewhere, moments over the length.
+/// Adds the unknowns whose nodes this rank owns. Returns their reactions, moments divided by the length; zero
+/// elsewhere.
 BodyVector add_unknowns(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed,
                         const algebra::Vector& residual, const algebra::Vector& load, BodyBalance& balance) {
   BodyVector reactions = BodyVector::Zero();
@@ -61,7 +62,7 @@ double least_gap(const assembly::DiscreteShell& discrete, const fem::PlacedBody&
     const auto node = static_cast<std::size_t>(at.node);
     for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k) {
       const double gap = discrete.nodal_gap(k, node, y);
-      if (!(gap >= least)) least = gap;  // a NaN, too
+      if (!(gap >= least)) least = gap;  // true also for NaN
     }
   }
   return algebra::min_over_ranks(least, discrete.space().layout->comm);
@@ -83,7 +84,7 @@ double distance_from_body(const assembly::DiscreteShell& discrete, const fem::Pl
       rest -= at.carriers[static_cast<std::size_t>(h)].second.leftCols<3>() * q.segment<3>(3 * h);
     if (!placed.body.turns_normals) rest.tail<3>().setZero();
     const double error = rest.head<3>().norm() + discrete.points[node].thickness * rest.tail<3>().norm();
-    if (!(error <= most)) most = error;  // a NaN, too
+    if (!(error <= most)) most = error;  // true also for NaN
   }
   return most;
 }

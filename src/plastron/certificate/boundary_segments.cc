@@ -14,12 +14,13 @@ namespace {
 
 using algebra::GlobalIndex, algebra::LocalIndex;
 
-/// Two nodes of a cell, the first in contact; the point of the boundary between them, or the node itself where they are equal.
+/// Two nodes of a cell, the first in contact. The end is the boundary's point between them, or the node itself if
+/// they are equal.
 struct CellEnd {
   int touching, other;
 };
 
-constexpr double rounding_of_xi = 1e-12;  // in reference cells
+constexpr double rounding_of_xi = 1e-12;  // relative to reference cells
 
 /// The segments of this rank's cells.
 class Marching {
@@ -59,7 +60,8 @@ class Marching {
     }
     const fem::BoundarySide* last = nullptr;
     for (const fem::BoundarySide& side : space_.sides) {
-      const bool is_seen = last && last->cell == side.cell && last->side == side.side;  // a side with several names
+      // A side with several names occurs several times.
+      const bool is_seen = last && last->cell == side.cell && last->side == side.side;
       last = &side;
       if (is_seen || side.is_inner || side.cell >= space_.owned_cells) continue;
       cell_ = side.cell;
@@ -73,15 +75,15 @@ class Marching {
   LocalIndex node(int i) const { return space_.nodes(cell_)[static_cast<std::size_t>(i)]; }
   bool touches(int i) const { return touching_[node(i)]; }
 
-  /// Of the zone that a touching node of the cell belongs to.
+  /// The area of the zone of a touching node of the cell.
   double& area_of_zone(int touching) {
     return areas_[static_cast<std::size_t>(labels_.of_node[static_cast<std::size_t>(node(touching))])];
   }
 
-  /// Cuts off each run of free corners, so that touching corners stay together: they are of one zone.
+  /// Cuts off each run of free corners, so that touching corners stay together because they belong to one zone.
   void march(const SubCell& sub) {
     const std::size_t n = sub.size();
-    std::vector<Eigen::Vector2d> outline;  // of what is left
+    std::vector<Eigen::Vector2d> outline;  // corners of the remaining polygon
     double area = 0;
     int touching = -1;
     for (std::size_t i = 0; i < n; ++i) {
@@ -101,13 +103,14 @@ class Marching {
     area_of_zone(touching) += area;
   }
 
-  /// Between a segment and the parabola through the edge halfway; positive where the zone is larger than up to the segment [m^2].
+  /// The area between a segment and the parabola through the edge at its middle [m^2]. Positive where the zone
+  /// extends beyond the segment.
   double bulge(const CellEnd& from, const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
     constexpr double of_triangle = 4.0 / 3;
     return of_triangle * triangle_area(a, edge_near(from, (a + b) / 2), b);
   }
 
-  /// On the mid-surface, with the sign of the corners' turn: a rule of degree 2 for sqrt(a) [m^2].
+  /// The triangle's area on the mid-surface, with the sign of its orientation; a rule of degree 2 for sqrt(a) [m^2].
   double triangle_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) const {
     const Eigen::Vector2d one = b - a, other = c - a;
     const std::array<Eigen::Vector2d, 3> middles{(a + b) / 2, (b + c) / 2, (c + a) / 2};
@@ -131,7 +134,7 @@ class Marching {
     }
   }
 
-  /// Returns where its ends are in the reference cell.
+  /// Adds a segment. Returns the places of its ends in the reference cell.
   std::array<Eigen::Vector2d, 2> add(const CellEnd& from, const CellEnd& to, bool is_rim) {
     segments_.push_back({.zone = labels_.of_node[static_cast<std::size_t>(node(from.touching))],
                          .is_rim = is_rim,
@@ -152,7 +155,8 @@ class Marching {
             .point = {}};
   }
 
-  /// Of an end between two nodes that hang or that others hang on: some more than their distance.
+  /// The reach of an end between two nodes that hang or have hanging nodes tied to them: a multiple of their
+  /// distance.
   double reach(LocalIndex a, LocalIndex b) const {
     constexpr double some_more = 2;
     const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
@@ -164,14 +168,16 @@ class Marching {
     return discrete_.shell.tables().nodes[static_cast<std::size_t>(i)];
   }
 
-  /// In the reference cell: first between the two nodes, by their gaps, then where free nodes on this side see the edge.
+  /// The end's place in the reference cell: first from the gaps of its two nodes, then on the edge predicted by free
+  /// nodes.
   Eigen::Vector2d place(const CellEnd& end) const {
     const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
     if (end.touching == end.other) return a;
     return edge_near(end, a + (1 - touching_.crossing(node(end.other), node(end.touching))) * (b - a));
   }
 
-  /// From a point near an end, where free nodes on the end's side see the edge; the point itself if they do not.
+  /// The point of the edge that free nodes on the end's side predict near `between`; `between` itself if they predict
+  /// none.
   Eigen::Vector2d edge_near(const CellEnd& end, const Eigen::Vector2d& between) const {
     const geometry::SurfaceJet jet = jet_at(between);
     Eigen::Matrix<double, 3, 2> tangents;
@@ -180,7 +186,7 @@ class Marching {
     if (!way) return between;
     const Eigen::Vector2d moved = between + tangents.colPivHouseholderQr().solve(*way);
     if (!is_beside_no_border(moved)) return between;
-    constexpr double curved = 0.1;  // charts may end, or run away, a little outside of their cells
+    constexpr double curved = 0.1;  // charts may end or diverge a little outside of their cells
     return (jet_at(moved).value - jet.value - *way).norm() <= curved * way->norm() ? moved : between;
   }
 
@@ -190,7 +196,7 @@ class Marching {
     return jet;
   }
 
-  /// Twice the area of the triangle that a side makes with a point: how far inside of the side it lies, 0 on it.
+  /// Twice the area of the triangle of a side and a point. It is positive inside of the side and 0 on it.
   double inside_of(int side, const Eigen::Vector2d& xi) const {
     const auto corners = fem::anticlockwise_corners(space_.shape(), side);
     const Eigen::Vector2d a = fem::corner(space_.shape(), corners[0]), b = fem::corner(space_.shape(), corners[1]);
@@ -199,7 +205,8 @@ class Marching {
   }
   bool is_border(int side) const { return (borders_[cell_] >> side & 1U) != 0; }
 
-  /// Not farther outside of the cell than its nodes are apart, and not outside at all where the shell, a region or a smooth part ends.
+  /// Whether the point is at most one distance of nodes outside of the cell, and not outside of a border: the end of
+  /// the shell, of a region or of a smooth part.
   bool is_beside_no_border(const Eigen::Vector2d& xi) const {
     for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
       if (inside_of(side, xi) < (is_border(side) ? -rounding_of_xi : -1.0 / space_.degree)) return false;
@@ -224,7 +231,7 @@ class Marching {
     return search;
   }
 
-  /// Height of the touching face over the mid-surface at a point of the cell.
+  /// Height of the touching face above the mid-surface at a point of the cell.
   double height(const CellEnd& end, const Eigen::Vector2d& xi) const {
     const double z = gaps_[static_cast<std::size_t>(node(end.touching))].z,
                  other = gaps_[static_cast<std::size_t>(node(end.other))].z;
@@ -233,7 +240,7 @@ class Marching {
     return z + way.dot(xi - reference_point(end.touching)) / way.squaredNorm() * (other - z);
   }
 
-  /// Evaluates shell and displacement at the ends of the segments that the present cell has added.
+  /// Evaluates shell and displacement at the ends of the segments added in the present cell.
   void place_new_ends() {
     if (new_ends_.empty()) return;
     const fem::Cell& cell = space_.cells[cell_];
@@ -264,13 +271,13 @@ class Marching {
   const TouchingNodes& touching_;
   const ZoneLabels& labels_;
   const GapOpening& opening_;
-  std::vector<unsigned> borders_;     ///< of each cell the sides on named curves and on the rim, a bit each
-  std::vector<char> hangs_or_holds_;  ///< a node hangs, or others hang on it
+  std::vector<unsigned> borders_;     ///< sides of each cell on named curves and on the rim, one bit each
+  std::vector<char> hangs_or_holds_;  ///< 1 if the node hangs or is a master of hanging nodes
   std::size_t cell_ = 0;
   std::vector<Segment> segments_{};
-  std::vector<double> areas_;                  // of zones
-  std::vector<CellEnd> new_ends_{};            // of the last segments, two each
-  std::vector<Eigen::Vector2d> new_places_{};  // of these
+  std::vector<double> areas_;                  // areas of the zones
+  std::vector<CellEnd> new_ends_{};            // ends of the last segments, two each
+  std::vector<Eigen::Vector2d> new_places_{};  // places of the new ends
 };
 
 constexpr std::size_t numbers_per_end = 13, numbers_per_segment = 2 + 2 * numbers_per_end;
@@ -316,7 +323,7 @@ ZoneBoundaries zone_boundaries(const assembly::DiscreteShell& discrete, const No
   const std::vector<double> all = algebra::gather_over_ranks(numbers, comm);
   ZoneBoundaries boundaries{.areas = algebra::sums_over_ranks(mine.areas, comm)};
   for (double& area : boundaries.areas)
-    area = std::max(area, 0.0);  // along a line ends may lie on the wrong sides of each other
+    area = std::max(area, 0.0);  // along a line, ends may lie on the wrong sides of each other
   boundaries.segments.reserve(all.size() / numbers_per_segment);
   for (std::size_t i = 0; i < all.size(); i += numbers_per_segment)
     boundaries.segments.push_back(unpacked(all.data() + i));

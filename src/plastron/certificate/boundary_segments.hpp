@@ -1,5 +1,6 @@
-// The boundary of the zones as each sub-cell sees it: straight segments between the points where the gap closes on its sides
-// (marching squares and triangles), and the parts of the shell's rim that zones reach; and the area within.
+// The boundary of the zones in each sub-cell, and the area inside. The boundary has straight segments between the
+// points on the sub-cell's sides where the gap closes (marching squares and triangles). It also contains the parts of
+// the shell's rim in contact.
 #pragma once
 #include <plastron/certificate/contact_zone.hpp>
 #include <plastron/certificate/touching_nodes.hpp>
@@ -11,9 +12,12 @@
 namespace plastron::certificate {
 
 struct SegmentEnd {
-  std::array<algebra::GlobalIndex, 2> nodes{};  ///< between which it lies; equal at a node
-  std::array<algebra::GlobalIndex, 2> names{};  ///< the same with nodes that are one across joined edges by one number
-  double reach = 0;  ///< where nodes hang, the two cells of a side see points of it so far from each other at most [m]
+  std::array<algebra::GlobalIndex, 2> nodes{};  ///< nodes on both sides of the end; equal if the end is a node
+  /// The same nodes, but nodes identified across joined edges have one number.
+  std::array<algebra::GlobalIndex, 2> names{};
+  /// Largest distance between the ends that the two cells of a side with hanging nodes find for one line [m]; 0
+  /// elsewhere.
+  double reach = 0;
   BoundaryPoint point{};
 };
 
@@ -24,13 +28,13 @@ struct Segment {
 };
 
 struct ZoneBoundaries {
-  std::vector<Segment> segments{};  ///< of all ranks on every rank; their order depends on the ranks
-  /// Of each zone: of the mid-surface within its boundary, which bulges from segment to segment like a parabola through the point where free
-  /// nodes see the edge halfway [m^2].
+  std::vector<Segment> segments{};  ///< segments of all ranks, on every rank; their order depends on the ranks
+  /// Mid-surface area within each zone's boundary [m^2]. Between the ends of a segment the boundary is a parabola
+  /// through the edge that free nodes predict near its middle.
   std::vector<double> areas{};
 };
 
-/// Of one obstacle's zones (collective). Throws what the chart throws.
+/// Computes the boundaries of one obstacle's zones (collective). Throws the exceptions of the chart.
 ZoneBoundaries zone_boundaries(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels);
 

@@ -24,7 +24,8 @@ Vector6 block6(const algebra::Vector& v, std::size_t node) {
   return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
 }
 
-/// A y + B' lambda - l per owned node, through strains; tied and carried nodes have handed theirs on.
+/// Returns A y + B' lambda - l per owned node, computed from strains. The entries of tied and carried nodes are added
+/// to their masters.
 algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   algebra::Vector r(discrete.space().layout, 6);
   discrete.residual(solution.y, r);
@@ -38,7 +39,7 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
   return r;
 }
 
-/// Forces, moments and energies as large as if the displacements were strains, relative to the shell's size.
+/// Forces, moments and energies of strains as large as the displacements relative to the shell's size.
 struct StrainScale {
   double force = 0, squared_force = 0, moment = 0, energy = 0;
 
@@ -55,13 +56,13 @@ struct StrainScale {
   }
 };
 
-/// Half the diagonal of the box that holds the nodes of all ranks.
+/// Half the diagonal of the bounding box of all ranks' nodes.
 double size_of(const assembly::DiscreteShell& discrete) {
   const auto place = [&](std::size_t i) { return discrete.points[i].phi; };
   return assembly::bounding_box(discrete.points.size(), place, discrete.space().layout->comm).half_diagonal();
 }
 
-/// Sum of the norms of the nodal loads, couples over the length `size` [N] (collective).
+/// Sum of the norms of the nodal loads, couples divided by `size` [N] (collective).
 double load_norms(const assembly::DiscreteShell& discrete, double size) {
   double sum = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
@@ -93,14 +94,15 @@ void add(Wrench& wrench, const assembly::NodalPoint& p, const Vector6& f, Sums& 
   sums.moment_scale += p.phi.cross(f.head<3>()).norm() + f.tail<3>().norm();
 }
 
-/// What the gap feels of (u, r): the tangential part of r only (D4).
+/// The row of the gap in (u, r). It contains only the tangential part of r (D4).
 Vector6 gap_row(const obstacle::Gap& gap, const Vector3d& a3) {
   Vector6 row;
   row << gap.normal, gap.z * geometry::tangential(gap.normal, a3);
   return row;
 }
 
-/// How far a coordinate moves the material by unit, rotations at a lever of e: what works on it divided by this is a force.
+/// Displacement of the material per unit of a coordinate, rotations at a lever of e. A generalised force divided by
+/// this is a force.
 double lever(const Vector6& direction, double thickness) {
   return direction.head<3>().norm() + thickness * direction.tail<3>().norm();
 }
@@ -113,7 +115,7 @@ void note_size(const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
   sums.thickness = std::min(sums.thickness, p.thickness);
 }
 
-/// One obstacle at one node; returns its generalised force.
+/// Adds one obstacle at one node. Returns its generalised force.
 Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                     const assembly::ContactRow& row, const Vector6& y, Sums& sums) {
   const auto k = static_cast<std::size_t>(row.obstacle);
@@ -137,7 +139,7 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution
   return force;
 }
 
-/// All obstacles at one node; returns their generalised force.
+/// Adds all obstacles at one node. Returns their generalised force.
 Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i,
                      const Vector6& y, Sums& sums) {
   Vector6 force = Vector6::Zero();
@@ -168,7 +170,8 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
       add(sums.supports, discrete.points[i], component * direction, sums);
       support += component * direction;
       sums.support_work += component * direction.dot(y);
-      // Prescribed directions are unit vectors orthogonal to all others of the node: the coordinate is a projection.
+      // Prescribed directions are unit vectors orthogonal to the node's other directions: the coordinate is a
+      // projection.
       const double error = std::abs(direction.dot(y) - coordinates.lower.local()[coordinates.at(i, k)]);
       sums.support_error = std::max(sums.support_error, lever(direction, discrete.points[i].thickness) * error);
       sums.all_forces += per_force * component * component;
@@ -179,7 +182,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
   if (!support.isZero(0)) sums.at_supports.push_back({i, support});
 }
 
-/// The unknowns of rigid bodies. What all ranks know alike is counted by the first.
+/// Adds the unknowns of rigid bodies. Only the first rank adds the values that all ranks share.
 void add_bodies(const BodyBalance& balance, MPI_Comm comm, Sums& sums) {
   sums.free_residual += balance.free_residual;
   sums.all_forces += balance.all_forces;
@@ -207,7 +210,7 @@ double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebr
   return algebra::max_over_ranks(most, shell.space().layout->comm);
 }
 
-/// Strains below this part of the displacements, squared, are rounding: double precision leaves 1e-32 times (L/h)^2.
+/// A ratio of squares. Smaller strains relative to displacements are rounding: double precision leaves 1e-32 (L/h)^2.
 constexpr double rounding_of_energy = 1e-22;
 
 Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Sums& sums) {
@@ -310,7 +313,8 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
     field->update_ghosts();
     fem::spread(discrete.space(), *field);
   }
-  for (const fem::Tie& tie : discrete.space().ties)  // between touching masters and free ones a node does either
+  // Interpolation between touching and free masters gives a fraction: a tied node either touches or does not.
+  for (const fem::Tie& tie : discrete.space().ties)
     for (std::size_t k = 0; k < static_cast<std::size_t>(obstacles); ++k) {
       double& touches =
           solution.touching.local()[static_cast<std::size_t>(tie.node) * static_cast<std::size_t>(obstacles) + k];
@@ -321,7 +325,7 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
 
 namespace {
 
-/// Where the obstacle stands, and that nothing touches it.
+/// The obstacle's place, with no contact.
 ObstacleContact untouched(const obstacle::Obstacle& at_start, const obstacle::Obstacle& now) {
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.placement.rotation * at_start.placement.rotation.transpose()));
   return {.name = now.name,
@@ -343,15 +347,15 @@ std::vector<char> nodes_on_edges(const fem::Space& space) {
   return marks;
 }
 
-/// Owned nodes that an obstacle pushes along the shell out of a place deep inside of it.
+/// Owned nodes pushed by an obstacle along the shell out of a place deep inside it.
 struct PushedSideways {
   std::int64_t nodes = 0;
-  double force = 0, all_forces = 0;  ///< at nodes inside of the shell; at all nodes that touch [N]
+  double force = 0, all_forces = 0;  ///< at touching nodes inside the shell; at all touching nodes [N]
 };
 PushedSideways pushed_sideways(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t k,
                                const std::vector<char>& on_edges) {
   constexpr double sideways = 0.5;      // cosine between the obstacle's normal and the shell's: 60 degrees
-  constexpr double deep_inside = 0.25;  // of the thickness
+  constexpr double deep_inside = 0.25;  // part of the thickness
   const obstacle::Obstacle obstacle = discrete.obstacles.now(k);
   PushedSideways pushed;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
@@ -382,7 +386,8 @@ void add_pushed_sideways(const assembly::DiscreteShell& discrete, const NodalSol
   }
 }
 
-/// Takes out the cells at rigid bodies: no bound keeps a body's nodes out of obstacles, and BodyReaction tells how deep they are.
+/// Removes the cells at rigid bodies: no bound keeps a body's nodes out of obstacles. BodyReaction contains their
+/// depth.
 void leave_out_bodies(const fem::Space& space, std::vector<CellGap>& cells) {
   if (!space.carried) return;
   std::vector<char> is_of_body(static_cast<std::size_t>(space.layout->local_size()));
@@ -396,7 +401,7 @@ void leave_out_bodies(const fem::Space& space, std::vector<CellGap>& cells) {
   });
 }
 
-/// The searched gaps, and of each obstacle the least of all ranks with its place.
+/// Adds the searched gaps, and for each obstacle the least gap of all ranks with its place.
 void add_least_gaps(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Verdict& verdict) {
   if (discrete.obstacles.empty()) return;
   const MPI_Comm comm = discrete.space().layout->comm;
@@ -447,7 +452,7 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   const bool is_unstrained = a < rounding_of_energy * scale.energy;
   verdict.summary.is_unstrained = is_unstrained;
   verdict.summary.rounding_energy = rounding_of_energy * scale.energy;
-  if (is_unstrained) verdict.summary.second_order.work = 0;  // membrane forces are rounding
+  if (is_unstrained) verdict.summary.second_order.work = 0;  // membrane forces are only rounding
   verdict.summary.load_norms = load_norms(discrete, size);
   SupportReactions supports = support_reactions(discrete, sums.at_supports);
   verdict.summary.support_reactions = std::move(supports.boundaries);

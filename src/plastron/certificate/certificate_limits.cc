@@ -9,20 +9,22 @@ namespace plastron::certificate {
 
 namespace {
 
-/// Six digits: a thousand times better than the mesh of a good computation, a thousand times worse than rounding in one.
+/// Six digits: a thousand times smaller than a good mesh's error, a thousand times larger than a good solution's
+/// rounding.
 constexpr double algebraic = 1e-6;
-/// Nodal forces and energies. Rounding spoils them in thin shells: at e/L = 1e-4 it reaches some 1e-5 on fine meshes, with results
-/// that hold four digits; at 1e-6, which double precision hardly holds, some 1e-3.
+/// Nodal forces and energies. Rounding disturbs them in thin shells: at e/L = 1e-4 it reaches about 1e-5 on fine
+/// meshes, while results keep four digits. At e/L = 1e-6, near the limit of double precision, it reaches about 1e-3.
 constexpr double of_thin_shells = 1e-4;
-/// Pressures of the wrong sign up to here change no resultant in its fourth digit.
+/// Pressures of the wrong sign below this limit do not change the fourth digit of a resultant.
 constexpr double of_largest_pressure = 1e-4;
-/// What a mesh may miss of a balance that only its refinement brings about.
+/// Largest accepted error of a balance that holds only in the limit of refinement.
 constexpr double of_the_mesh = 0.05;
-/// Where no node touches an obstacle, a depth beyond this part of the thickness is contact that the nodes have missed.
+/// Part of the thickness. Where no node touches an obstacle, a greater depth is contact missed by the nodes.
 constexpr double missed_depth = 1e-2;
-/// Where nodes touch it, half of the way to the mid-surface: an obstacle that is deeper between them passes through the shell.
+/// Part of the thickness, half the way to the mid-surface. Where nodes touch an obstacle, a greater depth between
+/// them means that the obstacle passes through the shell.
 constexpr double passing_depth = 0.25;
-/// A part of an obstacle's reaction.
+/// Part of an obstacle's reaction.
 constexpr double sideways_part = 1e-2;
 
 const char* missed_reason(const ObstacleContact& obstacle) {
@@ -40,7 +42,7 @@ std::string place_of(const ObstacleContact& obstacle) {
                      obstacle.least_gap_at[1]);
 }
 
-/// The row of the obstacle that is the farthest beyond what it may be.
+/// Adds the row of the obstacle that exceeds its limit most.
 void add_gap_between(const Summary& s, double admissible, std::vector<CertificateLimit>& limits) {
   const auto allowed = [&](const ObstacleContact& obstacle) {
     return s.is_admissible_wanted ? admissible : least_gap_allowed(s, obstacle);

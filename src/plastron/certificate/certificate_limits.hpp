@@ -1,4 +1,4 @@
-// What each row of the certificate may be before the result counts as inaccurate, and why.
+// The limit of each row of the certificate beyond which the result counts as inaccurate, and the reason for it.
 #pragma once
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/element/formulation.hpp>
@@ -10,24 +10,24 @@
 namespace plastron::certificate {
 
 struct CertificateLimit {
-  std::string_view row;  ///< as in results.json
+  std::string_view row;  ///< name in results.json
   std::string_view unit;
   double value = 0;
-  double limit = 0;  ///< largest value, or smallest
+  double limit = 0;  ///< largest admissible value, or the smallest if `is_least`
   bool is_least = false;
   std::string_view reason;
-  std::string place{};  ///< of the value, in words; empty where it has none
+  std::string place{};  ///< place of the value in words; empty without one
 
-  /// False for NaN, too.
+  /// Returns false also for NaN.
   bool holds() const { return is_least ? value >= limit : value <= limit; }
-  /// "stationarity is 3.4e-4, its limit 1e-6"; the place in brackets.
+  /// Returns "stationarity is 3.4e-4, its limit 1e-6", with the place in brackets.
   std::string text() const;
 };
 
-/// How small the gap to an obstacle may be between nodes where the solution need not be admissible there [m].
+/// The smallest accepted gap to an obstacle between nodes where the solution need not be admissible there [m].
 double least_gap_allowed(const Summary& summary, const ObstacleContact& obstacle);
 
-/// Every row with its limit. Rows that nothing can be asked of (no contact, no cell near the obstacle) are left out.
+/// Returns every row with its limit. Rows without meaning (no contact, no cell near the obstacle) are left out.
 std::vector<CertificateLimit> certificate_limits(const Verdict& verdict, element::Formulation formulation);
 
 }  // namespace plastron::certificate

@@ -1,4 +1,4 @@
-// The obstacles' reaction node by node.
+// The obstacles' reaction at each node.
 #pragma once
 #include <plastron/certificate/certificate.hpp>
 
@@ -6,18 +6,18 @@
 
 namespace plastron::certificate {
 
-/// A node that touches an obstacle. Its force is the reaction of the part of the shell that the node stands for.
+/// A node that touches an obstacle. Its force is the reaction on the part of the shell represented by the node.
 struct ContactForce {
   std::size_t obstacle = 0;
   Eigen::Vector2d x = Eigen::Vector2d::Zero();  ///< parameters in Omega
   Vector3d place = Vector3d::Zero();            ///< on the touching face of the undeformed shell [m]
-  Vector3d displacement = Vector3d::Zero();     ///< of the mid-surface [m]
-  Vector3d force = Vector3d::Zero();            ///< on the shell, along the obstacle's normal [N]
+  Vector3d displacement = Vector3d::Zero();     ///< displacement of the mid-surface [m]
+  Vector3d force = Vector3d::Zero();            ///< force on the shell, along the obstacle's normal [N]
   double pressure = 0;                          ///< eta [Pa]
-  double area = 0;                              ///< mid-surface area that the node stands for [m^2]
+  double area = 0;                              ///< mid-surface area represented by the node [m^2]
 };
 
-/// All of them on every rank, ordered by obstacle, then x, then y (collective).
+/// Returns the forces of all ranks on every rank, ordered by obstacle, then x, then y (collective).
 std::vector<ContactForce> contact_forces(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
 
 }  // namespace plastron::certificate

@@ -13,7 +13,7 @@ namespace plastron::certificate {
 
 namespace {
 
-/// A segment as a line runs through it.
+/// A segment with a direction of travel.
 struct Step {
   const Segment* segment = nullptr;
   int from = 0;
@@ -25,14 +25,14 @@ struct Step {
 
 struct Chain {
   std::vector<Step> steps{};
-  bool is_mended = false;  ///< its loose ends have been found to be one
+  bool is_mended = false;  ///< true if its loose ends were joined
 
   const SegmentEnd& start() const { return steps.front().start(); }
   const SegmentEnd& end() const { return steps.back().end(); }
   bool is_closed() const { return is_mended || end().names == start().names; }
 };
 
-/// Chains segments where their ends have the same name.
+/// Joins segments whose ends have the same name.
 class Chaining {
  public:
   explicit Chaining(const std::vector<const Segment*>& segments) {
@@ -40,7 +40,7 @@ class Chaining {
       for (int from = 0; from < 2; ++from) at_[s->ends[static_cast<std::size_t>(from)].names].push_back({s, from});
   }
 
-  /// Those with loose ends first, then the closed ones.
+  /// Returns chains with loose ends first, then the closed ones.
   std::vector<Chain> chains() {
     std::vector<Chain> all;
     for (const bool loose : {true, false})
@@ -75,8 +75,8 @@ Chain reversed(const Chain& chain) {
 
 double length_of(const Step& step) { return (step.end().point.place - step.start().point.place).norm(); }
 
-/// Joins the loose ends of lines that run across a side on which nodes hang: the small cells and the large one see the line end at
-/// different points of it, no farther from each other than its nodes.
+/// Joins the loose ends of lines that cross a side with hanging nodes. There the small cells and the large cell end
+/// the line at different points of the side, at most one distance of nodes apart.
 class Mending {
  public:
   explicit Mending(std::vector<Chain> chains) : chains_(std::move(chains)) {}
@@ -88,7 +88,7 @@ class Mending {
   }
 
  private:
-  /// An end of a chain: at its start, or at its end.
+  /// The start or the end of a chain.
   struct End {
     std::size_t chain;
     bool is_start;
@@ -146,7 +146,7 @@ Places places_of(const Chain& chain, double size) {
   return places;
 }
 
-/// Of all ways to run through a line the one whose places come first.
+/// Among all ways to traverse a line, returns the one whose places come first.
 Chain in_order(const Chain& chain, double size) {
   std::vector<Chain> ways{chain, reversed(chain)};
   if (chain.is_closed())
@@ -158,7 +158,8 @@ Chain in_order(const Chain& chain, double size) {
   return places_of(ways[1], size) < places_of(ways[0], size) ? ways[1] : ways[0];
 }
 
-/// Segments that end in a node have no length between them; a line keeps two points all the same.
+/// Removes repeated points. Segments that end in a node have no length between them; a line keeps at least two
+/// points.
 void drop_repeated(std::vector<BoundaryPoint>& points, double size) {
   constexpr double same = 1e-10;
   const auto is_repeated = [size](const BoundaryPoint& a, const BoundaryPoint& b) {
@@ -173,7 +174,7 @@ ContactLine line_of(const Chain& chain, double size) {
   ContactLine line{.is_closed = chain.is_closed(), .is_rim = chain.steps.front().segment->is_rim};
   const SegmentEnd* last = nullptr;
   for (const Step& step : chain.steps) {
-    // The same place on the other side of a joined edge, or of a side on which nodes hang.
+    // The same place on the other side of a joined edge, or of a side with hanging nodes.
     if (!last || last->nodes != step.start().nodes) line.points.push_back(step.start().point);
     line.points.push_back(step.end().point);
     line.length += length_of(step);

@@ -1,4 +1,4 @@
-// Segments put together to polylines, in an order that depends on places alone.
+// Polylines joined from segments, in an order that depends only on their places.
 #pragma once
 #include <plastron/certificate/boundary_segments.hpp>
 
@@ -6,8 +6,9 @@
 
 namespace plastron::certificate {
 
-/// The polylines of one zone: inside the shell first, then along the rim; long before short. Where a line crosses a joined edge it has
-/// the same place twice, with the parameters of either side. `size`: of the shell [m].
+/// Returns the polylines of one zone: inside the shell first, then along the rim; long before short. Where a line
+/// crosses a joined edge, it has the same place twice, with the parameters of either side. `size`: size of the shell
+/// [m].
 std::vector<ContactLine> contact_lines(const std::vector<Segment>& segments, double size);
 
 }  // namespace plastron::certificate

@@ -14,7 +14,7 @@ double length_of(const ContactZone& zone, bool is_rim) {
   return sum;
 }
 
-/// Those inside the shell.
+/// Visits the lines inside the shell.
 template <class Visit>
 void for_lines(std::span<const ContactZone> zones, const Visit& visit) {
   for (const ContactZone& zone : zones)
@@ -54,10 +54,11 @@ double relative_distance(std::span<const ContactZone> zones, std::span<const Con
   });
   bool all_closed = true;
   for_lines(zones, [&](const ContactLine& line) { all_closed = all_closed && line.is_closed; });
-  return integral / ((all_closed ? 2 : 1) * area);  // the mean distance times length / area
+  return integral / ((all_closed ? 2 : 1) * area);  // the mean distance is integral / length
 }
 
-// In a zone of one row of nodes the area follows from how gaps open on both sides: half of a node's own where the row is a poor picture of a strip.
+// In a zone of one row of nodes the area follows from the opening of gaps on both sides. Where the row represents a
+// strip poorly, the area is half of the nodes' own.
 bool ContactZone::is_line() const {
   constexpr double narrow = 0.25;
   return reaction.force.norm() > 0 && area < narrow * nodal_area;

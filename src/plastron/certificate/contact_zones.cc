@@ -13,7 +13,7 @@ namespace plastron::certificate {
 
 namespace {
 
-/// A node that touches the obstacle, as its owner knows it.
+/// A node that touches the obstacle, with its owner's data.
 struct TouchingNode {
   int zone;
   const assembly::NodalPoint& point;
@@ -34,7 +34,7 @@ void for_touching_nodes(const assembly::DiscreteShell& discrete, const NodalSolu
 
 using ZoneSums = Eigen::Matrix<double, 16, 1>;  // weight, nodes, force, moment, carried, carried x, weight x, peak
 
-/// Over all ranks, which keep the largest of the last entry.
+/// Adds up the sums of all ranks; the last entry becomes the largest of all ranks.
 std::vector<ZoneSums> over_ranks(const std::vector<ZoneSums>& mine, MPI_Comm comm) {
   const auto entries = static_cast<std::size_t>(ZoneSums::RowsAtCompileTime), count = mine.size();
   std::vector<double> packed;
@@ -51,7 +51,7 @@ std::vector<ZoneSums> over_ranks(const std::vector<ZoneSums>& mine, MPI_Comm com
   return sums;
 }
 
-/// All but the area, the place of the peak and the lines.
+/// Computes all members of the zones except the area, the place of the peak and the lines.
 std::vector<ContactZone> zone_totals(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                      std::size_t obstacle, const ZoneLabels& labels) {
   std::vector<ZoneSums> sums(static_cast<std::size_t>(labels.count), ZoneSums::Zero());
@@ -78,14 +78,15 @@ std::vector<ContactZone> zone_totals(const assembly::DiscreteShell& discrete, co
   return zones;
 }
 
-/// Half a diagonal of a box about the origin that holds the shell.
+/// Half the width of a cube about the origin that contains the shell.
 double extent_of(const assembly::DiscreteShell& discrete) {
   double most = 0;
   for (const assembly::NodalPoint& p : discrete.points) most = std::max(most, p.phi.cwiseAbs().maxCoeff());
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
-/// Where the peak is; of nodes that share it up to rounding, the one whose place comes first.
+/// Finds the place of the peak. If several nodes share the peak up to rounding, takes the one whose place comes
+/// first.
 void find_peaks(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t obstacle,
                 const ZoneLabels& labels, double size, std::vector<ContactZone>& zones) {
   constexpr double same = 1 - 1e-9;

@@ -10,14 +10,14 @@ namespace plastron::certificate {
 
 namespace {
 
-/// Quadrature on a side whose nodes carry the weights: Gauss-Lobatto; on triangles of degree 2, where vertices have no bound, the
-/// middle alone.
+/// Quadrature on a side whose nodes carry the weights: Gauss-Lobatto. On triangles of degree 2 vertices have no
+/// bound, and only the middle has weight.
 std::vector<double> side_weights(const fem::Space& space) {
   if (space.shape() == fem::Shape::triangle && space.degree == 2) return {0, 1, 0};
   return fem::gauss_lobatto(space.degree + 1).weights;
 }
 
-/// Length of the shell's edges that each node stands for; 0 inside.
+/// Length of the shell's edges represented by each node; 0 inside.
 algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
   const fem::Space& space = discrete.space();
   const auto weights = side_weights(space);
@@ -26,7 +26,8 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
   std::vector<geometry::SurfaceJet> jets(line.size());
   const fem::BoundarySide* last = nullptr;
   for (const fem::BoundarySide& edge : space.sides) {
-    const bool is_seen = last && last->cell == edge.cell && last->side == edge.side;  // a side with several names
+    // A side with several names occurs several times.
+    const bool is_seen = last && last->cell == edge.cell && last->side == edge.side;
     last = &edge;
     if (is_seen || edge.is_inner || edge.cell >= space.owned_cells) continue;
     std::vector<Eigen::Vector2d> xi;

@@ -13,12 +13,13 @@ namespace {
 
 using fem::Vector2d;
 
-/// Depth that the search may overlook, as a part of the thickness: half of what counts as contact that the nodes have missed.
+/// Depth that the search may overlook, as a part of the thickness: half of the depth that counts as missed contact.
 constexpr double overlooked_depth = 5e-3;
-/// The search gives up on a cell after so many points: along sharp edges that lie in contact there is no end but the smallest size.
+/// The search in a cell stops after this number of points: along sharp edges in contact only the smallest size would
+/// end it.
 constexpr std::size_t most_points = 4096;
 
-/// The shell where a solution has moved it: points of one cell at a time.
+/// The deformed shell at points of one cell at a time.
 class CellPoints {
  public:
   CellPoints(const assembly::DiscreteShell& discrete, const algebra::Vector& y) : discrete_(discrete), y_(y) {
@@ -42,7 +43,7 @@ class CellPoints {
   std::size_t size() const { return jets_.size(); }
   Vector2d x(std::size_t p) const { return {px_[p], py_[p]}; }
   double thickness(std::size_t p) const { return thickness_[p]; }
-  /// An obstacle that the shell has gone through is as deep in it as the shell is thick.
+  /// The gap at a point. If the shell has passed through the obstacle, the gap is at most minus the thickness.
   obstacle::FaceGap gap(std::size_t obstacle, std::size_t p) const {
     const Vector3d a3 = geometry::unit_normal(jets_[p]);
     const obstacle::ShellPoint at =
@@ -54,15 +55,17 @@ class CellPoints {
     if (passage.is_through) gap.distance = std::min(gap.distance, -at.thickness);
     return gap;
   }
-  /// How far from point p the cell's points are whose coordinates differ by no more than `half`, with a reserve for strains and curvature.
+  /// The largest distance from point p to points of the cell whose coordinates differ by at most `half`, with a
+  /// reserve for strains and curvature.
   double reach(std::size_t p, double half) const {
     constexpr double reserve = 1.25;
     return reserve * half * (jets_[p].d[0].norm() + jets_[p].d[1].norm());
   }
 
-  /// A cell is far from an obstacle where its first node is: the distance grows no faster than the way.
+  /// Whether a cell may be near an obstacle, judged at its first node: the distance changes by at most the way
+  /// travelled.
   bool is_near(std::size_t cell, std::size_t obstacle) const {
-    constexpr double reserve = 1.5;  // for what bulges between nodes
+    constexpr double reserve = 1.5;  // reserve for bulges between nodes
     const auto nodes = discrete_.space().nodes(cell);
     const auto first = static_cast<std::size_t>(nodes[0]);
     const auto displaced = [&](std::size_t i) {
@@ -85,7 +88,8 @@ class CellPoints {
   }
 
  private:
-  /// The mid-surface has gone farther than half of the thickness, on a straight way as far as is known: moving obstacles come step by step.
+  /// Whether the mid-surface moved by more than half of the thickness relative to the obstacle. The path counts as
+  /// straight; moving obstacles advance in steps.
   bool may_pass(std::size_t obstacle, const obstacle::ShellPoint& at) const {
     return !discrete_.obstacles.are_linear && !now_[obstacle].is_plane() &&
            discrete_.obstacles_at_start.all[obstacle].motions.empty() &&
@@ -95,16 +99,16 @@ class CellPoints {
   const assembly::DiscreteShell& discrete_;
   const algebra::Vector& y_;
   std::vector<obstacle::Obstacle> now_{};
-  std::vector<Vector3d> ways_{};  ///< that forces have pressed obstacles
+  std::vector<Vector3d> ways_{};  ///< displacements of obstacles pressed by forces
   std::vector<geometry::SurfaceJet> jets_{};
   std::vector<double> px_{}, py_{}, thickness_{};
   element::CellField values_{};
 };
 
-/// Twice as fine as the nodes, and in elements of degree 1 four times.
+/// Intervals per side: twice as fine as the nodes, four times as fine for degree 1.
 int intervals_of(int degree) { return std::max(4, 2 * degree); }
 
-/// A piece of a cell: the points whose coordinates differ from the centre's by no more than `half`.
+/// A piece of a cell: the points whose coordinates differ from the centre's by at most `half`.
 struct Piece {
   Vector2d centre;
   double half;
@@ -116,13 +120,13 @@ Vector2d put_into(fem::Shape shape, Vector2d xi) {
   return xi;
 }
 
-/// The search in one cell for one obstacle.
+/// Search in one cell for one obstacle.
 class GapSearch {
  public:
   GapSearch(const fem::Space& space, std::size_t cell, std::size_t obstacle)
       : space_(space), best_{cell, obstacle, std::numeric_limits<double>::infinity(), Vector2d::Zero()} {}
 
-  /// `points` looks at the centres of `pieces`.
+  /// Evaluates the gaps at the pieces' centres, where `points` are.
   void note(const CellPoints& points, std::span<const Piece> pieces) {
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       const obstacle::FaceGap gap = points.gap(best_.obstacle, p);
@@ -149,8 +153,8 @@ class GapSearch {
   }
 
  private:
-  /// No face in the piece is deeper than `tolerance` without being so at the centre: the obstacle is farther than the piece reaches, or
-  /// its rounding is so wide that a cap of that depth is as wide as the piece.
+  /// Whether no face in the piece is deeper than `tolerance` unless the centre is too. Either the obstacle is farther
+  /// than the piece reaches, or its rounding is wide: a cap of that depth is as wide as the piece.
   static bool is_clear(const obstacle::FaceGap& gap, double reach, double tolerance) {
     return gap.clearance >= reach || reach <= tolerance || reach * reach <= 2 * tolerance * gap.roundness;
   }

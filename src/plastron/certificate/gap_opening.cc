@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Local nodes that are corners of one sub-cell with a touching node, or of such a node in turn, and so on, `rings` times (collective).
+/// Marks the touching local nodes and, in `rings` steps, the nodes that share a sub-cell with a marked one
+/// (collective).
 std::vector<char> near_zones(const fem::Space& space, std::span<const char> touching, int rings) {
   std::vector<char> near(touching.begin(), touching.end());
   for (int ring = 0; ring < rings; ++ring) {
@@ -26,15 +27,15 @@ std::vector<char> near_zones(const fem::Space& space, std::span<const char> touc
     });
     make_whole(space, neighbours);
     for (std::size_t i = 0; i < near.size(); ++i)
-      if (neighbours.local()[i] > 0.1) near[i] = 1;  // where nodes hang weights have both signs: 0 may be rounding
+      if (neighbours.local()[i] > 0.1) near[i] = 1;  // weights at hanging nodes have both signs: 0 may be rounding
   }
   return near;
 }
 
-/// s >= 0 with s^2 (3 + s) = gap.
+/// Solves s^2 (3 + s) = gap for s >= 0.
 double opened_distance(double gap) {
   double s = std::min(std::sqrt(gap / 3),
-                      std::cbrt(gap));  // no less than the solution, from where Newton's steps go down to it
+                      std::cbrt(gap));  // not below the solution: Newton's method converges from above
   for (int i = 0; i < 60 && s > 0; ++i) {
     const double step = (s * s * (3 + s) - gap) / (s * (6 + 3 * s));
     s -= step;
@@ -53,7 +54,8 @@ Vector2d gradient(const Quadratic& c, const Vector2d& p) {
   return {c[1] + 2 * c[3] * p[0] + c[4] * p[1], c[2] + c[4] * p[0] + 2 * c[5] * p[1]};
 }
 
-/// The zero that Newton's steps find from the origin, up the gradient or along a direction; nothing outside of the unit disk.
+/// The zero found by Newton's method from the origin, along the gradient or along a given direction; nothing outside
+/// of the unit disk.
 std::optional<Vector2d> zero_of(const Quadratic& c, const std::optional<Vector2d>& along) {
   Vector2d p = Vector2d::Zero();
   for (int i = 0; i < 30; ++i) {
@@ -66,8 +68,8 @@ std::optional<Vector2d> zero_of(const Quadratic& c, const std::optional<Vector2d
   return {};
 }
 
-/// Gaps at nodes as distances from the edge, and the polynomial that is fitted to them. Lengths are over a radius at which weights vanish:
-/// which of several nodes as far as that are taken does not matter.
+/// Gaps at nodes as distances from the edge, and the polynomial fitted to them. Lengths are divided by the radius at
+/// which weights vanish. Which of several nodes near this radius enter does not matter.
 class DistanceFit {
  public:
   DistanceFit(const EdgeSearch& search, double radius)
@@ -87,7 +89,8 @@ class DistanceFit {
     const auto rows = static_cast<Eigen::Index>(terms_.size());
     const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> terms(terms_.front().data(), 6, rows);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> fit;
-    fit.setThreshold(1e-6);  // of a polynomial that vanishes at all nodes: weights at the radius are rounding
+    // Detects a polynomial that vanishes at all nodes: weights at the radius are rounding.
+    fit.setThreshold(1e-6);
     fit.compute(terms.transpose());
     double c = largest / (3 * delta_ + 1);
     for (int i = 0; i < 100; ++i) {
@@ -119,7 +122,7 @@ class DistanceFit {
   bool is_trusted(const Vector2d& zero, const Vector2d& slope, double misfit) const {
     constexpr double well_fitted = 0.1;
     const double node_distance =
-        std::sqrt(std::numbers::pi / (2.0 * static_cast<double>(gaps_.size())));  // in half a disk
+        std::sqrt(std::numbers::pi / (2.0 * static_cast<double>(gaps_.size())));  // nodes in half a disk
     return zero.norm() <= node_distance && misfit <= well_fitted * node_distance &&
            slope.dot(search_.axes.transpose() * search_.inwards) < 0.6 * search_.inwards.norm();
   }
@@ -133,7 +136,7 @@ class DistanceFit {
 }  // namespace
 
 double shear_length(const shell::Material& material, double thickness) {
-  const double bending = (material.lambda_plane_stress() + 2 * material.mu) / 12;  // over e^3
+  const double bending = (material.lambda_plane_stress() + 2 * material.mu) / 12;  // divided by e^3
   return thickness * std::sqrt(bending / (material.shear_correction * material.mu));
 }
 
@@ -161,10 +164,10 @@ std::optional<Vector3d> GapOpening::way_to_edge(algebra::LocalIndex free, const 
   const int part = parts_.of_node[static_cast<std::size_t>(free)];
   if (part < 0) return {};
   const std::vector<FreeNode>& nodes = nodes_[static_cast<std::size_t>(part)];
-  std::vector<std::pair<double, const FreeNode*>> ordered;  // by their distances
+  std::vector<std::pair<double, const FreeNode*>> ordered;  // ordered by distance
   ordered.reserve(nodes.size());
   for (const FreeNode& node : nodes) ordered.emplace_back((node.place - search.from).norm(), &node);
-  // Many nodes see a smooth edge best, few one that is strongly curved.
+  // Many nodes suit a smooth edge best, few nodes a strongly curved one.
   for (const std::size_t count : {30U, 16U}) {
     if (ordered.size() <= count) continue;
     std::ranges::nth_element(ordered, ordered.begin() + count, {}, [](const auto& n) { return n.first; });

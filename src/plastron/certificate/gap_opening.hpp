@@ -1,15 +1,15 @@
-// Where the edge of a contact zone lies, as the gap outside tells.
+// The edge of a contact zone, found from the gaps of free nodes.
 //
-// Next to the edge, outside, the shear force Q is about constant and the moment is M = Q (s + delta), s the distance from the edge:
-// inside, rotations fade like exp(-|s|/delta), delta^2 = D/G = e^2/(6 (1 - nu) k_s) the bending over the shear stiffness, and M is
-// continuous. So the gap opens like
+// Outside next to the edge, the shear force Q is about constant. The moment is M = Q (s + delta) at the distance s
+// from the edge. Inside, rotations decay like exp(-|s|/delta), delta^2 = D/G = e^2/(6 (1 - nu) k_s) the ratio of
+// bending to shear stiffness, and M is continuous. Therefore the gap opens like
 //
 //     g = c s^2 (3 delta + s),
 //
-// a parabola in thick shells and a cube in thin ones. Solved for s, gaps at free nodes are distances that vary smoothly (curvature,
-// loads and the shell's slope bend them a little): a polynomial of degree 2 is fitted to them in the tangent plane, with c such that it
-// has slope 1 where it is zero. Nodes that touch have no say: the outermost ones often lie outside of the true zone, by less than half
-// the distance of nodes.
+// a parabola in thick shells and a cubic in thin ones. Solved for s, the gaps at free nodes are distances that vary
+// smoothly; curvature, loads and the shell's slope change them a little. A polynomial of degree 2 is fitted to them
+// in the tangent plane; c is such that it has slope 1 at its zero. Touching nodes do not enter the fit: the outermost
+// ones often lie outside of the true zone, by less than half the distance of nodes.
 #pragma once
 #include <plastron/certificate/touching_nodes.hpp>
 #include <plastron/certificate/zone_labels.hpp>
@@ -21,21 +21,22 @@ namespace plastron::certificate {
 /// delta of the material in a shell of this thickness [m].
 double shear_length(const shell::Material& material, double thickness);
 
-/// Where to look for the edge.
+/// A search for the edge near a point.
 struct EdgeSearch {
   Vector3d from;                           ///< a point near the edge, on the mid-surface
-  Eigen::Matrix<double, 3, 2> axes;        ///< orthonormal, of the tangent plane there
+  Eigen::Matrix<double, 3, 2> axes;        ///< orthonormal axes of the tangent plane at the point
   double shear_length = 0;                 ///< delta [m]
-  Vector3d inwards;                        ///< from a free node beside it to a touching one
-  std::optional<Eigen::Vector2d> along{};  ///< the only direction that the way may have, in the axes: on a border
+  Vector3d inwards;                        ///< direction from a free node beside the point to a touching one
+  std::optional<Eigen::Vector2d> along{};  ///< the only admissible direction of the way, in the axes; set on a border
 };
 
 class GapOpening {
  public:
-  /// Of the nodes next to the zones of one obstacle (collective).
+  /// Collects the free nodes next to the zones of one obstacle (collective).
   GapOpening(const assembly::DiscreteShell& discrete, const TouchingNodes& touching);
 
-  /// From `from` to the edge, as free nodes see it that are connected with this local one; nothing if these are few or tell nothing.
+  /// Returns the way from `from` to the edge. The free nodes connected with the local node `free` predict the edge.
+  /// Empty if they are too few or their fit is not trusted.
   std::optional<Vector3d> way_to_edge(algebra::LocalIndex free, const EdgeSearch& search) const;
 
  private:
@@ -44,8 +45,8 @@ class GapOpening {
     double gap;
   };
 
-  ZoneLabels parts_;                            // of the free nodes: some lift off inside of a zone
-  std::vector<std::vector<FreeNode>> nodes_{};  // next to zones, by part, of all ranks
+  ZoneLabels parts_;                            // components of the free nodes: some lie inside of a zone
+  std::vector<std::vector<FreeNode>> nodes_{};  // free nodes next to zones, by component, of all ranks
 };
 
 }  // namespace plastron::certificate

@@ -1,4 +1,5 @@
-// Apart from what computes an EdgeContact: tables of results name this, and are read without the solver's libraries.
+// The test for line reactions, apart from the computation of EdgeContact: tables of results use it and are read
+// without the solver's libraries.
 #include <plastron/certificate/edge_contact.hpp>
 
 namespace plastron::certificate {

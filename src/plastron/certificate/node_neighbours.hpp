@@ -1,4 +1,4 @@
-// Nodes that are corners of one sub-cell, and sums over them.
+// Neighbours, nodes that are corners of one sub-cell, and sums over them.
 #pragma once
 #include <plastron/certificate/sub_cells.hpp>
 #include <plastron/fem/ties.hpp>
@@ -18,7 +18,7 @@ void for_neighbours(const fem::Space& space, Visit&& visit) {
   }
 }
 
-/// What each rank's own cells have added up becomes the sum of all ranks at every local node (collective).
+/// Adds the sums of each rank's own cells over all ranks at every local node (collective).
 inline void make_whole(const fem::Space& space, algebra::Vector& sums) {
   sums.accumulate_ghosts();
   fem::collect(space, sums);

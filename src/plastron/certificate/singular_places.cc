@@ -18,12 +18,12 @@ namespace plastron::certificate {
 
 namespace {
 
-/// How much of a field with components an edge holds.
+/// The part of a field's components that an edge fixes.
 enum class Hold { nothing, some, all };
-/// Of displacements in the tangent plane, of the rotation, of the deflection.
+/// For displacements in the tangent plane, for the rotation, for the deflection.
 using Holds = std::array<Hold, 3>;
 
-/// A side of the rim as it leaves one of its two corners.
+/// A side of the rim, seen from one of its two corners.
 struct SideEnd {
   algebra::GlobalIndex node = 0;
   bool is_forward = false;  ///< anticlockwise round the shell
@@ -34,7 +34,7 @@ struct SideEnd {
   double thickness = 0;
 };
 
-/// Sums of d d' over the directions in which the supports of a boundary hold u and r at a point with these axes.
+/// Sums of d d' over the directions in which a boundary's supports fix u and r at a point with these axes.
 std::array<Eigen::Matrix3d, 2> held_directions(const assembly::DiscreteShell& discrete, const std::string& boundary,
                                                const Vector3d& tangent, const Vector3d& a3) {
   std::array<Eigen::Matrix3d, 2> sums{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
@@ -63,11 +63,11 @@ std::array<Eigen::Matrix3d, 2> held_directions(const assembly::DiscreteShell& di
   return sums;
 }
 
-/// Of the tangent plane: how many of its directions are held, whatever else the supports hold with them.
+/// The number of fixed directions of the tangent plane, regardless of other directions fixed with them.
 Hold held_in_plane(const Eigen::Matrix3d& sum, const Vector3d& t, const Vector3d& n) {
   Eigen::Matrix2d plane;
   plane << t.dot(sum * t), t.dot(sum * n), n.dot(sum * t), n.dot(sum * n);
-  constexpr double least = 0.1;  // of a squared cosine
+  constexpr double least = 0.1;  // limit of a squared cosine
   const double trace = plane.trace(), root = std::sqrt(std::max(0.0, trace * trace / 4 - plane.determinant()));
   return trace / 2 - root > least ? Hold::all : trace / 2 + root > least ? Hold::some : Hold::nothing;
 }
@@ -149,7 +149,7 @@ double bounded_up_to(const Holds& a, const Holds& b) {
   return least;
 }
 
-/// One of the two edges, with what its names hold together: a side may have several.
+/// One of the two edges, with the constraints of all its names: a side may have several.
 SideEnd joined(const std::vector<SideEnd>& ends, bool is_forward) {
   SideEnd whole;
   for (const SideEnd& end : ends) {
@@ -172,7 +172,8 @@ std::vector<SingularPlace> singular_corners(const assembly::DiscreteShell& discr
     if (forward.a3.isZero(0) || backward.a3.isZero(0)) continue;
     const double sine = forward.a3.dot(forward.tangent.cross(backward.tangent)),
                  cosine = forward.tangent.dot(backward.tangent);
-    constexpr double rounding = 1e-2, smooth = 0.15;  // [rad]: straight sides of cells make a smooth curve a polygon
+    // In radians: straight sides of cells approximate a smooth curve by a polygon.
+    constexpr double rounding = 1e-2, smooth = 0.15;
     double angle = std::atan2(sine, cosine);
     if (angle < rounding) angle += 2 * std::numbers::pi;
     const bool is_change = forward.holds != backward.holds;
@@ -197,7 +198,8 @@ std::vector<SingularPlace> singular_corners(const assembly::DiscreteShell& discr
 
 std::vector<SingularPlace> singular_places(const assembly::DiscreteShell& discrete, const Summary& summary) {
   std::vector<SingularPlace> places = singular_corners(discrete);
-  constexpr double negligible = 1e-6;  // of the loads: points that only keep a shell in its place
+  // Part of the loads: smaller forces belong to points that only prevent rigid motions.
+  constexpr double negligible = 1e-6;
   for (const PointReaction& point : summary.point_reactions) {
     if (point.force.norm() <= negligible * summary.load_norms) continue;
     std::vector<double> mine;

@@ -1,4 +1,5 @@
-// A cell of degree k seen through its nodes: k^2 sub-cells with nodes at their corners, each side of them shared with a neighbour.
+// Sub-cells: a cell of degree k is divided into k^2 sub-cells with nodes at their corners. Each side is shared with a
+// neighbour.
 #pragma once
 #include <plastron/fem/reference_cell.hpp>
 
@@ -7,7 +8,7 @@
 
 namespace plastron::certificate {
 
-/// Three or four nodes of the cell as they follow each other round a sub-cell.
+/// Three or four nodes of the cell in their order round a sub-cell.
 using SubCell = std::vector<int>;
 
 std::vector<SubCell> sub_cells(fem::Shape shape, int degree);

@@ -1,5 +1,5 @@
-// What supports carry: boundary by boundary, corner by corner, point by point. All together they carry Summary::support_reaction, but for
-// what holds rigid bodies.
+// Reactions of supports per boundary, per corner and per point. Their sum is Summary::support_reaction without the
+// reactions of rigid bodies.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/certificate/wrench.hpp>
@@ -17,32 +17,33 @@ struct NodalSupportForce {
 
 struct SupportReaction {
   std::string boundary{};
-  Wrench reaction{};       ///< on the shell, without what corners carry
-  std::int64_t nodes = 0;  ///< that it holds
+  Wrench reaction{};       ///< reaction on the shell, without the parts of corners
+  std::int64_t nodes = 0;  ///< number of nodes that it supports
 };
 
-/// What edges carry at a corner beyond their line densities: see support_shares.hpp.
+/// Reaction of edges at a corner beyond their line densities: see support_shares.hpp.
 struct CornerReaction {
-  std::vector<std::string> boundaries{};               ///< that meet there
+  std::vector<std::string> boundaries{};               ///< boundaries that meet there
   Eigen::Vector2d at = Eigen::Vector2d::Zero();        ///< in Omega
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< on the undeformed mid-surface [m]
-  Wrench reaction{};                                   ///< on the shell
+  Wrench reaction{};                                   ///< reaction on the shell
 };
 
-/// Held in three points against its six rigid motions, a shell under loads in equilibrium needs no force there; any other force at a point
-/// is singular in this model (docs/model.md, section 6).
+/// Reaction at a supported point. A shell in equilibrium under its loads that three points support against its six
+/// rigid motions needs no force there. Any other force at a point is singular in this model (docs/model.md, section
+/// 6).
 struct PointReaction {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< in Omega
-  Vector3d force = Vector3d::Zero();  ///< on the shell; no edge that is held in its direction has part in it [N]
+  Vector3d force = Vector3d::Zero();             ///< force on the shell, without directions that an edge fixes [N]
 };
 
 struct SupportReactions {
-  std::vector<SupportReaction> boundaries{};  ///< one for every boundary that a support names, in the order of the case
-  std::vector<CornerReaction> corners{};      ///< in an order of places
+  std::vector<SupportReaction> boundaries{};  ///< one per boundary with a support, in the order of the case
+  std::vector<CornerReaction> corners{};      ///< ordered by place
   std::vector<PointReaction> points{};        ///< in the order of the case
 };
 
-/// (collective)
+/// Computes the reactions from the nodal forces (collective).
 SupportReactions support_reactions(const assembly::DiscreteShell& discrete,
                                    const std::vector<NodalSupportForce>& forces);
 

@@ -24,17 +24,18 @@ namespace {
 using assembly::NodeSupport;
 using Eigen::Vector3d;
 
-/// Eigenvalues of (P + Q)/2 of two projectors are (1 - cos)/2 and (1 + cos)/2 of the angles between their spaces: below four degrees directions are
-/// one, and what they carry apart from each other would be rounding.
+/// The eigenvalues of (P + Q)/2 for two projectors are (1 - cos)/2 and (1 + cos)/2 of the angles between their
+/// spaces. Below four degrees two directions count as one, because their separate forces would be rounding.
 constexpr double least_part = 1e-3;
-/// Edges that meet at less than this angle, one degree, run on into each other (assembly/node_supports.cc).
+/// Edges that meet at less than this angle, one degree, continue each other (assembly/node_supports.cc).
 constexpr double corner_sine = 0.0175;
-/// The layer of Q at a supported edge falls like exp(-s sqrt(12 k_s)/e): a corner's force is spread over this many thicknesses.
+/// In the layer at a supported edge Q decays like exp(-s sqrt(12 k_s)/e). A corner's force is spread over this number
+/// of thicknesses.
 constexpr double layer_reach = 2;
-/// The largest part of a short edge that a corner reaches.
+/// Largest part of a short edge within a corner's reach.
 constexpr double most_of_edge = 0.1;
 
-/// On the eigenvectors of a symmetric matrix whose eigenvalues are above `least`.
+/// Projector on the eigenvectors of a symmetric matrix whose eigenvalues are above `least`.
 Matrix6 projector_above(const Matrix6& A, double least) {
   const auto eigen = geometry::symmetric_eigen(Eigen::MatrixXd(A));
   Matrix6 projector = Matrix6::Zero();
@@ -46,7 +47,7 @@ Matrix6 projector_above(const Matrix6& A, double least) {
 Matrix6 intersection(const Matrix6& P, const Matrix6& Q) { return projector_above((P + Q) / 2, 1 - least_part); }
 Matrix6 span_of(const Matrix6& sum) { return projector_above(sum, least_part); }
 
-/// On what the rows hold of (u, r); whoever prescribes a rotation holds r . a_3 too.
+/// Projector on the directions of (u, r) that the rows fix. A support that prescribes a rotation fixes r . a_3 too.
 Matrix6 held_by(const NodeSupport& rows, const Vector3d& a3) {
   Matrix6 sum = Matrix6::Zero();
   for (const auto& [d, value] : rows.displacement) sum.topLeftCorner<3, 3>() += d * d.transpose();
@@ -55,7 +56,7 @@ Matrix6 held_by(const NodeSupport& rows, const Vector3d& a3) {
   return span_of(sum);
 }
 
-/// The rows of some supports alone, as nodal_coordinates() has those of all (collective).
+/// The rows of a subset of supports, computed like nodal_coordinates() computes them for all supports (collective).
 std::vector<NodeSupport> rows_of(const std::vector<assembly::Support>& some, const assembly::DiscreteShell& discrete) {
   auto rows = assembly::node_supports(discrete.space(), discrete.shell.surface(), discrete.points, some);
   assembly::hand_to_masters(discrete.space(), rows);
@@ -63,7 +64,8 @@ std::vector<NodeSupport> rows_of(const std::vector<assembly::Support>& some, con
   return rows;
 }
 
-/// Length of the edge that each node stands for, and the sum of the unit tangents of the sides that leave it; block 4 (collective).
+/// Length of edge represented by each node, and the sum of the unit tangents of the sides that leave it; block 4
+/// (collective).
 algebra::Vector edge_at_nodes(const assembly::DiscreteShell& discrete, const std::string& boundary) {
   const fem::Space& space = discrete.space();
   const fem::Rule line = fem::gauss_lobatto(space.degree + 1);
@@ -91,11 +93,11 @@ algebra::Vector edge_at_nodes(const assembly::DiscreteShell& discrete, const std
   return edge;
 }
 
-/// A corner's edge and how far the node next to the corner's reach is.
+/// One edge of a corner, with the distance of the first node outside of the corner's reach.
 struct CornerEdge {
   std::size_t corner = 0, boundary = 0;
   double nearest = std::numeric_limits<double>::infinity();
-  double length_within = 0, length_next = 0;  ///< of edge that nodes stand for
+  double length_within = 0, length_next = 0;  ///< length of edge represented by nodes
   double continuation() const { return length_next > 0 ? length_within / length_next : 0; }
 };
 
@@ -118,18 +120,19 @@ SupportCorner unpacked(std::span<const double>& n) {
 
 }  // namespace
 
-/// What one carrier holds at a node.
+/// Constraint of one carrier at a node.
 struct SupportShares::Holding {
   std::size_t carrier = 0;
   bool is_point = false;
-  Matrix6 held = Matrix6::Zero();     ///< projector on the directions of (u, r)
-  double length = 0;                  ///< of its edge that the node stands for [m]
+  Matrix6 held = Matrix6::Zero();     ///< projector on the fixed directions of (u, r)
+  double length = 0;                  ///< length of its edge represented by the node [m]
   Vector3d along = Vector3d::Zero();  ///< sum of the unit tangents of its sides that leave the node
 };
 
 namespace {
 
-/// The force f at a node as a sum of parts M f, each in the directions that its carrier holds, least in the sum of their squares over the lengths of edges.
+/// Splits the force f at a node into parts M f, each in the directions fixed by its carrier. The sum of their squares
+/// over the lengths of edges is least.
 template <class Holdings>
 std::vector<Matrix6> parts_of(const Holdings& holdings) {
   std::vector<Matrix6> parts(holdings.size(), Matrix6::Identity());
@@ -159,7 +162,7 @@ std::vector<Matrix6> parts_of(const Holdings& holdings) {
     parts[k] = weights[k] * held[k] * inverse;
     rest -= parts[k];
   }
-  // Rounding, and directions that were taken for one: by length, to edges if there are any.
+  // Rounding, and directions that count as one: divided by length, among edges if there are any.
   const bool has_edge = std::ranges::any_of(holdings, [](const auto& h) { return !h.is_point; });
   double whole = 0;
   for (std::size_t k = 0; k < parts.size(); ++k) whole += has_edge && holdings[k].is_point ? 0 : weights[k];
@@ -168,10 +171,11 @@ std::vector<Matrix6> parts_of(const Holdings& holdings) {
   return parts;
 }
 
-/// Whether two edges that meet at a node make a corner there, and do not run on into each other, or lie on each other.
+/// Whether two edges that meet at a node make a corner there. They make none if they continue each other or coincide.
 template <class Holding>
 bool is_corner(const Holding& a, const Holding& b) {
-  constexpr double ends = 0.5;  // of the sum of tangents: an edge that passes has 0, one that ends 1
+  // Limit of the norm of the sum of tangents: 0 for an edge that passes, 1 for an edge that ends.
+  constexpr double ends = 0.5;
   const bool a_ends = a.along.norm() > ends, b_ends = b.along.norm() > ends;
   if (a_ends != b_ends) return true;
   return a_ends && a.along.cross(b.along).norm() > corner_sine;
@@ -217,7 +221,8 @@ SupportShares::Holdings SupportShares::holdings(const assembly::DiscreteShell& d
       }
   }
   const auto points = discrete.support_points();
-  for (std::size_t k = 0; k < points.size(); ++k)  // corners are not known yet: points come behind boundaries for now
+  // Corners are not known yet: points follow directly after boundaries for now.
+  for (std::size_t k = 0; k < points.size(); ++k)
     add(boundaries_.size() + k, true, rows_of(those([&](const auto& s) { return s.point == points[k]; }), discrete));
   return all;
 }
@@ -262,7 +267,7 @@ void SupportShares::share(const assembly::DiscreteShell& discrete, const Holding
     return (discrete.points[node].phi - corners_[corner].place).norm();
   };
   std::vector<CornerEdge> edges;
-  std::vector<std::vector<std::size_t>> of_boundary(boundaries_.size());  // places in `edges`
+  std::vector<std::vector<std::size_t>> of_boundary(boundaries_.size());  // indices in `edges`
   for (std::size_t c = 0; c < corners_.size(); ++c)
     for (const std::size_t b : corners_[c].boundaries) {
       of_boundary[b].push_back(edges.size());
@@ -279,7 +284,8 @@ void SupportShares::share(const assembly::DiscreteShell& discrete, const Holding
     }
     return found;
   };
-  const auto for_edge_nodes = [&](const auto& visit) {  // visit(edge, node's holding, its distance, is within reach)
+  // Calls visit(edge, node's holding, its distance, is within reach).
+  const auto for_edge_nodes = [&](const auto& visit) {
     for (const auto& [node, at] : all)
       for (const Holding& h : at) {
         if (h.is_point || !(h.length > 0)) continue;

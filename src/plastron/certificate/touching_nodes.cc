@@ -13,7 +13,7 @@ namespace {
 
 using algebra::LocalIndex;
 
-/// The solution of A x = b in the directions that A knows: neighbours lie on a surface, some on a line.
+/// Solves A x = b in the directions with large eigenvalues of A: neighbours lie on a surface, some on a line.
 Vector3d least_solution(const Eigen::Matrix3d& A, const Vector3d& b) {
   constexpr double known = 1e-3;
   const auto modes = geometry::symmetric_eigen(A);
@@ -52,7 +52,7 @@ void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& dis
   constexpr double closed = 0.1;
   const fem::Space& space = discrete.space();
   if (space.shape() != fem::Shape::triangle || space.degree != 2) return;
-  const auto has_bound = [&](LocalIndex node) {  // weights of tied nodes have gone to their masters
+  const auto has_bound = [&](LocalIndex node) {  // weights of tied nodes were added to their masters
     return discrete.points[static_cast<std::size_t>(representative(space, node))].weight > 0;
   };
   algebra::Vector sums(space.layout, block);
@@ -74,7 +74,7 @@ void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& dis
 void TouchingNodes::take_in_lifted_nodes(const assembly::DiscreteShell& discrete) {
   constexpr int block = 2;  // neighbours, free ones
   constexpr double most =
-      0.21;  // of the neighbours, those across a side counted twice: one of eight, or two of them across corners
+      0.21;  // part of the neighbours, across a side counted twice: one of eight, or two across corners
   const fem::Space& space = discrete.space();
   for (int pass = 0; pass < 2; ++pass) {
     algebra::Vector sums(space.layout, block);
@@ -86,7 +86,7 @@ void TouchingNodes::take_in_lifted_nodes(const assembly::DiscreteShell& discrete
     make_whole(space, sums);
     for (std::size_t i = 0; i < inside_.size(); ++i) {
       const double* s = sums.local().data() + i * block;
-      if (std::abs(s[1]) <= most * s[0]) inside_[i] = 1;  // where nodes hang weights may be negative
+      if (std::abs(s[1]) <= most * s[0]) inside_[i] = 1;  // weights at hanging nodes may be negative
     }
   }
 }
@@ -117,7 +117,7 @@ void TouchingNodes::fit_slopes(const assembly::DiscreteShell& discrete) {
 }
 
 void TouchingNodes::continue_roots(const assembly::DiscreteShell& discrete) {
-  constexpr int block = 2;  // free neighbours, the sum of their roots continued
+  constexpr int block = 2;  // free neighbours, the sum of their continued roots
   const fem::Space& space = discrete.space();
   algebra::Vector sums(space.layout, block);
   for_neighbours(space, [&](LocalIndex a, LocalIndex b) {

@@ -8,19 +8,20 @@ namespace plastron::certificate {
 
 using Eigen::Vector3d;
 
-/// Resultant [N] and moment about a point, the origin unless it was moved [N m].
+/// Resultant [N] and moment [N m] about a point, the origin unless the point was moved.
 struct Wrench {
   Vector3d force = Vector3d::Zero();
   Vector3d moment = Vector3d::Zero();
 
   Wrench& operator+=(const Wrench& other);
-  /// The moment becomes that about a point which lies `by` from the one before: moment - by x force.
+  /// Moves the point by `by`: the moment becomes moment - by x force.
   void move_point(const Vector3d& by);
 };
 
-/// Of what works on (u, r) at a node: a force at phi and a couple on the director, phi x f + a_3 x c.
+/// Wrench of the generalised force on (u, r) at a node, a force f at phi and a couple c on the director. Its moment
+/// is phi x f + a_3 x c.
 Wrench nodal_wrench(const Vector3d& phi, const Vector3d& a3, const Eigen::Matrix<double, 6, 1>& f);
-/// The sum (collective).
+/// Sum of all ranks (collective).
 Wrench over_ranks(const Wrench& w, MPI_Comm comm);
 
 }  // namespace plastron::certificate

@@ -10,7 +10,7 @@ namespace plastron::certificate {
 
 namespace {
 
-/// Disjoint sets of 0 to n - 1; a set goes by its smallest member.
+/// Disjoint sets of 0 to n - 1; the smallest member of a set represents it.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
@@ -31,7 +31,7 @@ class DisjointSets {
   std::vector<std::size_t> parent_;
 };
 
-/// The components that this rank's own cells show, by local node.
+/// The components connected by this rank's own cells, by local node.
 DisjointSets local_components(const fem::Space& space, std::span<const char> inside) {
   DisjointSets sets(static_cast<std::size_t>(space.layout->local_size()));
   const auto subs = sub_cells(space.shape(), space.degree);
@@ -55,7 +55,7 @@ DisjointSets local_components(const fem::Space& space, std::span<const char> ins
   return sets;
 }
 
-/// Names of components that are one, as all ranks know them together.
+/// Names of components. Names of the same component are united over all ranks.
 struct SameNames {
   std::vector<double> names;  ///< ascending, each once
   DisjointSets sets;
@@ -65,7 +65,7 @@ struct SameNames {
   }
 };
 
-/// From pairs of names (collective).
+/// Unites pairs of names (collective).
 SameNames same_names(std::span<const double> pairs, MPI_Comm comm) {
   const std::vector<double> all = algebra::gather_over_ranks(pairs, comm);
   std::vector<double> names = all;
@@ -82,7 +82,8 @@ ZoneLabels zone_labels(const fem::Space& space, std::span<const char> inside) {
   const algebra::Layout& layout = *space.layout;
   const auto count = static_cast<std::size_t>(layout.local_size());
   DisjointSets sets = local_components(space, inside);
-  // A component is named after one of its nodes; where a rank sees a node by another name than its owner, two names are one.
+  // A component is named after one of its nodes. If a rank has another name for a node than its owner, both names
+  // mean one component.
   algebra::Vector owners(space.layout, 1);
   std::vector<double> mine(count), pairs;
   for (std::size_t i = 0; i < count; ++i)

@@ -1,4 +1,5 @@
-// Which of the nodes that touch, or of those that do not, belong together: connected components over the sub-cells of the mesh, across ranks and joined edges.
+// Connected components of the nodes that touch, or of the nodes that do not, over the sub-cells of the mesh, across
+// ranks and joined edges.
 #pragma once
 #include <plastron/fem/space.hpp>
 
@@ -9,11 +10,11 @@ namespace plastron::certificate {
 
 struct ZoneLabels {
   int count = 0;
-  /// Of local nodes inside: 0 to count - 1, the same on every rank that sees the node; else -1.
+  /// Label of local nodes inside: 0 to count - 1, the same on every rank that has the node; -1 for other nodes.
   std::vector<int> of_node{};
 };
 
-/// `inside` is 1 or 0 of each local node (collective).
+/// Labels the local nodes for which `inside` is 1 (collective).
 ZoneLabels zone_labels(const fem::Space& space, std::span<const char> inside);
 
 }  // namespace plastron::certificate

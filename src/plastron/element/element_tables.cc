@@ -40,7 +40,7 @@ std::vector<std::vector<std::pair<int, double>>> nonzeros(const MatrixXd& interp
   return rows;
 }
 
-/// Tensor products of Lagrange polynomials at points, those along xi_1 fastest.
+/// Tensor products of Lagrange polynomials at points, with xi_1 running fastest.
 MatrixXd tensor_interpolation(const SamplingLines& lines, const std::vector<Vector2d>& xi) {
   const auto n1 = static_cast<Eigen::Index>(lines.along_1.size()), n2 = static_cast<Eigen::Index>(lines.along_2.size());
   MatrixXd interpolation(static_cast<Eigen::Index>(xi.size()), n1 * n2);
@@ -84,7 +84,7 @@ BasisAt triangle_basis(int degree, const std::vector<Vector2d>& xi) {
   return basis;
 }
 
-/// Every strain at every quadrature point as it is.
+/// Samples every strain at the quadrature points themselves.
 void sample_at_quadrature(ElementTables& tables) {
   const auto points = static_cast<Eigen::Index>(tables.quadrature.xi.size());
   tables.samplings.push_back({.basis = tables.quadrature,
@@ -125,7 +125,7 @@ ElementTables square_tables(int degree, bool tying) {
 
 ElementTables triangle_tables(int degree) {
   const fem::TriangleRule rule = fem::triangle_rule(2 * degree + 2);
-  const double third = 1.0 / 6;  // of the reference triangle's area
+  const double third = 1.0 / 6;  // third of the reference triangle's area
   return {.shape = Shape::triangle,
           .degree = degree,
           .tying = false,
@@ -137,7 +137,7 @@ ElementTables triangle_tables(int degree) {
               degree == 1 ? std::vector{third, third, third} : std::vector{0.0, third, 0.0, third, third, 0.0}};
 }
 
-/// The linear function through values at three points: rows points xi, columns the three.
+/// Interpolates linearly between values at three points: a row per point of `xi`, a column per given value.
 MatrixXd linear_interpolation(const std::vector<Vector2d>& from, const std::vector<Vector2d>& xi) {
   const auto vandermonde = [](const std::vector<Vector2d>& points) {
     MatrixXd v(static_cast<Eigen::Index>(points.size()), 3);

@@ -5,21 +5,21 @@
 namespace plastron::element {
 
 enum class Formulation {
-  tangent,    ///< (M12) two rotations a node, in its tangent plane
-  penalised,  ///< (M13) three rotations a node, the gradient of r . a_3 is penalised
-  mixed,      ///< (M14) three rotations a node and a multiplier lambda, stabilised
+  tangent,    ///< (M12) two rotations per node, in its tangent plane
+  penalised,  ///< (M13) three rotations per node; the gradient of r . a_3 is penalised
+  mixed,      ///< (M14) three rotations per node and a multiplier lambda, stabilised
   classical   ///< (M15) covariant components of u and r are interpolated
 };
 
 std::string_view to_string(Formulation formulation);
 
-/// Whether r . a_3 is an unknown of its own.
+/// Whether r . a_3 is a separate unknown.
 constexpr bool is_relaxed(Formulation formulation) {
   return formulation == Formulation::penalised || formulation == Formulation::mixed;
 }
 
-/// The formulation with its dimensionless numbers. The code scales them with E e^3 [N m], the unit of the form
-/// int a^{ab} d_a(r . a_3) d_b(s . a_3) sqrt(a) dx being that of an energy.
+/// The formulation with its dimensionless parameters. The code multiplies them by E e^3 [N m], so that the form int
+/// a^{ab} d_a(r . a_3) d_b(s . a_3) sqrt(a) dx becomes an energy.
 struct Tangency {
   Formulation formulation = Formulation::tangent;
   double penalty = 0.1;        ///< p of (M13), in (0, 1]: the form is multiplied by E e^3 / p

@@ -77,7 +77,7 @@ void Interpolation::to_nodal_forces(std::size_t cell, CellField& forces) const {
 
 namespace {
 
-/// Every owned node's two vectors times a matrix of the node.
+/// Multiplies both vectors of each owned node by the node's matrix.
 template <class MatrixAt>
 algebra::Vector transformed(const algebra::Vector& y, const MatrixAt& matrix_at) {
   algebra::Vector result = y;

@@ -1,7 +1,8 @@
-// How nodal values give u and r inside of a cell. The formulations differ here and nowhere else:
+// Interpolation of u and r inside a cell from nodal values. The formulations differ only here:
 //   Cartesian (M12-M14)   u = sum_i N_i u_i,  r = sum_i N_i r_i
 //   covariant (M15)       u = sum_i N_i (u_i . a_j(i)) a^j,  r = sum_i N_i (r_i . a_alpha(i)) a^alpha
-// Nodal values are Cartesian in both, so supports, contact, loads and output need not know.
+// Nodal values are Cartesian in both cases. Supports, contact, loads and output therefore do not depend on the
+// formulation.
 #pragma once
 #include <plastron/algebra/vector.hpp>
 #include <plastron/element/element_tables.hpp>
@@ -18,8 +19,8 @@ namespace plastron::element {
 /// Nodal values of a cell: a row per node, columns u_x u_y u_z r_x r_y r_z.
 using CellField = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 
-/// (u, r) and their derivatives along the cell's coordinates at points: a row per point, Cartesian components.
-/// As duals: what works on each of them.
+/// (u, r) and their derivatives along the cell's coordinates at points: a row per point, Cartesian components. A dual
+/// contains the work-conjugate of each.
 struct FieldRows {
   CellField d1, d2, value;
 
@@ -36,26 +37,26 @@ class Interpolation {
                 const ElementTables& tables, bool is_covariant);
 
   bool is_covariant() const { return is_covariant_; }
-  /// The moving bases at points of a cell; none for Cartesian interpolation.
+  /// The moving bases at points of a cell; empty for Cartesian interpolation.
   std::vector<geometry::MovingBasis> bases(std::size_t cell, std::span<const Vector2d> xi) const;
 
-  /// At the points of `at`, whose moving bases are `bases`.
+  /// Returns the fields at the points of `at`, whose moving bases are `bases`.
   FieldRows fields(std::size_t cell, const BasisAt& at, Bases bases, const CellField& nodal) const;
   /// The transpose of fields(): adds nodal forces.
   void add_forces(std::size_t cell, const BasisAt& at, Bases bases, FieldRows dual, CellField& forces) const;
-  /// One row of the matrix that takes nodal values (6 a node) to dual : field at a point.
+  /// Writes one row of the matrix that maps nodal values (6 per node) to dual : field at a point.
   void write_row(std::size_t cell, const BasisAt& at, Eigen::Index point, Bases bases,
                  const shell::LocalField<double>& dual, Eigen::Ref<Eigen::RowVectorXd> row) const;
 
-  /// What is interpolated, at the nodes: (u, r) itself or its covariant components. These fields are polynomials in every
-  /// cell, so refinement carries them exactly. The results have valid ghosts.
+  /// Returns the interpolated nodal values: (u, r) itself or its covariant components. These fields are polynomials
+  /// in each cell, so refinement represents them exactly. The results have valid ghosts.
   algebra::Vector interpolated(const algebra::Vector& y) const;
-  /// The inverse of interpolated(), up to the normal part of r, which covariant interpolation does not have.
+  /// The inverse of interpolated(), except for the normal part of r, which covariant interpolation does not have.
   algebra::Vector nodal_values(const algebra::Vector& interpolated) const;
 
-  /// (u, r) alone.
+  /// Returns only (u, r), without derivatives.
   CellField values(std::size_t cell, const BasisAt& at, const CellField& nodal) const;
-  /// The transpose of values(): nodal forces of forces and couples at points.
+  /// The transpose of values(): nodal forces from forces and couples at points.
   CellField forces_of(std::size_t cell, const BasisAt& at, const CellField& forces) const;
 
  private:

@@ -1,5 +1,6 @@
-// Integrals of what jumps or bends inside of a cell: the cell, or its side, is divided until the integral settles. Gauss
-// rules converge no faster than the mesh size there, and a cell's share may be off by a third.
+// Integrals of functions with jumps or kinks inside a cell: the cell, or its side, is divided until the integral
+// converges. Undivided Gauss rules converge there only like the mesh size, and a cell's share may be wrong by a
+// third.
 #pragma once
 #include <plastron/element/interpolation.hpp>
 
@@ -9,14 +10,14 @@
 
 namespace plastron::element {
 
-/// Part of a reference cell: corner + size xi, xi in the reference cell. A triangle turned by 180 degrees has a negative
-/// size.
+/// Part of a reference cell: corner + size xi, xi in the reference cell. The size is negative for a triangle turned
+/// by 180 degrees.
 struct CellPart {
   Vector2d corner = Vector2d::Zero();
   double size = 1;
 };
 
-/// Part of a side: the parameters from `start` on.
+/// Part of a side: the parameters from `start` to `start` + `length`.
 struct SidePart {
   double start = 0, length = 1;
 };
@@ -32,7 +33,7 @@ inline std::array<SidePart, 2> divided(fem::Shape /*shape*/, const SidePart& p) 
   return {{{p.start, p.length / 2}, {p.start + p.length / 2, p.length / 2}}};
 }
 
-/// Divides until no nodal force and no nodal couple changes by more than a millionth of the largest, or `levels` times.
+/// Divides until no nodal force or couple changes by more than 1e-6 of the largest one, at most `levels` times.
 template <class Part, class Integral>
 class Subdivision {
  public:
@@ -54,7 +55,7 @@ class Subdivision {
     const CellField change = sum - whole;
     const bool is_settled = change.leftCols<3>().cwiseAbs().maxCoeff() <= 1e-6 * force_ &&
                             change.rightCols<3>().cwiseAbs().maxCoeff() <= 1e-6 * couple_;
-    // Not a number settles nowhere, and is not worth dividing.
+    // NaN never converges: further division is useless.
     if (levels == 1 || is_settled || !change.allFinite()) return sum;
     sum.setZero();
     for (std::size_t k = 0; k < parts.size(); ++k) sum += settled(parts[k], fields[k], levels - 1);
@@ -68,7 +69,7 @@ class Subdivision {
 
   fem::Shape shape_;
   const Integral& integral_;
-  double force_ = 0, couple_ = 0;  ///< largest seen so far [N], [N m]
+  double force_ = 0, couple_ = 0;  ///< largest so far [N], [N m]
 };
 
 }  // namespace plastron::element

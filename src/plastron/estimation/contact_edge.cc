@@ -12,9 +12,9 @@ namespace plastron::estimation {
 
 namespace {
 
-constexpr int samples = 5;  ///< between two nodes
+constexpr int samples = 5;  ///< number of points between two nodes
 
-/// On each line of nodes along a direction `samples` points between neighbours, line after line.
+/// Points on each line of nodes along a direction, `samples` between neighbours, line after line.
 element::BasisAt between_nodes(const fem::Space& space, int direction) {
   const std::vector<double> line = fem::gauss_lobatto(space.degree + 1).points;
   std::vector<Eigen::Vector2d> points;
@@ -28,7 +28,7 @@ element::BasisAt between_nodes(const fem::Space& space, int direction) {
   return element::basis_at(space.shape(), space.degree, points);
 }
 
-/// How far a field opens a gap.
+/// Change of a gap by a field.
 double opening(const obstacle::Gap& gap, const auto& row, const Eigen::Vector3d& a3) {
   return gap.normal.dot(Eigen::Vector3d(row.template head<3>())) +
          gap.z * gap.normal.dot(geometry::tangential(row.template tail<3>(), a3));
@@ -49,7 +49,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
       std::size_t touching = 0, bounded = 0, of_these = 0;
       for (const algebra::LocalIndex node : space.nodes(cell)) {
         const bool touches_it = touches(static_cast<std::size_t>(node), k);
-        const bool has_bound = discrete.points[static_cast<std::size_t>(node)].weight > 0;  // it does not hang
+        const bool has_bound = discrete.points[static_cast<std::size_t>(node)].weight > 0;  // false for hanging nodes
         touching += touches_it ? 1 : 0;
         bounded += has_bound ? 1 : 0;
         of_these += touches_it && has_bound ? 1 : 0;
@@ -90,7 +90,7 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
 ContactEdge::Zones ContactEdge::zones() const {
   const fem::Space& space = solved_.discrete.space();
   const std::size_t obstacles = solved_.discrete.obstacles.all.size();
-  // Marks all nodes of the cells that `belongs` holds for, obstacle by obstacle.
+  // Marks all nodes of the cells for which `belongs` is true, by obstacle.
   const auto marked = [&](const auto& belongs) {
     algebra::Vector marks(space.layout, static_cast<int>(obstacles));
     for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
@@ -184,7 +184,8 @@ std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const
   const assembly::DiscreteShell& discrete = solved_.discrete;
   std::vector<double> lines(crossed_.size(), 0);
   for (const Deepest& at : deepest_) {
-    if (!at.on_line && derivative.weighs_gaps) continue;  // energies change with the square of the edge's error
+    // Energies change only with the square of the edge's error.
+    if (!at.on_line && derivative.weighs_gaps) continue;
     const std::size_t cell = crossed_[at.crossed], entry = at.node * discrete.obstacles.all.size() + at.obstacle;
     const element::BasisAt& between = between_[at.direction];
     const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];
@@ -303,7 +304,7 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
     reach += p.area * density(q, 1) * (opened(dual) - derivative.held_at(obstacle, gap));
     if (derivative.weighs_gaps) penetration += p.area * density(q, 1) * (gap.initial + opened(u));
   }
-  // The way that a dual moves a pressed obstacle is not known here.
+  // The dual's displacement of a pressed obstacle is not available here.
   return std::max(std::abs(penetration), solved_.box.pressing.empty() ? std::abs(reach) : 0.0);
 }
 

@@ -1,9 +1,11 @@
-// What the edge of a contact zone adds to the error of a functional. It lies somewhere inside of the cells that it crosses, where the
-// reaction jumps and nothing is smooth; two terms there are multipliers times how far nodes fail to speak for what is between them,
+// Contribution of a contact zone's edge to the error of a functional. The edge lies at an unknown place in the cells
+// that it crosses, where the reaction jumps and no field is smooth. Two terms there are products of multipliers and
+// errors of nodal values between the nodes,
 //   < mu, g(u_h) >   and   < eta, B z_h - w >,
-// mu and eta the reactions of dual and solution, g(u_h) the gap, w the values at which the dual is held. Like the product of strain errors
-// they are known by size, not by sign (docs/methods/estimates.md). A true line of contact lies between nodes, where the shell found is inside of
-// the obstacle beside the row of nodes that touches; nodal quadrature sees nothing of that, and both terms are taken at that point.
+// mu and eta the reactions of dual and solution, g(u_h) the gap, w the values at which the dual is fixed. Like the
+// product of strain errors, they are known by size, not by sign (docs/methods/estimates.md). A true line of contact
+// lies between nodes. There the approximate shell penetrates the obstacle beside the row of touching nodes. Nodal
+// quadrature does not include this, so both terms are evaluated at the deepest point.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
 
@@ -13,53 +15,56 @@
 
 namespace plastron::estimation {
 
-/// Shares of the crossed cells, without signs.
+/// Shares of the crossed cells, all non-negative.
 struct EdgeShares {
   explicit EdgeShares(std::size_t cells) : all(cells, 0), lines(cells, 0) {}
-  std::vector<double> all;    ///< the largest of all terms
-  std::vector<double> lines;  ///< those of lines of contact alone
+  std::vector<double> all;    ///< largest of all terms
+  std::vector<double> lines;  ///< shares of lines of contact alone
 };
 
 class ContactEdge {
  public:
   explicit ContactEdge(const Solved& solved);
 
-  /// Owned cells in which some nodes touch an obstacle and some do not, ascending. Where the shell stands on its rim, as a line reaction tells,
-  /// cells that touch with nodes of the rim alone have no edge inside: they are crossed if the line ends on one of their sides.
+  /// Owned cells in which some nodes touch an obstacle and some do not, ascending. A line reaction shows that the
+  /// shell stands on its rim. Then a cell that touches only with nodes of the rim has no edge inside. It counts as
+  /// crossed only if the line ends on one of its sides.
   const std::vector<std::size_t>& crossed() const { return crossed_; }
-  /// How many nodes of each of those touch, of the first obstacle that one is crossed for. Where between nodes the edge lies decides about the sign of what it adds: cells of one number err
-  /// to the same side, as all cells along a straight edge do, others by chance.
+  /// Number of touching nodes of each crossed cell, for the first obstacle whose zone's edge crosses it. The edge's
+  /// place between nodes determines the sign of its contribution. Cells with the same number err in the same
+  /// direction, as all cells along a straight edge do; other cells err independently.
   const std::vector<std::size_t>& touching_nodes() const { return touching_nodes_; }
-  /// Along which of its directions, 0 or 1, more neighbouring nodes of each of those differ in touching: the edge runs across it. 0 in triangles.
+  /// The direction, 0 or 1, of each crossed cell along which more pairs of neighbouring nodes differ in touching: the
+  /// edge runs across it. 0 in triangles.
   const std::vector<int>& across() const { return across_; }
-  /// `y` are the Cartesian values of z (collective).
+  /// Returns the shares for the dual z. `y` are its Cartesian values (collective).
   EdgeShares shares(const Derivative& derivative, const algebra::Vector& z, const algebra::Vector& y) const;
 
  private:
   struct Reactions {
     std::vector<double> mu, eta;  ///< by local node and obstacle, per unit area
   };
-  /// A point of a crossed cell next to a touching node, where the shell is deepest inside of the obstacle.
+  /// A point of a crossed cell next to a touching node, where the shell is deepest inside the obstacle.
   struct Deepest {
-    std::size_t crossed = 0;  ///< which of these
+    std::size_t crossed = 0;  ///< index of the crossed cell
     std::size_t obstacle = 0, node = 0;
-    std::size_t direction = 0;  ///< from the node to the point, and which of `between_`
+    std::size_t direction = 0;  ///< direction from the node to the point, index of `between_`
     Eigen::Index point = 0;
     double gap = 0;       ///< < 0 [m]
-    double part = 1;      ///< of the node's reaction: other cells have the rest
-    bool on_line = true;  ///< of a zone without area
+    double part = 1;      ///< part of the node's reaction in this cell; other cells have the rest
+    bool on_line = true;  ///< true in a zone without area
   };
-  /// By node and obstacle, positive in these zones.
+  /// Marks by node and obstacle, positive in zones of the kind.
   struct Zones {
-    algebra::Vector with_area;  ///< they fill a cell, or are wider than e/2
-    algebra::Vector wide;       ///< they have a cell away from their edge
+    algebra::Vector with_area;  ///< zones that fill a cell or are wider than e/2
+    algebra::Vector wide;       ///< zones with a cell away from their edge
   };
-  /// (collective)
+  /// Marks the zones (collective).
   Zones zones() const;
-  /// Whether a row of touching nodes of the cell, taken across the zone, is longer than e/2.
+  /// Whether a row of touching nodes of the cell across the zone is longer than e/2.
   bool is_wider_than_a_line(std::size_t cell, std::size_t obstacle) const;
   void find_deepest();
-  /// Gaps of the shell at points of a cell, and where they are.
+  /// The shell's gaps at points of a cell, with their rows.
   std::vector<std::pair<double, obstacle::Gap>> gaps(std::size_t cell, std::size_t obstacle,
                                                      const element::BasisAt& at) const;
   std::vector<double> line_shares(const Derivative& derivative, const algebra::Vector& y,
@@ -69,9 +74,9 @@ class ContactEdge {
                const Reactions& reactions) const;
   int direction_across(std::size_t cell, std::size_t obstacle) const;
   bool touches(std::size_t node, std::size_t obstacle) const;
-  /// Whether all nodes of a cell that touch lie on the rim, which carries a line reaction.
+  /// Whether all touching nodes of a cell lie on a rim that carries a line reaction.
   bool stands_on_rim(std::size_t cell, std::size_t obstacle) const;
-  /// Whether some nodes of a side of the cell on the rim touch and some do not.
+  /// Whether a side of the cell on the rim has both touching and free nodes.
   bool has_end_of_line(std::size_t cell, std::size_t obstacle) const;
   void find_rim();
 
@@ -79,10 +84,11 @@ class ContactEdge {
   std::vector<double> eta_{};
   std::vector<std::size_t> crossed_{}, touching_nodes_{};
   std::vector<int> across_{};
-  std::vector<char> on_rim_{};                            ///< of local nodes; empty where no line reaction is
-  std::vector<std::pair<std::size_t, int>> rim_sides_{};  ///< of owned cells; likewise
+  /// 1 for local nodes on the rim; empty without a line reaction.
+  std::vector<char> on_rim_{};
+  std::vector<std::pair<std::size_t, int>> rim_sides_{};  ///< sides of owned cells on the rim; likewise
   Eigen::MatrixXd reaction_basis_;
-  std::array<element::BasisAt, 2> between_{};  ///< points between nodes along either direction; none in triangles
+  std::array<element::BasisAt, 2> between_{};  ///< points between nodes along either direction; empty in triangles
   std::vector<Deepest> deepest_{};
 };
 

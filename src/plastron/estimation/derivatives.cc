@@ -12,13 +12,13 @@ namespace plastron::estimation {
 
 namespace {
 
-/// With nothing in it.
+/// A derivative without loads.
 Derivative zero(const Solved& solved) {
   const algebra::Vector none(solved.box.load.layout(), solved.box.load.block());
   return {.dual = {.load = none, .held = none}};
 }
 
-/// 1/2 a(U, U): by its own strain errors, and through the reactions at the values where the solution is held.
+/// The energy 1/2 a(U, U): its own strain errors, and the reactions weighted with the values of fixed coordinates.
 Derivative derivative_of(const Energy& /*energy*/, const Solved& solved) {
   Derivative result = zero(solved);
   result.value = solved.discrete.shell.energies(solved.nodal.y).total();

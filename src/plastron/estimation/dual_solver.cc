@@ -67,7 +67,7 @@ bool DualSolver::find_responses() {
   return true;
 }
 
-/// What a z of this load answers to a pressing force: sum of (A z - load)_i shape_i.
+/// Force of a z with this load on a pressing force's obstacle: sum of (A z - load)_i shape_i.
 double DualSolver::reaction(std::size_t force, const algebra::Vector& load, const algebra::Vector& z) const {
   algebra::Vector residual(load.layout(), load.block());
   problem_.apply(z, residual);

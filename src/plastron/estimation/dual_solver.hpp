@@ -1,5 +1,6 @@
-// Dual problems on the final active set: what a functional weighs. Coordinates at a bound or prescribed are held, with pressed obstacles
-// free to move on; equations are kept. The factor of the last contact step serves all of them.
+// Dual problems on the final active set; their solutions are the sensitivities of functionals. Coordinates at a bound
+// or prescribed are fixed, while pressed obstacles remain free to move. Equations are kept. All dual problems use the
+// factor of the last contact step.
 #pragma once
 #include <plastron/algebra/preconditioner.hpp>
 #include <plastron/contact/problem.hpp>
@@ -10,7 +11,8 @@
 
 namespace plastron::estimation {
 
-/// J(v) = load . v, and with minus the weights of reactions at held coordinates in `held`; J(delta_k) in `positions`.
+/// J(v) = load . v. `held` contains minus the weights of reactions at fixed coordinates, `positions` contains
+/// J(delta_k).
 struct DualLoad {
   algebra::Vector load;
   algebra::Vector held;
@@ -19,12 +21,13 @@ struct DualLoad {
 
 class DualSolver {
  public:
-  /// Refers to all three; `solution` is one of `problem`. (collective)
+  /// Keeps references to all three arguments; `solution` belongs to `problem` (collective).
   DualSolver(const contact::BoxProblem& problem, const contact::BoxSolution& solution,
              algebra::Preconditioner& preconditioner);
 
-  /// z with a(v, z) = J(v) for all v of the tangent space, and the values of `held` where coordinates are held, shapes of pressed obstacles
-  /// added; current ghosts. Nothing if the solver for linear equations fails. (collective)
+  /// Returns z with a(v, z) = J(v) for all v of the tangent space, with current ghosts (collective). Fixed
+  /// coordinates have the values of `held` plus multiples of the shapes of pressed obstacles. Empty if the solver for
+  /// linear equations fails.
   std::optional<algebra::Vector> solve(const DualLoad& dual);
   const contact::ActiveSet& held_set() const { return set_; }
 
@@ -38,7 +41,7 @@ class DualSolver {
   double reaction(std::size_t force, const algebra::Vector& load, const algebra::Vector& z) const;
 
   const contact::BoxProblem& problem_;
-  contact::ActiveSet set_;  ///< the final one, held unknowns all called prescribed
+  contact::ActiveSet set_;  ///< final active set; all fixed unknowns are marked as prescribed
   std::vector<algebra::Vector> shapes_;
   contact::BoxProblem dual_;
   contact::Settings settings_;

@@ -12,8 +12,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Orthonormal polynomials of degrees 0 to n - 1 at the n Gauss points in [0, 1], times the roots of the weights: an orthogonal matrix,
-/// rows degrees.
+/// Orthonormal polynomials of degrees 0 to n - 1 at the n Gauss points in [0, 1], times the roots of the weights. The
+/// result is an orthogonal matrix with a row per degree.
 MatrixXd weighed_legendre(int n) {
   const fem::Rule rule = fem::gauss(n);
   MatrixXd p(n, n);
@@ -38,13 +38,15 @@ class Profiler {
       for (int j = 0; j < points; ++j) along_first_(i, j) = i + j == 0 ? 0.5 : double{1} * i * i / (i * i + j * j);
   }
 
-  /// From the products of stresses and strains at the points, their area in them, and the signs of the strains.
+  /// Computes a profile from strains and stresses at the points; stresses contain the points' area. The products give
+  /// the energy, the strains its sign.
   ErrorProfile operator()(const assembly::CellStrain& strains, const assembly::CellStrain& stresses) const {
     const Index n = legendre_.rows();
     MatrixXd energy = MatrixXd::Zero(n, n);
     double first = 0;
     for (Index k = 0; k < strains.cols(); ++k) {
-      MatrixXd root(n, n);  // of xi_1, xi_2
+      // indices: xi_1, xi_2.
+      MatrixXd root(n, n);
       for (Index q = 0; q < n * n; ++q) {
         const double product = std::max(stresses(q, k) * strains(q, k), 0.0);
         energy(q % n, q / n) += product;

@@ -19,33 +19,35 @@ double over_ranks(const std::vector<double>& cells, MPI_Comm comm) {
   return algebra::sum_over_ranks(std::accumulate(cells.begin(), cells.end(), 0.0), comm);
 }
 
-/// Of the sums over all ranks of each entry, as for independent errors.
+/// Root of the sum of squares of the entries' sums over all ranks, as for independent errors.
 double root_of_squares(const std::vector<double>& mine, MPI_Comm comm) {
   const std::vector<double> sums = algebra::sums_over_ranks(mine, comm);
   return std::sqrt(std::inner_product(sums.begin(), sums.end(), sums.begin(), 0.0));
 }
 
-/// What the dual z says of J(u) - J(u_h), cell by cell: int e_u : C : e_z less what tying takes from either.
+/// Adds the dual estimate of J(u) - J(u_h) from the dual z, cell by cell: int e_u : C : e_z minus the tying products
+/// of both.
 void add_dual_shares(const assembly::ShellOperator& shell, const AllErrors& u, const AllErrors& z,
                      std::vector<double>& cells) {
   for (std::size_t c = 0; c < cells.size(); ++c)
     cells[c] += energy_product(shell, c, u[c], z[c]) - tying_product(u[c], z[c]) - tying_product(z[c], u[c]);
 }
 
-/// The part of E(u) - E(u_h) that needs no dual: 1/2 a(e, e) less what tying takes.
+/// Adds the part of E(u) - E(u_h) that needs no dual: 1/2 a(e, e) minus the tying product.
 void add_energy_shares(const assembly::ShellOperator& shell, const AllErrors& u, std::vector<double>& cells) {
   for (std::size_t c = 0; c < cells.size(); ++c)
     cells[c] += energy_product(shell, c, u[c], u[c]) / 2 - tying_product(u[c], u[c]);
 }
 
-/// What of energy products free edges have, on this rank.
+/// Part of the energy products on free edges, on this rank.
 double twist_product(const AllErrors& u, const AllErrors& z) {
   return std::inner_product(
       u.begin(), u.end(), z.begin(), 0.0, std::plus{},
       [](const StrainErrors& a, const StrainErrors& b) { return a.edge_twist.dot(b.edge_twist); });
 }
 
-/// The edge of a contact zone lies anywhere between two nodes: half of their distance along it, which is the k-th part of a cell.
+/// Half of the area between two nodes along the edge of a contact zone: the edge may lie anywhere between them. Their
+/// distance is the k-th part of a cell.
 double area_share(const assembly::ShellOperator& shell, std::size_t cell) {
   return shell.area(cell) / (2.0 * shell.space().degree);
 }
@@ -91,7 +93,7 @@ class GoalEstimator {
   }
 
  private:
-  /// Returns the shares of the contact zone's edge.
+  /// Adds the dual estimate. Returns the shares of the contact zone's edge.
   EdgeShares add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) {
     algebra::Vector y(z.layout(), 6);
     solved_.discrete.coordinates.to_cartesian(z, y);
@@ -102,7 +104,7 @@ class GoalEstimator {
     return edge_.shares(d, z, y);
   }
 
-  /// Where the edge of a contact zone crosses a cell, nothing there has a sign that is known.
+  /// Adds up the shares of all cells. In cells crossed by the edge of a contact zone the sign of a share is unknown.
   void sum_up(const EdgeShares& at_edge, GoalEstimate& result) const {
     const fem::Space& space = solved_.discrete.space();
     std::vector<double> smooth = result.cells, edge(static_cast<std::size_t>(space.nodes_per_cell()) + 1, 0),

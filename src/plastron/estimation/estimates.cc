@@ -12,7 +12,7 @@ double GoalEstimate::least_error() const {
   return std::max(least_part * recovered_error(), contact_line);
 }
 
-// Measured on problems with known answers (docs/methods/estimates.md).
+// The rule is based on problems with known solutions (docs/methods/estimates.md).
 double GoalEstimate::error() const {
   const double recovered = recovered_error();
   if (!at_higher_degree) return recovered;

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector2d;
 using geometry::Vector3d;
 
-/// How many cells have each local node.
+/// The number of cells at each local node.
 algebra::Vector cells_at_nodes(const fem::Space& space) {
   algebra::Vector count(space.layout, 1);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
@@ -30,7 +30,8 @@ algebra::Vector cells_at_nodes(const fem::Space& space) {
   return count;
 }
 
-/// The part of the energy of exp(-s), under its work at s = 0, that polynomials of degree k on 0 < s < x have which vanish at x.
+/// Part of the energy of exp(-s) that polynomials represent, relative to the work at s = 0. The polynomials have
+/// degree k on 0 < s < x and vanish at x.
 double energy_share_of_polynomials(int degree, double x) {
   const fem::Rule rule = fem::gauss(degree + 1);
   Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(degree, degree);
@@ -60,7 +61,7 @@ class FreeEdgesOf {
     load_.update_ghosts();
   }
 
-  /// Nothing if the side is no free edge.
+  /// Returns the free edge; empty if the side is none.
   std::optional<FreeEdge> operator()(const fem::BoundarySide& side) const {
     if (side.is_inner || space_.degree < 2) return {};
     FreeEdge edge{.cell = side.cell};
@@ -100,7 +101,7 @@ class FreeEdgesOf {
       const shell::Material& m = section.material;
       const double delta = e[i] / std::sqrt(12 * m.shear_correction);
       const double cell = width / delta;
-      // Within the layer M_nt is a residual like any other, which weighs as the cell's width does.
+      // Within the layer M_nt is an ordinary residual, weighted with the cell's width.
       const double missing = (1 - energy_share_of_polynomials(space_.degree, cell)) * std::min(1.0, cell);
       lengths[i] *= missing * delta * 12 / (m.mu * std::pow(e[i], 3));
     }
@@ -112,7 +113,7 @@ class FreeEdgesOf {
     return std::any_of(f.begin() + 3, f.end(), [](double c) { return c != 0; });
   }
 
-  /// r may have a direction without any coordinate that a support prescribes.
+  /// Whether r may have a component in the direction, given the coordinates that supports prescribe.
   bool may_turn(std::size_t node, const Vector3d& direction) const {
     const assembly::NodalCoordinates& coordinates = discrete_.coordinates;
     Eigen::MatrixXd free(6, 0);
@@ -124,7 +125,8 @@ class FreeEdgesOf {
     if (free.cols() == 0) return false;
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero(6);
     wanted.tail<3>() = geometry::tangential(direction, normal(node));
-    constexpr double most_held = 0.3;  // the tangent is that of another point of the side; held is 1
+    // The tangent belongs to another point of the side; 1 for a fixed direction.
+    constexpr double most_held = 0.3;
     return (free * free.completeOrthogonalDecomposition().solve(wanted) - wanted).norm() < most_held;
   }
   const Vector3d& normal(std::size_t node) const { return discrete_.points[node].a3; }

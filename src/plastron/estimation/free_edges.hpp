@@ -1,8 +1,9 @@
-// Edges at which nothing holds r, and the layer there that a mesh does not have. Where r . n is held, as at edges of symmetry, there is no
-// twisting moment M_nt; at free edges it goes to zero within a layer r . t = psi exp(-s / delta), s the distance from the edge and
-// delta^2 = e^2 / (12 k_s). With wider cells M_nt ends at some value. With T = mu e^3 / 12 the layer's energy
-// 1/2 int T (psi'^2 + psi^2 / delta^2) ds = psi^2 T / (2 delta) is least against the work M_nt psi at psi = M_nt delta / T, so that the
-// squared error in the energy norm is M_nt^2 delta / T by length of edge, less the share that the polynomials of a cell can have of it.
+// Edges at which no support fixes r, and their layer, which is thinner than the mesh. Where r . n is fixed, as at
+// edges of symmetry, there is no twisting moment M_nt. At free edges M_nt vanishes within a layer r . t = psi exp(-s
+// / delta), s the distance from the edge and delta^2 = e^2 / (12 k_s). With wider cells M_nt has a non-zero value at
+// the edge. With T = mu e^3 / 12 the layer's energy is 1/2 int T (psi'^2 + psi^2 / delta^2) ds = psi^2 T / (2 delta).
+// Energy minus the work M_nt psi is least at psi = M_nt delta / T. The squared error in the energy norm is therefore
+// M_nt^2 delta / T per length of edge, minus the share that the polynomials of a cell represent.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
 
@@ -10,7 +11,7 @@
 
 namespace plastron::estimation {
 
-/// A side of an owned cell: points, unit tangents of the edge there, and what M_nt^2 is multiplied with [1/N].
+/// A free side of an owned cell: points, unit tangents of the edge there, and the factors of M_nt^2 [1/N].
 struct FreeEdge {
   std::size_t cell = 0;
   std::vector<Eigen::Vector2d> xi{};
@@ -18,8 +19,8 @@ struct FreeEdge {
   std::vector<double> weight{};
 };
 
-/// Those of the owned cells, in ascending order of cells, without those where couples act; none at degree 1, whose edges have no nodes of
-/// their own (collective).
+/// Returns the free edges of the owned cells in ascending order of cells, without edges where couples act. Empty at
+/// degree 1, where edges have no nodes of their own (collective).
 std::vector<FreeEdge> free_edges(const assembly::DiscreteShell& discrete);
 
 }  // namespace plastron::estimation

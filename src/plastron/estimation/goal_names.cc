@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array axis_names{"x", "y", "z"};
 
-/// A force: its norm, then its components.
+/// Adds goals for a force: its norm, then its components.
 template <class Force>
 void add_force(const std::string& name, Force force, std::vector<Goal>& goals) {
   goals.push_back({name, force});

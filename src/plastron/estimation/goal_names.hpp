@@ -1,5 +1,5 @@
-// The numbers of results.json whose errors can be estimated, by name: "energy", "reaction", "contact_area", "stress", "probe.NAME.u.z",
-// "support.NAME.force.x", "obstacle.NAME.force", ...
+// The names of the numbers of results.json whose errors can be estimated: "energy", "reaction", "contact_area",
+// "stress", "probe.NAME.u.z", "support.NAME.force.x", "obstacle.NAME.force", ...
 #pragma once
 #include <plastron/estimation/functionals.hpp>
 
@@ -8,7 +8,7 @@
 
 namespace plastron::estimation {
 
-/// What a problem has that can be asked for.
+/// Parts of a problem from which goals are made.
 struct Catalogue {
   struct Point {
     std::string name;
@@ -20,14 +20,14 @@ struct Catalogue {
   };
   std::vector<Point> probes{};
   std::vector<std::string> supports{};    ///< boundaries
-  std::vector<Body> obstacles{};          ///< in the problem's order
-  std::optional<Eigen::Vector3d> axis{};  ///< of resultants at probes
+  std::vector<Body> obstacles{};          ///< in the order of the problem
+  std::optional<Eigen::Vector3d> axis{};  ///< axis of resultants at probes
   bool is_smooth = true;                  ///< resultants are recovered over patches
 };
 
-/// All that can be asked for, in the order in which results.json has them.
+/// Returns all goals in the order of results.json.
 std::vector<Goal> all_goals(const Catalogue& catalogue);
-/// The one of this name; empty if there is none.
+/// Returns the goal with this name; empty if there is none.
 std::optional<Goal> find_goal(const std::string& name, const Catalogue& catalogue);
 
 }  // namespace plastron::estimation

@@ -5,8 +5,8 @@
 
 namespace plastron::estimation {
 
-/// Whether the preconditioner is about where it shall be, after pins that cost little if need be: it takes about a step of conjugate
-/// gradients for each unknown that differs.
+/// Whether the present factor suits these pins, if necessary after a cheap change of pins. Each unknown that differs
+/// costs about one step of conjugate gradients.
 bool KeptPins::is_near(std::span<const char> pinned, double shift) {
   const std::int64_t few = inner_.is_exact() ? 8 : 0;
   if (!is_ready_ || shift != shift_) return false;

@@ -1,4 +1,5 @@
-// A preconditioner that remembers what is pinned, so that the factor of the last contact step serves the dual problems.
+// A preconditioner that remembers its pinned unknowns, so that the factor of the last contact step serves the dual
+// problems.
 #pragma once
 #include <plastron/algebra/preconditioner.hpp>
 
@@ -9,10 +10,10 @@ namespace plastron::estimation {
 
 class KeptPins : public algebra::Preconditioner {
  public:
-  /// Refers to `inner`. `comm` is that of its matrix.
+  /// Keeps a reference to `inner`. `comm` is the communicator of its matrix.
   KeptPins(algebra::Preconditioner& inner, MPI_Comm comm) : inner_(inner), comm_(comm) {}
 
-  /// From now on pin() is done where no more than a few unknowns differ from those pinned last.
+  /// After this call, pin() keeps the present factor if only a few unknowns differ from those pinned last.
   void keep() { keeps_ = true; }
 
   algebra::Pinning pin(std::span<const char> pinned, double shift) override;

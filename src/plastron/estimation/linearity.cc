@@ -14,7 +14,7 @@ namespace plastron::estimation {
 
 namespace {
 
-/// Nodal forces as what they do to each coordinate.
+/// Maps nodal forces to generalised forces on the coordinates.
 algebra::Vector on_coordinates(const Solved& solved, algebra::Vector forces) {
   algebra::Vector result(solved.box.load.layout(), solved.box.load.block());
   solved.discrete.coordinates.add_transposed(forces, result);
@@ -27,7 +27,7 @@ algebra::Vector cartesian(const Solved& solved, const algebra::Vector& z) {
   return y;
 }
 
-/// A^-1 of forces, with held coordinates at 0.
+/// A^-1 of forces, with fixed coordinates at 0.
 std::optional<algebra::Vector> response(DualSolver& solver, const algebra::Vector& forces) {
   return solver.solve({.load = forces, .held = algebra::Vector(forces.layout(), forces.block())});
 }
@@ -53,7 +53,8 @@ double largest_eigenvalue(const std::vector<double>& diagonal, const std::vector
   return solver.eigenvalues()[count - 1];
 }
 
-/// Lanczos steps for the largest mu in the inner product of A. Few do: many modes lie close to the first.
+/// Finds the largest mu by Lanczos steps in the inner product of A. A few steps suffice: many modes lie close to the
+/// first.
 std::optional<double> buckling(const Solved& solved, DualSolver& solver) {
   constexpr std::size_t most_steps = 30, steps_to_see_it = 8, steps_between = 4;
   constexpr double far_from_it = 0.1, settled = 0.02;

@@ -1,12 +1,14 @@
-// How far a solution of the linear model is from what finite displacements would make of it, by the factor of the last contact step: the
-// energy that the shell cannot avoid, and how near its membrane forces are to buckling (docs/theory.md, "What linearity leaves out").
+// The difference between the linear model and finite displacements: the unavoidable energy, and the distance of
+// membrane forces from buckling (docs/theory.md, "What linearity leaves out"). Uses the factor of the last contact
+// step.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
 #include <plastron/estimation/estimates.hpp>
 
 namespace plastron::estimation {
 
-/// Empty where linear equations could not be solved, `buckling` also where it is not wanted (collective).
+/// Returns the results; empty if linear equations could not be solved. `buckling` is also empty if it is not wanted
+/// (collective).
 Linearity linearity(const Solved& solved, algebra::Preconditioner& preconditioner, bool wants_buckling);
 
 }  // namespace plastron::estimation

@@ -18,10 +18,11 @@ struct Place {
   Eigen::Vector2d xi;
 };
 
-/// On the lowest rank that has a cell with the point, nothing on the others (collective).
+/// Returns the place on the lowest rank that has a cell with the point, nothing on the others (collective).
 std::optional<Place> place_of(const Eigen::Vector2d& at, const fem::Space& space) {
   const auto location = fem::locate(*space.coarse, at);
-  if (!location) throw std::logic_error("a goal lies outside of the domain");  // goals are checked where they are named
+  // Names of goals were checked before.
+  if (!location) throw std::logic_error("a goal lies outside of the domain");
   std::optional<Place> place;
   for (std::size_t c = 0; c < space.owned_cells && !place; ++c)
     if (const auto xi = fem::local_coordinates(space.shape(), space.cells[c], *location)) place = Place{c, *xi};
@@ -32,7 +33,7 @@ std::optional<Place> place_of(const Eigen::Vector2d& at, const fem::Space& space
   return place;
 }
 
-/// J(v) = f . v with f on all nodes, where value is that of the rank which has the point.
+/// J(v) = f . v with f on all nodes; `value` counts on the rank that has the point.
 Derivative linear(algebra::Vector f, double value, const Solved& solved) {
   const algebra::Vector none(solved.box.load.layout(), solved.box.load.block());
   Derivative result{.dual = {.load = none, .held = none}};
@@ -42,7 +43,7 @@ Derivative linear(algebra::Vector f, double value, const Solved& solved) {
   return result;
 }
 
-/// A number made of the resultants at a point, and its derivative by them.
+/// A number computed from the resultants at a point, and its derivative with respect to them.
 struct Weighed {
   double value = 0;
   Resultants weights = Resultants::Zero();
@@ -72,7 +73,7 @@ Weighed weighed(const PointStress& point, const recovery::PointValues& values) {
   return result;
 }
 
-/// Forces on the nodes of a cell with f . y = weights . resultants of that cell alone, continued to a point.
+/// Forces on the nodes of a cell with f . y = weights . resultants of this cell alone, continued to a point.
 element::CellField forces_of_cell(const Place& place, const recovery::PointValues& at, const Resultants& weights,
                                   const assembly::DiscreteShell& discrete) {
   const fem::Space& space = discrete.space();
@@ -94,7 +95,8 @@ element::CellField forces_of_cell(const Place& place, const recovery::PointValue
   return forces;
 }
 
-/// Derivative of a number made of resultants at a place, which one rank has; values and derivatives are those of what Recovery evaluates.
+/// Derivative of a number computed from the resultants at a place that one rank has. Values and derivatives are
+/// consistent with Recovery.
 Derivative at_place(const PointStress& point, const std::optional<Place>& place, const Solved& solved) {
   const assembly::DiscreteShell& discrete = solved.discrete;
   recovery::Choice choice{.axis = point.axis};
@@ -143,7 +145,7 @@ Derivative derivative_of(const PointStress& point, const Solved& solved) {
   return at_place(point, place_of(point.at, solved.discrete.space()), solved);
 }
 
-// Where the largest stress is, its place changes it in second order only.
+// At the largest stress a change of its place is an effect of second order.
 Derivative derivative_of(const LargestStress& stress, const Solved& solved) {
   recovery::Choice choice;
   if (stress.is_smooth) choice.patches = solved.recovered();

@@ -1,5 +1,6 @@
-// Displacements, resultants and stresses at a point of Omega as functionals. A force at a point has infinite energy in Naghdi's model, growing like
-// a logarithm; a couple and a resultant likewise, faster.
+// Displacements, resultants and stresses at a point of Omega as functionals. A force at a point has infinite energy
+// in Naghdi's model, which grows like a logarithm. A couple and a resultant have infinite energy too, with faster
+// growth.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
 

@@ -10,13 +10,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How a multiplier of a held coordinate enters a force.
+/// Weight of a fixed coordinate's multiplier in a force.
 struct WeightedMultiplier {
   std::size_t unknown;
   Vector3d weight;
 };
 
-/// A component of the sum of weight times multiplier, or its norm.
+/// A component of the sum of weight times multiplier, or the norm of the sum.
 Derivative weigh(const std::vector<WeightedMultiplier>& all, const std::optional<int>& component,
                  const Solved& solved) {
   Vector3d force = Vector3d::Zero();
@@ -41,7 +41,7 @@ bool is_active(const assembly::ContactRow& row, const Solved& solved) {
   return solved.z.activity[solved.discrete.coordinates.at(row.node, row.coordinate)] == bound;
 }
 
-/// How much of each force of supports at an owned node counts: all of it, or what the boundary carries.
+/// The counted part of each force of supports at an owned node: all of it, or the boundary's share.
 class Counted {
  public:
   Counted(const SupportForce& force, const assembly::DiscreteShell& discrete) {
@@ -79,7 +79,8 @@ Derivative derivative_of(const ObstacleForce& force, const Solved& solved) {
   return result;
 }
 
-// A support carries what the multiplier of a prescribed coordinate says, without what the obstacles do to that coordinate.
+// The force of a support is the multiplier of a prescribed coordinate without the obstacles' forces on that
+// coordinate.
 Derivative derivative_of(const SupportForce& force, const Solved& solved) {
   const assembly::NodalCoordinates& coordinates = solved.discrete.coordinates;
   const auto owned = static_cast<std::size_t>(solved.discrete.space().layout->owned);
@@ -103,7 +104,8 @@ Derivative derivative_of(const SupportForce& force, const Solved& solved) {
     }
   }
   Derivative result = weigh(all, force.component, solved);
-  result.force_direction.setZero();  // of supports, not of obstacles
+  // Reactions belong to supports, not to obstacles.
+  result.force_direction.setZero();
   return result;
 }
 

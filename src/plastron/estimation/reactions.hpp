@@ -1,10 +1,10 @@
-// Forces of obstacles and supports as weighted sums of the multipliers of held coordinates.
+// Forces of obstacles and supports as weighted sums of the multipliers of fixed coordinates.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
 
 namespace plastron::estimation {
 
-/// The forces of these functionals, with minus the weights of multipliers as what the dual is held at (collective).
+/// Return the forces of these functionals (collective). The dual is fixed at minus the weights of the multipliers.
 Derivative derivative_of(const ObstacleForce& force, const Solved& solved);
 Derivative derivative_of(const SupportForce& force, const Solved& solved);
 

@@ -15,7 +15,7 @@ using geometry::Vector3d;
 using recovery::Resultants;
 using recovery::SurfaceAxes;
 
-/// Orthonormal components become contravariant ones.
+/// Transforms orthonormal components to contravariant ones.
 Resultants contravariant(const Resultants& in_axes, const SurfaceAxes& axes, const geometry::Frame& frame) {
   Eigen::Matrix2d change;
   for (int a = 0; a < 2; ++a) {
@@ -26,7 +26,7 @@ Resultants contravariant(const Resultants& in_axes, const SurfaceAxes& axes, con
   return recovery::in_other_axes(in_axes, change);
 }
 
-/// Takes the errors of a field's strains in one cell after the other.
+/// Computes the errors of a field's strains, one cell at a time.
 class StrainErrorsOf {
  public:
   StrainErrorsOf(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
@@ -53,7 +53,7 @@ class StrainErrorsOf {
     return result;
   }
 
-  /// Appends M_nt at the points of an edge, weighted.
+  /// Appends weighted values of M_nt at the points of an edge.
   void add_twist(const FreeEdge& edge, Eigen::VectorXd& twist) const {
     std::vector<geometry::SurfaceJet> jets(edge.xi.size());
     shell_.surface().jets(shell_.space().cells[edge.cell], edge.xi, jets, false);
@@ -76,14 +76,14 @@ class StrainErrorsOf {
     const std::vector<SurfaceAxes>& axes;
   };
 
-  /// Resultants in the points' axes: of the patches; where a cell has none, its own continued.
+  /// Resultants in the points' axes: from the patches; in a cell without a patch, its own resultants continued.
   recovery::ResultantRows recovered(std::size_t cell, const element::CellField& field, const Points& at) const {
     recovery::ResultantRows rows(static_cast<Eigen::Index>(at.xi.size()), 8);
     if (!patches_.has_patch(cell)) {
       const recovery::CellResultants own = points_(cell, field);
       const Eigen::MatrixXd continuation =
           element::resultant_continuation(shell_.space().shape(), shell_.space().degree, at.xi);
-      // In the axes of one point, which are turned into those of each.
+      // In the axes of one point; later turned into the axes of each point.
       recovery::ResultantRows values = own.values;
       for (std::size_t p = 0; p < own.axes.size(); ++p) {
         auto row = values.row(static_cast<Eigen::Index>(p));
@@ -101,7 +101,7 @@ class StrainErrorsOf {
     return rows;
   }
 
-  /// Contravariant, at the quadrature points.
+  /// Contravariant components at the quadrature points.
   CellStrain recovered(std::size_t cell, const element::CellField& field) const {
     const auto& xi = shell_.tables().quadrature.xi;
     std::vector<geometry::SurfaceJet> jets(xi.size());

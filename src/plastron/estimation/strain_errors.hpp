@@ -1,6 +1,7 @@
-// What recovery says of the error of a field's strains, cell by cell: resultants smoothed over patches (recovery/resultant_patches.hpp)
-// converge an order faster than those of the element, so their difference stands for the error. Tied strains (M22) err in another way,
-// too: they are not those of the displacements, which matters to forces and is kept beside it. docs/methods/estimates.md has the identities.
+// Estimated errors of a field's strains, cell by cell. Resultants smoothed over patches
+// (recovery/resultant_patches.hpp) converge one order faster than the element's resultants, so their difference
+// estimates the error. Tied strains (M22) have a second error: they differ from the strains of the displacements. It
+// affects forces and is stored separately. The identities are in docs/methods/estimates.md.
 #pragma once
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/estimation/free_edges.hpp>
@@ -15,21 +16,22 @@ using assembly::CellStrain;
 
 /// Rows are the quadrature points of a cell.
 struct StrainErrors {
-  CellStrain error;            ///< recovered strains minus those of the element
+  CellStrain error;            ///< recovered strains minus the element's strains
   CellStrain stresses;         ///< recovered resultants times area
-  CellStrain incompatibility;  ///< strains of the displacements minus the tied ones of the element; zero without tying
-  /// M_nt on free edges times the root of its weight (free_edges.hpp): products are those of the layers that the mesh does not have.
+  CellStrain incompatibility;  ///< strains of the displacements minus the element's tied strains; zero without tying
+  /// M_nt on free edges times the root of its weight (free_edges.hpp). Products are the energies of layers missing in
+  /// the mesh.
   Eigen::VectorXd edge_twist{};
-  bool has_patch = false;  ///< without, `error` is what the element's own points tell, which is too little
+  bool has_patch = false;  ///< False: `error` comes from the element's own points alone and is too small
 };
 
-/// Of one field after the other on the same mesh.
+/// Computes strain errors of several fields on the same mesh.
 class StrainRecovery {
  public:
-  /// `edges` are the free ones of the shell. Both must outlive this object.
+  /// `edges` are the shell's free edges. Both arguments must outlive this object.
   StrainRecovery(const assembly::DiscreteShell& discrete, const std::vector<FreeEdge>& edges)
       : discrete_(discrete), edges_(edges) {}
-  /// Of the owned cells, for the field y (block 6, current ghosts) (collective).
+  /// Returns the errors in the owned cells for the field y (block 6, current ghosts) (collective).
   std::vector<StrainErrors> operator()(const algebra::Vector& y);
 
  private:

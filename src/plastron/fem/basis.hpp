@@ -1,4 +1,4 @@
-// One-dimensional quadrature points and Lagrange bases on [0, 1], from which all tensor-product tables are made.
+// One-dimensional quadrature points and Lagrange bases on [0, 1]; all tensor-product tables are made from them.
 #pragma once
 #include <Eigen/Core>
 #include <span>
@@ -14,13 +14,13 @@ struct Rule {
 Rule gauss(int points);          ///< exact for degree 2 points - 1
 Rule gauss_lobatto(int points);  ///< end points included; exact for degree 2 points - 3
 
-/// The Lagrange polynomials of some nodes and their first two derivatives at a point x.
+/// The Lagrange polynomials of given nodes and their first two derivatives at a point x.
 struct LagrangeValues {
   Eigen::VectorXd value, d, dd;
 };
 LagrangeValues lagrange(std::span<const double> nodes, double x);
 
-/// Tables of a one-dimensional Lagrange basis at points: rows are points, columns nodes.
+/// Tables of a one-dimensional Lagrange basis at points: a row per point, a column per node.
 struct LagrangeTable {
   Eigen::MatrixXd value, d;
 };

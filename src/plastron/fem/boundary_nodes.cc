@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Number, place, normal, tangent.
+/// Size of a packed node: number, place, normal, tangent.
 constexpr std::size_t boundary_node_size = 10;
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The nodes on a boundary, known to all ranks, and a layout that has further ghosts: what ties between far nodes are made with.
+// The nodes on a boundary, known to all ranks, and layouts with additional ghosts. Ties between distant nodes need
+// both.
 #pragma once
 #include <plastron/fem/surface.hpp>
 
@@ -10,16 +11,16 @@ namespace plastron::fem {
 
 struct BoundaryNode {
   algebra::GlobalIndex node;
-  Eigen::Vector3d place, normal, along;  ///< phi [m], a_3, unit tangent of the edge in space
+  Eigen::Vector3d place, normal, along;  ///< place phi [m], normal a_3, unit tangent of the edge in space
 };
 
-/// Throws DomainError that says what is on no boundary: "WHAT is not there".
+/// Returns the boundary's index. Throws DomainError "WHAT is not there" with `what` if no boundary has the name.
 int boundary_index(const CoarseMesh& coarse, const std::string& name, const char* what);
 
-/// Ascending, the same on every rank (collective).
+/// Returns the nodes in ascending order, the same on every rank (collective).
 std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, int boundary);
 
-/// The space with further ghosts; the owned nodes keep their numbers (collective).
+/// Adds ghosts to the space; the owned nodes keep their numbers (collective).
 void widen(Space& space, const std::set<algebra::GlobalIndex>& wanted);
 
 }  // namespace plastron::fem

@@ -22,7 +22,7 @@ std::size_t place_of(LocalIndex node, std::vector<LocalIndex>& nodes) {
   return nodes.size() - 1;
 }
 
-/// Of the nodes given, those that carry them.
+/// Returns the carriers of the given nodes.
 std::vector<LocalIndex> carriers_of(const CarriedNodes& carried, std::span<const LocalIndex> nodes) {
   std::vector<LocalIndex> all;
   for (const LocalIndex node : nodes) {
@@ -43,7 +43,8 @@ const CarriedNode* CarriedNodes::find(LocalIndex node) const {
 
 void carry(const Space& space, algebra::Vector& y) {
   if (!space.carried) return;
-  std::vector<Vector6> moved;  // a carried node may carry others: all are computed before any is changed
+  // Carried nodes may carry others: all values are computed before any is changed.
+  std::vector<Vector6> moved;
   moved.reserve(space.carried->nodes.size());
   for (const CarriedNode& at : space.carried->nodes) {
     Vector6 sum = at.own * six_at(y.local(), at.node);

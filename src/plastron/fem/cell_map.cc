@@ -9,7 +9,8 @@ namespace plastron::fem {
 
 namespace {
 
-// Almost all cells of mesh files have straight sides: tables of polynomials would take several times as long.
+// Separate code for straight sides, which almost all cells of mesh files have: tables of polynomials take several
+// times as long.
 
 PlaneJet bilinear(const std::vector<Vector2d>& p, const Vector2d& xi) {
   const Vector2d along = p[1] - p[0], across = p[2] - p[0], twist = p[3] - p[2] - along;

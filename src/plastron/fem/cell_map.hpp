@@ -11,7 +11,7 @@ namespace plastron::fem {
 using Eigen::Vector2d;
 using geometry::PlaneJet;
 
-/// A curve over [0, 1] with two derivatives.
+/// Value and two derivatives of a curve over [0, 1].
 struct CurveJet {
   Vector2d value, d, dd;
 };
@@ -31,10 +31,10 @@ struct Arc {
 
 using Edge = std::variant<Segment, Arc>;
 
-/// Transfinite interpolation between four edges (Gordon and Hall 1973): every edge is kept exactly.
+/// Transfinite interpolation between four edges (Gordon and Hall 1973): it reproduces every edge exactly.
 struct BlendedMap {
-  Edge left, right;  ///< xi_1 = 0 and 1, running with xi_2
-  Edge bottom, top;  ///< xi_2 = 0 and 1, running with xi_1
+  Edge left, right;  ///< edges xi_1 = 0 and 1, parametrised by xi_2
+  Edge bottom, top;  ///< edges xi_2 = 0 and 1, parametrised by xi_1
   PlaneJet operator()(const Vector2d& xi) const;
 };
 
@@ -54,8 +54,8 @@ struct TriangleLagrangeMap {
 
 using ExactMap = std::variant<BlendedMap, LagrangeMap, TriangleLagrangeMap>;
 
-/// An exact map seen through an affine map of its parameters: xi_map = origin + axes * xi. A rotation or reflection of
-/// the unit square, or the triangle on a part of it.
+/// An exact map composed with an affine map of its parameters: xi_map = origin + axes * xi. The affine map is a
+/// rotation or reflection of the unit square, or the map of the triangle onto a part of it.
 struct CellMap {
   ExactMap map;
   Vector2d origin = Vector2d::Zero();

@@ -11,7 +11,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// Sets of cell directions that have to be divided together.
+/// Disjoint sets of cell directions that must be divided together.
 class Union {
  public:
   explicit Union(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
@@ -30,7 +30,7 @@ class Union {
 Chords chords(const CoarseMesh& mesh) {
   PLASTRON_ASSERT(mesh.shape == Shape::quadrilateral);
   Union sets(2 * mesh.cells.size());
-  std::map<std::pair<int, int>, std::size_t> cut;  // sides, and who cuts them
+  std::map<std::pair<int, int>, std::size_t> cut;  // sides, each with the cell direction that cuts it
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int side = 0; side < 4; ++side) {
       const auto [from, to] = side_corners(Shape::quadrilateral, side);

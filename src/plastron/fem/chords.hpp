@@ -1,5 +1,5 @@
-// The chords of a mesh of quadrilaterals: cells one beside the other across sides that lie opposite in each. A mesh in which all cells of
-// a chord are divided along it conforms without hanging nodes.
+// The chords of a mesh of quadrilaterals: rows of cells that are neighbours across opposite sides. If all cells of a
+// chord are divided along it, the mesh conforms without hanging nodes.
 #pragma once
 #include <plastron/fem/coarse_mesh.hpp>
 
@@ -9,13 +9,14 @@
 namespace plastron::fem {
 
 struct Chords {
-  /// Of each cell: the chord that goes through it across its direction xi_1 (its sides xi_2 = 0 and 1 are cut when it is divided), and the
-  /// one across xi_2.
+  /// Chords through each cell: the one across its direction xi_1, which cuts the sides xi_2 = 0 and 1, and the one
+  /// across xi_2.
   std::vector<std::array<int, 2>> of_cell{};
   int count = 0;
 };
 
-/// Numbered by their first cells. Precondition: quadrilaterals, whose sides run the same way in neighbours where that matters.
+/// Returns the chords, numbered by their first cells. Precondition: quadrilaterals. Their sides run the same way in
+/// neighbours where this matters.
 Chords chords(const CoarseMesh& mesh);
 
 }  // namespace plastron::fem

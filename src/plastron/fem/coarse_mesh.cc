@@ -10,7 +10,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// Cells of a grid line: `breaks` cut the interval into pieces, each with its share of the cells.
+/// Points of a grid line. `breaks` divide the interval into pieces; each gets its share of the cells.
 std::vector<double> grid_line(double from, double to, const std::vector<double>& breaks, int cells) {
   std::vector<double> ends(breaks);
   ends.push_back(to);
@@ -23,7 +23,7 @@ std::vector<double> grid_line(double from, double to, const std::vector<double>&
   return line;
 }
 
-/// As square as can be with at most eight cells along the longer side.
+/// Returns numbers of cells that are nearly square, with at most eight along the longer side.
 std::array<int, 2> default_cells(const Vector2d& size) {
   const double ratio = size[0] / size[1];
   const int along = std::clamp(static_cast<int>(std::lround(std::max(ratio, 1 / ratio))), 1, 8);
@@ -94,7 +94,7 @@ bool has_straight_sides(const CellMap& map) {
   return std::ranges::all_of(edges, [](const Edge* e) { return std::holds_alternative<Segment>(*e); });
 }
 
-/// The quadrilateral's map on the triangle p, q, middle of the unit square.
+/// The quadrilateral's map on the triangle with the corners p, q and the middle of the unit square.
 CellMap triangle_map(const CellMap& map, const Vector2d& p, const Vector2d& q, const Vector2d& middle) {
   if (has_straight_sides(map)) return {TriangleLagrangeMap{1, {map(p).value, map(q).value, map(middle).value}}};
   Eigen::Matrix2d axes;

@@ -17,13 +17,13 @@ struct CoarseCell {
   CellMap map;
 };
 
-/// An edge of a named curve, on the boundary or inside; an edge of several curves stands once for each.
+/// An edge of a named curve, on the boundary or inside. An edge of several curves occurs once for each.
 struct BoundaryEdge {
   std::array<int, 2> vertices;
   int boundary = 0;  ///< index into CoarseMesh::boundaries
 };
 
-/// Where a quadrilateral is cut, across xi_1 and across xi_2: numbers between 0 and 1, ascending.
+/// Positions where a quadrilateral is cut, across xi_1 and across xi_2: numbers between 0 and 1, ascending.
 using Cuts = std::array<std::vector<double>, 2>;
 
 struct CoarseMesh {
@@ -33,24 +33,26 @@ struct CoarseMesh {
   std::vector<BoundaryEdge> edges;
   std::vector<std::string> regions;
   std::vector<std::string> boundaries;
-  /// Of the cells of a coarser mesh, if this one was made of it by a mesh sequence that cut them (fem/cut_mesh.hpp); else none.
+  /// Cuts of a coarser mesh's cells, if a mesh sequence made this mesh by cutting them (fem/cut_mesh.hpp); else
+  /// empty.
   std::vector<Cuts> cuts{};
 };
 
-/// Throws DomainError where the domain cannot be meshed or a mesh file is not as it should be. Triangles of a built-in
-/// domain are its quadrilaterals cut crosswise, polygons apart.
+/// Makes the coarse mesh. Throws DomainError if the domain cannot be meshed or a mesh file is invalid. Triangles of a
+/// built-in domain are its quadrilaterals cut crosswise, except for polygons.
 CoarseMesh coarse_mesh(const Domain& domain, Shape shape);
 
-/// The .msh part of coarse_mesh, from the file whether or not it was read before. Among triangles, quadrilaterals of the file are cut crosswise.
+/// Makes the coarse mesh of a .msh file and always reads the file. For triangles, quadrilaterals of the file are cut
+/// crosswise.
 CoarseMesh read_mesh_file(const MeshFile& file, Shape shape);
-/// The polygon part of coarse_mesh: by Gmsh unless the polygon is a convex quadrilateral itself.
+/// Makes the coarse mesh of a polygon by Gmsh, or directly if the polygon is a convex quadrilateral.
 CoarseMesh mesh_polygon(const Polygon& polygon, Shape shape);
 
-/// A mesh of quadrilaterals, each cut in four.
+/// Cuts each quadrilateral of a mesh in four triangles.
 CoarseMesh cut_crosswise(CoarseMesh quadrilaterals);
 /// Adds the four triangles from the centre of a quadrilateral to its sides: no triangle has all its vertices on the
-/// boundary, not even at a corner. Quadrilaterals with straight sides give straight triangles, which have constant
-/// strains in their space; others keep their exact map. `mesh` has the quadrilateral's vertices.
+/// boundary, not even at a corner. Quadrilaterals with straight sides give straight triangles, whose space contains
+/// constant strains; others keep their exact map. `mesh` contains the quadrilateral's vertices.
 void cut_crosswise(const CoarseCell& quadrilateral, CoarseMesh& mesh);
 
 }  // namespace plastron::fem

@@ -14,7 +14,7 @@ namespace plastron::fem {
 
 namespace {
 
-constexpr double same_cut = 1e-9;  ///< of a side
+constexpr double same_cut = 1e-9;  ///< part of a side
 
 std::size_t columns(const CoarseMesh& mesh, std::size_t first) { return mesh.cuts[first][0].size() + 1; }
 
@@ -24,7 +24,7 @@ void insert(double at, std::vector<double>& cuts) {
   cuts.insert(std::ranges::upper_bound(cuts, at), at);
 }
 
-/// Finds the cell of a mesh that holds a point of the first mesh's.
+/// Finds the cell of a cut mesh that contains a point given in the first mesh.
 class Lattices {
  public:
   explicit Lattices(const CoarseMesh& mesh) : mesh_(mesh), cells_(cut_cells(mesh)) {
@@ -48,7 +48,7 @@ class Lattices {
   std::vector<std::size_t> begin_{};
 };
 
-/// A field's values at the nodes of all cells of all ranks, by coarse cell (collective).
+/// Returns the values of a field at the nodes of all cells of all ranks, by coarse cell (collective).
 std::vector<double> whole(const algebra::Vector& field, const Space& space) {
   const auto block = static_cast<std::size_t>(field.block());
   const std::size_t size = static_cast<std::size_t>(space.nodes_per_cell()) * block;

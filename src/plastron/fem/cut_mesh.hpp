@@ -1,5 +1,5 @@
-// A coarse mesh cut along its chords, again and again, without hanging nodes: every cell of the first mesh is a lattice of cells, whatever was
-// cut in which order, and its cuts alone say which.
+// A coarse mesh cut along its chords, any number of times, without hanging nodes. Every cell of the first mesh
+// becomes a lattice of cells, which depends on its cuts alone and not on their order.
 #pragma once
 #include <plastron/fem/space.hpp>
 
@@ -8,24 +8,27 @@
 
 namespace plastron::fem {
 
-/// Each cell of the first mesh at its cuts, which it keeps (CoarseMesh::cuts). Precondition: are_conforming.
+/// Cuts each cell of the first mesh. The result stores the cuts (CoarseMesh::cuts). Precondition: are_conforming.
 CoarseMesh cut_mesh(const CoarseMesh& first, std::vector<Cuts> cuts);
 
-/// Whether cells that have a side in common are cut at the same points of it.
+/// Whether cells with a common side are cut at the same points of it.
 bool are_conforming(const CoarseMesh& mesh, std::span<const Cuts> cuts);
 
-/// What a cell of a cut mesh is of a cell of the first one: xi_first = corner + size xi.
+/// The place of a cut mesh's cell in a cell of the first mesh: xi_first = corner + size xi.
 struct CutCell {
   std::size_t first;
   Vector2d corner, size;
 };
-/// All cells, as cut_mesh() orders them: those of the first mesh's first cell first, xi_1 fastest. Each is itself where nothing was cut.
+/// Returns all cells in the order of cut_mesh(): by cell of the first mesh, xi_1 fastest. A mesh without cuts gives
+/// its own cells.
 std::vector<CutCell> cut_cells(const CoarseMesh& mesh);
 
-/// The cuts that the first mesh's cells have, and those given for each cell of the present mesh in its own coordinates.
+/// Combines the cuts of the first mesh's cells with `cuts`, given for each cell of the present mesh in its own
+/// coordinates.
 std::vector<Cuts> with_cuts(const CoarseMesh& present, std::span<const Cuts> cuts);
 
-/// The interpolant of a field (values per node) of one cutting of a mesh on another one. Both without divided cells (collective).
+/// Interpolates a field (values per node) from one cut of a mesh on another. Neither may have divided cells
+/// (collective).
 algebra::Vector interpolated(const algebra::Vector& field, const Space& before, const Space& after);
 
 }  // namespace plastron::fem

@@ -1,4 +1,4 @@
-// The parameter domains Omega a case can name. A domain is only a description; coarse_mesh.hpp meshes it.
+// The parameter domains Omega that a case can name. A domain is only a description; coarse_mesh.hpp meshes it.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -17,8 +17,8 @@ struct CoarseMesh;
 /// Boundaries: left, right, bottom, top (x min, x max, y min, y max).
 struct Rectangle {
   Vector2d from = Vector2d::Zero(), to = Vector2d::Ones();
-  std::array<int, 2> cells{0, 0};      ///< cells of the coarsest mesh; 0: as square as can be, at most 8 along a side
-  std::vector<double> breaks{};        ///< ascending x between from and to, where one region ends and the next begins
+  std::array<int, 2> cells{0, 0};      ///< cells of the coarsest mesh; 0: nearly square, at most 8 along a side
+  std::vector<double> breaks{};        ///< ascending x between from and to at the borders of regions
   std::vector<std::string> regions{};  ///< names from left to right, one more than breaks; empty: one region ""
 };
 
@@ -34,7 +34,7 @@ struct Annulus {
   double inner = 0.5, outer = 1;
 };
 
-/// A simple polygon, corners in either sense. Boundaries: edge1 (from corner 1 to corner 2), edge2, ...
+/// A simple polygon with corners in either orientation. Boundaries: edge1 (from corner 1 to corner 2), edge2, ...
 struct Polygon {
   std::vector<Vector2d> corners;
 };
@@ -44,7 +44,7 @@ struct Polygon {
 struct MeshFile {
   std::string path;
   std::shared_ptr<const CoarseMesh>
-      mesh{};  ///< what was read of it already (shared_mesh.hpp); without, coarse_mesh() reads the file
+      mesh{};  ///< mesh if already read (shared_mesh.hpp); otherwise coarse_mesh() reads the file
 };
 
 using Domain = std::variant<Rectangle, Disk, Annulus, Polygon, MeshFile>;
@@ -54,7 +54,7 @@ std::vector<std::string> boundary_names(const Domain& domain);
 /// The region names; {""} for a domain of one unnamed region, empty for a mesh file.
 std::vector<std::string> region_names(const Domain& domain);
 
-/// What is wrong with a domain or mesh file: shown to the user as it stands.
+/// Error in a domain or mesh file; its text is shown to the user unchanged.
 struct DomainError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };

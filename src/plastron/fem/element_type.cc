@@ -11,7 +11,7 @@ namespace {
 struct Numbered {
   int first, last;  ///< numbers of consecutive orders
   ElementFamily family;
-  int order;  ///< of the first
+  int order;  ///< order of the first
   bool is_complete;
 };
 
@@ -48,7 +48,7 @@ int node_count(ElementFamily family, int order, bool is_complete) {
   return nodes_per_cell(family == triangle ? Shape::triangle : Shape::quadrilateral, order);
 }
 
-/// Points (i, j) of the lattice in Gmsh's order. Nodes inside of an element form an element themselves.
+/// Points (i, j) of the lattice in Gmsh's order. The nodes inside an element form an element of lower order.
 using Place = std::array<int, 2>;
 
 void add_square(int from, int order, std::vector<Place>& places) {
@@ -102,7 +102,7 @@ std::vector<std::size_t> lattice_places(Shape shape, int order) {
   std::vector<std::size_t> result;
   result.reserve(places.size());
   for (const auto& [i, j] : places) {
-    // Row j of the triangle begins behind rows of order + 1, order, ... points.
+    // Row j of the triangle follows rows of order + 1, order, ... points.
     const int row = shape == Shape::triangle ? j * (order + 1) - j * (j - 1) / 2 : j * (order + 1);
     result.push_back(static_cast<std::size_t>(row + i));
   }

@@ -55,7 +55,7 @@ CoarseMesh disk_mesh(const Disk& disk) {
   for (const double radius : {0.45 * disk.radius, disk.radius})
     for (int k = 0; k < 4; ++k) mesh.vertices.push_back(quarters.at(radius, k));
   const auto& p = mesh.vertices;
-  // Corners 0..3 lie at 45, 135, 225, 315 degrees, so the square's lexicographic order is 2, 3, 1, 0.
+  // Corners 0..3 lie at 45, 135, 225, 315 degrees; the square's lexicographic order is therefore 2, 3, 1, 0.
   mesh.cells.push_back({{2, 3, 1, 0}, 0, {straight_map(p[2], p[3], p[1], p[0])}});
   for (int k = 0; k < 4; ++k) {
     const int next = (k + 1) % 4;

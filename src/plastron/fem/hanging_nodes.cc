@@ -15,10 +15,10 @@ namespace {
 using algebra::GlobalIndex, algebra::LocalIndex;
 using Masters = std::map<GlobalIndex, double>;
 
-/// Weights are of order one; below this they are zero.
+/// Weights are of order one; smaller ones than this are zero.
 constexpr double rounding = 1e-13;
 
-/// What the local nodes hang on, as their owners know it; nodes that are free have no entry (collective).
+/// Masters of the local nodes, from the nodes' owners. Free nodes have no entry (collective).
 class OneStep {
  public:
   OneStep(const Space& space, const std::vector<HangingNode>& owned) {
@@ -45,7 +45,7 @@ class OneStep {
 
   const std::map<GlobalIndex, Masters>& all() const { return of_node_; }
 
-  /// The free nodes that a node follows.
+  /// Returns the free nodes on which a node depends.
   Masters resolved(GlobalIndex node) const {
     Masters free, open{{node, 1.0}};
     while (!open.empty()) {
@@ -65,7 +65,7 @@ class OneStep {
   std::map<GlobalIndex, Masters> of_node_{};
 };
 
-/// Masters that this rank does not see.
+/// Masters that are not in this rank's layout.
 std::set<GlobalIndex> unseen(const algebra::Layout& layout, const OneStep& hanging) {
   std::set<GlobalIndex> nodes;
   for (const auto& [node, masters] : hanging.all())
@@ -80,7 +80,7 @@ void tie_hanging_nodes(Space& space, const std::vector<HangingNode>& owned) {
   const MPI_Comm comm = space.layout->comm;
   if (algebra::sum_over_ranks(static_cast<std::int64_t>(owned.size()), comm) == 0) return;
   OneStep hanging(space, owned);
-  // A master may hang in its turn, on masters that only its owner knows of.
+  // A master may hang itself, on masters that only its owner has.
   for (auto missing = unseen(*space.layout, hanging);
        algebra::sum_over_ranks(static_cast<std::int64_t>(missing.size()), comm) > 0;
        missing = unseen(*space.layout, hanging)) {

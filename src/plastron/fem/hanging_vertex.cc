@@ -1,5 +1,5 @@
-// A vertex in the interior of a side, seen from the boundary edges alone: a side that a neighbour does not share whole
-// belongs to one cell.
+// Search for a vertex in the interior of a side. It examines only the boundary edges: a side that no neighbour shares
+// completely belongs to one cell.
 #include <plastron/fem/mesh_validity.hpp>
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// Vertices on the boundary, ascending in one coordinate.
+/// Vertices on the boundary, in ascending order of one coordinate.
 std::vector<int> sorted_along(int axis, const CoarseMesh& mesh, const std::vector<MeshEdge>& boundary) {
   std::vector<int> vertices;
   for (const MeshEdge& e : boundary) vertices.insert(vertices.end(), e.ends.begin(), e.ends.end());
@@ -32,7 +32,7 @@ struct SideCurve {
   }
 };
 
-/// True if the curve passes through the point away from its ends; lengths are measured by its chord.
+/// Whether the curve passes through the point away from its ends. Lengths are relative to its chord.
 bool passes_through(const SideCurve& curve, const Vector2d& point) {
   constexpr double tolerance = 1e-6;
   const Vector2d from = curve.at(0), chord = curve.at(1) - from;
@@ -47,7 +47,7 @@ bool passes_through(const SideCurve& curve, const Vector2d& point) {
   return t > tolerance && t < 1 - tolerance && (point - curve.at(t)).norm() < tolerance * chord.norm();
 }
 
-/// A box round a side, wide enough for a curved one.
+/// A box round a side, wide enough for a curved side.
 std::pair<Vector2d, Vector2d> box_round(const SideCurve& curve) {
   Vector2d low = curve.at(0), high = low;
   for (const double t : {0.25, 0.5, 0.75, 1.0}) {

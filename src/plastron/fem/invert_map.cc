@@ -8,7 +8,8 @@
 namespace plastron::fem {
 
 std::optional<Vector2d> invert_map(Shape shape, const CellMap& map, const Vector2d& point) {
-  constexpr double tolerance = 1e-9;  // of the cell's size; a point far from the origin is known less sharply
+  // Part of the cell's size; points far from the origin have larger rounding.
+  constexpr double tolerance = 1e-9;
   const double rounding = 16 * std::numeric_limits<double>::epsilon() * point.norm();
   Vector2d xi = centre(shape);
   double size = 0;

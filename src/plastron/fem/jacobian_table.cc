@@ -13,7 +13,7 @@ PlaneJet mapped(Shape shape, int order, const std::vector<Vector2d>& nodes, cons
 }  // namespace
 
 JacobianTable jacobian_table(Shape shape, int order) {
-  // Of degree one the determinant is linear: its extremes are at the corners.
+  // For degree one the determinant is linear and has its extremes at the corners.
   const int points = order == 1 ? 1 : 4 * order;
   JacobianTable table{.xi = lattice(shape, points), .value = {}, .d1 = {}, .d2 = {}};
   const auto nodes = static_cast<Eigen::Index>(nodes_per_cell(shape, order));
@@ -23,7 +23,7 @@ JacobianTable jacobian_table(Shape shape, int order) {
   table.d2.resize(rows, nodes);
   std::vector<Vector2d> unit(static_cast<std::size_t>(nodes), Vector2d::Zero());
   for (Eigen::Index n = 0; n < nodes; ++n) {
-    unit[static_cast<std::size_t>(n)] = Vector2d::UnitX();  // the map is then the n-th polynomial
+    unit[static_cast<std::size_t>(n)] = Vector2d::UnitX();  // the map then equals the n-th polynomial
     for (Eigen::Index p = 0; p < rows; ++p) {
       const PlaneJet f = mapped(shape, order, unit, table.xi[static_cast<std::size_t>(p)]);
       table.value(p, n) = f.value[0];

@@ -25,7 +25,7 @@ double length_of(const std::vector<BoundaryNode>& nodes) {
   return (high - low).norm();
 }
 
-/// Classes of nodes that are one; the representative is the smallest number.
+/// Classes of identified nodes; the representative is the smallest number.
 class Classes {
  public:
   GlobalIndex representative(GlobalIndex node) const {
@@ -44,7 +44,7 @@ class Classes {
   std::map<GlobalIndex, GlobalIndex> parent_;
 };
 
-/// What joined edges make of their nodes.
+/// Relations between the nodes of joined edges.
 struct JoinedEdges {
   Classes same{};
   std::vector<Kink> kinks{};
@@ -79,7 +79,7 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
   }
 }
 
-/// Nodes that are one with another, and those that others carry across a kink.
+/// Ties identified nodes to their representatives and adds nodes carried across a kink.
 void add_ties(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
   const algebra::Distribution before = *space.layout;
   std::set<GlobalIndex> masters;
@@ -100,7 +100,8 @@ void add_ties(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kink
     CarriedNode& at = carried->nodes.emplace_back(CarriedNode{.node = i, .own = found->second.own});
     for (const auto& [carrier, block] : found->second.carriers) at.carriers.emplace_back(after.local(carrier), block);
   }
-  std::ranges::sort(space.ties, {}, &Tie::node);  // among those of nodes that hang, none of which lies on a joined edge
+  // Sorted with the ties of hanging nodes, which never lie on a joined edge.
+  std::ranges::sort(space.ties, {}, &Tie::node);
   space.has_ties = space.has_ties || !same.is_empty();
   if (!kinked.empty()) space.carried = std::move(carried);
 }
@@ -125,7 +126,7 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
   for (Kink& kink : edges.kinks)
     for (BoundaryNode& node : kink.nodes) node.node = edges.same.representative(node.node);
   add_ties(edges.same, kinked_nodes(edges.kinks), *result);
-  // The shell does not end there.
+  // The shell does not end at joined edges.
   for (BoundarySide& side : result->sides)
     if (boundaries.contains(side.boundary)) side.is_inner = true;
   return result;

@@ -14,10 +14,10 @@ namespace {
 using algebra::GlobalIndex;
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-/// What carries a node so far, the node itself included.
+/// The carriers of a node, possibly with the node itself, and their matrices.
 using Expression = std::map<GlobalIndex, Matrix6>;
 
-/// One condition of a node: its r . `direction` is the other's r . `other_direction`.
+/// One condition of a node: its r . `direction` equals the other's r . `other_direction`.
 struct TurnsWith {
   GlobalIndex other;
   Vector3d direction, other_direction;
@@ -55,7 +55,7 @@ class KinkedGroups {
     }
   }
 
-  /// The independent conditions with nodes that are expressed already.
+  /// Independent conditions of a node with nodes that are already expressed.
   std::vector<TurnsWith> conditions(GlobalIndex node) const {
     constexpr double parallel = 1e-6;
     std::vector<TurnsWith> all;
@@ -92,7 +92,7 @@ class KinkedGroups {
                                   })->first;
     KinkedNode& kinked = carried_[node];
     kinked.carriers.emplace_back(decides_u, all.at(decides_u));
-    constexpr double rounding = 1e-12;  // of products of unit vectors
+    constexpr double rounding = 1e-12;  // relative to products of unit vectors
     for (const auto& entry : all)
       if (entry.first != decides_u && entry.second.norm() > rounding) kinked.carriers.emplace_back(entry);
     kinked.own.bottomRightCorner<3, 3>() = a3 * a3.transpose();
@@ -103,7 +103,7 @@ class KinkedGroups {
     all[node] = kinked.own;
   }
 
-  /// Tangential vectors whose products with the directions are one and zero.
+  /// Tangential vectors dual to the directions: their products with the directions are one and zero.
   static std::vector<Vector3d> dual_directions(const std::vector<TurnsWith>& turns, const Vector3d& a3) {
     if (turns.size() == 1) return {turns[0].direction};
     const double area = a3.dot(turns[0].direction.cross(turns[1].direction));

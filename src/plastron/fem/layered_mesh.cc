@@ -16,7 +16,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// Lines across [from, to]: the boundaries, the rows' and the breaks.
+/// Positions of the lines across [from, to]: the boundaries, the rows' lines and the breaks.
 std::vector<double> lines_across(double from, double to, const std::vector<double>& left,
                                  const std::vector<double>& breaks, const std::vector<double>& right) {
   std::vector<double> lines{from};
@@ -29,7 +29,7 @@ std::vector<double> lines_across(double from, double to, const std::vector<doubl
   return lines;
 }
 
-/// How many cells between each line and the next: one in a row, `inner` between the rows, spread over the regions.
+/// Numbers of cells between consecutive lines: one in a row; `inner` between the rows, distributed over the regions.
 std::vector<int> parts_across(const std::vector<double>& lines, std::size_t left, std::size_t right, int inner) {
   std::vector<int> parts(lines.size() - 1, 1);
   const double begin = lines[left], end = lines[lines.size() - 1 - right];
@@ -52,7 +52,7 @@ CoarseMesh layered_rectangle(const Rectangle& r, const Rows& rows) {
   const auto region_at = [&](double x) {
     return static_cast<std::size_t>(std::ranges::count_if(r.breaks, [&](double b) { return b < x; }));
   };
-  // At a break the narrower of the rows on both sides.
+  // At a break, the narrower one of the rows on both sides.
   const auto before = [&](std::size_t i) { return region_at((xs[i] + xs[i > 0 ? i - 1 : 1]) / 2); };
   const auto after = [&](std::size_t i) { return region_at((xs[i] + xs[i + 1 < xs.size() ? i + 1 : i - 1]) / 2); };
   std::vector<Vector2d> vertices;

@@ -1,4 +1,4 @@
-// Coarse meshes with rows of long thin cells along the boundaries, where edge layers of thin shells are.
+// Coarse meshes with rows of long thin cells along the boundaries, for the edge layers of thin shells.
 #pragma once
 #include <plastron/fem/coarse_mesh.hpp>
 
@@ -8,22 +8,25 @@
 namespace plastron::fem {
 
 struct Rows {
-  /// Of each boundary, as boundary_names() orders them, and of each region along it (those of a rectangle from left to right, otherwise one): how
-  /// far the lines between rows are from the boundary, ascending, in Omega. All regions along a boundary have as many; none: no rows.
+  /// Distances in Omega of the lines between rows from the boundary, ascending. One list for each boundary in the
+  /// order of boundary_names() and for each region along it (regions of a rectangle from left to right, otherwise
+  /// one). All regions along a boundary have the same number of lines; without lines there are no rows.
   std::vector<std::vector<std::vector<double>>> distances;
-  /// Cells between the rows: along x and y of a rectangle or a polygon of four corners; of a disk round each quarter (and across the square in the
-  /// middle) and from the square outwards; of an annulus around (0: as square as can be) and outwards; of other polygons, those along half the
-  /// perimeter.
+  /// Cells between the rows. Rectangle or polygon of four corners: along x and y. Disk: round each quarter (and
+  /// across the square in the middle), and from the square outwards. Annulus: around (0: nearly square), and
+  /// outwards. Other polygons: along half the perimeter.
   std::array<int, 2> inner{1, 1};
-  /// Of a disk: the radius beyond which all cells lie in rings; 0: they begin with the rows. `inner` counts the cells outwards within it, then.
+  /// Disk only: the radius beyond which all cells lie in rings, or 0 if rings begin with the rows. If it is set,
+  /// `inner` counts the cells outwards within it.
   double core = 0;
-  int rings = 1;  ///< between that radius and the rows
+  int rings = 1;  ///< number of rings between `core` and the rows
 };
 
-/// Throws DomainError where the rows leave nothing between them, and for mesh files. Triangles are the quadrilaterals cut crosswise.
+/// Makes the mesh. Throws DomainError if the rows leave no space between them, and for mesh files. Triangles are the
+/// quadrilaterals cut crosswise.
 CoarseMesh layered_mesh(const Domain& domain, Shape shape, const Rows& rows);
 
-/// The polygon part of layered_mesh.
+/// Makes the layered mesh of a polygon.
 CoarseMesh layered_polygon(const Polygon& polygon, const Rows& rows);
 
 }  // namespace plastron::fem

@@ -1,5 +1,5 @@
-// Polygons with rows along their sides. Four convex corners make a grid of straight lines; around others the rows are cut off first and Gmsh meshes
-// what is left.
+// Polygons with rows along their sides. Four convex corners make a grid of straight lines. For other polygons the
+// rows are cut off first and Gmsh meshes the rest.
 #include <plastron/fem/domain.hpp>
 #include <plastron/fem/grid_mesh.hpp>
 #include <plastron/fem/layered_mesh.hpp>
@@ -18,7 +18,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// A side of a polygon whose interior lies left of it.
+/// A side of a polygon, with the interior on its left.
 struct Line {
   Vector2d from, to;
   Vector2d direction() const { return (to - from).normalized(); }
@@ -37,7 +37,7 @@ Vector2d crossing(const Line& a, const Line& b) {
 
 [[noreturn]] void refuse_rows() { throw DomainError("rows along the sides of the polygon do not fit into it"); }
 
-/// The lines across a grid from one side of a convex quadrilateral to the opposite one.
+/// The lines of a grid from one side of a convex quadrilateral to the opposite one.
 std::vector<Line> lines_between(const Line& first, const std::vector<double>& near, const Line& last,
                                 const std::vector<double>& far) {
   std::vector<Line> lines{first};
@@ -58,7 +58,7 @@ CoarseMesh grid_of_four_sides(const std::vector<Line>& sides, const std::vector<
   const auto distances = [&](std::size_t k) -> const std::vector<double>& {
     return rows.distances[static_cast<std::size_t>(boundaries[k])][0];
   };
-  // Side 0 is the bottom; anticlockwise follow right, top and left.
+  // Side 0 is the bottom; right, top and left follow anticlockwise.
   const auto across = lines_between(sides[3], distances(3), sides[1], distances(1));
   const auto upwards = lines_between(sides[0], distances(0), sides[2], distances(2));
   std::vector<Vector2d> vertices;
@@ -78,21 +78,22 @@ CoarseMesh grid_of_four_sides(const std::vector<Line>& sides, const std::vector<
 
 /// The corner between a side and the next, with the rows that meet there.
 struct Corner {
-  Vector2d outer;          ///< of the polygon
-  Vector2d inner;          ///< where the rows' lines meet
-  bool has_cell = false;   ///< the rows cross in a parallelogram; else a line from `outer` to `inner` parts them
-  Vector2d before, after;  ///< where the lines' crossing meets the sides; `outer` without a cell
+  Vector2d outer;  ///< corner of the polygon
+  Vector2d inner;  ///< intersection of the rows' lines
+  /// True if the rows cross in a parallelogram; else the line from `outer` to `inner` separates them.
+  bool has_cell = false;
+  Vector2d before, after;  ///< points where the rows' lines meet the sides; `outer` without a cell
 };
 
 Corner corner_between(const Line& a, double depth_a, const Line& b, double depth_b) {
   const Line row_a = a.shifted(depth_a), row_b = b.shifted(depth_b);
   const double sine = cross(a.direction(), b.direction());
-  if (std::abs(sine) < 1e-3) {  // the side goes on, maybe with another depth
+  if (std::abs(sine) < 1e-3) {  // the side continues, possibly with another depth
     const Vector2d n(-a.direction()[1], a.direction()[0]);
     return {.outer = a.to, .inner = a.to + std::min(depth_a, depth_b) * n, .before = a.to, .after = a.to};
   }
   Corner corner{.outer = a.to, .inner = crossing(row_a, row_b), .before = a.to, .after = a.to};
-  corner.has_cell = sine > 0.7;  // about square: between 45 and 135 degrees
+  corner.has_cell = sine > 0.7;  // nearly square: between 45 and 135 degrees
   if (corner.has_cell) {
     corner.before = crossing(a, row_b);
     corner.after = crossing(b, row_a);
@@ -100,7 +101,7 @@ Corner corner_between(const Line& a, double depth_a, const Line& b, double depth
   return corner;
 }
 
-/// The rows around what Gmsh has meshed.
+/// The rows around the mesh made by Gmsh.
 class Surrounded {
  public:
   Surrounded(CoarseMesh inside, std::vector<std::string> names) : mesh_(std::move(inside)) {
@@ -121,7 +122,7 @@ class Surrounded {
     mesh_.edges.push_back({{outer, ends.next}, next});
   }
 
-  /// The row along side i of the inner polygon, between the corner at its beginning and that at its end.
+  /// Adds the row along side i of the inner polygon, between the corners at the side's beginning and end.
   void add_row(int side, int boundary, std::size_t first_corner, std::size_t last_corner) {
     const int begin = ends_[first_corner].next, end = ends_[last_corner].previous;
     std::vector<int> inner;
@@ -145,7 +146,7 @@ class Surrounded {
 
  private:
   struct Ends {
-    int previous, next;  ///< where the row of the side before ends, and that of the next one begins
+    int previous, next;  ///< end of the previous side's row, and beginning of the next side's row
   };
 
   const Vector2d& at(int vertex) const { return mesh_.vertices[static_cast<std::size_t>(vertex)]; }
@@ -173,7 +174,7 @@ class Surrounded {
   std::vector<Ends> ends_;
 };
 
-/// The last line of each side's rows; sides without rows get the deepest of the others'.
+/// Depths of each side's rows, at their last lines; sides without rows get the largest depth of the others.
 std::vector<double> depths_of(const std::vector<int>& boundaries, const Rows& rows) {
   double deepest = 0;
   for (const auto& regions : rows.distances)
@@ -189,8 +190,8 @@ std::vector<double> depths_of(const std::vector<int>& boundaries, const Rows& ro
 CoarseMesh surrounded_by_rows(const std::vector<Line>& sides, const std::vector<int>& boundaries,
                               const std::vector<std::string>& names, const std::vector<double>& depths, double length) {
   const std::size_t n = sides.size();
-  std::vector<Corner> corners;  // at the end of each side
-  Polygon inner;                // its side i is the row of side i
+  std::vector<Corner> corners;  // corners at the end of each side
+  Polygon inner;                // its side i is the last line of the row at side i
   for (std::size_t i = 0; i < n; ++i)
     corners.push_back(corner_between(sides[i], depths[i], sides[(i + 1) % n], depths[(i + 1) % n]));
   for (std::size_t i = 0; i < n; ++i) inner.corners.push_back(corners[(i + n - 1) % n].inner);

@@ -40,7 +40,7 @@ class Builder {
  private:
   [[noreturn]] void refuse(const std::string& what) const { throw DomainError(data_.source + ": " + what); }
 
-  /// The names of the groups that hold elements; groups of one name are one.
+  /// Collects the names of the groups that contain elements. Groups with the same name are one group.
   void name_groups(int dimension, const char* kind, const char* meaning, std::vector<std::string>& names,
                    std::map<int, int>& number_of) {
     std::set<int> groups;
@@ -61,7 +61,7 @@ class Builder {
     return data_.nodes[static_cast<std::size_t>(data_.element_nodes[element.first_node + i])];
   }
 
-  /// The vertex index of a node, given on its first use as a corner.
+  /// The vertex index of a node, assigned at its first use as a corner.
   int vertex(const MeshElement& element, std::size_t i) {
     int& index = vertex_of_[static_cast<std::size_t>(data_.element_nodes[element.first_node + i])];
     if (index < 0) {
@@ -116,7 +116,7 @@ class Builder {
       cell.vertices[2] = vertex(element, 3);
       cell.map.map = LagrangeMap{type.order, std::move(nodes)};
     }
-    if (is_clockwise) {  // swap its two coordinates, so that every a_3 points to the same side
+    if (is_clockwise) {  // swaps its two coordinates, so that every a_3 points to the same side
       std::swap(cell.vertices[1], cell.vertices[2]);
       cell.map.axes << 0, 1, 1, 0;
     }
@@ -124,7 +124,7 @@ class Builder {
     cells_.elements.push_back(&element);
   }
 
-  /// True if the cell is drawn clockwise. Refuses one whose map is not one to one.
+  /// Returns true if the cell is drawn clockwise. Refuses a cell whose map is not one to one.
   bool check_map(const MeshElement& element, const JacobianTable& table, const std::vector<Vector2d>& nodes) const {
     const JacobianRange range = jacobian_range(table, nodes);
     if (range.is_positive || range.is_negative) return range.is_negative;
@@ -146,7 +146,7 @@ class Builder {
     return found->second;
   }
 
-  /// Nodes of cells must lie in the plane, up to rounding of the lengths that the mesh has.
+  /// Checks that nodes of cells lie in the plane, up to rounding relative to the mesh's size.
   void check_flat() const {
     constexpr double negligible = 1e-9;
     Vector2d low = Vector2d::Constant(HUGE_VAL), high = -low;
@@ -195,7 +195,7 @@ class Builder {
         place_of(element), a[0], a[1], b[0], b[1], cells_.mesh.boundaries[static_cast<std::size_t>(boundary)]));
   }
 
-  /// Cells of the shape that is wanted: quadrilaterals among triangles are cut.
+  /// Returns cells of the requested shape: for triangles, quadrilaterals are cut.
   CoarseMesh shaped() {
     CoarseMesh mesh = std::move(cells_.mesh);
     mesh.shape = shape_;
@@ -212,7 +212,7 @@ class Builder {
   const MeshData& data_;
   Shape shape_;
   FileCells cells_;
-  std::vector<int> vertex_of_;  ///< of each node
+  std::vector<int> vertex_of_;  ///< vertex index of each node, -1 if none
   std::map<int, int> region_of_, boundary_of_;
   std::map<std::pair<Shape, int>, Tables> tables_;
 };

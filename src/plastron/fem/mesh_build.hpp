@@ -1,11 +1,13 @@
-// From what a mesh file says to a coarse mesh: cells with exact maps, named regions and boundaries, all examined.
+// Conversion of a mesh file's data to a coarse mesh: cells with exact maps, named regions and boundaries, all
+// checked.
 #pragma once
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/mesh_data.hpp>
 
 namespace plastron::fem {
 
-/// Throws DomainError for elements of other kinds than `shape` allows, and for whatever is no mesh of the plane.
+/// Builds the coarse mesh. Throws DomainError for elements that `shape` does not allow, and for data that is no mesh
+/// of the plane.
 CoarseMesh build_coarse_mesh(const MeshData& data, Shape shape);
 
 }  // namespace plastron::fem

@@ -1,5 +1,5 @@
-// Reads Gmsh's mesh files, formats 2.0 to 2.2 and 4.1 as text. Gmsh itself would carry out whatever file it does not know as
-// a script (docs/decisions/0008-mesh-files.md).
+// Reads Gmsh's mesh files, formats 2.0 to 2.2 and 4.1 as text. Gmsh itself would execute any file of unknown format
+// as a script (docs/decisions/0008-mesh-files.md).
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/mesh_build.hpp>
 #include <plastron/fem/mesh_sections.hpp>
@@ -31,7 +31,7 @@ class Reader {
   }
 
  private:
-  /// True for version 2, false for version 4.
+  /// Reads the header. Returns true for version 2, false for version 4.
   bool header() {
     if (!text_.next_line()) throw DomainError(fmt::format("{}: the mesh file is empty", text_.path()));
     if (text_.line() != "$MeshFormat")

@@ -9,7 +9,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// True if the bytes are UTF-8 without control characters: names are written to results and to the terminal.
+/// Whether the bytes are UTF-8 without control characters. Names are written to results and to the terminal.
 bool is_printable(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -19,8 +19,8 @@ bool is_printable(std::string_view text) {
     for (std::size_t k = 1; k < length; ++k)
       if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) return false;
     const auto second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0;
-    if ((byte == 0xe0 && second < 0xa0) || (byte == 0xed && second > 0x9f)) return false;  // too long; surrogates
-    if ((byte == 0xf0 && second < 0x90) || (byte == 0xf4 && second > 0x8f)) return false;  // too long; beyond Unicode
+    if ((byte == 0xe0 && second < 0xa0) || (byte == 0xed && second > 0x9f)) return false;  // overlong; surrogates
+    if ((byte == 0xf0 && second < 0x90) || (byte == 0xf4 && second > 0x8f)) return false;  // overlong; beyond Unicode
     if (byte == 0xc2 && second < 0xa0) return false;                                       // control characters C1
     i += length;
   }
@@ -46,7 +46,7 @@ Eigen::Vector3d position(MeshText& text) {
   return x;
 }
 
-/// A set of groups is stored once. Group 0 means none.
+/// Returns the index of a set of groups, which is stored once. Group 0 means none.
 std::size_t group_set(MeshData& data, std::vector<int> groups) {
   std::erase(groups, 0);
   std::ranges::sort(groups);

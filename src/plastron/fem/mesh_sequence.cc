@@ -17,7 +17,7 @@ namespace plastron::fem {
 
 struct MeshSequence::Storage {
   std::variant<QuadrilateralSequence, TriangleSequence> levels;
-  std::shared_ptr<const CoarseMesh> first;  ///< before any cuts, as the sequence orders it
+  std::shared_ptr<const CoarseMesh> first;  ///< mesh before any cuts, in the sequence's order
   Finish finish{};
   Even even{};
   std::shared_ptr<const Space> finished{};
@@ -30,7 +30,7 @@ struct MeshSequence::Storage {
 
 namespace {
 
-/// The same owned values with the ghosts of another layout (collective).
+/// Returns the same owned values with the ghosts of another layout (collective).
 algebra::Vector on_layout(const std::shared_ptr<const algebra::Layout>& layout, const algebra::Vector& v) {
   algebra::Vector other(layout, v.block());
   std::ranges::copy(v.owned(), other.owned().begin());
@@ -38,7 +38,7 @@ algebra::Vector on_layout(const std::shared_ptr<const algebra::Layout>& layout, 
   return other;
 }
 
-/// A number that tells coarse meshes apart but for their coordinates: what is where, in which order, under which name.
+/// A number that distinguishes coarse meshes by everything except coordinates: cells, edges, their order and names.
 class Fingerprint {
  public:
   explicit Fingerprint(const CoarseMesh& mesh) {
@@ -53,7 +53,7 @@ class Fingerprint {
       for (const std::string& name : *names)
         for (const char c : name) add(static_cast<std::uint64_t>(c));
   }
-  /// Exact as a double.
+  /// The number, exact as a double.
   double value() const { return static_cast<double>(value_ >> 12); }
 
  private:
@@ -61,7 +61,8 @@ class Fingerprint {
   std::uint64_t value_ = 0;
 };
 
-/// Weighs coordinates by their place. Machines of one job may round sines and cosines otherwise: not part of the fingerprint.
+/// Sum of the coordinates weighted by place. It is not part of the fingerprint: machines of one job may round sines
+/// and cosines differently.
 double weighed_coordinates(const CoarseMesh& mesh) {
   double sum = 0, place = 0;
   for (const Vector2d& v : mesh.vertices)
@@ -69,7 +70,8 @@ double weighed_coordinates(const CoarseMesh& mesh) {
   return sum;
 }
 
-// Every rank makes its mesh, and may read it, by itself. Ranks with different ones would wait for each other for ever, or compute nonsense.
+// Every rank makes its mesh, and may read it, separately. Ranks with different meshes would block each other, or
+// compute nonsense.
 void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
   constexpr double rounding = 1e-10;
   const auto spread = [&](double mine) {
@@ -83,7 +85,7 @@ void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
         "the processes of this job have different meshes: give all of them the same case and the same mesh file");
 }
 
-/// The owned cells that have a node on some boundaries: a corner is enough, for a node that hangs beside it would depend on it.
+/// The owned cells with a node on some boundaries. A corner suffices: a node that hangs beside it would depend on it.
 std::vector<std::size_t> cells_along(const Space& space, const std::vector<std::string>& boundaries) {
   const auto is_named = [&](const BoundarySide& side) {
     return side.boundary >= 0 &&
@@ -102,7 +104,8 @@ std::vector<std::size_t> cells_along(const Space& space, const std::vector<std::
   return cells;
 }
 
-/// Marks of the cells along even boundaries that are larger than others of their group; empty where there are none (collective).
+/// Marks the cells along even boundaries that are larger than others of their group. Empty if there are none
+/// (collective).
 std::vector<signed char> larger_cells(const Space& space, const MeshSequence::Even& even) {
   const MPI_Comm comm = space.layout->comm;
   std::vector<signed char> marks(space.owned_cells, 0);
@@ -121,7 +124,8 @@ std::vector<signed char> larger_cells(const Space& space, const MeshSequence::Ev
 }  // namespace
 
 void mark_evenly(const Space& space, const MeshSequence::Even& even, std::span<signed char> marks) {
-  for (std::size_t round = 0; round < even.size(); ++round)  // a cell may lie along boundaries of several groups
+  // A cell may lie along boundaries of several groups.
+  for (std::size_t round = 0; round < even.size(); ++round)
     for (const std::vector<std::string>& group : even) {
       const std::vector<std::size_t> cells = cells_along(space, group);
       const std::int64_t mine = std::ranges::count_if(cells, [&](std::size_t cell) { return marks[cell] > 0; });
@@ -167,7 +171,8 @@ void MeshSequence::restart(std::vector<Cuts> cuts) {
   check_that_all_have_one_mesh(mesh, comm);
   const double fingerprint = Fingerprint(mesh).value();
   storage_->levels = QuadrilateralSequence(std::move(mesh), space()->degree, comm);
-  // The cells of the first mesh are turned alike, and so are those of its lattices: they are not turned again (cut_cells).
+  // The cells of the first mesh and of its lattices already have consistent directions. They are not reordered
+  // (cut_cells).
   PLASTRON_ASSERT(fingerprint ==
                   Fingerprint(*std::get<QuadrilateralSequence>(storage_->levels).space()->coarse).value());
   storage_->finish_level();
@@ -195,7 +200,8 @@ void MeshSequence::refine(std::span<algebra::Vector> fields, std::span<const sig
     refine_where(fields, {});
 }
 
-/// Neighbours of divided cells may lie along an even boundary and be divided, too: then the others of their group follow.
+/// Neighbours of divided cells may lie along an even boundary and be divided too. Then the others of their group are
+/// divided as well.
 void MeshSequence::refine_evenly(QuadrilateralSequence& cells, std::span<algebra::Vector> fields, Marks marks) {
   cells.refine(fields, marks);
   if (storage_->even.empty()) return;

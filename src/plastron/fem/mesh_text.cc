@@ -21,7 +21,7 @@ namespace {
 
 using geometry::parse;
 
-/// A coarse mesh is held by every process; with a million cells the file has about 80 MB.
+/// Every process stores the coarse mesh. A file with a million cells has about 80 MB.
 constexpr std::int64_t largest_file = 256 << 20;
 
 struct OpenFile {
@@ -34,7 +34,8 @@ struct OpenFile {
   OpenFile& operator=(const OpenFile&) = delete;
 };
 
-/// The open file is examined, not its name: nothing can be put in its place in between, and a pipe does not block.
+/// Reads the file. It examines the open file, not its name: the file cannot be replaced in between, and a pipe does
+/// not block.
 std::string content(const std::string& path) {
   const OpenFile file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (file.descriptor < 0)
@@ -53,7 +54,7 @@ std::string content(const std::string& path) {
     const ssize_t got = read(file.descriptor, text.data() + done, text.size() - done);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw DomainError(fmt::format("{}: the mesh file cannot be read: {}", path, std::strerror(errno)));
-    if (got == 0) break;  // it became shorter meanwhile
+    if (got == 0) break;  // the file became shorter meanwhile
     done += static_cast<std::size_t>(got);
   }
   text.resize(done);

@@ -56,7 +56,7 @@ class Examiner {
                          element(twice->second), element(std::next(twice)->second), place(centre_of(twice->second))));
   }
 
-  /// Cells all run anticlockwise, so neighbours run along their common side in opposite directions.
+  /// All cells are anticlockwise, so neighbours run along their common side in opposite directions.
   void join(std::span<const MeshEdge> same) const {
     const Vector2d &a = vertex(same[0].ends[0]), &b = vertex(same[0].ends[1]);
     if (same.size() > 2)

@@ -1,5 +1,5 @@
-// Whether cells of a mesh file make a mesh of a plane domain: every side belongs to one cell or joins two, no vertex
-// lies inside of a side, no two cells overlap.
+// Checks that cells of a mesh file form a mesh of a plane domain. Every side must belong to one cell or join two, no
+// vertex may lie inside a side, and no two cells may overlap.
 #pragma once
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/mesh_data.hpp>
@@ -12,7 +12,7 @@
 
 namespace plastron::fem {
 
-/// Triangles (their fourth vertex is -1) and quadrilaterals, all anticlockwise, each with the element it comes from.
+/// Triangles (their fourth vertex is -1) and quadrilaterals, all anticlockwise, each with its element of the file.
 struct FileCells {
   CoarseMesh mesh;
   std::vector<const MeshElement*> elements;
@@ -25,23 +25,23 @@ struct MeshEdge {
   std::array<int, 2> ends;  ///< ascending
   std::size_t cell;
   int side;
-  bool is_forward;  ///< round the cell, anticlockwise, it runs from the lower vertex to the higher
+  bool is_forward;  ///< true if it runs from the lower vertex to the higher one, anticlockwise round the cell
 };
-/// Of all cells, ascending by ends.
+/// Returns the sides of all cells, in ascending order of their ends.
 std::vector<MeshEdge> edges_of(const std::vector<CoarseCell>& cells);
 
-/// Throws DomainError that names the elements and the place. `source` begins the message.
+/// Checks the cells. Throws DomainError that names the elements and the place. `source` is the start of the message.
 void check_cells_fit(const FileCells& cells, const std::vector<MeshEdge>& edges, const std::string& source);
 
-/// A vertex in the interior of a side that it is no end of.
+/// A vertex in the interior of a side.
 struct HangingVertex {
   int vertex;
   MeshEdge edge;
 };
-/// Precondition: `boundary` are the edges that belong to one cell alone.
+/// Searches for such a vertex. Precondition: `boundary` contains the edges that belong to only one cell.
 std::optional<HangingVertex> find_hanging_vertex(const CoarseMesh& mesh, const std::vector<MeshEdge>& boundary);
 
-/// Two cells of which one holds the other's centre.
+/// Returns two cells of which one contains the other's centre.
 std::optional<std::array<std::size_t, 2>> find_overlap(const CoarseMesh& mesh);
 
 }  // namespace plastron::fem

@@ -8,7 +8,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// True if both ends of a cell's side lie on the same side of the coarse cell. Coordinates are dyadic, hence exact.
+/// Whether both ends of a cell's side lie on the same side of the coarse cell. Coordinates are dyadic, hence exact.
 bool lies_on_coarse_side(Shape shape, const Cell& cell, int side) {
   const auto distance = [&](int k) {
     const Vector2d xi = cell.corner + cell.size * corner(shape, k);

@@ -1,6 +1,6 @@
-// Which boundaries a side of a coarse cell belongs to, and from that the sides of a level. A side may carry several
-// names. A side between two cells carries its names in one of them only, so that a load on it counts once and its
-// conormal has one direction: in the cell to the left of the edge as BoundaryEdge::vertices runs.
+// The boundaries of each side of a coarse cell, and the named sides of a level. A side may have several names. A side
+// between two cells has its names in only one of them: the cell to the left of the edge in the direction of
+// BoundaryEdge::vertices. A load on it then counts once, and its conormal has one direction.
 #pragma once
 #include <plastron/fem/space.hpp>
 
@@ -12,19 +12,19 @@ class NamedSides {
  public:
   explicit NamedSides(const CoarseMesh& coarse);
 
-  /// Adds the named sides of the cell that stands last in `space.cells`.
+  /// Adds the named sides of the last cell in `space.cells`.
   void add_sides_of_last_cell(Space& space) const;
 
  private:
   Shape shape_;
   struct Side {
-    std::vector<int> boundaries;  ///< indices into CoarseMesh::boundaries; -1 alone on an unnamed part of the boundary
-    std::vector<int> twin_boundaries{};  ///< those that the cell on the other side lists
+    std::vector<int> boundaries;  ///< indices into CoarseMesh::boundaries; only -1 on an unnamed part of the boundary
+    std::vector<int> twin_boundaries{};  ///< boundaries listed by the cell on the other side
     bool is_inner = false;
   };
   Side& at(std::size_t coarse_cell, int side);
 
-  std::vector<Side> sides_;  ///< of each coarse cell
+  std::vector<Side> sides_;  ///< sides of each coarse cell
 };
 
 }  // namespace plastron::fem

@@ -1,5 +1,5 @@
-// Cells that overlap without sharing a side, as far as one of them holds the other's centre. A grid of boxes, about as
-// many as cells, finds the candidates.
+// Search for cells that overlap without sharing a side, if one contains the other's centre. A grid with about one box
+// per cell finds the candidates.
 #include <plastron/fem/invert_map.hpp>
 #include <plastron/fem/mesh_validity.hpp>
 
@@ -20,7 +20,8 @@ struct Box {
   bool holds(const Vector2d& p) const { return (p.array() >= low.array()).all() && (p.array() <= high.array()).all(); }
 };
 
-/// Of the nodes: the polynomial of a cell with curved sides may leave it a little, and a centre there is missed.
+/// Bounding box of the nodes. The polynomial of a cell with curved sides may leave it a little; a centre there is
+/// missed.
 Box box_of(const CoarseCell& cell) {
   Box box;
   const auto add_all = [&](const std::vector<Vector2d>& nodes) {

@@ -1,5 +1,5 @@
-// Polygons, meshed by Gmsh through its geometry interface. Gmsh never opens a file here: it would carry out scripts
-// (docs/decisions/0008-mesh-files.md).
+// Polygons, meshed by Gmsh through its geometry interface. Gmsh never opens a file here, because it would execute
+// scripts (docs/decisions/0008-mesh-files.md).
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/mesh_build.hpp>
 #include <plastron/fem/polygon.hpp>
@@ -16,20 +16,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Gmsh has one global state: alive for the length of one meshing, silent, without the user's settings and start-up files.
+/// Gmsh's single global state for the duration of one meshing: silent, without the user's settings and start-up
+/// files.
 class GmshSession {
  public:
   GmshSession() {
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.AbortOnError", 2);  // throw
+    gmsh::option::setNumber("General.AbortOnError", 2);  // throws on errors
   }
   ~GmshSession() { gmsh::finalize(); }
   GmshSession(const GmshSession&) = delete;
   GmshSession& operator=(const GmshSession&) = delete;
 };
 
-/// Elements of the entities of one dimension; each entity's number is its group.
+/// Adds the elements of the entities of one dimension; each entity's number is its group.
 void add_elements(int dimension, MeshData& data) {
   gmsh::vectorpair entities;
   gmsh::model::getEntities(entities, dimension);
@@ -80,7 +81,8 @@ CoarseMesh single_cell(const Polygon& polygon) {
   return mesh;
 }
 
-/// A power of two near a polygon's size: Gmsh has tolerances in absolute lengths, and dividing by it rounds nothing.
+/// A power of two near a polygon's size. Gmsh has absolute tolerances of length; division by a power of two causes no
+/// rounding.
 double scale_of(const Polygon& polygon) {
   Vector2d low = polygon.corners.front(), high = low;
   for (const Vector2d& c : polygon.corners) {
@@ -90,7 +92,7 @@ double scale_of(const Polygon& polygon) {
   return std::exp2(std::ceil(std::log2((high - low).maxCoeff())));
 }
 
-/// Curve i is the side from corner i to the next, beginning with 1.
+/// Draws the polygon. Curve i is the side from corner i to the next; numbers start with 1.
 void draw(const Polygon& polygon, double length, double scale) {
   const auto& p = polygon.corners;
   std::vector<int> points, lines;

@@ -24,8 +24,9 @@ namespace {
 
 using DealVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-/// p4est speaks on standard output unless told not to, once per process. A program of others may have started it: twice would be the end.
-/// Each process starts it by itself: one of them may have a mesh before the others, or alone.
+/// Makes p4est silent; otherwise it writes to standard output. This is possible only once per process, and a program
+/// that uses the library may have started p4est already. Each process starts it separately, because one process may
+/// have a mesh before the others, or alone.
 void silence_p4est() {
   [[maybe_unused]] static const bool once = [] {
     if (sc_package_id < 0) sc_init(MPI_COMM_SELF, 0, 0, nullptr, SC_LP_SILENT);
@@ -35,8 +36,8 @@ void silence_p4est() {
   }();
 }
 
-/// deal.II wants the edges of neighbouring cells to run the same way and reorders the vertices of cells for that.
-/// The exact map of a reordered cell is seen through the rotation or reflection that the new order amounts to.
+/// Applies deal.II's order of a cell's vertices, for which edges of neighbouring cells run the same way. The exact
+/// map of the cell is composed with the rotation or reflection of the new order.
 void reorder_vertices(CoarseCell& cell, const std::array<int, 4>& order) {
   const auto corner = [&](int vertex) -> Vector2d {
     const auto k = std::ranges::find(cell.vertices, vertex) - cell.vertices.begin();
@@ -64,11 +65,12 @@ std::vector<dealii::CellData<2>> ordered_cells(CoarseMesh& coarse) {
   return cells;
 }
 
-/// The place of a cell in its coarse cell. Coarse cells are told apart by their index: p4est numbers its trees
-/// otherwise, and CellId's coarse cell is p4est's.
+/// Returns the place of a cell in its coarse cell. Coarse cells are identified by their index: p4est numbers its
+/// trees differently, and CellId contains the number of p4est.
 Cell dyadic_cell(dealii::TriaIterator<dealii::CellAccessor<2>> cell) {
   Cell result;
-  const dealii::CellId id = cell->id();  // the indices are a view into it
+  // The indices are a view into the id.
+  const dealii::CellId id = cell->id();
   for (const auto child : id.get_child_indices()) {
     result.size /= 2;
     result.corner += result.size * Vector2d(child % 2, child / 2);
@@ -87,7 +89,7 @@ struct QuadrilateralSequence::Nodes {
   dealii::DoFHandler<2> dofs;
   dealii::IndexSet relevant;
 
-  /// On the present cells.
+  /// Distributes nodes on the present cells.
   void distribute();
   std::shared_ptr<const algebra::Layout> make_layout() const;
   std::vector<HangingNode> hanging_nodes() const;
@@ -103,7 +105,8 @@ std::shared_ptr<const algebra::Layout> QuadrilateralSequence::Nodes::make_layout
   const MPI_Comm comm = dofs.get_communicator();
   const dealii::IndexSet& owned = dofs.locally_owned_dofs();
   const auto count = static_cast<algebra::GlobalIndex>(owned.n_elements());
-  algebra::GlobalIndex end = 0;  // a rank without nodes begins and ends where the one before ends
+  // A rank without nodes begins and ends at the end of the previous rank.
+  algebra::GlobalIndex end = 0;
   MPI_Scan(&count, &end, 1, MPI_INT64_T, MPI_SUM, comm);
   algebra::Distribution nodes{.comm = comm,
                               .first = end - count,
@@ -114,7 +117,7 @@ std::shared_ptr<const algebra::Layout> QuadrilateralSequence::Nodes::make_layout
   return std::make_shared<const algebra::Layout>(std::move(nodes));
 }
 
-/// Those that this rank owns.
+/// Returns the hanging nodes owned by this rank.
 std::vector<HangingNode> QuadrilateralSequence::Nodes::hanging_nodes() const {
   dealii::AffineConstraints<double> constraints(relevant);
   dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
@@ -133,7 +136,7 @@ struct QuadrilateralSequence::Storage {
       : coarse(std::make_shared<CoarseMesh>(std::move(mesh))), triangulation(comm), nodes(triangulation, degree) {}
 
   std::shared_ptr<CoarseMesh> coarse;
-  std::optional<NamedSides> sides;  ///< of the coarse cells as deal.II orders their vertices
+  std::optional<NamedSides> sides;  ///< sides of the coarse cells in deal.II's order of vertices
   dealii::parallel::distributed::Triangulation<2> triangulation;
   Nodes nodes;
   std::shared_ptr<const Space> space;
@@ -223,7 +226,7 @@ std::shared_ptr<const Space> QuadrilateralSequence::space_of_degree(int degree) 
 
 void QuadrilateralSequence::refine(std::span<algebra::Vector> fields, Marks marks) {
   Storage& s = *storage_;
-  // deal.II carries scalar fields: one vector for each component of each node field.
+  // deal.II transfers scalar fields: one vector for each component of each node field.
   std::vector<DealVector> before;
   for (const algebra::Vector& field : fields)
     for (int c = 0; c < field.block(); ++c) {
@@ -235,7 +238,8 @@ void QuadrilateralSequence::refine(std::span<algebra::Vector> fields, Marks mark
     }
   std::vector<const DealVector*> inputs;
   for (DealVector& v : before) {
-    v.update_ghost_values();  // only now: the copies that a growing std::vector makes lose their ghosts' values
+    // Must follow the loop: copies made by a growing std::vector lose their ghosts' values.
+    v.update_ghost_values();
     inputs.push_back(&v);
   }
 

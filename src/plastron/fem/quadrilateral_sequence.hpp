@@ -1,5 +1,5 @@
-// Nested meshes of quadrilaterals: a distributed quadtree over the coarse mesh, refined level by level,
-// everywhere or where asked for. The only file that sees deal.II's meshes.
+// Nested meshes of quadrilaterals: a distributed quadtree over the coarse mesh, refined level by level, everywhere or
+// locally. Only this part of the program uses deal.II's meshes.
 #pragma once
 #include <plastron/fem/space.hpp>
 
@@ -13,17 +13,17 @@ namespace plastron::fem {
 
 class QuadrilateralSequence {
  public:
-  /// The coarsest level (collective).
+  /// Makes the coarsest level (collective).
   QuadrilateralSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
   ~QuadrilateralSequence();
   QuadrilateralSequence(QuadrilateralSequence&&) noexcept;
   QuadrilateralSequence& operator=(QuadrilateralSequence&&) noexcept;
 
-  /// Of the owned cells, one by one; none divides all.
+  /// Marks of the owned cells; without marks all are divided.
   using Marks = std::optional<std::span<const signed char>>;
 
   std::shared_ptr<const Space> space() const;
-  /// The present cells, in the same order, with nodes of another degree (collective).
+  /// Returns the present cells in the same order with nodes of another degree (collective).
   std::shared_ptr<const Space> space_of_degree(int degree) const;
   /// See MeshSequence::refine.
   void refine(std::span<algebra::Vector> fields, Marks marks);

@@ -15,7 +15,7 @@ algebra::Vector raised(const algebra::Vector& field, const Space& from, const Sp
   algebra::Vector result(to.layout, field.block());
   for (std::size_t cell = 0; cell < to.owned_cells; ++cell)
     for (std::size_t k = 0; k < block; ++k) {
-      Eigen::MatrixXd values(n, n);  // xi_1 by rows
+      Eigen::MatrixXd values(n, n);  // a row per xi_1
       for (std::size_t i = 0; i < n * n; ++i)
         values(static_cast<Eigen::Index>(i % n), static_cast<Eigen::Index>(i / n)) =
             field.local()[static_cast<std::size_t>(from.nodes(cell)[i]) * block + k];

@@ -5,8 +5,8 @@
 
 namespace plastron::fem {
 
-/// The interpolant of a field (values per node of a space of quadrilaterals) in a space of another degree on the same cells in the same order;
-/// it is the field itself where that degree is not lower (collective).
+/// Interpolates a field in a space of another degree on the same cells in the same order (collective). The field has
+/// values per node of a space of quadrilaterals. The field does not change if the degree is not lower.
 algebra::Vector raised(const algebra::Vector& field, const Space& from, const Space& to);
 
 }  // namespace plastron::fem

@@ -54,7 +54,7 @@ std::array<int, 2> anticlockwise_corners(Shape shape, int side) {
 }
 
 std::vector<int> side_nodes(Shape shape, int degree, int side) {
-  // Row j of the triangle begins behind rows of degree + 1, degree, ... nodes.
+  // Row j of the triangle follows rows of degree + 1, degree, ... nodes.
   const auto index = [&](int i, int j) {
     return shape == Shape::triangle ? j * (degree + 1) - j * (j - 1) / 2 + i : j * (degree + 1) + i;
   };

@@ -19,10 +19,10 @@ using algebra::GlobalIndex, algebra::LocalIndex;
 using Eigen::Matrix3d, Eigen::Vector3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Where a body's nodes lie, by number, as all ranks know it.
+/// The places of a body's nodes by number, known to all ranks.
 using Members = std::map<GlobalIndex, BoundaryNode>;
 
-/// The node that each node is, where joined edges make two of them one; none where it hangs between several (collective).
+/// Returns the node to which a join ties each tied node; none for a hanging node with several masters (collective).
 std::map<GlobalIndex, std::optional<GlobalIndex>> tied_to(const Space& space) {
   std::vector<double> packed;
   for (const Tie& tie : space.ties) {
@@ -60,7 +60,7 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return m;
 }
 
-/// On (d, length theta), theta x v = -[v]x theta.
+/// Motion matrix for (d, length theta), with theta x v = -[v]x theta.
 Matrix6 motion_at(const RigidBody& body, const BoundaryNode& node, double length) {
   Matrix6 w = Matrix6::Zero();
   w.topLeftCorner<3, 3>().setIdentity();
@@ -69,13 +69,13 @@ Matrix6 motion_at(const RigidBody& body, const BoundaryNode& node, double length
   return w;
 }
 
-/// D W: displacements as they are, rotations times length^2.
+/// D W: displacements unchanged, rotations times length^2.
 Matrix6 weighted(Matrix6 w, double length) {
   w.bottomRows<3>() *= length * length;
   return w;
 }
 
-/// What the body's motions leave undetermined: part of the largest eigenvalue of their Gram matrix.
+/// Part of the largest eigenvalue of the Gram matrix; motions below it are undetermined.
 constexpr double no_motion = 1e-10;
 
 std::vector<int> free_components(const RigidBody& body) {
@@ -91,7 +91,7 @@ Vector6 given_load(const PlacedBody& placed) {
   return load;
 }
 
-/// The solution of gram x = load where there is one.
+/// The solution of gram x = load in the determined directions.
 Vector6 multipliers(const PlacedBody& placed) {
   const auto modes = geometry::symmetric_eigen(Eigen::MatrixXd(placed.gram));
   const Vector6 load = given_load(placed);
@@ -145,7 +145,7 @@ void check_disjoint(const std::vector<RigidBody>& bodies, const std::vector<Memb
                           bodies[j].name, bodies[k].name, node.place[0], node.place[1], node.place[2]));
 }
 
-/// The hosts are the first two nodes, so that all ranks agree.
+/// The first two nodes are the hosts, so that all ranks agree.
 std::array<GlobalIndex, 2> hosts_of(const Members& members) {
   return {members.begin()->first, std::next(members.begin())->first};
 }
@@ -169,7 +169,7 @@ void add_members(const Space& space, const Members& members, PlacedBody& placed,
   }
 }
 
-/// Its members among the carried nodes, which are ascending.
+/// Stores the indices of the body's members among the carried nodes, which are ascending.
 void note_members(const Members& members, const algebra::Layout& layout, const CarriedNodes& carried,
                   PlacedBody& placed) {
   for (std::size_t i = 0; i < carried.nodes.size(); ++i)
@@ -183,7 +183,7 @@ Matrix6 motion_of_member(const CarriedNode& at) {
   return w;
 }
 
-/// The nodes that kinks carry and no body does. A body takes all nodes of a kink or none.
+/// Returns the nodes carried across kinks and not by a body. A body must contain all nodes of a kink or none.
 std::vector<CarriedNode> kinked_beside(const CarriedNodes& before, const std::vector<RigidBody>& bodies,
                                        const std::vector<Members>& members, const algebra::Layout& layout) {
   std::vector<CarriedNode> rest;

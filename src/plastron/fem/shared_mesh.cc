@@ -12,7 +12,7 @@
 #include <memory>
 #include <type_traits>
 
-// How the parts of a coarse mesh are written into an archive, and read from it.
+// Serialisation of the parts of a coarse mesh.
 namespace boost::serialization {
 
 template <class Archive>
@@ -20,7 +20,7 @@ void serialize(Archive& archive, Eigen::Vector2d& x, unsigned) {
   archive& x[0] & x[1];
 }
 
-/// Meshes of files have polynomials.
+/// Meshes of files have only polynomial maps.
 template <class Archive>
 void serialize(Archive& archive, plastron::fem::ExactMap& map, unsigned) {
   using namespace plastron::fem;
@@ -61,7 +61,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// Without cells where the file cannot be read.
+/// Returns a mesh without cells if the file cannot be read.
 CoarseMesh read_if_possible(const MeshFile& file, Shape shape) {
   try {
     return read_mesh_file(file, shape);
@@ -74,7 +74,8 @@ CoarseMesh read_if_possible(const MeshFile& file, Shape shape) {
 
 Domain with_shared_mesh(Domain domain, Shape shape, MPI_Comm comm) {
   auto* file = std::get_if<MeshFile>(&domain);
-  if (algebra::min_over_ranks(file ? 1 : 0, comm) == 0) return domain;  // of all, unless their cases differ
+  // The same on all ranks, unless their cases differ.
+  if (algebra::min_over_ranks(file ? 1 : 0, comm) == 0) return domain;
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);

@@ -1,4 +1,4 @@
-// Mesh files in a job of several processes: one reads and examines the file, the others are told what it made of it.
+// Mesh files in a job of several processes: one process reads and checks the file and sends the mesh to the others.
 #pragma once
 #include <plastron/fem/coarse_mesh.hpp>
 
@@ -6,8 +6,9 @@
 
 namespace plastron::fem {
 
-/// The same domain; of a mesh file with the coarse mesh of that shape beside its path, read by the first rank, so that coarse_mesh() has
-/// nothing to read any more. A file that is no mesh is left unread, and coarse_mesh() says why; so are all where some ranks have another domain (collective).
+/// Returns the domain. A mesh file gets the coarse mesh of the given shape, read by the first rank, so that
+/// coarse_mesh() need not read the file (collective). It gets none if the file is invalid; coarse_mesh() then reports
+/// the error. It also gets none if some ranks have another kind of domain.
 Domain with_shared_mesh(Domain domain, Shape shape, MPI_Comm comm);
 
 }  // namespace plastron::fem

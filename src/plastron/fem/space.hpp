@@ -1,8 +1,8 @@
-// A finite element mesh of one level as plain arrays: cells, nodes, boundary sides as this rank sees them.
+// A finite element mesh of one level as plain arrays: cells, nodes and boundary sides on this rank.
 //
-// A cell is a dyadic part of its coarse cell, so its map onto Omega is the coarse cell's exact map restricted to that
-// part. Nodes are the Gauss-Lobatto points of degree k in a quadrilateral and equidistant in a triangle, where k <= 2
-// makes them Gauss-Lobatto points of every side; they are numbered lexicographically in a cell (xi_1 fastest).
+// A cell is a dyadic part of its coarse cell; its map onto Omega is the coarse cell's exact map restricted to that
+// part. Nodes are the Gauss-Lobatto points of degree k in a quadrilateral and equidistant in a triangle. There k <=
+// 2, so they are Gauss-Lobatto points of every side. They are numbered lexicographically in a cell (xi_1 fastest).
 #pragma once
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/matrix.hpp>
@@ -17,27 +17,28 @@
 
 namespace plastron::fem {
 
-/// xi_coarse = corner + size xi. A triangle that is turned by 180 degrees against its coarse cell has a negative size.
+/// A cell: xi_coarse = corner + size xi. The size is negative for a triangle turned by 180 degrees against its coarse
+/// cell.
 struct Cell {
   int coarse = 0;                      ///< index of the coarse cell
-  Vector2d corner = Vector2d::Zero();  ///< the cell's xi = 0 in the coarse cell's coordinates
-  double size = 1;                     ///< side in the coarse cell's coordinates, with the sign above
+  Vector2d corner = Vector2d::Zero();  ///< place of the cell's xi = 0 in the coarse cell's coordinates
+  double size = 1;                     ///< side length in the coarse cell's coordinates, with the sign above
 };
 
-/// Where a cell lies, in integers: corner = (i, j) / |divisions| in its coarse cell, size = 1 / divisions.
+/// Place of a cell in integers: corner = (i, j) / |divisions| in its coarse cell, size = 1 / divisions.
 using CellPlace = std::array<std::int32_t, 4>;  ///< coarse cell, divisions, i, j
 CellPlace place_of(const Cell& cell);
 
-/// A side of a cell on the boundary of the domain or on a named curve inside of it. A side with several names is listed
-/// once for each; a side on an inner curve is listed for one of its two cells (named_sides.hpp).
+/// A side of a cell on the boundary of the domain or on a named curve inside it. A side with several names is listed
+/// once for each. A side on an inner curve is listed for one of its two cells (named_sides.hpp).
 struct BoundarySide {
   std::size_t cell = 0;
   int side = 0;           ///< see reference_cell.hpp
   int boundary = -1;      ///< index into CoarseMesh::boundaries, -1 for an unnamed part of the domain's boundary
-  bool is_inner = false;  ///< has cells on both sides
+  bool is_inner = false;  ///< true with cells on both sides
 };
 
-/// A node whose values are those of others, v = sum weight v_master: see ties.hpp. Masters are not tied themselves.
+/// A tied node, v = sum weight v_master: see ties.hpp. Masters are not tied themselves.
 struct Tie {
   algebra::LocalIndex node = 0;
   std::vector<std::pair<algebra::LocalIndex, double>> masters{};
@@ -51,13 +52,14 @@ struct Space {
   std::shared_ptr<const algebra::Layout> layout{};
   std::vector<Cell> cells{};  ///< owned cells first, then the ghost cells around them
   std::size_t owned_cells = 0;
-  algebra::Connectivity connectivity{};  ///< nodes of all of `cells`
-  std::vector<BoundarySide> sides{};     ///< of all of `cells`
-  /// Of inner curves, seen from the cells on their other side: where cells differ in size these have nodes that `sides` has not.
+  algebra::Connectivity connectivity{};  ///< nodes of all `cells`
+  std::vector<BoundarySide> sides{};     ///< sides of all `cells`
+  /// Sides of inner curves in the cells on their other side. Where cells differ in size, these have nodes that
+  /// `sides` lacks.
   std::vector<BoundarySide> twin_sides{};
-  std::vector<Tie> ties{};  ///< of all local nodes, ascending; their masters are local, too
-  bool has_ties = false;    ///< on some rank
-  /// Nodes whose (u, r) follow from others' by matrices, see carried_nodes.hpp; null where no rank has any.
+  std::vector<Tie> ties{};  ///< ties of all local nodes, ascending; their masters are local too
+  bool has_ties = false;    ///< true if some rank has ties
+  /// Nodes whose (u, r) follow from others by matrices, see carried_nodes.hpp; null if no rank has any.
   std::shared_ptr<const CarriedNodes> carried{};
   std::int64_t global_cells = 0;
 

@@ -51,7 +51,7 @@ class Subdivision {
   }
 
  private:
-  /// Of line i: 0, the cuts, 1.
+  /// Place of line i: 0, the cuts, 1.
   static double place_of(const std::vector<double>& cuts, int i) {
     if (i == 0) return 0;
     return i > static_cast<int>(cuts.size()) ? 1 : cuts[static_cast<std::size_t>(i - 1)];
@@ -62,7 +62,7 @@ class Subdivision {
     return static_cast<int>(mesh_.vertices.size()) - 1;
   }
 
-  /// From the first of two corners of a cell to the second.
+  /// Vertices from the first of two corners of a cell to the second.
   std::vector<int> side_vertices(const CoarseCell& cell, const std::array<int, 2>& corners,
                                  const std::vector<double>& cuts) {
     const int from = cell.vertices[static_cast<std::size_t>(corners[0])],
@@ -79,7 +79,7 @@ class Subdivision {
     return drawn_from(from, to);
   }
 
-  /// The vertices of a side in this direction, which a curve inside has its conormal from.
+  /// The vertices of a side in this direction, which gives an inner curve its conormal.
   std::vector<int> drawn_from(int from, int to) const {
     std::vector<int> line = sides_.at(std::minmax(from, to));
     if (from > to) std::ranges::reverse(line);
@@ -88,7 +88,7 @@ class Subdivision {
 
   const CoarseMesh& whole_;
   CoarseMesh mesh_;
-  std::map<std::pair<int, int>, std::vector<int>> sides_;  ///< from the vertex of the smaller number to the other
+  std::map<std::pair<int, int>, std::vector<int>> sides_;  ///< vertices from the side's smaller end to the larger
 };
 
 }  // namespace

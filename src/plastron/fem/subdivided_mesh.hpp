@@ -7,11 +7,11 @@
 
 namespace plastron::fem {
 
-/// Each quadrilateral in parts[c][0] x parts[c][1] cells along its own coordinates. Precondition: neighbours have as many along their common
-/// side.
+/// Divides each quadrilateral into parts[c][0] x parts[c][1] cells along its own coordinates. Precondition:
+/// neighbours have the same number along their common side.
 CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const std::array<int, 2>> parts);
 
-/// Each quadrilateral at its cuts. Precondition: neighbours are cut at the same points of their common side.
+/// Divides each quadrilateral at its cuts. Precondition: neighbours are cut at the same points of their common side.
 CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const Cuts> cuts);
 
 }  // namespace plastron::fem

@@ -1,4 +1,4 @@
-// The mid-surface over a mesh: the chart of each region seen from the cells' own coordinates (D3).
+// The mid-surface over a mesh: each region's chart as a function of the cells' own coordinates (D3).
 #pragma once
 #include <plastron/fem/space.hpp>
 #include <plastron/geometry/chart.hpp>
@@ -12,12 +12,13 @@
 
 namespace plastron::fem {
 
-/// The chart of a region: the one of its name, or the only one there is if that has no name. Throws DomainError if there is none.
+/// Returns the chart with the region's name, or the only chart if it has no name. Throws DomainError if there is
+/// none.
 const geometry::Chart& chart_of_region(const std::map<std::string, geometry::Chart>& charts, const std::string& region);
 
 class Surface {
  public:
-  /// One chart per region name of the mesh. Throws DomainError for missing or unknown regions.
+  /// Requires one chart per region name of the mesh. Throws DomainError for missing or unknown regions.
   Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts);
 
   /// Points of Omega: the images of points xi of the reference cell.
@@ -38,15 +39,15 @@ class Surface {
   std::vector<geometry::Chart> charts_;  // by region index
 };
 
-/// Where a point of Omega lies in the coarse mesh.
+/// Place of a point of Omega in the coarse mesh.
 struct Location {
   int coarse;
   Vector2d xi;  ///< in the coarse cell's coordinates
 };
-/// Empty if the point lies outside of Omega.
+/// Finds the point. Empty if it lies outside Omega.
 std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point);
 
-/// The point of the reference cell that `cell` has at a location; empty if the cell does not hold it.
+/// Returns the point of the reference cell of `cell` for a location; empty if the cell does not contain it.
 std::optional<Vector2d> local_coordinates(Shape shape, const Cell& cell, const Location& location);
 
 }  // namespace plastron::fem

@@ -22,7 +22,7 @@ Factor factor(int n, int i, double l) {
   return f;
 }
 
-/// The points that permuting three barycentric coordinates makes of one, all with the same weight.
+/// Adds all permutations of three barycentric coordinates as points of the same weight.
 void add_orbit(double a, double b, double c, double weight, TriangleRule& rule) {
   const auto add = [&](double x, double y) {
     rule.points.emplace_back(x, y);
@@ -39,7 +39,7 @@ void add_orbit(double a, double b, double c, double weight, TriangleRule& rule) 
 
 void add_orbit(double a, double weight, TriangleRule& rule) { add_orbit(a, a, 1 - 2 * a, weight, rule); }
 
-/// The square (s, t) -> (s (1 - t), t), whose area element 1 - t costs one degree.
+/// Rule of the square (s, t) -> (s (1 - t), t), whose area element 1 - t costs one degree.
 TriangleRule collapsed_rule(int degree) {
   const Rule line = gauss(degree / 2 + 2);
   TriangleRule rule;
@@ -61,7 +61,7 @@ TriangleValues triangle_lagrange(int order, const Vector2d& xi) {
   int node = 0;
   for (int j = 0; j <= order; ++j)
     for (int i = 0; i <= order - j; ++i, ++node) {
-      // A function of the barycentric coordinates l_0 = 1 - xi_1 - xi_2, xi_1, xi_2: P, Q, R.
+      // Product of functions P, Q, R of the barycentric coordinates l_0 = 1 - xi_1 - xi_2, xi_1, xi_2.
       const Factor p = factor(order, order - i - j, 1 - xi[0] - xi[1]), q = factor(order, i, xi[0]),
                    r = factor(order, j, xi[1]);
       v.value[node] = p.value * q.value * r.value;

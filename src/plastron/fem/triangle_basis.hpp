@@ -17,12 +17,12 @@ struct TriangleValues {
 TriangleValues triangle_lagrange(int order, const Vector2d& xi);
 
 struct TriangleRule {
-  std::vector<Vector2d> points;  ///< inside of the triangle
+  std::vector<Vector2d> points;  ///< points inside the triangle
   std::vector<double> weights;   ///< positive; sum to its area 1/2
 };
-/// Exact for polynomials of the given degree. Degrees 1, 2, 4 and 6 have symmetric rules of 1, 3, 6 and 12 points
-/// (D. A. Dunavant, Int. J. Numer. Meth. Eng. 21, 1985), so that a cell may begin at any of its corners; others are
-/// Gauss rules of the square collapsed onto the triangle.
+/// Returns a rule that is exact for polynomials of the given degree. Degrees 1, 2, 4 and 6 have symmetric rules of 1,
+/// 3, 6 and 12 points (D. A. Dunavant, Int. J. Numer. Meth. Eng. 21, 1985), so that a cell may begin at any of its
+/// corners. Other degrees have Gauss rules of the square collapsed onto the triangle.
 TriangleRule triangle_rule(int degree);
 
 }  // namespace plastron::fem

@@ -13,7 +13,7 @@ namespace {
 
 using algebra::GlobalIndex;
 
-/// The entities that carry the nodes of a cell in lexicographic order: vertices by number, edges behind them.
+/// The entities of a cell's nodes in lexicographic order: vertices by number, edges after them.
 std::vector<std::size_t> node_entities(const TriangleTopology& mesh, int degree, std::size_t cell) {
   const auto& v = mesh.vertices[cell];
   if (degree == 1) return {v.begin(), v.end()};
@@ -56,7 +56,7 @@ std::vector<std::size_t> cells_around(const TriangleTopology& mesh, std::size_t 
   return around;
 }
 
-/// Values at the nodes of child k from those at the nodes of its parent: rows are the child's nodes.
+/// Matrix from values at the nodes of a parent to values at the nodes of child k: a row per node of the child.
 Eigen::MatrixXd to_child(int degree, int k) {
   const Cell child = child_cell(k);
   const auto nodes = lattice(Shape::triangle, degree);
@@ -122,7 +122,7 @@ void TriangleSequence::flatten() {
   space_ = std::make_shared<const Space>(std::move(flat));
 }
 
-// The cells that refine this rank's and come to it are children of its own or of the first cell behind them.
+// After refinement, this rank owns children of its own cells and possibly of the first cell after them.
 std::shared_ptr<const algebra::Layout> TriangleSequence::layout_of_parents() const {
   const std::size_t behind = numbers_.first_cell[static_cast<std::size_t>(rank_) + 1];
   algebra::Distribution nodes = *space_->layout;

@@ -1,7 +1,7 @@
-// Nested meshes of triangles with elements of degree 1 and 2 (docs/decisions/0007-triangles.md). Every rank holds the
-// topology of the whole mesh; cells are dealt out in contiguous blocks in the order of refinement, and a node belongs
-// to the lowest rank that has a cell with it. Nodes are numbered as the cells name them first, so that the numbers do
-// not depend on how many ranks there are.
+// Nested meshes of triangles with elements of degree 1 and 2 (docs/decisions/0007-triangles.md). Every rank stores
+// the topology of the whole mesh. Ranks own contiguous blocks of cells in the order of refinement. A node belongs to
+// the lowest rank that owns a cell with it. Nodes are numbered in the order of their first occurrence in the cells,
+// so that the numbers do not depend on the number of ranks.
 #pragma once
 #include <plastron/fem/named_sides.hpp>
 #include <plastron/fem/triangle_topology.hpp>
@@ -14,16 +14,16 @@
 
 namespace plastron::fem {
 
-/// The numbers of all nodes of a mesh and the ranges of the ranks.
+/// Numbers of all nodes of a mesh and the ranges of the ranks.
 struct TriangleNumbering {
-  std::vector<algebra::GlobalIndex> number{};      ///< of vertices and, for degree 2, behind them of edges
-  std::vector<std::size_t> first_cell{};           ///< of each rank, and the count of all cells at the end
-  std::vector<algebra::GlobalIndex> first_node{};  ///< likewise
+  std::vector<algebra::GlobalIndex> number{};      ///< numbers of vertices and, for degree 2, of edges after them
+  std::vector<std::size_t> first_cell{};           ///< first cell of each rank, and the number of all cells at the end
+  std::vector<algebra::GlobalIndex> first_node{};  ///< first node of each rank, likewise
 };
 
 class TriangleSequence {
  public:
-  /// The coarsest level (collective). Throws DomainError for degrees other than 1 and 2.
+  /// Makes the coarsest level (collective). Throws DomainError for degrees other than 1 and 2.
   TriangleSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
 
   std::shared_ptr<const Space> space() const { return space_; }
@@ -33,14 +33,14 @@ class TriangleSequence {
  private:
   void flatten();
   void add_cell(std::size_t cell, Space& target) const;
-  /// What the mesh was.
+  /// The mesh before a refinement.
   struct Refinement {
     TriangleTopology mesh;
     TriangleNumbering numbers;
   };
-  /// That of the space, with all nodes of the parents of the cells that this rank will have as ghosts (collective).
+  /// The space's layout plus, as ghosts, all nodes of the parents of this rank's next cells (collective).
   std::shared_ptr<const algebra::Layout> layout_of_parents() const;
-  /// `coarse` is on layout_of_parents(), with its ghosts' values (collective).
+  /// Interpolates `coarse`, which is on layout_of_parents() with its ghosts' values (collective).
   algebra::Vector interpolated(const algebra::Vector& coarse, const Refinement& from) const;
 
   std::shared_ptr<const CoarseMesh> coarse_;

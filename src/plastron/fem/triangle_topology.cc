@@ -12,7 +12,7 @@ namespace {
 
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The half of an edge at one of its vertices: edge e becomes 2e (at its first vertex) and 2e + 1.
+/// Returns the half of an edge at one of its vertices: edge e becomes 2e (at its first vertex) and 2e + 1.
 int half(const TriangleTopology& mesh, int edge, int vertex) {
   return 2 * edge + (mesh.edges[static_cast<std::size_t>(edge)][0] == vertex ? 0 : 1);
 }

@@ -10,12 +10,13 @@ namespace plastron::geometry {
 
 namespace {
 
-// value, 1, 2, 11, 12, 22
+// Returns the expressions of value, 1, 2, 11, 12, 22.
 std::vector<Expression> differentiate(const std::string& text, const Constants& constants) {
-  [[maybe_unused]] const Expression checked(text, constants);  // muParser's messages carry positions
+  [[maybe_unused]] const Expression checked(text, constants);  // for muParser's messages, which contain positions
   const GiNaC::realsymbol x("x"), y("y");
   std::map<std::string, GiNaC::ex> names{{"x", x}, {"y", y}, {"pi", GiNaC::Pi}};
-  // Constants stay symbols while differentiating, so that R - R is exactly zero; of either sign, so that sqrt(R^2) is not R.
+  // Constants stay symbols during differentiation, so that R - R is exactly zero. They may have either sign, so that
+  // sqrt(R^2) is not R.
   for (const auto& [name, value] : constants) names[name] = GiNaC::realsymbol(name);
   try {
     const GiNaC::ex f = formula(text, names);

@@ -18,7 +18,7 @@ class Chart {
 
   /// phi with first and second derivatives with respect to x and y.
   SurfaceJet operator()(double x, double y) const;
-  /// jets[i] at (x[i], y[i]). Second derivatives are left zero unless asked for.
+  /// Writes jets[i] at (x[i], y[i]). Second derivatives stay zero unless requested.
   void evaluate(std::span<const double> x, std::span<const double> y, std::span<SurfaceJet> jets,
                 bool second_derivatives = true) const;
 

@@ -4,7 +4,7 @@ namespace plastron::geometry {
 
 namespace {
 
-/// f(g): f' g', then f'' g' g' + f' g''. The derivatives of f repeat f and g a few times.
+/// f(g): f' g', then f'' g' g' + f' g''. The derivatives of f contain f and g a few times.
 DerivativeSize composed(const DerivativeSize& g) {
   constexpr double of_function = 4;
   const double f = of_function * (1 + g.value);

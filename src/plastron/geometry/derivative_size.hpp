@@ -1,11 +1,11 @@
-// How long the derivatives of a formula become, before they are made: a product of n factors has n^2 terms in its second
-// derivative, each as long as the product, and nested functions multiply likewise.
+// Estimates the length of a formula's derivatives before they are made. A product of n factors has n^2 terms in its
+// second derivative, each as long as the product; nested functions multiply in a similar way.
 #pragma once
 #include <ginac/ginac.h>
 
 namespace plastron::geometry {
 
-/// Nodes of the formula and of its derivatives with respect to one variable, estimated from above.
+/// Upper estimates of the number of nodes of a formula and of its derivatives with respect to one variable.
 struct DerivativeSize {
   double value = 1, first = 0, second = 0;
 };

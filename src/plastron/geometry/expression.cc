@@ -90,7 +90,7 @@ void Expression::evaluate(std::span<const double> x, std::span<const double> y, 
     std::ranges::fill(values, constant_);
     return;
   }
-  // Not muParser's bulk mode: it starts OpenMP threads for a handful of points.
+  // muParser's bulk mode is not used: it starts OpenMP threads for a few points.
   for (std::size_t i = 0; i < values.size(); ++i) {
     program_->x = x[i];
     program_->y = y[i];

@@ -14,49 +14,49 @@ namespace plastron::geometry {
 /// Named constants of a case, in the order of their definition.
 using Constants = std::vector<std::pair<std::string, double>>;
 
-/// A text that is no valid expression. `position` is the offset in the text of the first wrong character.
+/// Error for a text that is no valid expression. `position` is the offset in the text of the first wrong character.
 struct ExpressionError : std::invalid_argument {
   ExpressionError(const std::string& message, std::size_t position_in_text)
       : std::invalid_argument(message), position(position_in_text) {}
   std::size_t position;
 };
 
-/// An expression that cannot be differentiated twice, and why not.
+/// Error for an expression that cannot be differentiated twice, with the reason.
 struct NotDifferentiable : ExpressionError {
   NotDifferentiable(const std::string& text, std::string reason_in_words);
   std::string reason;
 };
 
-/// The functions that expressions know and that have two derivatives, and those that have not.
+/// The functions known in expressions that have two derivatives, and the other known functions.
 const std::vector<std::string>& smooth_functions();
 const std::vector<std::string>& other_functions();
 
-/// What an expression may have at most, so that reading one takes no time and no stack.
+/// Limits of an expression, so that reading one takes little time and stack.
 inline constexpr std::size_t longest_expression = 4000;  ///< characters
 inline constexpr std::size_t deepest_brackets = 50;
 
 /// f(x, y). Known names: x, y, pi, the constants; + - * / ^, comparisons, c ? a : b, and the functions above.
 class Expression {
  public:
-  /// The zero function.
+  /// Makes the zero function.
   Expression() : Expression(0.0) {}
-  /// The function that is `value` everywhere.
+  /// Makes the constant function `value`.
   explicit Expression(double value);
   /// Throws ExpressionError.
   Expression(std::string text, const Constants& constants);
-  /// Of a text that the program made, however long.
+  /// Makes an expression from a text written by the program, without limit of length.
   static Expression made(std::string text, const Constants& constants);
 
   double operator()(double x, double y) const;
-  /// values[i] = f(x[i], y[i]).
+  /// Sets values[i] = f(x[i], y[i]).
   void evaluate(std::span<const double> x, std::span<const double> y, std::span<double> values) const;
 
-  /// The function `factor` f.
+  /// Returns the function `factor` f.
   Expression scaled(double factor) const;
 
   bool is_constant() const { return !program_; }
   const std::string& text() const { return text_; }
-  /// Values of the names that the text may use beside x and y; none for a constant function.
+  /// Values of the names in the text other than x and y; empty for a constant function.
   std::map<std::string, double> constants() const;
 
  private:
@@ -64,11 +64,11 @@ class Expression {
   void compile(const Constants& constants);
   std::string text_;
   double constant_ = 0;
-  double factor_ = 1;  // of what the program gives
+  double factor_ = 1;  // factor of the program's value
   std::shared_ptr<Program> program_;
 };
 
-/// The value of a text that may use the constants but not x and y. Throws ExpressionError.
+/// Returns the value of a text that may use the constants but not x and y. Throws ExpressionError.
 double evaluate_constant(const std::string& text, const Constants& constants);
 
 }  // namespace plastron::geometry

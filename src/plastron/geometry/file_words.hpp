@@ -1,4 +1,4 @@
-// Words of a text file: what they are as numbers, and how a message may show them.
+// Words of a text file: conversion to numbers, and their form in messages.
 #pragma once
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 namespace plastron::geometry {
 
-/// A piece of a file as a message may show it: printable and short.
+/// A piece of a file in a form for messages: printable and short.
 inline std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string result(text.substr(0, longest));
@@ -16,7 +16,8 @@ inline std::string shown(std::string_view text) {
   return text.size() > longest ? result + "..." : result;
 }
 
-/// Whether all of the word is a number, with a sign or without; C's locale, whatever the program's.
+/// Converts a word to a number. Returns false unless the whole word is a number, with or without sign. Uses C's
+/// locale always.
 template <class Number>
 bool parse(std::string_view word, Number& number) {
   if (word.size() > 1 && word.front() == '+') word.remove_prefix(1);

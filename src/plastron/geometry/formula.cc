@@ -14,8 +14,8 @@ namespace {
 
 using GiNaC::ex;
 
-// |f| and sign f of real f, with |f|' = sign(f) f' and sign' = 0: finite where f is zero, unlike GiNaC's f f' / |f|, so
-// that f |f| has both derivatives there. A kink, that of |f|, is found where charts are examined.
+// |f| and sign f of real f, with |f|' = sign(f) f' and sign' = 0. They are finite where f is zero, unlike GiNaC's f
+// f' / |f|, so that f |f| has both derivatives there. The kink of |f| is detected in the examination of charts.
 
 unsigned sign_serial() {
   static const auto derivative = [](const ex&, unsigned) -> ex { return 0; };
@@ -31,7 +31,7 @@ unsigned magnitude_serial() {
   return serial;
 }
 
-/// Numbers stay exact.
+/// The absolute value; numbers stay exact.
 ex magnitude(const ex& f) {
   return GiNaC::is_a<GiNaC::numeric>(f) ? ex(GiNaC::abs(f)) : ex(GiNaC::function(magnitude_serial(), f));
 }
@@ -61,7 +61,7 @@ ex call(const std::string& name, const std::vector<ex>& arguments) {
   return found->second(arguments[0]);
 }
 
-/// GiNaC computes with whole numbers of any length: those that nobody means are refused before they fill the memory.
+/// Refuses numbers of extreme length: GiNaC computes with whole numbers of any length, which could fill the memory.
 void check_digits(const ex& e) {
   constexpr int most_bits = 2000;
   const auto too_long = [](const ex& part) {
@@ -83,8 +83,8 @@ ex power(const ex& base, const ex& exponent) {
   return result;
 }
 
-/// Recursive descent, one function for each precedence. Expressions are short and their brackets few (expression.hpp), so the
-/// recursion is, too, but for signs and exponents, which are counted.
+/// Recursive descent, one function per precedence. Expressions are short and have few brackets (expression.hpp), so
+/// the recursion is shallow. Only signs and exponents could nest deeply; they are counted.
 class Parser {
  public:
   Parser(std::string_view text, const std::map<std::string, ex>& names) : text_(text), names_(names) {}
@@ -96,7 +96,7 @@ class Parser {
   }
 
  private:
-  /// Counts how deep signs and exponents follow each other.
+  /// Counts the nesting of signs and exponents.
   struct Level {
     explicit Level(Parser& of) : parser(of) {
       constexpr int deepest = 200;
@@ -108,7 +108,7 @@ class Parser {
     Parser& parser;
   };
 
-  /// The next character that is no blank, 0 at the end.
+  /// Returns the next character that is not blank, 0 at the end.
   char next() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
     return at_ < text_.size() ? text_[at_] : '\0';
@@ -160,7 +160,7 @@ class Parser {
     return std::isdigit(static_cast<unsigned char>(next())) || next() == '.' ? number() : named();
   }
 
-  /// Whole numbers stay exact.
+  /// Reads a number; whole numbers stay exact.
   ex number() {
     std::size_t length = 0;
     const std::string rest(text_.substr(at_));

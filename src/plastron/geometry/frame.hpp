@@ -1,4 +1,4 @@
-// The local frame of the mid-surface at a point, in the coordinates in which the jet of phi is given (M1-M3).
+// The local frame of the mid-surface at a point, in the coordinates of the jet of phi (M1-M3).
 #pragma once
 #include <plastron/geometry/jet.hpp>
 
@@ -10,7 +10,7 @@ namespace plastron::geometry {
 
 using Eigen::Matrix2d;
 
-/// Index position is part of a name: a_cov[alpha] = a_alpha, a_con[alpha] = a^alpha.
+/// The frame. Names contain the position of the index: a_cov[alpha] = a_alpha, a_con[alpha] = a^alpha.
 struct Frame {
   std::array<Vector3d, 2> a_cov;  ///< a_alpha = d_alpha phi [m per unit of the coordinate]
   std::array<Vector3d, 2> a_con;  ///< a^alpha
@@ -22,7 +22,7 @@ struct Frame {
   double sqrt_a;                  ///< area element: dS = sqrt(a) dxi
 };
 
-/// Relative size of |a_1 x a_2| against |a_1| |a_2| below which a chart counts as degenerate.
+/// Limit of |a_1 x a_2| relative to |a_1| |a_2|; below it a chart counts as degenerate.
 inline constexpr double degenerate_sine = 1e-10;
 
 /// |a_1 x a_2| / (|a_1| |a_2|): the sine of the angle between the tangents; 0 or NaN where the chart is degenerate.
@@ -30,13 +30,13 @@ inline double tangent_sine(const SurfaceJet& phi) {
   return phi.d[0].cross(phi.d[1]).norm() / (phi.d[0].norm() * phi.d[1].norm());
 }
 
-/// a_3 alone, for places where only tangents and the normal are needed (tying points).
+/// Returns only a_3, for places that need only tangents and the normal (tying points).
 inline Vector3d unit_normal(const SurfaceJet& phi) { return phi.d[0].cross(phi.d[1]).normalized(); }
 
 /// The part of v in the tangent plane of the unit normal a3.
 inline Vector3d tangential(const Vector3d& v, const Vector3d& a3) { return v - a3.dot(v) * a3; }
 
-/// (M1)-(M3). Precondition: the chart is not degenerate at the point.
+/// Returns the frame (M1)-(M3). Precondition: the chart is not degenerate at the point.
 inline Frame frame_at(const SurfaceJet& phi) {
   Frame f;
   f.a_cov = phi.d;

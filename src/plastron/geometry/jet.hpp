@@ -1,5 +1,5 @@
-// Taylor coefficients of maps at a point: a map with its first and second partial derivatives.
-// Second derivatives are stored in the order 11, 12, 22.
+// A map at a point with its first and second partial derivatives. Second derivatives are stored in the order 11, 12,
+// 22.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>

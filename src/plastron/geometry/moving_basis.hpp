@@ -1,5 +1,5 @@
-// The contravariant basis of a chart as it moves over the surface: what the classical formulation (M15) writes its
-// unknowns in.
+// The contravariant basis of a chart and its derivatives along the surface. The classical formulation (M15) expresses
+// its unknowns in this basis.
 #pragma once
 #include <plastron/geometry/frame.hpp>
 
@@ -20,8 +20,8 @@ inline Matrix3d covariant_basis(const SurfaceJet& phi) {
   return basis;
 }
 
-/// From phi's jets at one point in the chart's parameters and in the cell's coordinates. With C = [a_1 a_2 a_3] the
-/// contravariant basis is G = C^{-T}, hence dG = -G (dC)' G.
+/// Computes the basis from phi's jets at one point in the chart's parameters and in the cell's coordinates. With C =
+/// [a_1 a_2 a_3] the contravariant basis is G = C^{-T}, hence dG = -G (dC)' G.
 inline MovingBasis moving_basis(const SurfaceJet& in_parameters, const SurfaceJet& in_cell) {
   const Frame f = frame_at(in_parameters);
   MovingBasis basis;

@@ -42,7 +42,7 @@ std::string call_in_words(const GiNaC::function& f) {
   return fmt::format("{}({})", name, arguments);
 }
 
-/// What terms and factors are ordered by: their text without parentheses and numerical factor; numbers come first.
+/// Sort key of terms and factors: their text without parentheses and numerical factor; numbers come first.
 std::string order_key(const GiNaC::ex& e, const std::string& text) {
   if (GiNaC::is_a<GiNaC::numeric>(e)) return {};
   if (!GiNaC::is_a<GiNaC::mul>(e)) return text;
@@ -51,8 +51,8 @@ std::string order_key(const GiNaC::ex& e, const std::string& text) {
   return text.substr(begin, text.size() - 1 - begin);
 }
 
-/// GiNaC orders terms and factors by addresses, which change from run to run. Here each has its place, so that rounding
-/// is the same in every run.
+/// Joins operands in a fixed order. GiNaC orders terms and factors by addresses, which change from run to run; a
+/// fixed order gives the same rounding in every run.
 std::string joined(const GiNaC::ex& e, const char* separator) {
   std::vector<std::pair<std::string, std::string>> operands;
   for (const GiNaC::ex& operand : e) {

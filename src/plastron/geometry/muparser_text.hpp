@@ -1,4 +1,4 @@
-// From GiNaC's derivatives back to text, which muParser evaluates fast.
+// Conversion of GiNaC's derivatives to text, which muParser evaluates fast.
 #pragma once
 #include <ginac/ginac.h>
 
@@ -6,10 +6,10 @@
 
 namespace plastron::geometry {
 
-/// Throws std::invalid_argument for what has no such text: complex numbers, unevaluated derivatives.
+/// Returns the text. Throws std::invalid_argument for formulas without one: complex numbers, unevaluated derivatives.
 std::string in_muparser_syntax(const GiNaC::ex& e);
 
-/// Throws std::invalid_argument if the second derivatives would be too long to make.
+/// Throws std::invalid_argument if the second derivatives would be too long.
 void check_derivative_size(const GiNaC::ex& f);
 
 }  // namespace plastron::geometry

@@ -1,4 +1,4 @@
-// muParser with the constants and functions of expressions, and its errors in our words.
+// muParser with the constants and functions of expressions, and its errors in Plastron's words.
 #pragma once
 #include <plastron/geometry/expression.hpp>
 
@@ -10,10 +10,10 @@ namespace plastron::geometry {
 
 mu::Parser parser_with(const Constants& constants);
 
-/// Throws ExpressionError for a text that is too long or has too many brackets in each other.
+/// Throws ExpressionError for a text that is too long or has too deeply nested brackets.
 void check_size(const std::string& text);
 
-/// As ExpressionError.
+/// Throws the error as ExpressionError.
 [[noreturn]] void rethrow(const mu::ParserError& error, const std::string& text);
 
 }  // namespace plastron::geometry

@@ -21,7 +21,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval everything{-infinity, infinity};
 
-/// The range of a part over a box, and whether the part is one piece there.
+/// The range of a part over a box, and whether the part is a single piece there.
 struct Range {
   Interval values;
   bool is_one = true;
@@ -77,13 +77,14 @@ Range quotient(const Arguments& a) {
   if (!excludes_zero(v)) return {everything, a[0].is_one && a[1].is_one};
   return product({a[0], Range{{1 / v.high, 1 / v.low}, a[1].is_one}, {}});
 }
-/// A comparison that is `yes` where `surely`, `no` where `never`.
+/// Result of a comparison: 1 if it is `surely` true, 0 if it is `never` true, both possible otherwise.
 Range truth(bool surely, bool never) {
   if (surely) return {{1, 1}, true};
   if (never) return {{0, 0}, true};
   return {{0, 1}, false};
 }
-/// One number both. Ranges that touch otherwise cannot be told apart: the border of two boxes may be one of two pieces.
+/// Whether both are the same single number. Other intervals that touch may belong to two pieces, because the border
+/// of two boxes may be the border of two pieces.
 bool are_same_number(const Interval& u, const Interval& v) {
   return u.low == u.high && v.low == v.high && u.low == v.low;
 }
@@ -216,7 +217,7 @@ const Function* function_of(std::string_view name) {
         }}},
       {"cube", {1, increasing<cubed>}},
       {"asin", {1, increasing<std::asin>}},
-      {"acos", {1, increasing<std::acos>}},  // its ends change places in the hull
+      {"acos", {1, increasing<std::acos>}},  // its ends are exchanged in the hull
       {"atan", {1, increasing<std::atan>}},
       {"sinh", {1, increasing<std::sinh>}},
       {"tanh", {1, increasing<std::tanh>}},
@@ -231,7 +232,8 @@ const Function* function_of(std::string_view name) {
   return found == all.end() ? nullptr : &found->second;
 }
 
-/// Recursive descent, a function for each precedence of muParser, which has accepted the text. What it does not know is no expression.
+/// Recursive descent, one function per precedence of muParser, which has accepted the text. Unknown syntax is
+/// reported as no expression.
 class Reading {
  public:
   Reading(std::string_view text, const std::map<std::string, double>& constants) : text_(text), constants_(constants) {}
@@ -274,7 +276,7 @@ class Reading {
     return call("?", {condition, yes, chosen()});
   }
 
-  /// Operators of one precedence, from the left.
+  /// Parses operators of one precedence, from the left.
   std::size_t chain(std::size_t precedence) {
     static const std::vector<std::vector<std::string_view>> operators{
         {"||"}, {"&&"}, {"<=", ">=", "!=", "==", "<", ">"}, {"+", "-"}, {"*", "/"}};
@@ -321,7 +323,7 @@ class Reading {
     return failed();
   }
 
-  /// min and max have any number of arguments.
+  /// Parses a function's arguments; min and max have any number of them.
   std::size_t function(const std::string& name) {
     const Function* known = function_of(name);
     if (!known) return failed();
@@ -348,7 +350,7 @@ class Reading {
 }  // namespace
 
 struct Pieces::Program {
-  std::vector<Part> parts;  ///< each after those that it is made of
+  std::vector<Part> parts;  ///< each after the parts that it uses
 };
 
 Pieces::Pieces(const Expression& f) {

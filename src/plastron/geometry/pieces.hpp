@@ -1,5 +1,6 @@
-// Where an expression made of pieces (is_piecewise) has one piece only: interval arithmetic over a box of x and y shows it, so that no piece is too
-// narrow to be seen. Source: Moore, Kearfott and Cloud, Introduction to Interval Analysis (2009), chapters 5 and 6.
+// Boxes over which an expression made of pieces (is_piecewise) has a single piece. Interval arithmetic over a box of
+// x and y detects even the narrowest piece. Source: Moore, Kearfott and Cloud, Introduction to Interval Analysis
+// (2009), chapters 5 and 6.
 #pragma once
 #include <plastron/geometry/expression.hpp>
 
@@ -15,15 +16,16 @@ class Pieces {
  public:
   explicit Pieces(const Expression& f);
 
-  /// No comparison, choice, abs, ... has two sides over the box, so that f is smooth there wherever it is finite. False where the arithmetic
-  /// cannot tell; it can for every small box that no border of a piece crosses.
+  /// Whether no comparison, choice, abs, ... takes two sides over the box, so that f is smooth there wherever it is
+  /// finite. False if the arithmetic cannot decide. It can decide for every sufficiently small box that no border of
+  /// a piece crosses.
   bool is_one_over(const Interval& x, const Interval& y) const;
 
  private:
   struct Program;
   bool known_ =
-      true;  ///< all functions of the expression have interval arithmetic here; else every box may have several pieces
-  std::shared_ptr<const Program> program_{};  ///< none for an expression that is one piece
+      true;  ///< true if interval arithmetic covers all functions of the text; else every box may have several pieces
+  std::shared_ptr<const Program> program_{};  ///< empty for an expression of one piece
 };
 
 }  // namespace plastron::geometry

@@ -1,11 +1,11 @@
-// How messages quote what a user wrote: long texts are cut, so that one wrong value does not fill the screen.
+// Quotation of a user's text in messages: long texts are cut, so that one wrong value does not fill the screen.
 #pragma once
 #include <string>
 #include <string_view>
 
 namespace plastron::geometry {
 
-/// At most `most` characters (code points) of `text`, with "..." where something was left out at the end.
+/// Returns at most `most` characters (code points) of `text`, with "..." at the end if text was omitted.
 inline std::string shortened(std::string_view text, std::size_t most = 60) {
   constexpr std::string_view mark = "...";
   std::size_t count = 0, cut = 0;

@@ -23,7 +23,7 @@ void check_constants(const Constants& constants) {
             fmt::format("{} is a coordinate here, and cannot be the constant of that name, too", name), 0);
 }
 
-/// f, its three first and its six second derivatives: 11, 12, 13, 22, 23, 33.
+/// Returns f, its three first and its six second derivatives: 11, 12, 13, 22, 23, 33.
 std::array<GiNaC::ex, 10> derivatives(const std::string& text, const Constants& constants) {
   std::array<GiNaC::realsymbol, 3> x;
   std::map<std::string, GiNaC::ex> names{{"pi", GiNaC::Pi}};
@@ -42,7 +42,7 @@ std::array<GiNaC::ex, 10> derivatives(const std::string& text, const Constants& 
 
 }  // namespace
 
-// muParser keeps the addresses of its variables. `derivatives` gives all ten numbers at once.
+// muParser keeps the addresses of its variables. `derivatives` evaluates all ten numbers at once.
 struct SpaceFunction::Program {
   mu::Parser value, derivatives;
   Vector3d at = Vector3d::Zero();

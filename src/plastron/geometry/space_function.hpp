@@ -1,5 +1,5 @@
-// A scalar function of a point of space, written by the user as text in X, Y, Z: its derivatives are exact (GiNaC) and evaluated fast
-// (muParser).
+// A scalar function of a point of space, written by the user as text in X, Y, Z. Its derivatives are exact (GiNaC)
+// and evaluated fast (muParser).
 #pragma once
 #include <plastron/geometry/expression.hpp>
 #include <plastron/geometry/jet.hpp>
@@ -16,18 +16,18 @@ struct SpaceJet {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 };
 
-/// f(X, Y, Z). Known names: X, Y, Z, pi, the constants and the smooth functions of expressions. Copies share one program, which keeps the
-/// point it is evaluated at: not for several threads at once.
+/// f(X, Y, Z). Known names: X, Y, Z, pi, the constants and the smooth functions of expressions. Copies share one
+/// program, which stores the point of evaluation; they must not be used by several threads at once.
 class SpaceFunction {
  public:
-  /// Throws ExpressionError, or NotDifferentiable.
+  /// Throws ExpressionError or NotDifferentiable.
   SpaceFunction(std::string text, const Constants& constants);
 
   double value(const Vector3d& X) const;
-  /// With both derivatives.
+  /// Returns the value with first and second derivatives.
   SpaceJet operator()(const Vector3d& X) const;
 
-  /// Whether the derivative along axis 0, 1 or 2 is not zero everywhere.
+  /// Whether the derivative along axis 0, 1 or 2 is not identically zero.
   bool depends_on(int axis) const { return depends_on_[static_cast<std::size_t>(axis)]; }
   const std::string& text() const { return text_; }
 

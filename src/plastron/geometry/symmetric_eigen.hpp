@@ -1,4 +1,5 @@
-// Eigenvalues and eigenvectors of symmetric matrices. Eigen's solver, in one place: each use of it would cost the compiler seconds.
+// Eigenvalues and eigenvectors of symmetric matrices. Eigen's solver is instantiated only here: each use would take
+// seconds to compile.
 #pragma once
 #include <Eigen/Core>
 
@@ -11,9 +12,9 @@ struct SymmetricEigen {
   Matrix vectors;
 };
 
-/// The lower triangle counts. Closed form.
+/// Uses the lower triangle. Closed form.
 SymmetricEigen<Eigen::Matrix2d> symmetric_eigen(const Eigen::Matrix2d& A);
-/// The lower triangle counts. Tridiagonal form and QR steps.
+/// Uses the lower triangle. Tridiagonal form and QR steps.
 SymmetricEigen<Eigen::Matrix3d> symmetric_eigen(const Eigen::Matrix3d& A);
 SymmetricEigen<Eigen::MatrixXd> symmetric_eigen(const Eigen::MatrixXd& A);
 

@@ -1,4 +1,4 @@
-// A rigid ball, or all of space but a ball (a bowl that holds the shell).
+// A rigid ball, or the complement of a ball (a bowl that contains the shell).
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 
@@ -9,7 +9,7 @@ struct Ball {
   double radius = 1;                   ///< > 0 [m]
   bool inside = false;                 ///< the shell is inside: the free side is the ball
 
-  /// Not differentiable at the centre, where any direction is as good: there the normal is e_3.
+  /// Returns distance and derivatives. The distance is not differentiable at the centre; there the normal is e_3.
   Nearest nearest(const Vector3d& X) const {
     const Vector3d from_centre = X - centre;
     const double length = from_centre.stableNorm(), side = inside ? -1 : 1;

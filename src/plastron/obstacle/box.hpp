@@ -1,4 +1,4 @@
-// A rigid box, its edges and corners rounded.
+// A rigid box with rounded edges and corners.
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 
@@ -10,8 +10,8 @@ struct Box {
   Matrix3d axes = Matrix3d::Identity();  ///< columns: directions of the sides, orthonormal
   double fillet = 0;                     ///< radius of the rounding, at most half of the shortest side [m]
 
-  /// The body is all that is within `fillet` of a smaller sharp box, the core. Where several faces are equally near inside, the first of
-  /// them has the normal.
+  /// The body contains all points within `fillet` of a smaller sharp box, the core. If several faces are equally near
+  /// inside, the first of them gives the normal.
   Nearest nearest(const Vector3d& X) const;
 };
 

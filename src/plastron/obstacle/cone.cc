@@ -7,7 +7,8 @@ namespace plastron::obstacle {
 
 namespace {
 
-/// Of the sharp cone; `along` runs down the side from the tip, `off` is the distance to the side's line.
+/// Distance to the sharp cone. `along` is the distance down the side from the tip, `off` the distance to the side's
+/// line.
 ProfileDistance core_distance(double half_angle, const Vector2d& at, double core_height) {
   const double s = std::sin(half_angle), c = std::cos(half_angle);
   const double along = at[0] * s + at[1] * c, off = at[0] * c - at[1] * s, below = at[1] - core_height;

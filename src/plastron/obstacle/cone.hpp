@@ -1,4 +1,4 @@
-// A rigid cone, infinite or with a plane base, its tip and the edge of its base rounded.
+// A rigid cone, infinite or with a plane base. Its tip and the edge of its base are rounded.
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 
@@ -8,17 +8,19 @@
 namespace plastron::obstacle {
 
 struct Cone {
-  Vector3d apex = Vector3d::Zero();                         ///< of the sharp cone [m]
-  Vector3d axis = Vector3d::UnitZ();                        ///< unit vector from the apex into the body
-  double half_angle = std::numbers::pi / 4;                 ///< between axis and side, above 0 and below pi/2 [rad]
-  double height = std::numeric_limits<double>::infinity();  ///< from the apex of the sharp cone to the base [m]
-  double fillet = 0;                                        ///< radius of the rounding, below largest_fillet() [m]
+  Vector3d apex = Vector3d::Zero();   ///< apex of the sharp cone [m]
+  Vector3d axis = Vector3d::UnitZ();  ///< unit vector from the apex into the body
+  /// Angle between axis and side, above 0 and below pi/2 [rad].
+  double half_angle = std::numbers::pi / 4;
+  /// Distance from the apex of the sharp cone to the base [m].
+  double height = std::numeric_limits<double>::infinity();
+  double fillet = 0;  ///< radius of the rounding, below largest_fillet() [m]
 
-  /// The ball that touches side and base from within has this radius: h sin a / (1 + sin a).
+  /// Radius of the ball that touches side and base from within: h sin a / (1 + sin a).
   double largest_fillet() const;
 
-  /// The body is all that is within `fillet` of a smaller sharp cone. On the axis within the body, where no direction is nearest, the
-  /// normal is any of them.
+  /// The body contains all points within `fillet` of a smaller sharp cone. On the axis inside the body no direction
+  /// is nearest, and the normal is an arbitrary one of the nearest.
   Nearest nearest(const Vector3d& X) const;
 };
 

@@ -1,4 +1,5 @@
-// A rigid cylinder, infinite or with plane caps and rounded edges, or all of space but that (a tube that holds the shell).
+// A rigid cylinder, infinite or with plane caps and rounded edges, or the complement of a cylinder (a tube that
+// contains the shell).
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 
@@ -7,15 +8,16 @@
 namespace plastron::obstacle {
 
 struct Cylinder {
-  Vector3d point = Vector3d::Zero();                        ///< of the axis, its middle if it has a length [m]
+  /// Point of the axis, its middle if the length is finite [m].
+  Vector3d point = Vector3d::Zero();
   Vector3d axis = Vector3d::UnitZ();                        ///< unit vector
   double radius = 1;                                        ///< > 0 [m]
   double length = std::numeric_limits<double>::infinity();  ///< > 0 [m]
   bool inside = false;                                      ///< the shell is inside: the free side is the cylinder
   double fillet = 0;  ///< radius of the rounded edges of the caps, at most radius and length / 2 [m]
 
-  /// The body is all that is within `fillet` of a sharp cylinder, so that d = (distance to the sharp one) - fillet, inside too. On the
-  /// axis, where no direction is nearest, the normal is any across it.
+  /// The body contains all points within `fillet` of a sharp cylinder: d = (distance to the sharp one) - fillet, also
+  /// inside. On the axis no direction is nearest, and the normal is an arbitrary one across the axis.
   Nearest nearest(const Vector3d& X) const;
 };
 

@@ -21,7 +21,7 @@ using geometry::SpaceFunction;
 using geometry::SpaceJet;
 using Foot = ZeroSet::Foot;
 
-/// To the faces, edges and corners of a cube.
+/// Directions to the faces, edges and corners of a cube.
 const std::array<Vector3d, 26>& directions_around() {
   static const auto all = [] {
     std::array<Vector3d, 26> made;
@@ -45,7 +45,7 @@ const std::array<Vector3d, 26>& directions_around() {
          "differentiable twice near it, without kinks there as abs has");
 }
 
-/// F at X; refused where it says nothing about the way to the surface.
+/// F at X. Refuses points where F does not determine the way to the surface.
 SpaceJet usable_jet(const SpaceFunction& F, const Vector3d& X) {
   SpaceJet f = F(X);
   if (!std::isfinite(f.value)) refuse(F, "is not finite there; it must be wherever the shell is");
@@ -61,7 +61,7 @@ SpaceJet usable_jet(const SpaceFunction& F, const Vector3d& X) {
   return f;
 }
 
-/// Where F has the other sign than at X, as far as `radius` from it.
+/// A point at the distance `radius` from X where F has the opposite sign; empty if none is found.
 std::optional<Vector3d> other_side(const SpaceFunction& F, const Vector3d& X, double radius) {
   const double at_X = F.value(X);
   for (const Vector3d& direction : directions_around())
@@ -69,8 +69,7 @@ std::optional<Vector3d> other_side(const SpaceFunction& F, const Vector3d& X, do
   return {};
 }
 
-/// A point of the surface on the smallest sphere that meets both sides, of those as wide as |F| / |F'| times 2^-4 to
-/// 2^10.
+/// A point of the surface on the smallest sphere with both signs of F. The radii are |F| / |F'| times 2^-4 to 2^10.
 Vector3d point_on_surface(const SpaceFunction& F, const Vector3d& X, const SpaceJet& f) {
   constexpr int first = -4, last = 10;
   constexpr double close = 1e-10;
@@ -90,7 +89,7 @@ Vector3d point_on_surface(const SpaceFunction& F, const Vector3d& X, const Space
                 f.value, std::ldexp(guess, last)));
 }
 
-/// Some foot of X, not yet the nearest.
+/// Finds a foot of X, possibly not the nearest.
 Foot any_foot(const SpaceFunction& F, const Vector3d& X) {
   const SpaceJet f = usable_jet(F, X);
   const ZeroSet surface(F);
@@ -100,7 +99,7 @@ Foot any_foot(const SpaceFunction& F, const Vector3d& X) {
   return surface.descend(X, beside ? *beside : point_on_surface(F, X, f));
 }
 
-/// True if the surface bends away from X at the foot, which then is nearest to nothing.
+/// Whether the surface bends away from X at the foot; then the foot is no local minimum of the distance.
 bool is_no_minimum(const Vector3d& X, const Foot& foot) {
   const double size = foot.f.gradient.norm();
   const Vector3d n = foot.f.gradient / size;
@@ -108,12 +107,12 @@ bool is_no_minimum(const Vector3d& X, const Foot& foot) {
   return geometry::symmetric_eigen(model).values[0] < -1e-6;
 }
 
-/// Feet nearer than `foot` on other parts of the surface, which come close to the sphere through it around X.
+/// Searches for feet nearer than `foot` on other parts of the surface near the sphere around X through `foot`.
 Foot nearer_elsewhere(const SpaceFunction& F, const Vector3d& X, Foot foot) {
   constexpr double close = 0.4, same_direction = 0.64;
   constexpr std::size_t most_descents = 4;
   struct Start {
-    double off;  // the surface from the sphere, about
+    double off;  // approximate distance of the surface from the sphere
     Vector3d direction;
   };
   const double radius = (X - foot.Y).norm();
@@ -139,7 +138,7 @@ Foot nearer_elsewhere(const SpaceFunction& F, const Vector3d& X, Foot foot) {
   return foot;
 }
 
-/// Feet nearer than `foot` where F changes its sign nearer to X.
+/// Searches for feet nearer than `foot` where F changes its sign nearer to X.
 Foot nearer_side(const SpaceFunction& F, const Vector3d& X, Foot foot) {
   constexpr int most_restarts = 10;
   for (int restart = 0; restart < most_restarts; ++restart) {
@@ -166,7 +165,7 @@ DistanceField::DistanceField(std::shared_ptr<const geometry::SpaceFunction> expr
 Nearest DistanceField::nearest(const Vector3d& X) const {
   const SpaceFunction& F = *function_;
   Foot foot = nearer_side(F, X, any_foot(F, X));
-  // Of a surface a radius of curvature is not nearly so small a part of the distance.
+  // On a surface, the radius of curvature is never so small a part of the distance.
   constexpr double vanishing = 1e-8;
   if (foot.f.gradient.norm() < vanishing * foot.f.hessian.norm() * (X - foot.Y).norm())
     refuse(F, "has a zero gradient where it is zero itself, as squares have; write one that changes its sign there");

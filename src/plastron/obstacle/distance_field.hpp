@@ -1,5 +1,4 @@
-// The body F(X, Y, Z) <= 0 of an expression F. F need not be a distance: what counts is its zero set, to which the
-// distance is found.
+// The body F(X, Y, Z) <= 0 of an expression F. F need not be a distance: the distance is computed to its zero set.
 #pragma once
 #include <plastron/geometry/space_function.hpp>
 #include <plastron/obstacle/nearest.hpp>
@@ -10,12 +9,13 @@ namespace plastron::obstacle {
 
 class DistanceField {
  public:
-  /// Throws ObstacleError if the expression is the same everywhere.
+  /// Throws ObstacleError if the expression is constant.
   explicit DistanceField(std::shared_ptr<const geometry::SpaceFunction> expression);
 
-  /// The foot Y solves F(Y) = 0, X = Y + d F'(Y) / |F'(Y)|: Newton's method, else a descent along the surface, and
-  /// descents again from where F changes its sign nearer to X or nearly does. If F is a distance one step ends it.
-  /// Throws ObstacleError where the gradient of F is zero at X or at the surface, and where no foot is found.
+  /// The foot Y solves F(Y) = 0, X = Y + d F'(Y) / |F'(Y)|. It is found by Newton's method, or else by a descent
+  /// along the surface. Further descents start at points nearer to X where F changes its sign or is near zero. If F
+  /// is a distance, one step suffices. Throws ObstacleError if the gradient of F is zero at X or at the surface, and
+  /// if no foot is found.
   Nearest nearest(const Vector3d& X) const;
 
   double level(const Vector3d& X) const { return function_->value(X); }

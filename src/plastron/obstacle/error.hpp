@@ -1,10 +1,10 @@
-// What is wrong with an obstacle, in words for who wrote it.
+// Errors of obstacles, in words for the author of the case.
 #pragma once
 #include <stdexcept>
 
 namespace plastron::obstacle {
 
-/// A surface or raster that is none, or a point at which an obstacle has no distance.
+/// An invalid surface or raster, or a point at which an obstacle has no distance.
 struct ObstacleError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -8,20 +8,23 @@ namespace plastron::obstacle {
 
 namespace {
 
-/// An obstacle pushes a face inwards where the cosine between its normal and the face's is below this, else sideways: 60 degrees.
+/// Limit of the cosine between the obstacle's normal and the face's: below it an obstacle pushes the face inwards,
+/// else sideways. 60 degrees.
 constexpr double sideways = -0.5;
 
-/// Half a fibre, from the mid-surface straight to the face; or another straight line.
+/// Half a fibre, from the mid-surface straight to the face; also used for other straight lines.
 struct HalfFibre {
-  Vector3d middle, outward;  ///< outward: a unit vector
+  /// `outward` is a unit vector.
+  Vector3d middle, outward;
   double length;
 
   Vector3d at(double s) const { return middle + s * outward; }
   Vector3d face() const { return at(length); }
 };
 
-/// The first place on the line from + s direction, 0 < s <= length, where the distance changes its sign. No surface is nearer than the
-/// distance, so steps of that length miss none; the least step may miss a chord that is a hundredth of the line.
+/// The first place on the line from + s direction, 0 < s <= length, where the distance changes its sign. No surface
+/// is nearer than the distance, so steps of that length miss none. The least step, a hundredth of the line, may miss
+/// a shorter chord.
 std::optional<double> crossing(const Obstacle& obstacle, const Vector3d& from, const Vector3d& direction,
                                double length) {
   constexpr double least_step = 1e-2;
@@ -44,7 +47,8 @@ std::optional<double> crossing(const Obstacle& obstacle, const Vector3d& from, c
   return {};
 }
 
-/// One over the larger principal curvature of the surface that is nearest: its normal is an eigenvector of d's Hessian to 0.
+/// Radius of the larger principal curvature at the nearest point of the surface. d's Hessian also has the eigenvalue
+/// 0, for its normal.
 double roundness_at(const Nearest& nearest) {
   const double trace = nearest.curvature.trace();
   const double root = std::sqrt(std::max(2 * nearest.curvature.squaredNorm() - trace * trace, 0.0));
@@ -56,7 +60,8 @@ FaceGap met_at(const Nearest& at) {
   return {.distance = at.distance, .normal = at.normal, .clearance = at.distance, .roundness = roundness_at(at)};
 }
 
-/// Where the surface at `foot` faces the mid-surface: its tangent plane there, seen from the face.
+/// The gap to the tangent plane at `foot`, seen from the face; empty if the surface there does not face the
+/// mid-surface.
 std::optional<FaceGap> tangent_plane(const Obstacle& obstacle, const HalfFibre& fibre, double foot) {
   const Nearest at = obstacle.nearest(fibre.at(foot));
   if (!(at.normal.dot(fibre.outward) < 0)) return {};
@@ -65,14 +70,14 @@ std::optional<FaceGap> tangent_plane(const Obstacle& obstacle, const HalfFibre& 
   return gap;
 }
 
-/// The face is inside, and the nearest way out is not the one that it came in by: the shell leaves along its fibre, if the
+/// For a face inside the obstacle whose nearest way out is not its way in. The shell leaves along its fibre if the
 /// fibre leaves the obstacle before the other face.
 std::optional<FaceGap> out_along_fibre(const Obstacle& obstacle, const HalfFibre& fibre) {
   const auto way = crossing(obstacle, fibre.face(), -fibre.outward, 2 * fibre.length);
   return way ? tangent_plane(obstacle, fibre, fibre.length - *way) : std::nullopt;
 }
 
-/// What a convex obstacle beside the line answers at the place of the line that is nearest to it.
+/// Distance values of a convex obstacle near the line, at the point of the line nearest to the obstacle.
 Nearest nearest_beside(const Obstacle& obstacle, const HalfFibre& fibre) {
   double before = 0, after = fibre.length;
   while (after - before > 1e-10 * fibre.length) {
@@ -82,9 +87,11 @@ Nearest nearest_beside(const Obstacle& obstacle, const HalfFibre& fibre) {
   return obstacle.nearest(fibre.at(before));
 }
 
-/// The face is outside, but looks away from the obstacle: that stands in the half fibre, around the mid-surface, or beside.
+/// For a face outside that looks away from the obstacle. The obstacle is in the half fibre, around the mid-surface,
+/// or next to the fibre.
 std::optional<FaceGap> behind_face(const Obstacle& obstacle, const HalfFibre& fibre, const Nearest& middle) {
-  if (!(middle.normal.dot(fibre.outward) < 0)) return {};  // it is behind the mid-surface, too
+  // The obstacle is also behind the mid-surface.
+  if (!(middle.normal.dot(fibre.outward) < 0)) return {};
   if (middle.distance <= 0) {
     const auto way = crossing(obstacle, fibre.middle, -fibre.outward, fibre.length);
     return way ? tangent_plane(obstacle, fibre, -*way) : std::nullopt;
@@ -94,7 +101,8 @@ std::optional<FaceGap> behind_face(const Obstacle& obstacle, const HalfFibre& fi
   return met_at(nearest_beside(obstacle, fibre));
 }
 
-/// Of a point of the mid-surface inside of an obstacle that pushes it sideways: the face through which the fibre does not leave.
+/// The entered face at a mid-surface point inside an obstacle that pushes it sideways. It is the face through which
+/// the fibre does not leave.
 double entered_face(const Obstacle& obstacle, const Vector3d& middle, const Vector3d& up, double half,
                     double otherwise) {
   const auto above = crossing(obstacle, middle, up, half), below = crossing(obstacle, middle, -up, half);
@@ -102,7 +110,7 @@ double entered_face(const Obstacle& obstacle, const Vector3d& middle, const Vect
   return above && (!below || *above <= *below) ? -0.5 : 0.5;
 }
 
-/// Of the face at height z; `in_middle` is what the obstacle answers at the mid-surface, if it was asked.
+/// The gap of the face at height z. `in_middle` contains the obstacle's nearest values at the mid-surface, if known.
 FaceGap gap_of_face(const Obstacle& obstacle, const ShellPoint& at, double z, std::optional<Nearest> in_middle) {
   const Vector3d middle = at.phi + at.u, director = at.a3 + at.r;
   const Nearest near = obstacle.nearest(middle + z * director);

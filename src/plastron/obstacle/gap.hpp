@@ -1,4 +1,4 @@
-// The gap of a face of the shell against an obstacle, as an affine function of (u, r) at a point (M16).
+// The gap of a face of the shell to an obstacle, as an affine function of (u, r) at a point (M16).
 #pragma once
 #include <plastron/obstacle/obstacle.hpp>
 
@@ -6,7 +6,7 @@
 
 namespace plastron::obstacle {
 
-/// Height of a face over the mid-surface as a multiple of the thickness, -1/2 or +1/2, where the obstacle's normal is n.
+/// Height of a face above the mid-surface as a multiple of the thickness, -1/2 or +1/2, for the obstacle's normal n.
 inline double face_position(Face face, const Vector3d& n, const Vector3d& a3) {
   if (face == Face::nearer) return n.dot(a3) >= 0 ? -0.5 : 0.5;
   return face == Face::lower ? -0.5 : 0.5;
@@ -16,13 +16,13 @@ inline double face_position(Face face, const Vector3d& n, const Vector3d& a3) {
 struct Gap {
   double initial;          ///< gap of the undeformed shell [m]
   Vector3d normal;         ///< n = grad d at the touching face
-  double z;                ///< height of the touching face over the mid-surface [m]
+  double z;                ///< height of the touching face above the mid-surface [m]
   Vector3d contact_point;  ///< phi + z a_3
 
   double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + z * r); }
 };
 
-/// A point of the mid-surface, and where the state has moved it that the gap is linearised at.
+/// A point of the mid-surface with its displacement and rotation in the state of the linearisation.
 struct ShellPoint {
   Vector3d phi, a3;
   double thickness = 0;
@@ -30,34 +30,35 @@ struct ShellPoint {
   Vector3d r = Vector3d::Zero();  ///< rotation of the state, tangential
 };
 
-/// How the face at a point of the deformed shell stands to an obstacle. The obstacle may be smaller than the shell is thick: the straight
-/// line from the mid-surface to the face, half a fibre, tells on which side of the obstacle the face belongs
-/// (docs/methods/curved-obstacles.md).
+/// The relation of a face of the deformed shell at a point to an obstacle. The obstacle may be smaller than the
+/// shell's thickness. Therefore the straight line from the mid-surface to the face, half a fibre, determines the side
+/// of the obstacle to which the face belongs (docs/methods/curved-obstacles.md).
 struct FaceGap {
-  double z = 0;                         ///< height of the face over the mid-surface [m]
-  double distance = 0;                  ///< to the obstacle, negative where the half fibre enters it [m]
-  Vector3d normal = Vector3d::UnitZ();  ///< of the obstacle where the face meets it
-  /// No point of the half fibre is nearer to the obstacle, if that is convex; at most 0 where one is inside [m].
+  double z = 0;                         ///< height of the face above the mid-surface [m]
+  double distance = 0;                  ///< distance to the obstacle, negative if the half fibre enters it [m]
+  Vector3d normal = Vector3d::UnitZ();  ///< normal of the obstacle where the face meets it
+  /// Lower bound of the distance from the half fibre to a convex obstacle; at most 0 if a point is inside [m].
   double clearance = 0;
-  /// Radius of the obstacle's sharpest rounding where it is nearest, at most 0 at an edge or a corner [m].
+  /// Radius of the sharpest rounding at the obstacle's nearest point, at most 0 at an edge or a corner [m].
   double roundness = std::numeric_limits<double>::infinity();
 };
 FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at);
 
-/// The straight way of a point of the mid-surface, seen from the obstacle.
+/// The straight way of a point of the mid-surface relative to the obstacle.
 struct Passage {
   double clearance = std::numeric_limits<
-      double>::infinity();  ///< no place of the way is nearer to the obstacle, if it changes sides [m]
-  bool is_through = false;  ///< the way leads through the obstacle from one side of the shell to the other
+      double>::infinity();  ///< lower bound of the distance on the way if the obstacle changes sides [m]
+  bool is_through = false;  ///< true if the way passes through the obstacle from one side of the shell to the other
 };
-/// `normal` is the shell's: an obstacle changes sides where it looks at one face first and at the other one then.
+/// Examines the way. `normal` is the shell's: an obstacle changes sides if it faces first one face and then the
+/// other.
 Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to, const Vector3d& normal);
 
-/// (M16) linearised at the face where the state has moved it: there the gap is that of face_gap(). At the undeformed shell
-/// the linearisation of the model, exact for planes at every state.
+/// The gap (M16), linearised at the face in its present state, where it equals face_gap(). At the undeformed shell it
+/// is the linearisation of the model; for planes it is exact at every state.
 Gap gap_at(const Obstacle& obstacle, const ShellPoint& at);
 
-/// The distance of the touching face of the deformed shell, not linearised [m]; `at` has the displacement.
+/// The distance of the touching face of the deformed shell without linearisation [m]; `at` contains the displacement.
 double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at);
 
 }  // namespace plastron::obstacle

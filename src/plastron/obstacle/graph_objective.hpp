@@ -1,4 +1,4 @@
-// Half the squared distance of X from the point of the graph z = h at p, with its derivatives by p.
+// Half the squared distance of X from the point of the graph z = h at p, with its derivatives with respect to p.
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 #include <plastron/obstacle/raster.hpp>

@@ -9,7 +9,8 @@ namespace plastron::obstacle {
 
 namespace {
 
-/// The spacing of level 0: no simple fraction, lest samples fall on the same phase of each of a user's waves.
+/// The spacing of level 0. It is no simple fraction, so that samples do not fall on the same phase of all waves of a
+/// user.
 constexpr double unit_spacing = 0.7320508075688772;
 
 }  // namespace
@@ -46,7 +47,7 @@ GraphSamples::Block GraphSamples::sampled(const Index& index) const {
     if (k >= side) compare(k - side);
     if (k % side > 0) compare(k - 1);
   }
-  // Twice what second derivatives as great as the greatest sampled would give.
+  // Twice the contribution of the largest sampled second derivative.
   block.low -= block.bend * spacing * spacing / 2;
   block.high += block.bend * spacing * spacing / 2;
   block.range = std::max(0.0, most - least);
@@ -60,14 +61,14 @@ const GraphSamples::Block& GraphSamples::block(const Index& index) {
   return blocks_[found->second] = sampled(index);
 }
 
-// A wave of length L whose heights range over a has |h''| up to a / 2 (2 pi / L)^2.
+// A wave of length L with heights in a range a has |h''| up to a / 2 (2 pi / L)^2.
 bool GraphSamples::misses_waves(const Block& block, double spacing) {
   const double turn = 2 * std::numbers::pi / (least_samples_of_wave * spacing);
   return block.bend > block.range / 2 * turn * turn;
 }
 
 void GraphSamples::forget_if_many() {
-  constexpr std::size_t most_blocks = 40000;  // of 4 kB
+  constexpr std::size_t most_blocks = 40000;  // blocks of 4 kB
   if (numbers_.size() > most_blocks) numbers_.clear();
 }
 

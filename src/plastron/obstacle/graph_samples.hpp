@@ -1,5 +1,5 @@
-// Samples of a graph z = h on grids that halve their spacing from level to level. They are kept, for neighbouring
-// points ask for the same ones; where they lie depends on nothing that was asked before, and so no answer does.
+// Samples of a graph z = h on grids whose spacing halves from level to level. They are stored, because neighbouring
+// points need the same ones. Their places do not depend on earlier calls; therefore results do not either.
 #pragma once
 #include <plastron/obstacle/raster.hpp>
 
@@ -17,15 +17,16 @@ class GraphSamples {
   static constexpr int side = 8;
   static constexpr double least_samples_of_wave = 4;
 
-  /// side x side samples in the middles of cells. Bounds of the height in all of these cells are estimates: from slopes
-  /// and second derivatives of samples.
+  /// side x side samples in the middles of cells. Bounds of the height in all of these cells are estimated from
+  /// slopes and second derivatives of samples.
   struct Block {
-    std::array<HeightJet, side * side> jets;  // not finite where there is no height
-    double low, high, bend;                   // greatest |h''|
-    double change;                            // of h'' from sample to sample, the greatest
-    double range;                             // of the sampled heights
+    std::array<HeightJet, side * side> jets;  // not finite where no height exists
+    // `bend` is the largest |h''|.
+    double low, high, bend;
+    double change;  // largest change of h'' between neighbouring samples
+    double range;   // range of the sampled heights
   };
-  /// The square from width (i, j) to width (i + 1, j + 1), and it is four of the next lower level.
+  /// The square from width (i, j) to width (i + 1, j + 1). It consists of four squares of the next lower level.
   struct Index {
     int level;
     std::int64_t i, j;
@@ -39,16 +40,16 @@ class GraphSamples {
     }
   };
 
-  /// The finest level whose spacing is at most `most` and more than half of it.
+  /// The finest level with a spacing of at most `most`; the spacing is more than half of it.
   static int level_of(double most);
 
-  /// `height` gives what is not finite where there is none.
+  /// `height` returns non-finite values where no height exists.
   explicit GraphSamples(std::function<HeightJet(const Eigen::Vector2d&)> height) : height_(std::move(height)) {}
 
-  /// Stays where it is until `forget_if_many`.
+  /// Returns a block, which stays in place until `forget_if_many`.
   const Block& block(const Index& index);
-  /// Samples of this spacing miss waves of the height. Its waves are as short as their height and their greatest second derivative make them, so
-  /// samples that miss them cannot hide that.
+  /// Whether samples of this spacing miss waves of the height. The length of a wave follows from its height and its
+  /// largest second derivative, and samples show both even if they miss the waves.
   static bool misses_waves(const Block& block, double spacing);
   void forget_if_many();
 
@@ -60,7 +61,7 @@ class GraphSamples {
 
   std::function<HeightJet(const Eigen::Vector2d&)> height_;
   std::unordered_map<Index, std::size_t, Hash> numbers_;
-  std::deque<Block> blocks_;  // the first numbers_.size() are in use; the others wait to be used again
+  std::deque<Block> blocks_;  // the first numbers_.size() are in use; the others can be used again
 };
 
 }  // namespace plastron::obstacle

@@ -14,8 +14,8 @@ using Eigen::Vector2d;
 using Index = GraphSamples::Index;
 using Block = GraphSamples::Block;
 
-/// Blocks are left out whose bounds say that they are farther than the nearest sample, and divided where samples are
-/// too sparse to know.
+/// Skips blocks whose bounds are farther than the nearest sample. Divides blocks whose samples are too sparse for a
+/// decision.
 class GraphSearch {
  public:
   GraphSearch(double reach, const Vector3d& X, GraphSamples& samples)
@@ -72,7 +72,7 @@ class GraphSearch {
     }
   }
 
-  /// The minimum of the quadratic model, if it is in reach of the sample; what the model may be wrong by is granted.
+  /// Adds the minimum of the quadratic model if it is in reach of the sample; allows for the error of the model.
   void look_at(const Vector2d& p, const HeightJet& h, double least, double change, double spacing) {
     const GraphObjective f = graph_objective(X_, p, h);
     if (!is_positive(f.hessian)) return found_.push_back({least, p, spacing});

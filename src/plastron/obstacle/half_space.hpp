@@ -6,7 +6,7 @@ namespace plastron::obstacle {
 
 struct HalfSpace {
   Vector3d point = Vector3d::Zero();    ///< a point of the boundary plane [m]
-  Vector3d normal = Vector3d::UnitZ();  ///< unit vector to the free side
+  Vector3d normal = Vector3d::UnitZ();  ///< unit vector towards the free side
 
   Nearest nearest(const Vector3d& X) const { return {(X - point).dot(normal), normal, Matrix3d::Zero()}; }
 };

@@ -22,11 +22,11 @@ namespace {
 using Eigen::Vector2d;
 using Heights = std::variant<std::shared_ptr<const geometry::SpaceFunction>, std::shared_ptr<const Raster>>;
 
-/// So much of the reach that h'' leaves the distance convex within it.
+/// Limit of the reach times h'' for which the distance is convex within the reach.
 constexpr double surely_convex = 0.3;
 
-/// Newton's step with the sizes of the Hessian's eigenvalues: leaves a point between two feet that are close to each
-/// other, as they are for an X just beyond a centre of curvature, where steps by the convex part creep.
+/// Newton's step with the absolute eigenvalues of the Hessian. It leaves a point between two close feet, which occur
+/// for an X just beyond a centre of curvature. Steps by the convex part are very short there.
 Vector2d away_from_ridge(const GraphObjective& f) {
   constexpr double least = 1e-6;
   const auto eigen = geometry::symmetric_eigen(f.hessian);
@@ -34,7 +34,7 @@ Vector2d away_from_ridge(const GraphObjective& f) {
   return -eigen.vectors * (eigen.vectors.transpose() * f.gradient).cwiseQuotient(sizes);
 }
 
-/// What rounding is relative to.
+/// The length that rounding is relative to.
 double length_of_coordinates(const Vector3d& X, const Vector2d& p, const HeightJet& h) {
   return X.norm() + (p - X.head<2>()).norm() + (1 + h.gradient.norm()) * std::abs(X[2]);
 }
@@ -81,8 +81,8 @@ void HeightField::refuse(const std::string& what) const {
       what, (*raster)->from()[0], (*raster)->to()[0], (*raster)->from()[1], (*raster)->to()[1]));
 }
 
-// Newton's method where the objective is convex, else without the part of the Hessian that is not; steps are halved
-// until they help.
+// Newton's method where the objective is convex, else without the non-convex part of the Hessian. Steps are halved
+// until the objective decreases.
 HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
   constexpr int most_steps = 100;
   HeightJet h = height(p);
@@ -100,8 +100,8 @@ HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
       const HeightJet there = height(trial);
       const GraphObjective next = graph_objective(X, trial, there);
       const bool descends = next.value < f.value + 1e-4 * share * f.gradient.dot(full);
-      // Beyond the rounding of its value, which is that of a height times the distance, the objective falls unseen, but
-      // its gradient is still seen to.
+      // Rounding of the objective is rounding of a height times the distance. Below it only the gradient shows that
+      // the objective still decreases.
       const double unseen = 1e-14 * f.value + 1e-15 * std::sqrt(2 * f.value) * length_of_coordinates(X, trial, there);
       const bool polishes = newton && next.value <= f.value + unseen && next.gradient.norm() < f.gradient.norm() / 2;
       if (!descends && !polishes) continue;
@@ -113,8 +113,8 @@ HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
   return {p, h, f.value, f.gradient.norm() <= 1e-6 * std::max(std::sqrt(2 * f.value), rounding)};
 }
 
-/// No sample of the graph on two rings is nearer, and it bends too little within the distance to have another foot
-/// there.
+/// No sample of the graph on two rings is nearer, and the graph bends too little within the distance for another
+/// foot.
 bool HeightField::is_surely_nearest(const Vector3d& X, const Foot& foot) const {
   const double reach = std::sqrt(2 * foot.value);
   constexpr int rings = 2;
@@ -130,7 +130,7 @@ bool HeightField::is_surely_nearest(const Vector3d& X, const Foot& foot) const {
   return true;
 }
 
-/// The nearest foot of all descents worth a try.
+/// The nearest foot of all descents from promising starts.
 HeightField::Foot HeightField::nearer_foot(const Vector3d& X, const Foot& known) const {
   constexpr std::size_t most_descents = 100;
   Foot best = known;
@@ -159,7 +159,7 @@ Nearest HeightField::nearest(const Vector3d& X) const {
   Foot foot = descend(X, X.head<2>());
   if (!std::isfinite(foot.value))
     refuse("is not finite there; it and its first two derivatives must be, wherever the shell is");
-  // A much nearer foot is worth a search with samples as much denser.
+  // A much nearer foot justifies a search with correspondingly denser samples.
   for (double before = 0; before != foot.value && !is_surely_nearest(X, foot);) {
     before = foot.value;
     foot = nearer_foot(X, foot);

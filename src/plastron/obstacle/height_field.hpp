@@ -1,5 +1,5 @@
-// All that lies below a graph z = h(x, y), given by an expression or by a raster. Its distance is that to the graph,
-// not the height above it.
+// The body below a graph z = h(x, y), given by an expression or by a raster. Its distance is the distance to the
+// graph, not the height above it.
 #pragma once
 #include <plastron/geometry/space_function.hpp>
 #include <plastron/obstacle/nearest.hpp>
@@ -19,17 +19,17 @@ class HeightField {
   explicit HeightField(std::shared_ptr<const geometry::SpaceFunction> expression);
   explicit HeightField(std::shared_ptr<const Raster> raster);
 
-  /// The foot is the point (p, h(p)) of the graph where |X - foot| is least: Newton's method on p with a descent that
-  /// cannot fail, from below X and from wherever samples of the graph say that a nearer foot may be. Samples are kept
-  /// in memory that copies share: not for several threads at once. What it gives does not depend on what was asked
-  /// before. Throws ObstacleError where the foot is not inside of the raster.
+  /// The foot is the point (p, h(p)) of the graph with the least |X - foot|. Newton's method on p, with a descent
+  /// that always succeeds, starts below X and where samples show that a nearer foot is possible. Copies share the
+  /// samples, so they must not be used by several threads at once. Results do not depend on earlier calls. Throws
+  /// ObstacleError if the foot is not inside the raster.
   Nearest nearest(const Vector3d& X) const;
 
   /// z - h(x, y): zero on the graph, positive above; NaN outside of the raster.
   double level(const Vector3d& X) const;
 
  private:
-  /// Where a descent ended, half its squared distance, and whether that is least around it.
+  /// End of a descent, half its squared distance, and whether this is a local minimum.
   struct Foot {
     Eigen::Vector2d p;
     HeightJet h;

@@ -1,4 +1,5 @@
-// Corners that were rounded apart when a surface was written: only where it is open, and only as far as rounding goes.
+// Joins corners that were separated by rounding when a surface was written: only at open sides, and only within
+// rounding.
 #include <plastron/obstacle/triangle_sides.hpp>
 
 #include <Eigen/Geometry>
@@ -17,7 +18,7 @@ namespace {
 
 using geometry::Vector3d;
 
-/// The corners of sides that have one triangle only, ascending.
+/// The corners of sides with only one triangle, ascending.
 std::vector<int> open_corners(const TriangleMesh& mesh) {
   const auto sides = sorted_sides(mesh);
   std::set<int> corners;
@@ -27,7 +28,7 @@ std::vector<int> open_corners(const TriangleMesh& mesh) {
   return {corners.begin(), corners.end()};
 }
 
-/// Half of the sides are no longer [m].
+/// Median length of the sides [m].
 double median_side(const TriangleMesh& mesh) {
   std::vector<double> lengths;
   lengths.reserve(3 * mesh.triangles.size());
@@ -42,12 +43,13 @@ double median_side(const TriangleMesh& mesh) {
   return *middle;
 }
 
-/// Points in cubes much wider than the tolerance: what is near to a point is in its own cube or, seldom, in one beside.
+/// Points in cubes much wider than the tolerance: points near a given one are in its own cube or, rarely, in a
+/// neighbouring one.
 class Cubes {
  public:
   Cubes(const std::vector<Vector3d>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
-  /// The first point that was added within the tolerance; adds `point` if there is none.
+  /// Returns the first added point within the tolerance; adds `point` if there is none.
   int first_near(int point) {
     const Vector3d& X = points_[static_cast<std::size_t>(point)];
     std::set<Key> near;
@@ -67,7 +69,7 @@ class Cubes {
   using Key = std::array<std::int64_t, 3>;
 
   Key key(const Vector3d& X) const {
-    constexpr double width = 1000;  // in tolerances
+    constexpr double width = 1000;  // in multiples of the tolerance
     const auto at = [&](double x) { return static_cast<std::int64_t>(std::floor(x / (width * tolerance_))); };
     return {at(X[0]), at(X[1]), at(X[2])};
   }
@@ -77,7 +79,7 @@ class Cubes {
   std::map<Key, std::vector<int>> cubes_;
 };
 
-/// Points that no triangle has any more go.
+/// Removes points that no triangle uses.
 void remove_unused_points(TriangleMesh& mesh) {
   std::vector<int> number(mesh.points.size(), -1);
   std::vector<Vector3d> used;
@@ -105,7 +107,8 @@ void join_near_points(TriangleMesh& mesh) {
   const double tolerance = joining_distance(mesh);
   double largest = 0;
   for (const Vector3d& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
-  if (!(tolerance > std::numeric_limits<double>::epsilon() * largest)) return;  // equal points are one already
+  // Equal points were already joined.
+  if (!(tolerance > std::numeric_limits<double>::epsilon() * largest)) return;
   Cubes cubes(mesh.points, tolerance);
   std::map<int, int> joined;
   for (const int point : open) {

@@ -1,5 +1,5 @@
-// A rigid obstacle as a value: a shape in space, how it moves from step to step or what presses it, and the face of the shell that it
-// meets.
+// A rigid obstacle as a value: a shape in space, its motion in steps or its pressing force, and the face of the shell
+// that it touches.
 #pragma once
 #include <plastron/obstacle/ball.hpp>
 #include <plastron/obstacle/box.hpp>
@@ -17,31 +17,34 @@
 
 namespace plastron::obstacle {
 
-/// A face of the shell: the points phi -+ e/2 a_3. Nearer is, point by point, the one whose outward normal looks at the obstacle.
+/// A face of the shell: the points phi -+ e/2 a_3. `nearer` is at each point the face whose outward normal points to
+/// the obstacle.
 enum class Face { lower, upper, nearer };
 
-/// Copies are cheap: what is large is shared and never changes.
+/// Copies are cheap: large data are shared and constant.
 using Shape = std::variant<HalfSpace, Ball, Cylinder, Box, Torus, Cone, HeightField, DistanceField, TriangleSurface>;
 
 struct Obstacle {
-  std::string name{};  ///< no two obstacles of a problem share one; may be empty where there is one obstacle only
+  std::string name{};  ///< unique among the obstacles of a problem; may be empty for a single obstacle
   Shape shape = HalfSpace{};
-  Face face = Face::nearer;           ///< of the shell, the one that may touch
-  bool is_for_both = false;           ///< another obstacle is the same body for the other face: one of them may be far
-  Placement placement{};              ///< where the shape stands, at time 0 if it moves
-  std::vector<Motion> motions{};      ///< by step
-  Vector3d force = Vector3d::Zero();  ///< that presses it along its direction, where it is not held [N]
+  Face face = Face::nearer;  ///< face of the shell that may touch
+  /// Another obstacle is the same body for the other face; one of them may be far away.
+  bool is_for_both = false;
+  Placement placement{};          ///< placement of the shape, at time 0 if it moves
+  std::vector<Motion> motions{};  ///< one per step
+  /// Force that presses the obstacle along its direction; other directions are fixed [N].
+  Vector3d force = Vector3d::Zero();
 
-  /// Its gap is linear in the displacements: nothing is to be linearised again.
+  /// Whether its gap is linear in the displacements; then no further linearisation is necessary.
   bool is_plane() const { return std::holds_alternative<HalfSpace>(shape); }
-  /// A force presses it: how far it has come along that is found and not given.
+  /// Whether a force presses it; then its displacement along the force is an unknown.
   bool is_pressed() const { return !force.isZero(0); }
-  /// The same body at rest where it stands at `time`, having come `position` [m] along its force.
+  /// Returns the same body at rest in its placement at `time`, displaced by `position` [m] along its force.
   Obstacle standing(double time, double position = 0) const;
-  /// "the obstacle", and its name if it has one.
+  /// Returns "the obstacle", with its name if it has one.
   std::string text() const;
-  /// Distance, normal and curvature at X of the body where its shape is placed. Throws ObstacleError with the
-  /// obstacle's name and X where the shape has none.
+  /// Distance, normal and curvature at X for the placed shape. Throws ObstacleError with the obstacle's name and X if
+  /// the shape has none there.
   Nearest nearest(const Vector3d& X) const;
 };
 

@@ -1,4 +1,4 @@
-// Distance from a smooth surface: what its second derivatives are off the surface.
+// Second derivatives of the distance from a smooth surface, at points off the surface.
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 
@@ -12,8 +12,8 @@ inline Matrix3d surface_curvature(const Vector3d& n, double gradient_size, const
   return P * hessian * P / gradient_size;
 }
 
-/// The Hessian at distance d from there, S (I + d S)^-1: radii of curvature grow by d. Zero where a radius vanishes, for there d has no
-/// second derivatives.
+/// The Hessian at distance d from the surface, S (I + d S)^-1: radii of curvature grow by d. Zero where a radius
+/// vanishes, because d has no second derivatives there.
 inline Matrix3d offset_curvature(const Matrix3d& S, double d) {
   const Matrix3d grown = Matrix3d::Identity() + d * S;
   if (!(grown.determinant() > 0)) return Matrix3d::Zero();

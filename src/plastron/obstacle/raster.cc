@@ -14,7 +14,7 @@ namespace plastron::obstacle {
 
 namespace {
 
-/// Values of the spline's four pieces at t in [0, 1], or of a derivative: d = 0, 1, 2.
+/// Values at t in [0, 1] of the spline's four pieces or of their derivatives: d = 0, 1, 2.
 std::array<double, 4> pieces(double t, int d) {
   const double s = 1 - t;
   if (d == 0)
@@ -23,7 +23,8 @@ std::array<double, 4> pieces(double t, int d) {
   return {s, 3 * t - 2, 3 * s - 2, t};
 }
 
-/// c(i-1) + 4 c(i) + c(i+1) = 6 f(i) with no second derivative at the ends, where therefore c = f. One row more on each side.
+/// Solves c(i-1) + 4 c(i) + c(i+1) = 6 f(i) with zero second derivatives at the ends, where therefore c = f. Adds one
+/// row on each side.
 Eigen::MatrixXd spline_along_rows(const Eigen::MatrixXd& f) {
   const Eigen::Index n = f.rows();
   Eigen::MatrixXd c(n + 2, f.cols());

@@ -1,4 +1,5 @@
-// Heights on a grid of equal cells, made smooth by the natural bicubic spline through them: twice continuously differentiable.
+// Heights on a grid of equal cells, interpolated by the natural bicubic spline, which is twice continuously
+// differentiable.
 #pragma once
 #include <Eigen/Core>
 
@@ -16,7 +17,8 @@ struct HeightJet {
 
 class Raster {
  public:
-  /// heights(i, j) stands at from + cell (i, j); at least 2 x 2 of them. Throws ObstacleError for fewer or heights that are not finite.
+  /// heights(i, j) is at from + cell (i, j); at least 2 x 2 heights. Throws ObstacleError for fewer or non-finite
+  /// heights.
   Raster(const Eigen::MatrixXd& heights, const Eigen::Vector2d& from, double cell);
 
   bool covers(const Eigen::Vector2d& p) const { return (p.array() >= from_.array() && p.array() <= to_.array()).all(); }
@@ -28,18 +30,17 @@ class Raster {
   double cell() const { return cell_; }
 
  private:
-  Eigen::MatrixXd coefficients_;  // of cubic B-splines, one row and column more on each side
+  Eigen::MatrixXd coefficients_;  // coefficients of cubic B-splines, with one more row and column on each side
   Eigen::Vector2d from_, to_;
   double cell_;
 };
 
 inline constexpr std::size_t most_raster_points = 4'000'000;
 
-/// An ESRI ASCII grid: lines ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize and perhaps NODATA_value, then the
-/// heights, the
-/// row of the greatest y first. A corner is half a cell outside of the first height. Throws ObstacleError: no such file, no such format,
-/// too
-/// many heights, heights missing or not finite.
+/// Reads an ESRI ASCII grid. Its lines are ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize and
+/// optionally NODATA_value. The heights follow, the row of the greatest y first. A corner is half a cell outside of
+/// the first height. Throws ObstacleError: no such file, no such format, too many heights, heights missing or not
+/// finite.
 Raster read_raster(const std::string& path);
 
 }  // namespace plastron::obstacle

@@ -1,4 +1,4 @@
-// STL, OBJ and PLY files.
+// Readers of STL, OBJ and PLY files.
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/triangle_mesh.hpp>
 #include <plastron/obstacle/words.hpp>
@@ -22,7 +22,7 @@ using geometry::Vector3d;
 
 static_assert(std::endian::native == std::endian::little, "binary files are read as they are in memory");
 
-/// Points that are equal become one; polygons are cut into triangles.
+/// Joins equal points and cuts polygons into triangles.
 class Builder {
  public:
   explicit Builder(std::string path) : path_(std::move(path)) {}
@@ -70,7 +70,8 @@ void read_ascii_stl(Words& words, Builder& builder) {
   while (!words.take("endsolid")) {
     expect(words, "facet");
     expect(words, "normal");
-    for (int i = 0; i < 3; ++i) words.next();  // what the corners say counts
+    // The normal is computed from the corners.
+    for (int i = 0; i < 3; ++i) words.next();
     expect(words, "outer");
     expect(words, "loop");
     std::vector<int> corners;
@@ -84,7 +85,7 @@ void read_ascii_stl(Words& words, Builder& builder) {
   }
 }
 
-/// Numbers as bytes, each within the text.
+/// Numbers as bytes, each checked to be within the text.
 class Bytes {
  public:
   Bytes(std::string path, const std::string& text, std::size_t at, bool swapped = false)
@@ -139,7 +140,8 @@ void read_stl(Words& words, Builder& builder) {
   }
 }
 
-/// Lines "v x y z" and "f 1 2 3", "f 1/4 2/5 3/6", negative numbers from the last point backwards; all else is skipped.
+/// Reads lines "v x y z" and "f 1 2 3", "f 1/4 2/5 3/6", negative numbers from the last point backwards; skips all
+/// others.
 void read_obj(Words& words, Builder& builder) {
   std::vector<int> points;
   while (!words.at_end()) {
@@ -167,7 +169,7 @@ void read_obj(Words& words, Builder& builder) {
 }
 
 struct Property {
-  std::string name, type, count_type{};  ///< count_type: of a list
+  std::string name, type, count_type{};  ///< type of the count, for a list
 };
 struct Element {
   std::string name;

@@ -1,4 +1,4 @@
-// Solids of revolution: a signed distance in the half-plane (rho, z) of an axis becomes one in space.
+// Solids of revolution: converts a signed distance in the half-plane (rho, z) of an axis to a distance in space.
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 
@@ -6,9 +6,9 @@ namespace plastron::obstacle {
 
 using geometry::Vector2d;
 
-/// A line in space from which the half-plane's coordinates are measured: z along it, rho >= 0 off it.
+/// A line in space that defines the half-plane's coordinates: z along it, rho >= 0 away from it.
 struct Axis {
-  Vector3d point = Vector3d::Zero();       ///< where z = 0 [m]
+  Vector3d point = Vector3d::Zero();       ///< point with z = 0 [m]
   Vector3d direction = Vector3d::UnitZ();  ///< unit vector
 };
 
@@ -19,7 +19,7 @@ struct ProfileDistance {
   Eigen::Matrix2d curvature;  ///< Hessian [1/m]
 };
 
-/// Distance to the point `from_centre` away: the gradient is radial, the curvature 1/d across.
+/// Distance to a point at the vector `from_centre`: the gradient is radial, the curvature 1/d across.
 inline ProfileDistance distance_to_point(const Vector2d& from_centre) {
   const double length = from_centre.stableNorm();
   const Vector2d n = length > 0 ? Vector2d(from_centre / length) : Vector2d::UnitY();
@@ -32,8 +32,9 @@ inline ProfileDistance distance_to_line(double distance, const Vector2d& n) {
   return {distance, n, Eigen::Matrix2d::Zero()};
 }
 
-/// With d from profile(rho, z): grad d = d_rho e_rho + d_z e, and the Hessian gains d_rho/rho around the axis, whose limit on the
-/// axis is d_rho,rho where d is smooth. Where it is not, e_rho is any direction across and d_rho/rho left out.
+/// Returns values in space for d from profile(rho, z): grad d = d_rho e_rho + d_z e. The Hessian has the additional
+/// term d_rho/rho around the axis, with the limit d_rho,rho on the axis where d is smooth. Where d is not smooth,
+/// e_rho is an arbitrary direction across and d_rho/rho is omitted.
 template <class Profile>
 Nearest revolved(const Axis& axis, const Vector3d& X, const Profile& profile) {
   const Vector3d from_point = X - axis.point;

@@ -1,4 +1,5 @@
-// Marching over tetrahedra: each cell of a grid is cut into six, and the surface crosses a tetrahedron in a triangle or two.
+// Marching tetrahedra: each cell of a grid is cut into six, and the surface crosses a tetrahedron in one or two
+// triangles.
 #include <plastron/obstacle/surface_mesh.hpp>
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 
 using Level = std::function<double(const Vector3d&)>;
 
-/// A function that is zero on the surface and positive on the free side; need not be a distance, NaN where there is none.
+/// A function that is zero on the surface and positive on the free side. It need not be a distance; NaN where it is
+/// undefined.
 template <class Body>
 double level_of(const Body& body, const Vector3d& x) {
   if constexpr (requires { body.level(x); })
@@ -26,7 +28,7 @@ double level_of(const Body& body, const Vector3d& x) {
 
 Extent around(const Vector3d& centre, double reach) { return {centre.array() - reach, centre.array() + reach}; }
 
-/// What certainly holds a shape that is bounded, a little larger.
+/// An extent that contains a bounded shape with a small margin; empty for unbounded shapes.
 std::optional<Extent> reach_of(const Shape& shape) {
   constexpr double margin = 1.01;
   if (const auto* ball = std::get_if<Ball>(&shape)) return around(ball->centre, margin * ball->radius);
@@ -43,7 +45,7 @@ std::optional<Extent> reach_of(const Shape& shape) {
   return {};
 }
 
-/// The axis-parallel box, in the body's coordinates, of an extent in space.
+/// The axis-parallel box in the body's coordinates around an extent in space.
 Extent in_body(const Extent& extent, const Placement& placement) {
   const Vector3d middle = placement.to_body((extent.low + extent.high) / 2);
   const Vector3d half = placement.rotation.transpose().cwiseAbs() * (extent.high - extent.low) / 2;
@@ -70,7 +72,7 @@ class Marching {
     return low_ + step_.cwiseProduct(at.cast<double>());
   }
 
-  /// Six tetrahedra around the diagonal of the cell, one for each order of the axes.
+  /// Visits six tetrahedra around the diagonal of the cell, one for each order of the axes.
   void cell(int first) {
     const std::array<int, 3> along{1, n_, n_ * n_};
     std::array<int, 3> order{0, 1, 2};
@@ -100,7 +102,7 @@ class Marching {
     }
   }
 
-  /// Turned so that its normal looks from the held corner to the free one.
+  /// Adds a triangle, oriented so that its normal points from the corner `held` inside the body to the corner `free`.
   void add(std::array<int, 3> t, int free, int held) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
     const auto& p = mesh_.points;
@@ -109,7 +111,7 @@ class Marching {
     mesh_.triangles.push_back(t);
   }
 
-  /// The zero between two corners, by bisection.
+  /// The zero of the level between two corners, by bisection.
   int crossing(int a, int b) {
     const auto [found, is_new] = crossings_.try_emplace(std::minmax(a, b), static_cast<int>(mesh_.points.size()));
     if (!is_new) return found->second;
@@ -131,7 +133,7 @@ class Marching {
   TriangleMesh mesh_;
 };
 
-/// The plane's rectangle around the foot of the box's middle, large enough for all of the box.
+/// The plane's rectangle around the foot of the box's middle, large enough for the whole box.
 TriangleMesh rectangle(const HalfSpace& body, const Extent& extent) {
   const Vector3d middle = (extent.low + extent.high) / 2;
   const double reach = (extent.high - extent.low).norm() / 2, distance = body.nearest(middle).distance;
@@ -153,7 +155,7 @@ TriangleMesh marched(const Shape& shape, Extent extent, int intervals) {
   return Marching(level, extent, intervals).surface();
 }
 
-/// Leaves out triangles whose middle is outside of the extent.
+/// Removes triangles with their middle outside of the extent.
 void cut(TriangleMesh& mesh, const Extent& extent) {
   std::erase_if(mesh.triangles, [&](const std::array<int, 3>& t) {
     const Vector3d middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;

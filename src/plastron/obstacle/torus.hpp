@@ -5,12 +5,13 @@
 namespace plastron::obstacle {
 
 struct Torus {
-  Vector3d centre = Vector3d::Zero();  ///< of the circle [m]
-  Vector3d axis = Vector3d::UnitZ();   ///< unit vector across the circle's plane
-  double radius = 1;                   ///< of the circle, > tube_radius [m]
+  Vector3d centre = Vector3d::Zero();  ///< centre of the circle [m]
+  Vector3d axis = Vector3d::UnitZ();   ///< unit vector normal to the circle's plane
+  double radius = 1;                   ///< radius of the circle, > tube_radius [m]
   double tube_radius = 0.25;           ///< > 0 [m]
 
-  /// Not differentiable on the axis and on the circle, where the normal is any nearest one.
+  /// The distance is not differentiable on the axis and on the circle; there the normal is an arbitrary one of the
+  /// nearest.
   Nearest nearest(const Vector3d& X) const;
 };
 

@@ -1,4 +1,4 @@
-// The point of a triangle that is nearest to X.
+// The point of a triangle nearest to X.
 #pragma once
 #include <plastron/geometry/jet.hpp>
 
@@ -6,7 +6,7 @@
 
 namespace plastron::obstacle {
 
-/// Where it is, and on what: 0 to 2 a corner, 3 to 5 the sides 01, 12, 20, 6 inside.
+/// The foot and its feature: 0 to 2 a corner, 3 to 5 the sides 01, 12, 20, 6 the inside.
 struct TriangleFoot {
   geometry::Vector3d at;
   int place;
@@ -21,7 +21,7 @@ inline TriangleFoot foot_on_side(const geometry::Vector3d& X, const geometry::Ve
   return {p + s * along, 3 + side};
 }
 
-/// X projects into the triangle, or the nearest of the sides it projects beyond has the foot.
+/// Returns the projection of X if it is in the triangle, else the nearest foot on the sides that X projects beyond.
 inline TriangleFoot foot_on_triangle(const geometry::Vector3d& X, const std::array<geometry::Vector3d, 3>& p,
                                      const geometry::Vector3d& normal) {
   TriangleFoot best{geometry::Vector3d::Zero(), 6};

@@ -32,7 +32,7 @@ void check_areas(const TriangleMesh& mesh, const std::string& name) {
   }
 }
 
-/// Each side is one of two triangles in opposite senses.
+/// Checks that each side belongs to two triangles in opposite senses.
 void check_sides(const TriangleMesh& mesh, const std::vector<Side>& sides, const std::string& name) {
   std::size_t open = 0, first_open = 0;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
@@ -59,7 +59,7 @@ void check_sides(const TriangleMesh& mesh, const std::vector<Side>& sides, const
                     joining_distance(mesh)));
 }
 
-/// The part of each triangle: those that hang together by sides have the same number, counted from 0.
+/// The part of each triangle, counted from 0. Triangles connected by sides have the same number.
 std::vector<int> parts(const TriangleMesh& mesh, const std::vector<Side>& sides) {
   std::vector<int> root(mesh.triangles.size());
   std::iota(root.begin(), root.end(), 0);
@@ -78,7 +78,7 @@ std::vector<int> parts(const TriangleMesh& mesh, const std::vector<Side>& sides)
   return part;
 }
 
-/// Six times the volume under a triangle seen from `origin`, and the solid angle under which it appears from there.
+/// Six times the volume between a triangle and `origin`.
 double six_volumes(const TriangleMesh& mesh, const Triangle& t, const Vector3d& origin) {
   return (mesh.points[t[0]] - origin).dot((mesh.points[t[1]] - origin).cross(mesh.points[t[2]] - origin));
 }
@@ -89,7 +89,7 @@ double solid_angle(const TriangleMesh& mesh, const Triangle& t, const Vector3d& 
   return 2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
 }
 
-/// A part outside of all others has a positive volume; a cavity, inside of one, a negative one.
+/// Checks volumes: a part outside of all others has a positive volume, a cavity inside a part a negative one.
 void check_outward(const TriangleMesh& mesh, const std::vector<int>& part, const std::string& name) {
   const int count = 1 + *std::ranges::max_element(part);
   constexpr int most_parts = 200;

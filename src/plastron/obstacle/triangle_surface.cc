@@ -1,4 +1,4 @@
-// The only file that sees CGAL, which compiles slowly.
+// The only file that includes CGAL, which compiles slowly.
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/triangle_features.hpp>
 #include <plastron/obstacle/triangle_surface.hpp>
@@ -16,14 +16,13 @@ namespace plastron::obstacle {
 
 namespace {
 
-/// Whether triangles cross is decided exactly.
+/// Kernel with exact predicates, which decide exactly whether triangles cross.
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 Exact::Point_3 exact(const Vector3d& p) { return {p[0], p[1], p[2]}; }
 
-/// Triangles that share a side cross if they fold onto each other; those that share a corner if the side across of one meets the other;
-/// all others
-/// if they meet.
+/// Whether two triangles cross. With a common side they cross if they fold onto each other. With a common corner they
+/// cross if the opposite side of one meets the other. All others cross if they meet.
 bool cross_each_other(const TriangleMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t) {
   const auto point = [&](int i) { return exact(mesh.points[static_cast<std::size_t>(i)]); };
   const auto triangle = [&](const std::array<int, 3>& c) {

@@ -24,8 +24,8 @@ Vector3d three_centroids(const TriangleMesh& mesh, int triangle) {
   return a + b + c;
 }
 
-/// In rows: the mean normal last, the long way of the triangles first. Those of space where the triangles look
-/// everywhere.
+/// Axes in rows: the longest direction of the triangles first, the mean normal last. If the normals point in all
+/// directions, the axes of space.
 Matrix3d axes_along(const Vector3d& normal, double area, const Vector3d& extent) {
   constexpr double looks_everywhere = 0.3;
   if (normal.norm() < looks_everywhere * area) return Matrix3d::Identity();
@@ -70,7 +70,7 @@ TriangleTree::Box TriangleTree::box_around(const TriangleMesh& mesh, const std::
   return box;
 }
 
-/// In two halves along the longest way of the centroids.
+/// Divides into two halves along the longest extent of the centroids.
 void TriangleTree::divide(const TriangleMesh& mesh, const std::vector<Vector3d>& normals, int begin, int end) {
   const std::size_t here = boxes_.size();
   boxes_.push_back(box_around(mesh, normals, begin, end));
@@ -101,7 +101,8 @@ int TriangleTree::nearest(const TriangleMesh& mesh, const std::vector<Vector3d>&
     const double d = (X - foot_on_triangle(X, p, normals[triangle]).at).squaredNorm();
     if (d < least) least = d, found = triangle;
   };
-  std::array<std::pair<int, double>, 64> waiting;  // halves of halves of an int: less than 32 levels
+  // Repeated halving of an int: less than 32 levels.
+  std::array<std::pair<int, double>, 64> waiting;
   std::size_t count = 0;
   waiting[count++] = {0, boxes_[0].squared_distance(X)};
   while (count > 0) {

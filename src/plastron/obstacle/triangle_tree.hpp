@@ -1,6 +1,6 @@
-// Which triangle is nearest: a tree of boxes, each turned along the triangles it holds. On a curved surface such a box
-// is thin, where one along the axes is as deep as it is wide and nearer to X than what it holds (docs/performance.md,
-// "Obstacles").
+// The nearest triangle, found in a tree of boxes, each oriented along its triangles. On a curved surface such a box
+// is thin. A box along the axes is as deep as it is wide and therefore nearer to X than its triangles
+// (docs/performance.md, "Obstacles").
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 #include <plastron/obstacle/triangle_mesh.hpp>
@@ -11,17 +11,17 @@ namespace plastron::obstacle {
 
 class TriangleTree {
  public:
-  /// `normals` are the triangles' unit normals. Keeps no reference.
+  /// Builds the tree. `normals` are the triangles' unit normals. Keeps no reference.
   TriangleTree(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
 
-  /// With the mesh and the normals it was made from. Of triangles at one distance always the same, whatever was asked
-  /// before.
+  /// Returns the nearest triangle; mesh and normals are the constructor's arguments. Among triangles at equal
+  /// distance the choice does not depend on earlier calls.
   int nearest(const TriangleMesh& mesh, const std::vector<Vector3d>& normals, const Vector3d& X) const;
 
  private:
   /// The box |axes X - middle| <= half around order_[begin] to order_[end - 1]. Its first child follows it.
   struct Box {
-    Matrix3d axes;  // in rows
+    Matrix3d axes;  // axes in rows
     Vector3d middle, half;
     int begin, end, second_child;
 

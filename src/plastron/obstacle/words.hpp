@@ -1,4 +1,4 @@
-// A file that an obstacle is read from, held within limits, and its words one after the other.
+// The content of an obstacle's file, within limits of size, and its words in sequence.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -8,10 +8,10 @@ namespace plastron::obstacle {
 
 inline constexpr std::size_t largest_obstacle_file = std::size_t{256} << 20;  ///< bytes
 
-/// Throws ObstacleError: no such file, no regular file, too large, not readable.
+/// Reads a file. Throws ObstacleError: no such file, no regular file, too large, not readable.
 std::string file_content(const std::string& path);
 
-/// A coordinate of magnitude beyond this is refused: with it computations would overflow.
+/// Larger coordinates are refused, because computations would overflow.
 inline constexpr double largest_coordinate = 1e50;
 
 class Words {
@@ -24,18 +24,18 @@ class Words {
   std::size_t offset() const { return at_; }
 
   bool at_end() const { return at_ >= text_.size(); }
-  /// The next word without taking it. Precondition: not at the end.
+  /// Returns the next word without taking it. Precondition: not at the end.
   std::string_view peek() const;
-  /// Refuses if there is none.
+  /// Takes the next word; refuses the end of the file.
   std::string_view next();
   bool take(std::string_view word);
-  /// The rest of this line, which the last word taken may have ended already.
+  /// Returns the rest of the line of the last word taken; empty if that word ended the line.
   std::string_view rest_of_line();
-  /// Finite and not beyond largest_coordinate; `what` is for the message.
+  /// Takes a number, which must be finite and at most largest_coordinate; `what` is for the message.
   double number(const char* what);
   long integer(const char* what);
 
-  /// Throws ObstacleError: path, line and `what`.
+  /// Throws ObstacleError with path, line and `what`.
   [[noreturn]] void refuse(const std::string& what) const;
 
  private:

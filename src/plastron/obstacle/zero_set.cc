@@ -26,7 +26,7 @@ bool is_usable(const SpaceJet& f) {
 /// Newton's step for Y + t F'(Y) = X, F(Y) = 0.
 Vector3d newton_step(const Vector3d& X, const Vector3d& Y, const SpaceJet& f) {
   const double t = (X - Y).dot(f.gradient) / f.gradient.squaredNorm();
-  const double scale = 1 / f.gradient.norm();  // of the last row and column
+  const double scale = 1 / f.gradient.norm();  // scale of the last row and column
   Eigen::Matrix4d system = Eigen::Matrix4d::Zero();
   system.topLeftCorner<3, 3>() = Matrix3d::Identity() + t * f.hessian;
   system.topRightCorner<3, 1>() = scale * f.gradient;
@@ -36,7 +36,7 @@ Vector3d newton_step(const Vector3d& X, const Vector3d& Y, const SpaceJet& f) {
   return system.partialPivLu().solve(right).head<3>();
 }
 
-/// To the point of the linearised surface that is nearest to X.
+/// Step to the point of the linearised surface nearest to X.
 Vector3d tangent_step(const Vector3d& X, const Vector3d& Y, const SpaceJet& f) {
   const Vector3d way = X - Y;
   return way - f.gradient * ((f.value + f.gradient.dot(way)) / f.gradient.squaredNorm());
@@ -87,8 +87,8 @@ std::optional<Vector3d> ZeroSet::projected(Vector3d Y, double off) const {
   return {};
 }
 
-/// The minimum of the quadratic model of half the squared distance on the surface, I + d S, with the sizes of its
-/// eigenvalues: leaves saddles, along the bend if Y stands on one.
+/// Step to the minimum of the quadratic model of half the squared distance on the surface, I + d S, with absolute
+/// eigenvalues. It leaves saddles, also from a Y exactly on one.
 Vector3d ZeroSet::downhill(const Vector3d& X, const Vector3d& Y) const {
   constexpr double least = 1e-6, is_there = 1e-6, saddle = -1e-6;
   const SpaceJet f = function_(Y);
@@ -119,7 +119,7 @@ ZeroSet::Foot ZeroSet::descend(const Vector3d& X, Vector3d Y) const {
     }
     if (!moved) break;
   }
-  // The square of the distance has fallen as far as its rounding shows; Newton's method goes on where it cannot leave.
+  // The squared distance decreased as far as rounding shows. Newton's method continues if it does not leave the foot.
   const Foot end = newton(X, Y);
   const bool stays = (end.Y - Y).norm() < 0.1 * (X - Y).norm() || (X - end.Y).norm() <= (X - Y).norm();
   return stays ? end : Foot{Y, function_(Y), residual(X, Y, function_(Y))};

@@ -18,15 +18,17 @@ namespace plastron::recovery {
 
 namespace {
 
-/// Cells meet smoothly where their unit normals add up to more than this times their number: to an angle of 3e-3.
+/// Cells meet smoothly if the norm of the sum of their unit normals exceeds this times their number: angles below
+/// 3e-3.
 constexpr double smooth_sum = 1 - 1e-6;
-/// A patch reaches no farther round than to normals of this cosine to its vertex's.
+/// A patch includes only points whose normals have at least this cosine with the normal of its vertex.
 constexpr double least_cosine = 0.5;
-/// Least eigenvalue of the normal equations over the largest, below which points do not determine a polynomial. Patches of four quadrilaterals have
-/// 1e-3 to 1e-2, patches that lack points in a direction rounding only.
+/// Limit of the ratio of least to largest eigenvalue of the normal equations. Below it points do not determine a
+/// polynomial. Patches of four quadrilaterals have 1e-3 to 1e-2; patches without points in one direction have only
+/// rounding.
 constexpr double least_eigenvalue = 1e-5;
 
-// The sums over the cells round a vertex that tell its plane.
+// Sums over the cells at a vertex, from which its plane is computed.
 enum Sum {
   cells,
   edges,
@@ -40,12 +42,12 @@ enum Sum {
   sums = moment + 6
 };
 
-/// Of the points, from the vertex.
+/// Mean of the points relative to the vertex.
 Vector3d mean_of(std::span<const double> sum) {
   return Vector3d(sum[mean], sum[mean + 1], sum[mean + 2]) / sum[extent];
 }
 
-/// About their mean.
+/// Second moment of the points about their mean.
 Eigen::Matrix3d moment_of(std::span<const double> sum) {
   const double* m = sum.data() + moment;
   Eigen::Matrix3d matrix;
@@ -54,7 +56,8 @@ Eigen::Matrix3d moment_of(std::span<const double> sum) {
   return matrix / sum[extent] - middle * middle.transpose();
 }
 
-/// Of a vertex whose cells' normals are summed up, with two unit vectors that are the same on every rank.
+/// Tangent plane of a vertex from the sum of its cells' normals, with two unit vectors that are the same on every
+/// rank.
 struct TangentPlane {
   Vector3d a3, any, other;
 
@@ -66,13 +69,15 @@ struct TangentPlane {
   SurfaceAxes axes() const { return {any, other, a3}; }
 };
 
-/// Makes the patch a square of (-1, 1)^2, turned by some angle: cells may be oblique and thin at once, and a polynomial along directions that are not
-/// theirs would not be determined. From lengths in the tangent plane; zero where the patch has no extent.
+/// Maps lengths in the tangent plane so that the patch becomes the square (-1, 1)^2, turned by some angle. Cells may
+/// be oblique and thin at once; polynomials along other directions than theirs would not be determined. Zero if the
+/// patch has no extent.
 Eigen::Matrix2d to_turned_square(std::span<const double> sum, const TangentPlane& plane) {
   const Eigen::Matrix3d moments = moment_of(sum);
   Eigen::Matrix<double, 3, 2> directions;
   directions << plane.any, plane.other;
-  const Eigen::LLT<Eigen::Matrix2d> root(3 * directions.transpose() * moments * directions);  // of points spread evenly
+  // Assumes evenly spread points.
+  const Eigen::LLT<Eigen::Matrix2d> root(3 * directions.transpose() * moments * directions);
   if (root.info() != Eigen::Success) return Eigen::Matrix2d::Zero();
   return root.matrixL().solve(Eigen::Matrix2d::Identity());
 }
@@ -83,7 +88,8 @@ std::array<int, 2> neighbours(fem::Shape shape, int corner) {
   return {(corner + 1) % 3, (corner + 2) % 3};
 }
 
-/// A point weighs as the part of the cell's area that it stands for, so that a thin row beside wide cells leaves the patch its extent.
+/// Adds the points of a cell. A point's weight is its part of the cell's area, so that a thin row beside wide cells
+/// does not change the patch's extent.
 void add_points(const Vector3d& vertex, const CellResultants& cell, double area, std::span<double> sum) {
   const double weight = area / static_cast<double>(cell.position.size());
   for (const Vector3d& position : cell.position) {
@@ -111,7 +117,7 @@ Patches::Patches(const assembly::DiscreteShell& discrete, const std::vector<Cell
   decompose(normal_matrices(cells));
 }
 
-// `jets` at the corners of a cell.
+// Computes `jets` at the corners of a cell.
 void Patches::corner_jets(const assembly::DiscreteShell& discrete, std::size_t cell,
                           std::vector<geometry::SurfaceJet>& jets) const {
   jets.resize(static_cast<std::size_t>(corners_));
@@ -148,7 +154,8 @@ algebra::Vector Patches::sums_round_vertices(const assembly::DiscreteShell& disc
   return all;
 }
 
-/// Places planes at their vertices, and returns cosine and sine of four times the edges' angles in the turned square, summed up.
+/// Sets the planes' positions at their vertices. Returns the sums of cosine and sine of four times the edges' angles
+/// in the turned square.
 algebra::Vector Patches::place(const assembly::DiscreteShell& discrete, const algebra::Vector& sums) {
   algebra::Vector turns(vertices_.layout(), 2);
   std::vector<geometry::SurfaceJet> jets;
@@ -180,8 +187,8 @@ void Patches::find_planes(const assembly::DiscreteShell& discrete, const std::ve
     set_plane(v, entry(sums, v), std::atan2(entry(turns, v)[1], entry(turns, v)[0]) / 4);
 }
 
-// The square's sides are the cells' edges, as nearly as one cross can have them: polynomials of two degrees want them, and corners of a square
-// that stands on one would be far outside of where the basis is good.
+// The square's sides follow the cells' edges as closely as one cross can: polynomials of two degrees require this.
+// The corners of a square turned by 45 degrees would lie far outside the region where the basis is well conditioned.
 void Patches::set_plane(algebra::LocalIndex vertex, std::span<const double> sum, double angle) {
   const double count = sum[Sum::cells];
   const Vector3d normal(sum[Sum::normal], sum[Sum::normal + 1], sum[Sum::normal + 2]);
@@ -220,7 +227,7 @@ bool Patches::reaches(const Plane& plane, const SurfaceAxes& axes) const {
   return axes.a3.dot(plane.axes.a3) >= least_cosine;
 }
 
-// Column by column, then a count of points that are too far round.
+// Column by column, then the number of points whose normals are too far from the vertex's.
 algebra::Vector Patches::normal_matrices(const std::vector<CellResultants>& cells) const {
   algebra::Vector matrices(vertices_.layout(), static_cast<int>(terms_ * terms_ + 1));
   for_points(cells, [&](algebra::LocalIndex vertex, const Plane& plane, const CellResultants& cell, std::size_t p) {

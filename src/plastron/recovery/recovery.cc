@@ -14,7 +14,7 @@ double smallest_gap(const assembly::DiscreteShell& discrete, const obstacle::She
   return smallest;
 }
 
-/// Reaction and contact at a node: of all obstacles, and of those on either face.
+/// Reaction and contact at a node: of all obstacles, and per face.
 Eigen::Matrix<double, 1, 6> contact_at(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                        std::size_t node) {
   Eigen::Matrix<double, 1, 6> values = Eigen::Matrix<double, 1, 6>::Zero();
@@ -30,8 +30,8 @@ Eigen::Matrix<double, 1, 6> contact_at(const assembly::DiscreteShell& discrete, 
   return values;
 }
 
-/// Resultants of a cell alone, continued from its resultant points. All are taken into the axes of one of these first, so that what is
-/// continued does not depend on how axes turn in the cell.
+/// Resultants of one cell alone, continued from its resultant points. All are first transformed to the axes of one
+/// point, so that the continued values do not depend on how axes turn in the cell.
 class ContinuedResultants {
  public:
   ContinuedResultants(CellResultants at_resultant_points, const Eigen::MatrixXd& continuation)

@@ -8,36 +8,38 @@
 
 namespace plastron::recovery {
 
-/// All doubles. N, M, Q are components in the orthonormal frame (t1, t2) of surface_axes().
+/// Results at a point. All are doubles. N, M, Q are components in the orthonormal frame (t1, t2) of surface_axes().
 struct PointValues {
   Eigen::Vector2d x = Eigen::Vector2d::Zero();  ///< parameters in Omega
   Vector3d phi = Vector3d::Zero();              ///< position on the undeformed mid-surface [m]
   Vector3d t1 = Vector3d::Zero(), t2 = Vector3d::Zero(), a3 = Vector3d::Zero();  ///< orthonormal frame
-  Eigen::Vector2d curvatures = Eigen::Vector2d::Zero();                          ///< principal ones, ascending [1/m]
-  double thickness = 0;                                                          ///< e [m]
-  Vector3d u = Vector3d::Zero();                                                 ///< displacement [m]
-  Vector3d r = Vector3d::Zero();                                                 ///< rotation of the normal [rad]
-  double gap = 0;       ///< of the touching face, the smallest of all obstacles [m]; NaN without
-  double pressure = 0;  ///< eta, the sum of all obstacles [Pa]
-  double lambda = 0;    ///< multiplier of (M14) [N m]
-  double touching = 0;  ///< 1 in contact, 0 free; in between next to the zone's edge
+  /// Principal curvatures, ascending [1/m].
+  Eigen::Vector2d curvatures = Eigen::Vector2d::Zero();
+  double thickness = 0;           ///< e [m]
+  Vector3d u = Vector3d::Zero();  ///< displacement [m]
+  Vector3d r = Vector3d::Zero();  ///< rotation of the normal [rad]
+  double gap = 0;                 ///< smallest gap of the touching face to an obstacle [m]; NaN without obstacles
+  double pressure = 0;            ///< eta, the sum of all obstacles [Pa]
+  double lambda = 0;              ///< multiplier of (M14) [N m]
+  double touching = 0;            ///< 1 in contact, 0 free; between 0 and 1 next to the zone's edge
   Eigen::Vector2d face_pressure = Eigen::Vector2d::Zero();  ///< eta on the lower and on the upper face [Pa]
   Eigen::Vector2d face_touching = Eigen::Vector2d::Zero();  ///< `touching` of the lower and of the upper face
   Vector3d N = Vector3d::Zero();                            ///< N_11, N_22, N_12 [N/m]
   Vector3d M = Vector3d::Zero();                            ///< M_11, M_22, M_12 [N]
   Eigen::Vector2d Q = Eigen::Vector2d::Zero();              ///< Q_1, Q_2 [N/m]
-  shell::Material material{};                               ///< of the point's region
+  shell::Material material{};                               ///< material of the point's region
 };
 
-/// N, M, Q and the thickness, from which stresses follow.
+/// The forces N, M, Q and the thickness, which determine the stresses.
 inline shell::SectionForces section_forces(const PointValues& point) {
   return {.N = point.N, .M = point.M, .Q = point.Q, .thickness = point.thickness};
 }
 
-/// What resultants and frames are to be.
+/// Choice of resultants and frames.
 struct Choice {
-  std::optional<Vector3d> axis{};  ///< that t1 follows, see surface_axes()
-  /// Without, resultants are those of each cell alone and jump between cells: polynomials of degree k - 1 through resultant_points().
+  std::optional<Vector3d> axis{};  ///< direction of t1, see surface_axes()
+  /// Patches for smooth resultants. Without them, resultants belong to each cell alone and jump between cells:
+  /// polynomials of degree k - 1 through resultant_points().
   std::shared_ptr<const ResultantPatches> patches{};
 };
 
@@ -58,8 +60,10 @@ class Recovery {
   Choice choice_;
   element::BasisAt at_points_;
   ResultantPoints resultant_points_;
-  Eigen::MatrixXd continuation_;        // resultant points -> points
-  Eigen::MatrixXd reaction_at_points_;  // nodal reactions -> points
+  // Maps resultant points to points.
+  Eigen::MatrixXd continuation_;
+  // Maps nodal reactions to points.
+  Eigen::MatrixXd reaction_at_points_;
 };
 
 }  // namespace plastron::recovery

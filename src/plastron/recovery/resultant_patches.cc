@@ -9,7 +9,7 @@ namespace plastron::recovery {
 
 namespace {
 
-/// Bilinear on quadrilaterals, barycentric on triangles.
+/// Weight of a corner: bilinear on quadrilaterals, barycentric on triangles.
 double corner_weight(fem::Shape shape, int corner, const Eigen::Vector2d& xi) {
   if (shape == fem::Shape::quadrilateral)
     return (corner % 2 == 1 ? xi[0] : 1 - xi[0]) * (corner >= 2 ? xi[1] : 1 - xi[1]);
@@ -92,8 +92,8 @@ std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Ve
   return sum;
 }
 
-// The way of at() and fit() back: from the point to the polynomials, through the normal equations, which are symmetric, to the points of the
-// patches' cells, and from resultants there to the cells' nodes.
+// The transpose of fit() and at(). It goes from the point to the polynomials, and through the symmetric normal
+// equations to the points of the patches' cells. From the resultants there it leads to the cells' nodes.
 void ResultantPatches::add_transposed(const assembly::DiscreteShell& discrete, const std::optional<Weighed>& point,
                                       algebra::Vector& f) const {
   const Eigen::Index terms = patches_->terms();

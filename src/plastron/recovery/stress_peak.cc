@@ -11,7 +11,7 @@ namespace plastron::recovery {
 
 namespace {
 
-/// Stresses in this part of the largest one are equal up to rounding.
+/// Stresses above this part of the largest one count as equal up to rounding.
 constexpr double same = 1 - 1e-9;
 
 StressPeak peak_of(const PointValues& point) {
@@ -25,7 +25,7 @@ bool is_singular(const Vector3d& position, std::span<const certificate::Singular
   });
 }
 
-/// The largest ones of this rank, equal up to rounding.
+/// The largest peaks of this rank, equal up to rounding.
 std::vector<StressPeak> local_peaks(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                     const Choice& choice, std::span<const certificate::SingularPlace> singular) {
   const fem::Space& space = discrete.space();
@@ -48,13 +48,14 @@ std::vector<StressPeak> local_peaks(const assembly::DiscreteShell& discrete, con
   return peaks;
 }
 
-/// Whether a's place comes first; of one place, the upper face.
+/// Whether a's place comes first; at the same place the upper face comes first.
 bool is_before(const StressPeak& a, const StressPeak& b, double size) {
   const auto first = certificate::in_units(a.position, size), second = certificate::in_units(b.position, size);
   return first != second ? first < second : a.height > b.height;
 }
 
-/// What the cell alone makes another stress of, on the rank of the peak; the same on all (collective).
+/// The difference to the stress from the cell's resultants alone, computed on the peak's rank; the same on all ranks
+/// (collective).
 double error_of(const StressPeak& peak, const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                 const Choice& choice) {
   const MPI_Comm comm = discrete.space().layout->comm;

@@ -1,4 +1,4 @@
-// Orthonormal axes of the tangent plane, in which tensors are given, and how tensors go from one tangent plane to another.
+// Orthonormal axes of the tangent plane for components of tensors, and the transformation between tangent planes.
 #pragma once
 #include <plastron/geometry/frame.hpp>
 
@@ -13,10 +13,11 @@ struct SurfaceAxes {
   Vector3d t1 = Vector3d::UnitX(), t2 = Vector3d::UnitY(), a3 = Vector3d::UnitZ();
 };
 
-/// Sine of the angle to the normal below which an axis has no direction in the tangent plane.
+/// Sine of the angle to the normal below which an axis counts as normal to the surface.
 inline constexpr double parallel_sine = 1e-6;
 
-/// t1 is the wanted axis projected on the surface; the tangent d phi/dx where there is none, or where it is normal to the surface.
+/// Returns axes with t1 along the projection of `axis` on the surface. Without `axis`, or if it is normal to the
+/// surface, t1 follows the tangent d phi/dx.
 inline SurfaceAxes surface_axes(const geometry::SurfaceJet& in_parameters, const Vector3d& a3,
                                 const std::optional<Vector3d>& axis) {
   Vector3d t1 = in_parameters.d[0];
@@ -28,7 +29,7 @@ inline SurfaceAxes surface_axes(const geometry::SurfaceJet& in_parameters, const
   return {t1, a3.cross(t1), a3};
 }
 
-/// The rotation that turns the normal `from` into `to` by the shortest way. Precondition: they are not opposite.
+/// The smallest rotation that turns the normal `from` into `to`. Precondition: they are not opposite.
 inline Eigen::Matrix3d shortest_turn(const Vector3d& from, const Vector3d& to) {
   const Vector3d w = from.cross(to);
   Eigen::Matrix3d cross;
@@ -36,8 +37,8 @@ inline Eigen::Matrix3d shortest_turn(const Vector3d& from, const Vector3d& to) {
   return Eigen::Matrix3d::Identity() + cross + cross * cross / (1 + from.dot(to));
 }
 
-/// The rotation of the tangent plane that takes components in `from`, turned the shortest way into the plane of `to`, to components in `to`:
-/// column vectors of the 2 x 2 matrix.
+/// The 2 x 2 matrix that maps components in `from` to components in `to`, for column vectors. The axes `from` are
+/// turned into the plane of `to` by the smallest rotation.
 inline Eigen::Matrix2d change_of_axes(const SurfaceAxes& from, const SurfaceAxes& to) {
   const Eigen::Matrix3d turn = shortest_turn(from.a3, to.a3);
   const Vector3d t1 = turn * from.t1, t2 = turn * from.t2;

@@ -4,7 +4,7 @@ namespace plastron::recovery {
 
 namespace {
 
-/// 1 at the nodes that are a corner of some cell, on every rank that sees them (collective).
+/// 1 at the nodes that are a corner of some cell, on every rank that has them (collective).
 algebra::Vector corner_marks(const fem::Space& space, const std::array<std::size_t, 4>& corner_nodes) {
   algebra::Vector marks(space.layout, 1);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
@@ -32,7 +32,7 @@ Vertices::Vertices(const fem::Space& space) {
   const auto count = static_cast<std::int64_t>(nodes.owned);
   MPI_Exscan(&count, &nodes.first, 1, MPI_INT64_T, MPI_SUM, nodes.comm);
   nodes.global_size = algebra::sum_over_ranks(count, nodes.comm);
-  // Global numbers of the vertices, one more than they are so that 0 means none, become known where they are ghosts.
+  // Exchanges global numbers of the vertices for ghosts. They are increased by one, so that 0 means none.
   for (std::size_t node = 0; node < owned_nodes; ++node)
     number.local()[node] = vertex_of_node_[node] < 0 ? 0 : static_cast<double>(nodes.first + vertex_of_node_[node] + 1);
   number.update_ghosts();

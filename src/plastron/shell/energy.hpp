@@ -5,7 +5,7 @@
 
 namespace plastron::shell {
 
-/// The stiffness of a cross-section: how strains become resultants at a point of thickness e.
+/// The stiffness of a cross-section of thickness e: it maps strains to resultants.
 struct SectionStiffness {
   Eigen::Matrix3d membrane;  ///< e a^{abrs} [N/m]
   Eigen::Matrix3d bending;   ///< e^3/12 a^{abrs} [N m]
@@ -34,7 +34,7 @@ Resultants<S> resultants(const SectionStiffness& c, const Strain<S>& s) {
 }
 
 struct EnergyDensity {
-  double membrane = 0, bending = 0, shear = 0;  ///< [J/m^2] of mid-surface
+  double membrane = 0, bending = 0, shear = 0;  ///< per mid-surface area [J/m^2]
 };
 
 inline EnergyDensity energy_density(const SectionStiffness& c, const Strain<double>& s) {
@@ -42,7 +42,7 @@ inline EnergyDensity energy_density(const SectionStiffness& c, const Strain<doub
           s.shear.dot(c.shear * s.shear) / 2};
 }
 
-/// The whole density as one differentiable function of the strain: its derivative is resultants().
+/// The total density as one differentiable function of the strain: its derivative is resultants().
 template <class S>
 S total_energy_density(const SectionStiffness& c, const Strain<S>& s) {
   const Resultants<S> n = resultants(c, s);

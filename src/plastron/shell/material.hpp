@@ -9,7 +9,7 @@ namespace plastron::shell {
 struct Material {
   double lambda = 0;            ///< first Lame constant [Pa]
   double mu = 0;                ///< shear modulus [Pa]
-  double shear_correction = 1;  ///< k_s: 1 in the paper, 5/6 on request
+  double shear_correction = 1;  ///< k_s: 1 in the paper, 5/6 as an option
 
   static Material from_young_poisson(double E, double nu, double shear_correction) {
     return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu)), shear_correction};

@@ -1,5 +1,5 @@
-// The normal part of the rotation, r . a_3, which is zero for the exact solution: its gradient at a point, as the penalty
-// (M13), the stabilisation and the multiplier (M14) see it.
+// The gradient at a point of the normal part of the rotation, r . a_3, which is zero for the exact solution. The
+// penalty (M13), the stabilisation and the multiplier (M14) use it.
 #pragma once
 #include <plastron/shell/strain.hpp>
 

@@ -1,7 +1,8 @@
-// Stresses over a cross-section from its resultants. Naghdi's strains are linear in the height z, so the in-plane stresses are, and
-// their integrals over the thickness are N and M exactly. The transverse shear stress is constant as the kinematics have it, or the
-// parabola with the same resultant that vanishes on both faces, as equilibrium has it. Tensors are components in orthonormal tangents
-// t1, t2, in the order 11, 22, 12. The normal stress sigma_33 is neglected (plane stress).
+// Stresses over a cross-section from its resultants. Naghdi's strains are linear in the height z; therefore the
+// in-plane stresses are linear, and their integrals over the thickness are N and M exactly. The transverse shear
+// stress is constant according to the kinematics. According to equilibrium it is the parabola with the same resultant
+// that vanishes on both faces. Tensors are components in orthonormal tangents t1, t2, in the order 11, 22, 12. The
+// normal stress sigma_33 is neglected (plane stress).
 #pragma once
 #include <plastron/shell/energy.hpp>
 
@@ -9,7 +10,7 @@
 
 namespace plastron::shell {
 
-/// What a cross-section carries, and its thickness.
+/// Resultants of a cross-section, and its thickness.
 struct SectionForces {
   Vector3d N = Vector3d::Zero();                ///< membrane forces [N/m]
   Vector3d M = Vector3d::Zero();                ///< bending moments [N]
@@ -23,10 +24,10 @@ inline Vector3d in_plane_stress(const SectionForces& f, double z) {
   return f.N / e + 12 * z / (e * e * e) * f.M;
 }
 
-/// sigma^{a3} = Q^a / e, constant over the thickness [Pa]: the mean.
+/// Mean of sigma^{a3}: Q^a / e, constant over the thickness [Pa].
 inline Eigen::Vector2d mean_shear_stress(const SectionForces& f) { return f.Q / f.thickness; }
 
-/// sigma^{a3} = 3/2 Q^a / e (1 - (2 z / e)^2) [Pa]
+/// Parabola of sigma^{a3}: 3/2 Q^a / e (1 - (2 z / e)^2) [Pa].
 inline Eigen::Vector2d parabolic_shear_stress(const SectionForces& f, double z) {
   const double s = 2 * z / f.thickness;
   return 1.5 * (1 - s * s) / f.thickness * f.Q;
@@ -37,12 +38,12 @@ inline double von_mises(const Vector3d& s, const Eigen::Vector2d& shear) {
   return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * (s[2] * s[2] + shear.squaredNorm()));
 }
 
-/// Of the in-plane stress and the parabolic shear stress at the height z [Pa].
+/// Equivalent stress of the in-plane stress and the parabolic shear stress at the height z [Pa].
 inline double von_mises_at(const SectionForces& f, double z) {
   return von_mises(in_plane_stress(f, z), parabolic_shear_stress(f, z));
 }
 
-/// How much von_mises_at a height changes with each of N_11 N_22 N_12 M_11 M_22 M_12 Q_1 Q_2; zero where there is no stress.
+/// Derivative of von_mises_at a height with respect to N_11 N_22 N_12 M_11 M_22 M_12 Q_1 Q_2; zero without stress.
 inline Eigen::Matrix<double, 8, 1> von_mises_derivative(const SectionForces& f, double z) {
   Eigen::Matrix<double, 8, 1> derivative = Eigen::Matrix<double, 8, 1>::Zero();
   const Vector3d s = in_plane_stress(f, z);
@@ -56,10 +57,11 @@ inline Eigen::Matrix<double, 8, 1> von_mises_derivative(const SectionForces& f, 
 
 struct LargestVonMises {
   double stress = 0;  ///< [Pa]
-  double height = 0;  ///< z where it is [m]
+  double height = 0;  ///< height z of the stress [m]
 };
 
-/// The largest of von_mises_at over the thickness. Its square is A + B s + C s^2 + D (1 - s^2)^2, s = 2 z / e in [-1, 1], with C, D >= 0.
+/// The largest von_mises_at over the thickness. Its square is A + B s + C s^2 + D (1 - s^2)^2, s = 2 z / e in [-1,
+/// 1], with C, D >= 0.
 inline LargestVonMises largest_von_mises(const SectionForces& f) {
   LargestVonMises largest;
   const auto look_at = [&](double s) {
@@ -83,10 +85,10 @@ inline LargestVonMises largest_von_mises(const SectionForces& f) {
   return largest;
 }
 
-/// Eigenvalues of a symmetric tensor of the tangent plane, and the direction of the first.
+/// Eigenvalues of a symmetric tensor in the tangent plane, and the direction of the first.
 struct Principal {
   double first = 0, second = 0;  ///< first >= second
-  double angle = 0;              ///< from t1 towards t2, in (-pi/2, pi/2] [rad]
+  double angle = 0;              ///< angle from t1 towards t2, in (-pi/2, pi/2] [rad]
 };
 
 inline Principal principal(const Vector3d& t) {
@@ -94,7 +96,7 @@ inline Principal principal(const Vector3d& t) {
   return {mean + radius, mean - radius, std::atan2(t[2], half) / 2};
 }
 
-/// Energy per mid-surface area that belongs to resultants (M8): strains are their compliances [J/m^2].
+/// Energy per mid-surface area of the resultants (M8), from the compliances [J/m^2].
 inline EnergyDensity energy_density(const Material& material, const SectionForces& f) {
   const double e = f.thickness, young = material.young(), poisson = young / (2 * material.mu) - 1;
   const auto in_plane = [&](const Vector3d& t) {

@@ -15,7 +15,7 @@ using geometry::Vector3d;
 template <class S>
 using Vector3 = Eigen::Matrix<S, 3, 1>;
 
-/// What the strains need of (u, r) at a point: derivatives along the frame's coordinates, and r itself.
+/// Input of the strains from (u, r) at a point: derivatives along the frame's coordinates, and r itself.
 template <class S>
 struct LocalField {
   std::array<Vector3<S>, 2> du;  ///< d_alpha u
@@ -30,14 +30,14 @@ struct Strain {
   Eigen::Matrix<S, 2, 1> shear;  ///< 2 delta_13, 2 delta_23
 };
 
-/// (M4)
+/// Membrane strain (M4).
 template <class S>
 Vector3<S> membrane_strain(const LocalField<S>& v, const std::array<Vector3d, 2>& a_cov) {
   return {v.du[0].dot(a_cov[0].template cast<S>()), v.du[1].dot(a_cov[1].template cast<S>()),
           v.du[0].dot(a_cov[1].template cast<S>()) + v.du[1].dot(a_cov[0].template cast<S>())};
 }
 
-/// (M5)
+/// Bending strain (M5).
 template <class S>
 Vector3<S> bending_strain(const LocalField<S>& v, const Frame& f) {
   const auto pair = [&](int a, int b) -> S {
@@ -46,7 +46,7 @@ Vector3<S> bending_strain(const LocalField<S>& v, const Frame& f) {
   return {pair(0, 0), pair(1, 1), S(pair(0, 1) + pair(1, 0))};
 }
 
-/// (M6)
+/// Shear strain (M6).
 template <class S>
 Eigen::Matrix<S, 2, 1> shear_strain(const LocalField<S>& v, const std::array<Vector3d, 2>& a_cov, const Vector3d& a3) {
   const auto component = [&](int a) -> S {
@@ -60,8 +60,8 @@ Strain<S> strain(const LocalField<S>& v, const Frame& f) {
   return {membrane_strain(v, f.a_cov), bending_strain(v, f), shear_strain(v, f.a_cov, f.a3)};
 }
 
-/// Work-conjugates of LocalField: N : gamma + M : chi + Q . delta = sum du_dual . d u + r_dual . r + dr_dual . d r.
-/// These are the three transposed strain maps, added up.
+/// Add the work-conjugates of LocalField: N : gamma + M : chi + Q . delta = sum du_dual . d u + r_dual . r + dr_dual
+/// . d r. The functions are the three transposed strain maps.
 inline void add_membrane_dual(const Vector3d& n, const std::array<Vector3d, 2>& a_cov, LocalField<double>& dual) {
   dual.du[0] += n[0] * a_cov[0] + n[2] * a_cov[1];
   dual.du[1] += n[2] * a_cov[0] + n[1] * a_cov[1];
