@@ -60,7 +60,7 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
 
 namespace {
 
-/// `compare` sets formulations side by side, or with --solvers contact solvers; these also without files.
+/// `compare` compares formulations, or with --solvers contact solvers; the latter also without files.
 CLI::App* add_compare(CLI::App& program, Options& options) {
   CLI::App* compare =
       add_command(program, "compare", "Solve a case in every formulation and set them side by side", "", options);
@@ -159,7 +159,7 @@ CommandLine::CommandLine() {
 
 namespace {
 
-/// The first word, where it should be a command and is none; empty otherwise.
+/// Returns the first word if it should be a command and is none; empty otherwise.
 std::string unknown_command(const CLI::App& program) {
   const auto rest = program.remaining();
   return program.get_subcommands().empty() && !rest.empty() ? rest.front() : std::string();

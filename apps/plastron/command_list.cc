@@ -11,7 +11,7 @@ namespace plastron::app {
 
 namespace {
 
-/// "shell.thickness=" and so on: what has one value in the file.
+/// Returns "shell.thickness=" and so on: the keys with one value in the file.
 std::vector<std::string> settable_keys() {
   using config::Kind;
   std::vector<std::string> keys;

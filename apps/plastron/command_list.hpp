@@ -1,4 +1,4 @@
-// The commands and their options as a list, read off the parser: completions and the manual page are made from it.
+// The commands and their options as a list, taken from the parser. Completions and the manual page are made from it.
 #pragma once
 #include <CLI/CLI.hpp>
 
@@ -7,14 +7,14 @@
 
 namespace plastron::app {
 
-/// What may stand for an argument.
+/// Kinds of values of an argument.
 enum class Accepts { nothing, anything, number, case_file, directory, setting, words };
 
 struct Argument {
-  std::vector<std::string> names{};  ///< "-o", "--output"; of a positional one "CASE"
+  std::vector<std::string> names{};  ///< "-o", "--output"; for a positional argument "CASE"
   std::string meaning{}, fallback{};
   Accepts accepts = Accepts::nothing;
-  std::vector<std::string> words{};  ///< Accepts::words, setting: what they are; may be more than these
+  std::vector<std::string> words{};  ///< for Accepts::words and setting: known values; others may be possible
   bool is_required = false;
 };
 

@@ -12,7 +12,7 @@ ExitCode study_case(const StudyCommand& command);
 ExitCode verify(const Options& options);
 ExitCode check(const Options& options);
 
-/// The command of the line; each program has its own.
+/// Runs the command of the line; each program has its own version.
 ExitCode carry_out(const CommandLine& line);
 
 }  // namespace plastron::app

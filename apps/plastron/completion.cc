@@ -1,4 +1,5 @@
-// plastron completion: what bash, zsh and fish need to complete commands, options, case files and words of this program.
+// plastron completion: scripts for bash, zsh and fish that complete commands, options, case files and words of this
+// program.
 #include "command_list.hpp"
 #include "inquiries.hpp"
 #include "terminal.hpp"
@@ -22,7 +23,7 @@ std::string command_words(const std::vector<Command>& commands) {
   return names;
 }
 
-/// In single quotes, for all three shells.
+/// Returns the text in single quotes, for all three shells.
 std::string in_quotes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
@@ -31,7 +32,7 @@ std::string in_quotes(const std::string& text) {
 
 // ---- bash ------------------------------------------------------------------------------------------------------
 
-/// The line that fills COMPREPLY.
+/// Returns the line that fills COMPREPLY.
 std::string bash_offer(const Argument& argument) {
   switch (argument.accepts) {
     case Accepts::case_file:
@@ -99,7 +100,7 @@ std::string bash(const std::vector<Command>& commands) {
 
 // ---- zsh -------------------------------------------------------------------------------------------------------
 
-/// Within [...] of a specification of _arguments.
+/// Returns a text for [...] in a specification of _arguments.
 std::string zsh_text(const std::string& text) {
   std::string result;
   for (const char c : text) result += (c == '[' || c == ']' || c == ':' || c == '\\' ? "\\" : "") + std::string(1, c);

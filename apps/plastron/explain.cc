@@ -1,4 +1,4 @@
-// plastron explain: the manual of one word, from the declarations that the program works with.
+// plastron explain: the manual for one word, from the declarations of the program.
 #include "inquiries.hpp"
 #include "terminal.hpp"
 #include "topic.hpp"
@@ -18,7 +18,7 @@ std::vector<Topic> all_topics() {
   return all;
 }
 
-/// "obstacle.ball" of "[[obstacle]].ball", "obstacle[0].ball" and "obstacle[].ball"; "shell" of "[shell]".
+/// Returns "obstacle.ball" for "[[obstacle]].ball", "obstacle[0].ball" and "obstacle[].ball"; "shell" for "[shell]".
 std::string plain_word(const std::string& word) {
   std::string result;
   std::string_view rest = word;

@@ -1,5 +1,6 @@
-// plastron: reads the command line and the case file and hands over to plastron-solver or plastron-study, in the same process. The solver's 200
-// shared libraries alone take longer to load than help, a wrong argument or a mistake in a case file may take to answer.
+// plastron: reads the command line and the case file, then starts plastron-solver or plastron-study in the same
+// process. The solver's 200 shared libraries alone take longer to load than a response to help, a wrong argument or a
+// mistake in a case file may take.
 #include "command_line.hpp"
 #include "event_log.hpp"
 #include "inquiries.hpp"
@@ -21,8 +22,8 @@ namespace plastron::app {
 
 namespace {
 
-/// The solver's libraries fill an address space of this size before it begins. A loader that runs out of it speaks of shared
-/// objects, MPI may wait for ever.
+/// Address space that the solver's libraries need before it starts. A loader without enough space reports shared
+/// objects, and MPI may wait forever.
 constexpr rlim_t least_address_space = rlim_t{1} << 30;
 
 bool has_address_space() {
@@ -34,7 +35,7 @@ bool has_address_space() {
   return false;
 }
 
-/// Beside this program, or where packages put programs that no person starts.
+/// Returns the program beside this one, or in the folder of packages for programs that users do not start.
 std::filesystem::path find_program(const char* name) {
   std::error_code error;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
@@ -43,7 +44,7 @@ std::filesystem::path find_program(const char* name) {
   return !std::filesystem::exists(beside, error) && std::filesystem::exists(in_libexec, error) ? in_libexec : beside;
 }
 
-/// Does not return but with an error.
+/// Starts the other program. It returns only with an error.
 ExitCode hand_over(const CommandLine& line, char** argv) {
   if (!has_address_space()) return internal_error;
   const bool is_study = line.study->parsed() || line.commands.compare->parsed();
@@ -54,7 +55,8 @@ ExitCode hand_over(const CommandLine& line, char** argv) {
   return internal_error;
 }
 
-/// All processes of a job come to the same end, but a launcher ends all when one does: the first shall have spoken by then.
+/// Waits so that the first process can print. All processes of a job end in the same way, but a launcher ends all when
+/// one ends.
 ExitCode refused() {
   if (!is_first_rank()) std::this_thread::sleep_for(std::chrono::milliseconds(500));
   return bad_input;
@@ -75,7 +77,7 @@ void tell(const config::CaseErrors& errors) {
   log_event("exit", {{"exit_code", static_cast<int>(bad_input)}});
 }
 
-/// What needs no computation; nothing if the command does.
+/// Runs a command that needs no computation; returns nothing for other commands.
 std::optional<ExitCode> answer_question(const CommandLine& line) {
   const Questions& q = line.questions;
   if (line.asked.explain->parsed()) return explain(q.word);
@@ -96,7 +98,7 @@ int front(int argc, char** argv) {
     line.program.parse(argc, argv);
     if (const auto answered = answer_question(line)) return *answered;
     log_start(line);
-    if (!line.commands.verify->parsed()) {  // which has no case file, but results
+    if (!line.commands.verify->parsed()) {  // verify has no case file, but results
       const bool is_study = line.study->parsed();
       [[maybe_unused]] const config::Case read =
           config::read_case(is_study ? line.study_options.case_file : line.options.case_file,

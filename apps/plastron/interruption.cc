@@ -17,7 +17,7 @@ extern "C" void note_interruption(int) { interrupted = 1; }
 void listen_for_interruptions() {
   struct sigaction action {};
   action.sa_handler = note_interruption;
-  // The default comes back with the first signal: the second ends the program.
+  // The first signal restores the default: the second ends the program.
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   sigemptyset(&action.sa_mask);
   for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);

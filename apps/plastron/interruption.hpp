@@ -1,4 +1,5 @@
-// Ctrl-C and SIGTERM: the first asks the computation to stop and to write what is finished, the second ends at once.
+// Ctrl-C and SIGTERM: the first requests the computation to stop and to write the finished results, the second ends it
+// immediately.
 #pragma once
 
 namespace plastron::app {

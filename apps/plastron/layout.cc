@@ -13,7 +13,7 @@ std::size_t characters(std::string_view text) {
 
 namespace {
 
-/// Words from column `column` on; further lines begin at `indent`.
+/// Returns words from column `column` on; further lines begin at `indent`.
 std::string filled(std::string_view text, std::size_t column, std::size_t indent) {
   std::istringstream words{std::string(text)};
   std::string result, word;

@@ -1,4 +1,4 @@
-// What the program cannot do, as docs/limits.md has it: a test compares both.
+// The limits of the program, as in docs/limits.md: a test compares both.
 #include "layout.hpp"
 #include "topic.hpp"
 

@@ -1,5 +1,5 @@
-// plastron-solver and plastron-study: what plastron becomes when there is something to compute, with the same arguments. Which of the two it
-// is says carry_out().
+// The main function of plastron-solver and plastron-study, which plastron starts with the same arguments for a
+// computation. The version of carry_out() determines the program.
 #include "commands.hpp"
 #include "event_log.hpp"
 #include "interruption.hpp"
@@ -24,7 +24,7 @@ namespace plastron::app {
 
 namespace {
 
-/// Runs a command and turns what it throws into a message and an exit code.
+/// Runs a command and converts exceptions to a message and an exit code.
 ExitCode guarded(const std::function<ExitCode()>& command) {
   try {
     return command();
@@ -53,7 +53,7 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
         error.what());
     return bad_input;
   }
-  // What follows may have struck one rank alone, so that rank speaks and takes the others down.
+  // The following errors may occur on one rank only, so this rank prints the message and ends the others.
   catch (const std::bad_alloc&) {
     print_text(stderr, "error: not enough memory; reduce mesh.refinements or mesh.degree, or use more machines\n");
   } catch (const std::exception& error) {
@@ -65,7 +65,7 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
   return internal_error;
 }
 
-/// Starts what computations need and runs a command.
+/// Starts MPI and other parts that computations need, and runs a command.
 ExitCode compute(int argc, char** argv, int threads, const std::function<ExitCode()>& command) {
   listen_for_interruptions();
   const algebra::Session session(argc, argv, threads);

@@ -1,4 +1,4 @@
-// plastron man: the manual page, in the language of troff.
+// plastron man: the manual page in troff format.
 #include "command_list.hpp"
 #include "exit_codes.hpp"
 #include "inquiries.hpp"
@@ -11,7 +11,7 @@ namespace plastron::app {
 
 namespace {
 
-/// A text as it stands: no request at the beginning of a line, minus signs that can be copied.
+/// Returns a text that troff prints unchanged: no request at the beginning of a line, minus signs that can be copied.
 std::string roff(std::string_view text) {
   std::string result;
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// What all commands that compute tell in the same way.
+// Common output of all commands that compute.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/examination/examine.hpp>
@@ -9,19 +9,19 @@
 
 namespace plastron::app {
 
-/// A title as it is shown: long ones are cut.
+/// Returns a title for output; long ones are shortened.
 std::string shortened_title(const std::string& title);
 
-/// The findings of an examination, notes only if wanted.
+/// Prints the findings of an examination, with notes if requested.
 void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes);
 
-/// A warning of the computation, on standard error.
+/// Prints a warning of the computation on standard error.
 void print_warning(const std::string& case_file, std::string_view text);
 
-/// The event that tells how a computation has ended.
+/// Logs the event of a computation's end.
 void log_status(contact::Status status, std::string_view text);
 
-/// The event of a mesh that is solved.
+/// Logs the event of a solved mesh.
 void log_level(int level, const computation::Level& record);
 
 }  // namespace plastron::app

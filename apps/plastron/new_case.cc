@@ -1,4 +1,4 @@
-// plastron new: a commented case to begin with. It is there as a whole or not at all, and nothing that was there is touched.
+// plastron new: writes a commented case. It is written completely or not at all, and existing files are not changed.
 #include "inquiries.hpp"
 #include "layout.hpp"
 #include "templates.hpp"
@@ -25,7 +25,7 @@ struct NewFile {
   std::string_view text;
 };
 
-/// The first line of the file, which is a comment.
+/// Returns the first line of the file, which is a comment.
 std::string_view summary(const EmbeddedFile& file) {
   const std::string_view line = file.text.substr(0, file.text.find('\n'));
   return line.substr(std::min<std::size_t>(2, line.size()));
@@ -37,7 +37,7 @@ const EmbeddedFile* find_template(const std::string& name) {
   return nullptr;
 }
 
-/// A case of that name, or in a directory of that name; beside it the files that it names.
+/// Returns a case of that name, or in a directory of that name, with the files that it names.
 std::vector<NewFile> files_of(const EmbeddedFile& chosen, const fs::path& name) {
   const bool is_file = name.extension() == case_ending;
   const fs::path folder = is_file ? name.parent_path() : name;
@@ -54,7 +54,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, error));
 }
 
-/// Removes what was made unless told to keep it.
+/// Removes the new files and directories unless keep() is called.
 class Made {
  public:
   ~Made() {
@@ -62,7 +62,7 @@ class Made {
     std::ranges::reverse(paths_);
     for (const fs::path& path : paths_) fs::remove(path, error);
   }
-  /// The directory and those above it that are not there.
+  /// Makes the directory and its missing parent directories.
   void make_directory(const fs::path& directory) {
     if (directory.empty() || fs::exists(directory)) return;
     make_directory(directory.parent_path());

@@ -1,4 +1,4 @@
-// Where a command writes.
+// The output directory of a command.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -6,21 +6,22 @@
 
 namespace plastron::app {
 
-/// Answers for the files of a case's results.
+/// First part of the names of a case's result files.
 inline constexpr const char* base_name = "solution";
 
-/// The directory of the results, tried before anything is solved. If nothing is kept in the end it is as it was before.
+/// The directory of the results, tested before anything is solved. If nothing is kept at the end, the original state is
+/// restored.
 class OutputDirectory {
  public:
   /// Makes the directory and writes a file there, which it removes again (collective).
   explicit OutputDirectory(const std::filesystem::path& directory);
-  /// For the results of a case that is read from `inputs`, which they must not replace.
+  /// Makes the directory for the results of a case that is read from `inputs`; results must not replace these files.
   OutputDirectory(const std::filesystem::path& directory, const std::vector<std::filesystem::path>& inputs);
   OutputDirectory(const OutputDirectory&) = delete;
   OutputDirectory& operator=(const OutputDirectory&) = delete;
   ~OutputDirectory();
 
-  /// Why results cannot be written; empty if they can. The same on every rank.
+  /// Returns the reason why results cannot be written, equal on every rank; empty if they can.
   const std::string& obstacle() const { return obstacle_; }
 
  private:

@@ -1,4 +1,5 @@
-// plastron plot DIR: pictures of results for papers and for those without a browser, as report.html has them, and profiles along lines.
+// plastron plot DIR: pictures of results for papers and for use without a browser, as in report.html, and profiles
+// along lines.
 #include "inquiries.hpp"
 #include "terminal.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that can be read to its end: no pipe, no device.
+/// Opens a file that can be read to its end: no pipe, no device.
 std::ifstream opened(const fs::path& file) {
   std::error_code error;
   std::ifstream stream;
@@ -54,7 +55,7 @@ io::Json read_results(const fs::path& directory) {
   return io::parts_to_plot(stream);
 }
 
-/// NAME of "line-NAME.csv", a file beside results.json; empty where it is none.
+/// Returns NAME of "line-NAME.csv", a file beside results.json; empty if it is none.
 std::string line_of(const std::string& file) {
   constexpr std::string_view begin = "line-", end = ".csv";
   const bool is_line = file.starts_with(begin) && file.ends_with(end) && file.find('/') == std::string::npos;
@@ -73,7 +74,7 @@ std::vector<io::NamedPlot> plots_of(const fs::path& directory) {
   return plots;
 }
 
-/// A new file of a name that nobody had, so that no link leads elsewhere. With the access that other new files have.
+/// Makes a file of a new name, so that no link leads elsewhere. It has the access rights of other new files.
 int new_file(std::string& name) {
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
   const mode_t mask = ::umask(0);
@@ -93,7 +94,7 @@ bool write_all(int descriptor, std::string_view text) {
   return true;
 }
 
-/// Under its name only when it is complete.
+/// Writes a picture, which gets its name only when it is complete.
 void write_picture(const fs::path& file, const std::string& text) {
   std::string partial = file.string() + ".partial-XXXXXX";
   const int descriptor = new_file(partial);

@@ -30,7 +30,7 @@ Progress::Progress(const computation::Problem& problem, bool quiet)
 
 namespace {
 
-/// Room for a goal's name above its estimates.
+/// Returns the width of a goal's name above its estimates.
 std::size_t width_of(const std::string& name) { return std::max<std::size_t>(9, geometry::shortened(name, 24).size()); }
 
 }  // namespace
@@ -118,10 +118,11 @@ void Progress::level(int level, const computation::Level& r) {
 void Progress::instant(const computation::HistoryEntry& entry) {
   status_.clear();
   if (is_logging_events()) log_event("instant", io::record_json(io::history_quantities(), entry));
-  if (parts_ && has_seen_instant_) parts_->done(status_.seconds());  // the first is that of the meshes
+  if (parts_ && has_seen_instant_) parts_->done(status_.seconds());  // the first instant belongs to the meshes
   has_seen_instant_ = true;
   if (quiet_) return;
-  // Each obstacle's own force: those of obstacles that press against each other cancel in the sum.
+  // Each obstacle's own force is printed, because the forces of obstacles that press against each other cancel in the
+  // sum.
   constexpr std::size_t most_obstacles = 4;
   const auto obstacles =
       std::span(entry.summary.obstacles).first(std::min(entry.summary.obstacles.size(), most_obstacles));
@@ -147,7 +148,7 @@ namespace {
 
 std::string vector_text(const Eigen::Vector3d& v) { return fmt::format("({:.6e}, {:.6e}, {:.6e})", v[0], v[1], v[2]); }
 
-/// One line a contact zone where there are several, as far as they are few.
+/// Prints one line for each contact zone if there are several, but not many.
 void print_zones(const std::vector<certificate::ObstacleContact>& obstacles) {
   constexpr std::size_t most = 10;
   std::size_t all = 0, printed = 0;
@@ -163,7 +164,7 @@ void print_zones(const std::vector<certificate::ObstacleContact>& obstacles) {
   if (all > most) print("  ... and {} more zones\n", all - most);
 }
 
-/// What it cost to keep the shell out of the obstacles between its nodes.
+/// Prints the effect of keeping the shell outside the obstacles between its nodes.
 void print_lifts(const computation::Result& result) {
   if (!result.summary.is_admissible_wanted) return;
   const computation::Level& level = result.last_level();
@@ -172,7 +173,8 @@ void print_lifts(const computation::Result& result) {
         level.lift_rounds, result.summary.largest_lift, change);
 }
 
-/// Estimated errors, relative to the numbers themselves. A reaction of obstacles that press against each other is a small rest of theirs.
+/// Prints estimated errors, relative to the numbers themselves. The reaction of obstacles that press against each other
+/// is a small difference of their forces.
 void print_estimates(const computation::Result& result) {
   if (!result.estimates) return;
   const double rest = result.summary.obstacles.size() > 1 ? 1e-2 : 1e-6;
@@ -188,7 +190,7 @@ void print_estimates(const computation::Result& result) {
           result.estimates->unjudged_cells);
 }
 
-/// As many digits as the estimate of the error leaves, two at least.
+/// Returns the value with the digits that the estimated error permits, at least two.
 std::string with_known_digits(double value, double error) {
   const double part = value != 0 ? std::abs(error / value) : 1;
   const int digits = std::isfinite(part) && part > 0 ? static_cast<int>(std::ceil(-std::log10(part))) : 4;

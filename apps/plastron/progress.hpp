@@ -1,4 +1,4 @@
-// What the program tells while it computes and when it is done.
+// Output of the program during the computation and at its end.
 #pragma once
 #include "status_line.hpp"
 #include "time_left.hpp"
@@ -10,13 +10,13 @@
 
 namespace plastron::app {
 
-/// The table of levels on standard output and, on a terminal, one line of progress on standard error with the time that is left; events
-/// where they are logged.
+/// Prints the table of levels on standard output. On a terminal it shows one line of progress on standard error with
+/// the remaining time. It logs events if requested.
 class Progress {
  public:
   Progress(const computation::Problem& problem, bool quiet);
   computation::Observer observer();
-  /// A line of the table of instants.
+  /// Prints a line of the table of instants.
   void instant(const computation::HistoryEntry& entry);
   void finish() { status_.clear(); }
 
@@ -25,7 +25,7 @@ class Progress {
   void iteration(int level, const contact::Iteration& iteration);
   void level(int level, const computation::Level& record);
 
-  /// What is being computed, and when all of it will be done.
+  /// Returns a text on the present part of the computation, and its place in the whole.
   std::string place(int level) const;
   std::optional<double> end() const { return parts_ ? parts_->end() : meshes_left_.end(); }
 
@@ -34,15 +34,15 @@ class Progress {
 
   bool has_obstacle_, quiet_, is_by_accuracy_;
   StatusLine status_;
-  int meshes_, number_of_parts_, last_level_ = -1;  ///< meshes_ is not known where accuracy is asked for
-  double most_missed_ = 0;  ///< of all goals of the last mesh: the estimated error over its tolerance
+  int meshes_, number_of_parts_, last_level_ = -1;  ///< meshes_ is not known if an accuracy is requested
+  double most_missed_ = 0;  ///< largest ratio of estimated error to tolerance, of all goals on the last mesh
   MeshesLeft meshes_left_;
-  std::optional<PartsLeft> parts_{};  ///< of the steps, once the meshes are done
+  std::optional<PartsLeft> parts_{};  ///< parts of the steps, once the meshes are finished
   int iterations_ = 0;
   bool has_instants_ = false, has_seen_instant_ = false;
 };
 
-/// What the computation found, in a few lines.
+/// Prints the results of the computation in a few lines.
 void print_summary(const computation::Result& result);
 
 }  // namespace plastron::app

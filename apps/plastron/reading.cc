@@ -27,7 +27,7 @@ config::Case read_together(const std::function<config::Case()>& read) {
   return c;
 }
 
-// Findings as the first rank tells them to the others: each a letter for its severity, its text and a zero.
+// Packs findings so that the first rank can send them: for each a letter for its severity, its text and a zero.
 std::string in_one_text(const std::vector<examination::Finding>& findings) {
   std::string all;
   for (const examination::Finding& finding : findings) {

@@ -1,4 +1,5 @@
-// Case files as all processes of a job read them: each by itself, and if one cannot, all say so and end. Mesh files are read by the first.
+// Reading of case files by all processes of a job. Each reads by itself; if one fails, all report it and end. The first
+// process reads mesh files.
 #pragma once
 #include <plastron/config/case.hpp>
 #include <plastron/examination/examine.hpp>
@@ -12,17 +13,18 @@
 
 namespace plastron::app {
 
-/// What is wrong with a case file, as it is printed.
+/// The mistakes of a case file, in printed form.
 struct RefusedCase : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The case with `settings` in place of some of its keys. Throws RefusedCase (collective).
+/// Returns the case with `settings` in place of some of its keys. Throws RefusedCase (collective).
 config::Case read_case(const std::filesystem::path& path, std::span<const std::string> settings);
-/// The files that the case names are searched for in `folder`.
+/// Searches in `folder` for the files that the case names.
 config::Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// What `examination` finds, which communicates with nobody: the first rank does it and tells the others (collective).
+/// Returns the findings of `examination`, which must not communicate: the first rank runs it and sends them to the
+/// others (collective).
 std::vector<examination::Finding> examine_together(
     const std::function<std::vector<examination::Finding>()>& examination);
 

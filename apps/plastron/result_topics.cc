@@ -15,7 +15,7 @@ namespace {
 using io::Entry;
 using io::Part;
 
-/// "a.b.NAME" without "[]", as people write it.
+/// Returns "a.b.NAME" without "[]", in the form that people write.
 std::string plain(std::string name) {
   for (std::size_t at = 0; (at = name.find("[]")) != std::string::npos;) name.erase(at, 2);
   return name;

@@ -18,15 +18,14 @@ namespace plastron::app {
 
 namespace {
 
-/// What the examination warned of belongs to the result, too.
+/// Adds the warnings of the examination to the result.
 void add_warnings(const std::vector<examination::Finding>& findings, std::vector<std::string>& warnings) {
   for (const examination::Finding& finding : findings)
     if (finding.severity == examination::Severity::warning && std::ranges::count(warnings, finding.text) == 0)
       warnings.push_back(finding.text);
 }
 
-/// The case file and those that it names, as they are before anything is solved. Read by each rank: the same files for
-/// all.
+/// Returns the case file and the files that it names, before anything is solved. Each rank reads the same files.
 io::CaseSource source_of(const config::Case& c, const Options& options) {
   std::vector<std::pair<std::string, std::filesystem::path>> files;
   for (const config::InputFile& file : c.files) files.emplace_back(file.name, file.path);
@@ -36,14 +35,14 @@ io::CaseSource source_of(const config::Case& c, const Options& options) {
   return source;
 }
 
-/// The case file and those that it names.
+/// Returns the paths of the case file and of the files that it names.
 std::vector<std::filesystem::path> inputs_of(const config::Case& c, const Options& options) {
   std::vector<std::filesystem::path> inputs{options.case_file};
   for (const config::InputFile& file : c.files) inputs.push_back(file.path);
   return inputs;
 }
 
-/// Writes the results and tells of them.
+/// Writes the results and reports them.
 void report(const computation::Result& result, const config::Case& c, io::CaseSource source, const Options& options,
             io::Output& files) {
   const auto names = files.finish(

@@ -1,4 +1,4 @@
-// What a study tells while it computes.
+// Output of a study during its computation.
 #pragma once
 #include "status_line.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace plastron::app {
 
-/// On a terminal, what a study is computing now.
+/// Shows the present stage of a study on a terminal.
 class StageProgress {
  public:
   explicit StageProgress(bool quiet) : status_(quiet) {}

@@ -12,14 +12,14 @@ namespace plastron::app {
 
 namespace {
 
-/// Columns of the terminal that may be filled without a line break.
+/// Returns the number of terminal columns that can be filled without a line break.
 std::size_t columns() {
   winsize size{};
   const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
   return is_known ? size.ws_col - 1U : 79U;
 }
 
-/// The first characters of a line.
+/// Returns the first characters of a line.
 std::string cut(const std::string& line, std::size_t most) {
   std::string result;
   for (std::size_t at = 0, count = 0; at < line.size(); ++at) {
@@ -55,7 +55,7 @@ void StatusLine::clear() {
   draw();
 }
 
-/// All of the line in one piece, and only if it has changed: a line that is erased first flickers.
+/// Writes the whole line at once, and only if it has changed: a line that is first erased flickers.
 void StatusLine::draw() {
   constexpr double long_time = 3;
   std::string line = text_;

@@ -1,4 +1,4 @@
-// One line of text on standard error that the next one replaces; silent unless that is a terminal.
+// One line of text on standard error that the next one replaces; no output unless standard error is a terminal.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -16,16 +16,16 @@ class StatusLine {
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
 
-  /// With an end in seconds since this line was made, the time left stands behind the text; without, how long the text has stood there,
-  /// if that is long. Both are kept up to date, once a second.
+  /// Shows a text. If `end` is given, in seconds since this line was made, the remaining time follows the text.
+  /// Otherwise the time since the text was set follows, if it is long. Both are updated once a second.
   void show(const std::string& text, std::optional<double> end = {});
   void clear();
-  /// Since this line was made [s].
+  /// Time since this line was made [s].
   double seconds() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  void draw();  // with the mutex held
+  void draw();  // the mutex must be locked
   void keep_up_to_date(const std::stop_token& stop);
 
   bool on_terminal_;

@@ -21,14 +21,14 @@ namespace plastron::app {
 
 namespace {
 
-/// A study of that name, or one of the comparisons that are commands of their own.
+/// Returns the study of that name, or one of the comparisons that are separate commands.
 const study::Kind& kind_of(const std::string& name) {
   const study::Kind* kind = study::find_kind(name);
   if (kind != nullptr) return *kind;
   return name == study::solver_comparison().name ? study::solver_comparison() : study::comparison();
 }
 
-/// The files of the report and how it ended, as events.
+/// Logs the files of the report and its status as events.
 void log_report(const study::Report& report, const StudyCommand& command) {
   const auto log_file = [&](const char* ending) {
     log_event("file", {{"path", (command.output / (report.table.name + ending)).string()}});

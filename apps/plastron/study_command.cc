@@ -15,7 +15,7 @@ namespace plastron::app {
 
 namespace {
 
-/// What is wrong with the options of a study beyond their single values.
+/// Checks combinations of a study's options.
 void check_study_options(const CLI::App& app, const study::KindName& kind, const std::vector<double>& factors) {
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_single_name(), takers = study::kinds_that_take(name);
@@ -26,7 +26,7 @@ void check_study_options(const CLI::App& app, const study::KindName& kind, const
     throw CLI::ValidationError("--factors", "must fall from one to the next");
 }
 
-/// Options that only some kinds take. Returns the number of halvings.
+/// Adds options that only some kinds have. Returns the number of halvings.
 std::shared_ptr<int> add_options_of_kinds(CLI::App& app, study::StudyOptions& o) {
   const auto add = [&app](const std::string& name, auto& value, const std::string& what) {
     return app.add_option("--" + name, value, study::kinds_that_take(name) + ": " + what);

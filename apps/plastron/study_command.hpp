@@ -1,4 +1,4 @@
-// The words of `plastron study`: one table of kinds, and options that concern some of them.
+// The arguments of `plastron study`: one table of kinds, and options for some of them.
 #pragma once
 #include <plastron/study/study_options.hpp>
 
@@ -14,9 +14,9 @@ struct StudyCommand {
   std::string kind;
   std::filesystem::path case_file;
   std::filesystem::path output;
-  std::vector<std::string> settings{};  ///< that take the place of keys of the case file
+  std::vector<std::string> settings{};  ///< settings that replace keys of the case file
   bool quiet = false;                   ///< print errors only
-  int threads = 0;                      ///< of each process; 0: as many as the work is worth
+  int threads = 0;                      ///< for each process; 0: as many as the amount of work justifies
   bool json_log = false;                ///< events on standard error
   study::StudyOptions options{};
 };

@@ -1,4 +1,4 @@
-// The starter cases of `plastron new`: the files of the folder templates, taken into the program when it is configured
+// The example cases of `plastron new`: the files of the folder templates, embedded in the program at its configuration
 // (embed_templates.cmake).
 #pragma once
 #include <span>
@@ -11,7 +11,7 @@ struct EmbeddedFile {
   std::string_view text;
 };
 
-/// Case files, and other files that they name.
+/// Returns case files, and other files that they name.
 std::span<const EmbeddedFile> template_files();
 
 }  // namespace plastron::app

@@ -31,7 +31,7 @@ bool is_quotation(std::string_view line) {
   return line.size() > bar && line[bar] == '|' && line.find_first_not_of(" 0123456789") == bar;
 }
 
-/// Where a line too long is best broken: the last blank that leaves at most `width` characters before it.
+/// Returns the best place to break a long line: the last blank with at most `width` characters before it.
 std::size_t break_of(std::string_view line, std::size_t indent, std::size_t width) {
   std::size_t found = std::string_view::npos;
   for (std::size_t blank = line.find(' ', indent); blank != std::string_view::npos; blank = line.find(' ', blank + 1)) {
@@ -93,7 +93,8 @@ std::string wrapped(std::string_view text, std::size_t width) {
 }
 
 void print_raw(std::FILE* stream, std::string_view text) {
-  std::fwrite(text.data(), 1, text.size(), stream);  // nobody may be reading
+  // Errors are ignored, because the reader may have closed the stream.
+  std::fwrite(text.data(), 1, text.size(), stream);
 }
 
 void print_text(std::FILE* stream, std::string_view given) {

@@ -1,5 +1,5 @@
-// Where the program prints: one process only, results on standard output, errors on standard error. What comes from files
-// and arguments is made printable here, and a print that fails (a closed pipe, a full disk) never ends a computation.
+// Printing: one process only, results on standard output, errors on standard error. Text from files
+// and arguments is made printable here. A print that fails (a closed pipe, a full disk) never ends a computation.
 #pragma once
 #include <plastron/computation/unit_names.hpp>
 #include <plastron/config/printable.hpp>
@@ -13,19 +13,20 @@
 
 namespace plastron::app {
 
-/// Whether this process speaks for the job. Before MPI has started the launcher's environment tells; then set_rank().
+/// Whether this process prints for the job. Before MPI has started, the launcher's environment determines this; then
+/// set_rank().
 bool is_first_rank();
 void set_rank(int rank);
 
-/// Gives standard input, output and error a place if they are closed (no file of ours may take their number), and lets
-/// writing to a closed pipe fail instead of ending the program. To be called first.
+/// Opens standard input, output and error if they are closed (no file of ours may take their number), and makes
+/// writing to a closed pipe fail instead of ending the program. Call it first.
 void secure_standard_streams();
 
-/// The names that the case has for its units: what is printed from here on calls them so.
+/// Sets the names of the case's units. Text printed afterwards uses them.
 void set_unit_names(computation::UnitNames units);
 std::string with_unit_names(std::string_view text);
 
-/// Prints a text of our own as it is.
+/// Prints our own text without change.
 void print_raw(std::FILE* stream, std::string_view text);
 
 /// Prints a text of one line or several; lines longer than 120 characters are broken at words.
@@ -53,8 +54,8 @@ void print_error(fmt::format_string<Args...> text, Args&&... args) {
   if (is_first_rank()) print_text(stderr, formatted(text, cleaned(args)...));
 }
 
-/// Lines of `width` characters at most, as far as there are blanks; what follows is indented. Quoted lines of a case file
-/// ("   12 | ...") stay whole.
+/// Returns lines of at most `width` characters, if there are blanks. Continued lines are indented. Quoted lines of a
+/// case file ("   12 | ...") are not broken.
 std::string wrapped(std::string_view text, std::size_t width = 120);
 
 }  // namespace plastron::app

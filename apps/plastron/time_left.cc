@@ -15,7 +15,8 @@ std::optional<double> MeshesLeft::end() const {
   if (done < 2 || static_cast<int>(done) >= meshes_) return {};
   const double last = ends_[done] - ends_[done - 1], before = ends_[done - 1] - ends_[done - 2];
   if (last < too_short) return {};
-  // Four times the unknowns; factorisations cost up to eight times as much, few active-set steps less.
+  // A mesh has four times the unknowns of the previous one. Factorisations cost up to eight times as much; fewer
+  // active-set steps reduce the growth.
   const double growth = std::clamp(last / std::max(before, too_short / 10), 2.0, 8.0);
   double end = ends_[done], length = last;
   for (int mesh = static_cast<int>(done); mesh < meshes_; ++mesh) end += length *= growth;

@@ -1,5 +1,5 @@
-// How long a computation will go on, from how long its parts have taken: meshes of a sequence, each so many times as dear as the one
-// before, and parts of steps, which are alike. Times are seconds since some beginning.
+// Estimates the remaining time of a computation from the times of its parts. Each mesh of a sequence costs a constant
+// factor more than the previous one. Parts of steps cost the same. Times are seconds since a common start.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,9 +11,10 @@ namespace plastron::app {
 class MeshesLeft {
  public:
   explicit MeshesLeft(int meshes) : meshes_(meshes) {}
-  /// A mesh is done at that time.
+  /// Stores the time at which a mesh is finished.
   void done(double time);
-  /// When all will be done; nothing before two meshes are, or while they took too short a time to tell.
+  /// Returns the time at which all will be finished. Nothing before two meshes are finished, or if they were too quick
+  /// for an estimate.
   std::optional<double> end() const;
 
  private:
@@ -28,7 +29,7 @@ class PartsLeft {
   void done(double time);
   int number_done() const { return done_; }
   int number() const { return parts_; }
-  /// When all will be done; nothing before the first is.
+  /// Returns the time at which all will be finished; nothing before the first is.
   std::optional<double> end() const;
 
  private:
@@ -36,7 +37,7 @@ class PartsLeft {
   double begin_, last_ = 0;
 };
 
-/// "about 40 s left", "about 3 min left"; empty below two seconds.
+/// Returns "about 40 s left", "about 3 min left"; empty below two seconds.
 std::string left_text(double seconds);
 
 }  // namespace plastron::app

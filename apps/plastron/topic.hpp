@@ -1,5 +1,5 @@
-// What `plastron explain` can tell of: keys of the case file, fields and numbers of the results, statuses. Each is made from the
-// declaration that the program itself works with.
+// The topics of `plastron explain`: keys of the case file, fields and numbers of the results, statuses. Each is made
+// from the declaration that the program itself uses.
 #pragma once
 #include <functional>
 #include <string>
@@ -12,20 +12,20 @@ struct Topic {
   std::string what;                    ///< "key of the case file"
   std::vector<std::string> aliases{};  ///< other words for it
   std::function<std::string()> text{};
-  /// How the word names it: with no part of the name left out, or with the first ones.
+  /// Whether the word names the topic: is_called() by the whole name or an alias, ends_with() without the first parts.
   bool is_called(const std::string& word) const;
   bool ends_with(const std::string& word) const { return name.ends_with("." + word); }
 };
 
 /// Sections of the case file and their keys.
 std::vector<Topic> case_topics();
-/// Statuses, fields, and what stands in results.json.
+/// Statuses, fields, and the contents of results.json.
 std::vector<Topic> result_topics();
 
-/// What the program cannot do.
+/// The limits of the program.
 std::vector<Topic> limit_topics();
 
-/// What there is in each, a line a section or a part.
+/// Returns the topics of each kind, one line for each section or part.
 std::string case_overview();
 std::string result_overview();
 std::string limit_overview();

@@ -1,4 +1,4 @@
-// plastron verify DIR: whether results that somebody hands over solve their case.
+// plastron verify DIR: checks whether given results solve their case.
 #include "commands.hpp"
 #include "messages.hpp"
 #include "reading.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 using Failures = std::vector<std::string>;
 
-/// The parts of results.json that are printed even where they agree.
+/// Whether a part of results.json is printed even where it agrees.
 bool is_worth_a_line(const std::string& path) {
   constexpr std::array parts{"energy", "load_work", "contact.area", "contact.max_pressure"};
   constexpr std::array lists{"reaction.force[", "support_reaction.force["};
@@ -34,7 +34,7 @@ std::string shown(const io::Json& value) {
 
 const char* verdict(bool holds) { return holds ? "ok" : "NO"; }
 
-/// Rows that have limits: of the certificate, and those that tell whether the solution is of the case's kind.
+/// Prints a row with a limit: a row of the certificate, or one that shows whether the solution belongs to the case.
 void print_row(const certificate::CertificateLimit& row, const std::string& claimed) {
   print("{:<20} {:>15.6g} {:>15} {:>3}{:>12.3g} {:<5} {}\n", row.row, row.value, claimed,
         row.is_least ? ">=" : "<=", row.limit, row.unit == "1" ? std::string_view() : row.unit, verdict(row.holds()));
@@ -77,7 +77,7 @@ void judge_settings(const std::vector<io::Comparison>& settings, Failures& failu
         fmt::format("results.json claims {} = {}, the case has {}", c.path, shown(c.claimed), shown(c.recomputed)));
 }
 
-/// The numbers above follow from the solution. A checksum is all that there is of the rest.
+/// Judges the files. The numbers above follow from the solution; only a checksum exists for the rest.
 void judge_files(const io::StoredChecksums& files, bool quiet, Failures& failures) {
   if (!quiet)
     print(
@@ -87,7 +87,7 @@ void judge_files(const io::StoredChecksums& files, bool quiet, Failures& failure
   failures.insert(failures.end(), files.failures.begin(), files.failures.end());
 }
 
-/// The last line, and the exit code.
+/// Prints the last line, and returns the exit code.
 ExitCode conclude(const Failures& failures, bool quiet) {
   constexpr std::size_t most = 5;
   if (failures.empty()) {
@@ -104,7 +104,7 @@ ExitCode conclude(const Failures& failures, bool quiet) {
   return not_verified;
 }
 
-/// Another version may discretise otherwise: worth a word where rows fail.
+/// Prints the versions. Another version may discretise differently, which matters where rows fail.
 void print_versions(const io::Json& results, bool quiet) {
   const io::Json::json_pointer place("/versions/plastron");
   if (quiet || !results.contains(place) || !results[place].is_string() || results[place] == io::Json(io::version))
@@ -112,7 +112,7 @@ void print_versions(const io::Json& results, bool quiet) {
   print("written by version {}, verified by version {}\n", results[place].get<std::string>(), io::version);
 }
 
-/// What the case names must be what results.json has checksums of.
+/// Checks that results.json has checksums of the files that the case names.
 void check_names(const config::Case& c, const io::Claims& claims) {
   for (const config::InputFile& file : c.files)
     if (std::ranges::find(claims.files, file.name, &io::SourceFile::name) == claims.files.end())

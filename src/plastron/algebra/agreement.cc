@@ -16,7 +16,7 @@ int rank_in(MPI_Comm comm) {
   return rank;
 }
 
-/// The lowest rank for which `speaks` is true, on every rank (collective).
+/// Returns on every rank the lowest rank for which `speaks` is true (collective).
 std::optional<int> lowest_speaker(bool speaks, MPI_Comm comm) {
   constexpr int nobody = std::numeric_limits<int>::max();
   int rank = speaks ? rank_in(comm) : nobody;
@@ -33,11 +33,11 @@ void broadcast(std::string& words, int speaker, MPI_Comm comm) {
 
 constexpr Kind out_of_memory{[](const std::exception& e) { return dynamic_cast<const std::bad_alloc*>(&e) != nullptr; },
                              [](const std::string&) { throw std::bad_alloc(); }};
-/// Derived ones first; the last holds for all.
+/// Standard exceptions, derived ones first. The last one matches all.
 constexpr std::array standard{out_of_memory, kind_of<std::invalid_argument>(), kind_of<std::out_of_range>(),
                               kind_of<std::logic_error>(), kind_of<std::runtime_error>()};
 
-/// Numbers first `kinds`, then `standard`.
+/// An exception as number and text. Numbers count `kinds` first, then `standard`.
 struct Failure {
   int kind;
   std::string words;
@@ -71,7 +71,7 @@ void agreement::raise_alike(const std::exception_ptr& mine, const Kind* kinds, i
   Failure failure = mine ? describe(mine, kinds, count) : Failure{0, {}};
   MPI_Bcast(&failure.kind, 1, MPI_INT, *speaker, comm);
   broadcast(failure.words, *speaker, comm);
-  if (*speaker == rank_in(comm)) std::rethrow_exception(mine);  // with all that it holds beside its words
+  if (*speaker == rank_in(comm)) std::rethrow_exception(mine);  // with all its data, not only its text
   (failure.kind < count ? kinds[failure.kind] : standard[static_cast<std::size_t>(failure.kind - count)])
       .raise(failure.words);
 }

@@ -1,5 +1,5 @@
-// Errors that all ranks share. An exception on one rank alone leaves the others waiting in their next collective call for ever: so what
-// may throw on some ranks is done in agreement, and then either all ranks throw, or none.
+// Errors that all ranks share. If an exception occurs on one rank alone, the others wait forever in their next
+// collective call. Therefore code that may throw on some ranks runs in agreement: then either all ranks throw, or none.
 #pragma once
 #include <mpi.h>
 
@@ -12,12 +12,12 @@
 
 namespace plastron::algebra {
 
-/// What the lowest rank that has something to say says, on every rank; empty if none has. (collective)
+/// Returns on every rank the text of the lowest rank whose text is not empty; empty if there is none. (collective)
 std::string first_words(std::string mine, MPI_Comm comm);
 
 namespace agreement {
 
-/// Tells exceptions of type Kind apart from others and makes them anew from their words.
+/// Recognises exceptions of type Kind and makes them anew from their text.
 struct Kind {
   bool (*is)(const std::exception&);
   void (*raise)(const std::string& words);
@@ -29,15 +29,16 @@ constexpr Kind kind_of() {
           [](const std::string& words) { throw Exception(words); }};
 }
 
-/// The exception of the lowest rank that has one, its kind looked for among `kinds`, then among those of the standard library, at last a
-/// std::runtime_error. Returns if no rank has one. (collective)
+/// Throws on all ranks the exception of the lowest rank that has one. Its kind is searched in `kinds`, then in the
+/// standard library's; otherwise it is a std::runtime_error. Returns if no rank has an exception. (collective)
 void raise_alike(const std::exception_ptr& mine, const Kind* kinds, int count, MPI_Comm comm);
 
 }  // namespace agreement
 
-/// Does `step`, which communicates with nobody, on every rank of `comm`. If it throws on some, all throw what the lowest of them threw:
-/// the same words, and the same type if that is one of `Exceptions` (made from a std::string; derived ones first), std::bad_alloc,
-/// std::invalid_argument, std::out_of_range or std::logic_error; any other is a std::runtime_error elsewhere. (collective)
+/// Runs `step`, which must not communicate, on every rank of `comm`. If it throws on some ranks, all throw the
+/// exception of the lowest of them with the same text. The type is the same if it is one of `Exceptions` (made from a
+/// std::string; derived ones first), std::bad_alloc, std::invalid_argument, std::out_of_range or std::logic_error. Any
+/// other type is a std::runtime_error on the other ranks. (collective)
 template <class... Exceptions, class Step>
 auto in_agreement(MPI_Comm comm, Step&& step) {
   constexpr std::array<agreement::Kind, sizeof...(Exceptions)> kinds{agreement::kind_of<Exceptions>()...};

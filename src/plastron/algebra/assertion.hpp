@@ -1,18 +1,18 @@
-// Assertions on what one part of the code promises another, with the values that break the promise in the message:
+// Assertions on preconditions inside the code. The message contains the values that violate the condition:
 //   PLASTRON_ASSERT(x.block() == y.block(), x.block(), y.block());
-// They are live where NDEBUG is not defined, that is in the sanitizer build, and cost nothing elsewhere. Mistakes of users are no
-// business of theirs: those are exceptions at the edge.
+// They are active where NDEBUG is not defined, which is in the sanitizer build, and cost nothing elsewhere. They do not
+// check mistakes of users: these are exceptions at the interface.
 #pragma once
 #include <sstream>
 #include <string>
 
 namespace plastron::algebra {
 
-/// Prints the condition, the place and "names = values" to stderr and aborts: the one thing that the library prints.
+/// Prints the condition, the place and "names = values" to stderr and aborts. The library prints nothing else.
 [[noreturn]] void assertion_failed(const char* condition, const char* names, const std::string& values,
                                    const char* file, int line);
 
-/// The values one after the other, separated by commas.
+/// Returns the values, separated by commas.
 template <class... Values>
 std::string listed(const Values&... values) {
   std::ostringstream text;
@@ -23,7 +23,7 @@ std::string listed(const Values&... values) {
 
 }  // namespace plastron::algebra
 
-// A macro, since only a macro knows the text of its arguments and can leave them unevaluated.
+// This is a macro because only a macro knows the text of its arguments and can leave them unevaluated.
 #ifdef NDEBUG
 #define PLASTRON_ASSERT(condition, ...) static_cast<void>(sizeof((condition) ? 1 : 0))
 #else

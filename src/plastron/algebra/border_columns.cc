@@ -1,7 +1,7 @@
 #include "border_columns.hpp"
 
 #include <petscsys.h>
-// after petscsys.h, without which it does not compile
+// must follow petscsys.h, without which it does not compile
 #include <petscblaslapack.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Supernode {
              static_cast<const int*>(L.s) + static_cast<const int*>(L.pi)[k + 1]),
         values(static_cast<const double*>(L.x) + static_cast<const int*>(L.px)[k]) {}
 
-  /// In place, x by places: the columns' entries, and what they take from those below.
+  /// Solves in place (x by places): the entries of the columns, and their contributions to the rows below.
   void solve(std::span<double> x, std::vector<double>& space) const {
     const char side = 'L', lower = 'L', plain = 'N', not_unit = 'N';
     const auto n = static_cast<PetscBLASInt>(columns), length = static_cast<PetscBLASInt>(rows.size());
@@ -38,7 +38,7 @@ struct Supernode {
   const double* values;
 };
 
-/// The supernode of a column.
+/// Returns the supernode of a column.
 std::size_t supernode_of(const cholmod_factor& L, int column) {
   const std::span super(static_cast<const int*>(L.super), L.nsuper + 1);
   return static_cast<std::size_t>(std::ranges::upper_bound(super, column) - super.begin()) - 1;
@@ -56,7 +56,7 @@ std::vector<SparseVector> matrix_columns(const Matrix::Storage& A, double shift,
     of_node.emplace(unknowns[c] / m, c);
     is_wanted[unknowns[c] / m] = 1;
   }
-  // The upper half is stored: a column's part above the diagonal is found by going through all rows.
+  // Only the upper half is stored. A search through all rows finds a column's part above the diagonal.
   for (LocalIndex node = 0; !unknowns.empty() && node < A.layout->owned; ++node)
     for (std::size_t k = A.row_begin(node); k < A.row_end(node); ++k) {
       const auto row = static_cast<std::size_t>(node), column = static_cast<std::size_t>(A.column[k]);
@@ -64,7 +64,7 @@ std::vector<SparseVector> matrix_columns(const Matrix::Storage& A, double shift,
       const double* B = A.block_at(k);
       for (auto [it, end] = of_node.equal_range(row); it != end; ++it)
         for (std::size_t b = 0; b < m; ++b) {
-          const std::size_t a = unknowns[it->second] % m;  // of a diagonal block only the upper half counts
+          const std::size_t a = unknowns[it->second] % m;  // in a diagonal block only the upper half is valid
           const double value = row == column && b < a ? B[b * m + a] : B[a * m + b];
           columns[it->second].push_back(column * m + b, row == column && a == b ? (1 + shift) * value : value);
         }
@@ -119,7 +119,7 @@ void BorderColumns::make(std::size_t unknown, SparseVector w) {
   made_.emplace(unknown, BorderColumn{std::move(w), std::move(y)});
 }
 
-/// What the factor has pinned has no part in it.
+/// Omits the unknowns that the factor has pinned.
 SparseVector BorderColumns::answer(const SparseVector& w) {
   work_.resize(L_->n, 0.0);
   SparseVector placed;

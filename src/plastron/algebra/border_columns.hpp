@@ -1,6 +1,6 @@
-// What unknowns whose pins change bring into a border of a factorised system (pin_border.hpp): the column w of an unknown that is let go, or
-// the unit vector of one that is pinned, and y = L^{-1} w. Beside that of the unknown itself, y has entries only where eliminations that follow
-// from it lead, so that it costs a small part of a solve; it is kept as long as the factor is.
+// Columns of unknowns with changed pins in a border of a factorised system (pin_border.hpp). w is the column of a
+// released unknown, or the unit vector of a newly pinned one, and y = L^{-1} w. Besides the unknown's own entry, y has
+// entries only on the path of later eliminations. It costs a small part of a solve, and is kept as long as the factor.
 // Includes CHOLMOD: for .cc files only.
 #pragma once
 #include <suitesparse/cholmod.h>
@@ -26,25 +26,27 @@ struct SparseVector {
 };
 
 struct BorderColumn {
-  SparseVector w{};  ///< by unknowns: with those that the factor has pinned
-  SparseVector y{};  ///< by places in the order of elimination
+  SparseVector w{};  ///< entries by unknowns, including unknowns that the factor has pinned
+  SparseVector y{};  ///< entries by places in the order of elimination
 };
 
-/// Columns of A + shift diag(A), of one rank.
+/// Returns columns of the matrix A + shift diag(A) of one rank.
 std::vector<SparseVector> matrix_columns(const Matrix::Storage& A, double shift, std::span<const std::size_t> unknowns);
 
-/// L^{-1} w for the factor L by supernodes. `work` is zero in each of its places, and is left so.
+/// Returns L^{-1} w for the factor L by supernodes. `work` must be zero everywhere, and is zero again afterwards.
 SparseVector lower_solve(const cholmod_factor& L, const SparseVector& w, std::span<double> work);
 
 class BorderColumns {
  public:
   BorderColumns() = default;
-  /// Of a factor of A + shift diag(A) with pins where `factor_pins` is not 0; `place` of each unknown in it. All must outlive this object.
+  /// Makes columns for a factor of A + shift diag(A) with pins where `factor_pins` is not 0. `place` is the place of
+  /// each unknown in the factor. All arguments must outlive this object.
   BorderColumns(const Matrix::Storage& A, double shift, const cholmod_factor& L, std::span<const int> place,
                 std::span<const double> factor_pins)
       : A_(&A), shift_(shift), L_(&L), place_(place), factor_pins_(factor_pins) {}
 
-  /// Of unknowns which the factor has pinned: to let them go. Of others: to pin them. They stay where they are as long as this object.
+  /// Returns the columns of unknowns. For unknowns that the factor has pinned, they release them; for others, they pin
+  /// them. The columns keep their address as long as this object exists.
   std::vector<const BorderColumn*> of(std::span<const std::size_t> unknowns);
   bool has(std::size_t unknown) const { return made_.contains(unknown); }
 

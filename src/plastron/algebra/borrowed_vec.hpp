@@ -1,4 +1,4 @@
-// Our arrays as PETSc sees them. Included by .cc files only.
+// PETSc vectors on our arrays. Included by .cc files only.
 #pragma once
 #include <plastron/algebra/layout.hpp>
 
@@ -8,7 +8,7 @@
 
 namespace plastron::algebra {
 
-/// A PETSc vector without values of its own: it has our owned ones while they are lent to it.
+/// A PETSc vector without values of its own. It uses our owned values while they are lent to it.
 class BorrowedVec {
  public:
   /// (collective)
@@ -21,7 +21,7 @@ class BorrowedVec {
   BorrowedVec& operator=(const BorrowedVec&) = delete;
   Vec vec() const { return vec_; }
 
-  /// `values` as those of `vec` for the time of a call.
+  /// Makes `values` the values of `vec` during a call.
   class Loan {
    public:
     Loan(const BorrowedVec& vec, const double* values) : vec_(vec.vec_) {

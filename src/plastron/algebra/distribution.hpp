@@ -1,4 +1,4 @@
-// How nodes are spread over the ranks: every rank owns a contiguous range and sees some of the others' (ghosts).
+// Distribution of nodes over the ranks: every rank owns a contiguous range and sees some nodes of other ranks (ghosts).
 #pragma once
 #include <mpi.h>
 
@@ -21,10 +21,10 @@ struct Distribution {
   LocalIndex local_size() const { return owned + static_cast<LocalIndex>(ghosts.size()); }
   GlobalIndex global(LocalIndex i) const { return i < owned ? first + i : ghosts[static_cast<std::size_t>(i - owned)]; }
   bool owns(GlobalIndex node) const { return node >= first && node < first + owned; }
-  bool sees(GlobalIndex node) const;  ///< owns it or has it as a ghost
-  /// Of a node that this rank sees.
+  bool sees(GlobalIndex node) const;  ///< whether this rank owns it or has it as a ghost
+  /// Returns the local index of a node that this rank sees.
   LocalIndex local(GlobalIndex node) const;
-  /// Those of `nodes` that this rank does not see become ghosts: the local indices of ghosts change.
+  /// Adds the nodes that this rank does not see as ghosts. The local indices of ghosts change.
   void add_ghosts(std::vector<GlobalIndex> nodes);
 };
 

@@ -14,7 +14,7 @@
 namespace plastron::algebra {
 namespace {
 
-// The free unknowns one after the other in a PETSc vector; the others are not there.
+// The free unknowns in a PETSc vector, without the others.
 class FreeUnknowns {
  public:
   explicit FreeUnknowns(const SelfAdjointOperator& T) : layout_(T.layout), block_(T.block) {
@@ -48,7 +48,8 @@ class FreeUnknowns {
   std::vector<std::size_t> free_{};
 };
 
-// One of our operators between PETSc vectors. An exception must not pass through SLEPc: it waits until SLEPc has returned.
+// One of our operators between PETSc vectors. An exception must not pass through SLEPc: it is kept until SLEPc has
+// returned.
 struct Adapter {
   const Operator& apply;
   const FreeUnknowns& unknowns;
@@ -76,8 +77,8 @@ PetscErrorCode multiply(Mat mat, Vec x, Vec y) {
   return (*static_cast<Adapter*>(context))(x, y);
 }
 
-// SLEPc's solver for one problem. SLEPc knows A x = theta B x and applies B^{-1} A; we have T = B^{-1} A at once. So T takes
-// the place of A, and the identity that of B^{-1}; B itself is left for the inner product.
+// SLEPc's solver for one problem. SLEPc solves A x = theta B x and applies B^{-1} A. We have T = B^{-1} A directly.
+// Therefore T replaces A, the identity replaces B^{-1}, and B is used for the inner product only.
 class Solver {
  public:
   Solver(const SelfAdjointOperator& T, End end)
@@ -103,7 +104,7 @@ class Solver {
   std::int64_t size() const { return unknowns_.global_size(); }
   int applications() const { return T_.applications; }
 
-  // In the complement of what `found` holds.
+  // Solves in the complement of the vectors in `found`.
   Eigenpairs solve(int count, const EigenSettings& settings, const Eigenpairs& found, std::uint64_t seed) {
     const int basis = static_cast<int>(
         std::min<std::int64_t>(size() - static_cast<std::int64_t>(found.values.size()), 2 * count + 30));
@@ -196,9 +197,9 @@ void insert(Eigenpairs& pairs, End end, const Eigenpairs& next) {
   pairs.values.insert(place, next.values[0]);
 }
 
-// A Krylov space grown from one vector holds one vector of every eigenspace; the others of a multiple eigenvalue enter by
-// rounding only. So we ask for the next eigenvalue in the complement of those found until none comes that should have
-// been among them.
+// A Krylov space from one vector contains one vector of every eigenspace. The others of a multiple eigenvalue enter by
+// rounding only. Therefore we compute the next eigenvalue in the complement of the eigenvectors found. We stop when it
+// is not one that should have been found before.
 void find_multiples(const SelfAdjointOperator& T, End end, const EigenSettings& settings, Eigenpairs& pairs) {
   const double sign = end == End::smallest ? 1 : -1;
   for (std::uint64_t seed = 1; pairs.converged; ++seed) {

@@ -1,6 +1,6 @@
 // A few eigenvalues at one end of the spectrum, by the Krylov-Schur method of SLEPc:
 //   T x = theta x        for T given as an operator and self-adjoint in the inner product (x, y) = x' B y,
-//   A x = theta B x      for symmetric matrices, the smallest theta, with T = (A + sigma B)^{-1} B = 1 / (theta + sigma).
+//   A x = theta B x      for symmetric matrices, the smallest theta; T = (A + sigma B)^{-1} B = 1 / (theta + sigma).
 // Source: Stewart, A Krylov-Schur algorithm for large eigenproblems (2001); Hernandez, Roman, Vidal, SLEPc (2005).
 #pragma once
 #include <plastron/algebra/krylov.hpp>
@@ -15,32 +15,33 @@ namespace plastron::algebra {
 enum class End { smallest, largest };
 
 struct EigenSettings {
-  int count = 1;            ///< how many eigenvalues, from the end of the spectrum inwards
+  int count = 1;            ///< number of eigenvalues, from the end of the spectrum inwards
   double tolerance = 1e-9;  ///< |T x - theta x| <= tolerance |theta| in the norm of B
   int max_restarts = 300;
 };
 
 struct Eigenpairs {
-  bool converged = false;         ///< all of them
+  bool converged = false;         ///< whether all converged
   std::vector<double> values{};   ///< theta, from the end inwards
   std::vector<Vector> vectors{};  ///< x' B x = 1, zero where fixed, with valid ghosts
-  int applications = 0;           ///< of T
+  int applications = 0;           ///< number of applications of T
 };
 
 /// T and B on the unknowns that are not fixed. B is positive definite there; B T symmetric.
 struct SelfAdjointOperator {
   std::shared_ptr<const Layout> layout{};
   int block = 1;
-  Operator apply{};               ///< T; what it gives at fixed unknowns is ignored
+  Operator apply{};               ///< T; its values at fixed unknowns are ignored
   Operator inner_product{};       ///< B
-  std::span<const char> fixed{};  ///< of the owned unknowns: those with a mark are zero
+  std::span<const char> fixed{};  ///< marks of the owned unknowns; marked ones are zero
 };
 
-/// Multiple eigenvalues are all found. `count` beyond the number of free unknowns gives them all. (collective)
+/// Computes eigenpairs; all copies of multiple eigenvalues are found. `count` beyond the number of free unknowns gives
+/// all eigenvalues. (collective)
 Eigenpairs eigenpairs(const SelfAdjointOperator& T, End end, const EigenSettings& settings = {});
 
-/// The smallest theta, ascending. A + shift B must be positive definite on the free unknowns, and is factorised; A and B have
-/// one pattern. Not converged, and empty, if a pivot is not positive. (collective)
+/// Computes the smallest theta, ascending. A + shift B must be positive definite on the free unknowns; it is
+/// factorised. A and B have the same pattern. Not converged, and empty, if a pivot is not positive. (collective)
 Eigenpairs smallest_eigenpairs(const Matrix& A, const Matrix& B, std::span<const char> fixed, double shift,
                                const EigenSettings& settings = {});
 

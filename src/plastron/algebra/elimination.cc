@@ -13,8 +13,9 @@
 namespace plastron::algebra {
 namespace {
 
-/// Blocks in a node's upper row from which on nested dissection orders better than minimum degree by more than it costs: cells with nodes
-/// inside (measured at degree 2, 8.5 blocks: a sixth fewer operations for thirty times the time; at degree 4, 18 blocks: 40 % fewer).
+/// Number of blocks in a node's upper row from which nested dissection replaces minimum degree: it then saves more than
+/// it costs. Such rows belong to cells with nodes inside (measured at degree 2, 8.5 blocks: a sixth fewer operations
+/// for thirty times the time; at degree 4, 18 blocks: 40 % fewer).
 constexpr double many_blocks = 12;
 
 using SparsePointer = std::unique_ptr<cholmod_sparse, std::function<void(cholmod_sparse*)>>;
@@ -23,14 +24,14 @@ SparsePointer owned(cholmod_sparse* matrix, cholmod_common& common) {
   return {matrix, [&common](cholmod_sparse* m) { cholmod_free_sparse(&m, &common); }};
 }
 
-/// What is eliminated at once: the unknowns of a node that need not come last, or one that must.
+/// A group of unknowns that is eliminated at once: the unknowns of a node that need not come last, or one that must.
 struct Vertex {
   std::size_t first;  ///< unknown
-  int width;          ///< how many of the node's unknowns, those left out that come last
+  int width;          ///< number of the node's unknowns, without those that come last
   bool is_last;
 };
 
-/// Nodes in the given order, then what comes last.
+/// Returns the nodes in the given order, then the unknowns that come last.
 std::vector<Vertex> vertices_of(const Matrix::Storage& A, const std::vector<int>& nodes, std::span<const char> last) {
   const auto m = static_cast<std::size_t>(A.block);
   std::vector<Vertex> vertices, at_end;
@@ -48,7 +49,7 @@ std::vector<Vertex> vertices_of(const Matrix::Storage& A, const std::vector<int>
   return vertices;
 }
 
-/// Vertices of every node, as places in their order.
+/// Vertices of every node, by their places in the order.
 struct VerticesOfNodes {
   std::vector<int> start, vertex;
 
@@ -65,7 +66,7 @@ struct VerticesOfNodes {
   }
 };
 
-/// Calls edge(i, j), i < j, for each pair of coupled vertices; the last `chain` vertices are made one chain.
+/// Calls edge(i, j), i < j, for each pair of coupled vertices. The last `chain` vertices become one chain.
 template <class Edge>
 void for_edges(const Matrix::Storage& A, const VerticesOfNodes& vertices, int count, int chain, const Edge& edge) {
   for (LocalIndex row = 0; row < A.wide->owned; ++row)
@@ -76,7 +77,7 @@ void for_edges(const Matrix::Storage& A, const VerticesOfNodes& vertices, int co
   for (int i = count - chain; i + 1 < count; ++i) edge(i, i + 1);
 }
 
-/// The pattern above the diagonal, compressed by columns.
+/// Returns the pattern above the diagonal, compressed by columns.
 SparsePointer upper_pattern(const Matrix::Storage& A, const std::vector<Vertex>& order, int chain,
                             cholmod_common& common) {
   const VerticesOfNodes vertices(order, static_cast<std::size_t>(A.block), A.global.size());
@@ -94,7 +95,7 @@ SparsePointer upper_pattern(const Matrix::Storage& A, const std::vector<Vertex>&
   return pattern;
 }
 
-/// Nodes in an order that fills little.
+/// Returns the nodes in an order with little fill-in.
 std::vector<int> order_of_nodes(const Matrix::Storage& A, cholmod_common& common) {
   std::vector<int> nodes(A.global.size());
   std::iota(nodes.begin(), nodes.end(), 0);
@@ -108,7 +109,8 @@ std::vector<int> order_of_nodes(const Matrix::Storage& A, cholmod_common& common
   return order;
 }
 
-/// The same elimination, each column right before what depends on it wherever that can be; the last column stays.
+/// Reorders the same elimination: each column is directly before the columns that depend on it, where possible. The
+/// last column stays.
 void postorder(const Matrix::Storage& A, int chain, std::vector<Vertex>& order, cholmod_common& common) {
   const auto pattern = upper_pattern(A, order, chain, common);
   std::vector<int> parent(order.size()), post(order.size());
@@ -121,7 +123,7 @@ void postorder(const Matrix::Storage& A, int chain, std::vector<Vertex>& order, 
   order = std::move(next);
 }
 
-/// CHOLMOD's analysis of the vertices; columns are merged by their number of unknowns.
+/// Returns CHOLMOD's analysis of the vertices. Columns are merged according to their number of unknowns.
 cholmod_factor* analyse(const Matrix::Storage& A, const std::vector<Vertex>& order, int chain, cholmod_common& common) {
   const auto pattern = upper_pattern(A, order, chain, common);
   common.nmethods = 1;
@@ -129,7 +131,7 @@ cholmod_factor* analyse(const Matrix::Storage& A, const std::vector<Vertex>& ord
   common.postorder = 0;
   common.supernodal = CHOLMOD_SUPERNODAL;
   const auto block = static_cast<std::size_t>(A.block);
-  const std::array<std::size_t, 3> unknowns{4, 16, 48};  // CHOLMOD's own
+  const std::array<std::size_t, 3> unknowns{4, 16, 48};  // CHOLMOD's own values
   for (std::size_t k = 0; k < unknowns.size(); ++k) common.nrelax[k] = std::max<std::size_t>(1, unknowns[k] / block);
   cholmod_factor* factor = cholmod_analyze(pattern.get(), &common);
   cholmod_check(common, "analysing the pattern of a matrix");
@@ -141,7 +143,7 @@ std::span<T> values(void* pointer, std::size_t count) {
   return {static_cast<T*>(pointer), count};
 }
 
-/// Of each column.
+/// Returns the supernode of each column.
 std::vector<std::size_t> supernodes(const cholmod_factor& L) {
   const auto super = values<const int>(L.super, L.nsuper + 1);
   std::vector<std::size_t> supernode_of(L.n);
@@ -150,7 +152,7 @@ std::vector<std::size_t> supernodes(const cholmod_factor& L) {
   return supernode_of;
 }
 
-/// The largest blocks that a supernode passes to those that need it, as CHOLMOD wants to know them.
+/// Sets CHOLMOD's sizes of the largest blocks that a supernode passes to other supernodes.
 void measure_largest_blocks(cholmod_factor& L) {
   const auto super = values<const int>(L.super, L.nsuper + 1), begin = values<const int>(L.pi, L.nsuper + 1),
              rows = values<const int>(L.s, L.ssize);
@@ -170,7 +172,7 @@ void measure_largest_blocks(cholmod_factor& L) {
   }
 }
 
-/// The pattern of unknowns from that of vertices; `start` is the first unknown of each vertex.
+/// Returns the pattern of unknowns from the pattern of vertices; `start` is the first unknown of each vertex.
 cholmod_factor* expand(const cholmod_factor& V, const std::vector<int>& start, cholmod_common& common) {
   const auto at = [&](int vertex) { return start[static_cast<std::size_t>(vertex)]; };
   const auto super = values<const int>(V.super, V.nsuper + 1), begin = values<const int>(V.pi, V.nsuper + 1),

@@ -15,7 +15,7 @@ bool mpi_runs() {
   return !has_ended;
 }
 
-/// How many ghosts each rank owns (collective).
+/// Returns the number of this rank's ghosts that each rank owns (collective).
 std::vector<int> ghosts_by_owner(const Distribution& nodes) {
   int ranks = 1;
   MPI_Comm_size(nodes.comm, &ranks);
@@ -28,7 +28,7 @@ std::vector<int> ghosts_by_owner(const Distribution& nodes) {
   return counts;
 }
 
-// For the assertion below.
+// Used by the assertion below.
 [[maybe_unused]] bool ghosts_are_ascending_and_others(const Distribution& nodes) {
   const auto is_wrong = [&](GlobalIndex ghost) { return ghost < 0 || ghost >= nodes.global_size || nodes.owns(ghost); };
   return std::ranges::adjacent_find(nodes.ghosts, std::ranges::greater_equal()) == nodes.ghosts.end() &&
@@ -64,12 +64,12 @@ Exchange::Exchange(const Distribution& nodes) : owned_(nodes.owned) {
   find_seen(nodes);
 }
 
-// The communicator of a graph is freed by each rank for itself as it leaves; no rank waits for others there.
+// Each rank frees the communicator of the graph by itself. No rank waits for others.
 Exchange::~Exchange() {
   if (graph_ != MPI_COMM_NULL && mpi_runs()) MPI_Comm_free(&graph_);
 }
 
-// Each rank learns once from all others whether they see its nodes; from then on neighbours talk to neighbours.
+// Each rank learns once from all others whether they see its nodes. From then on only neighbours communicate.
 void Exchange::find_neighbours(const Distribution& nodes) {
   const std::vector<int> owned_by = ghosts_by_owner(nodes);
   std::vector<int> seen_by(owned_by.size());

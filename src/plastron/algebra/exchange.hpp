@@ -1,4 +1,5 @@
-// Carries values between the ranks that own nodes and those that see them as ghosts. Ranks that share no ghosts do not talk.
+// Exchanges values between the ranks that own nodes and the ranks that see them as ghosts. Ranks without common ghosts
+// do not communicate.
 #pragma once
 #include <plastron/algebra/distribution.hpp>
 
@@ -21,7 +22,7 @@ class ItemType {
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
 };
 
-/// Items that come from or go to each neighbour, one neighbour's after the other's.
+/// Items that come from or go to the neighbours, ordered by neighbour.
 struct ItemsOfNeighbours {
   std::vector<int> count{}, start{};
 
@@ -32,27 +33,29 @@ struct ItemsOfNeighbours {
   }
 };
 
-/// The plan of the exchanges of one distribution. Its exchanges follow one another, in the same order on all ranks; it keeps their buffers.
+/// The plan of the exchanges of one distribution, with their buffers. All ranks must make the exchanges one after
+/// another in the same order.
 class Exchange {
  public:
-  /// Tells every owner which of its nodes the other ranks see (collective).
+  /// Informs every owner which of its nodes the other ranks see (collective).
   explicit Exchange(const Distribution& nodes);
   ~Exchange();
   Exchange(const Exchange&) = delete;
   Exchange& operator=(const Exchange&) = delete;
 
-  /// Owners' values -> ghosts; `local` holds `block` values per local node (collective).
+  /// Copies owners' values to ghosts; `local` contains `block` values per local node (collective).
   void to_ghosts(std::span<double> local, int block) const;
-  /// Ghosts' values are added to their owners' in the order of the ranks that see them, and set to zero (collective).
+  /// Adds ghosts' values to the owners' values in the order of the ranks that see them, and sets them to zero
+  /// (collective).
   void to_owners(std::span<double> local, int block) const;
 
   /// The ranks that own ghosts of this one or see its nodes, ascending.
   std::span<const int> neighbours() const { return neighbours_; }
   /// This rank's ghosts: sorted by owner, since every rank owns a contiguous range.
   const ItemsOfNeighbours& ghosts() const { return ghosts_; }
-  /// What the neighbours send here if `out` is what goes to them (collective).
+  /// Returns the items that the neighbours send here if this rank sends `out` (collective).
   ItemsOfNeighbours announced(const ItemsOfNeighbours& out) const;
-  /// `in` is what announced(out) told (collective).
+  /// Sends items. `in` is the result of announced(out) (collective).
   void send(const void* out_items, const ItemsOfNeighbours& out, void* in_items, const ItemsOfNeighbours& in,
             MPI_Datatype item_type) const;
 
@@ -64,13 +67,13 @@ class Exchange {
   void find_seen(const Distribution& nodes);
 
   LocalIndex owned_;
-  MPI_Comm graph_ = MPI_COMM_NULL;  ///< of the neighbours; none where no rank has ghosts
+  MPI_Comm graph_ = MPI_COMM_NULL;  ///< graph of the neighbours; null where no rank has ghosts
   std::vector<int> neighbours_{};
   ItemsOfNeighbours ghosts_{};                          ///< this rank's ghosts by owner
   ItemsOfNeighbours seen_by_{};                         ///< `seen_` by the rank that sees them
-  std::vector<LocalIndex> seen_{};                      ///< nodes owned here
+  std::vector<LocalIndex> seen_{};                      ///< nodes owned here that other ranks see
   mutable std::vector<double> buffer_{};                ///< values of `seen_`
-  mutable std::map<int, const ItemType> item_types_{};  ///< by the values per node
+  mutable std::map<int, const ItemType> item_types_{};  ///< item types by the number of values per node
 };
 
 }  // namespace plastron::algebra

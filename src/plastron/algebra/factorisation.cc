@@ -11,7 +11,7 @@
 
 namespace plastron::algebra {
 
-/// One of the two.
+/// One of the two factors, depending on the number of ranks.
 struct Factorisation::Storage {
   explicit Storage(const Matrix::Storage& matrix) : A(matrix) {}
 
@@ -74,8 +74,9 @@ std::vector<char> Factorisation::nearest_pins(std::span<const char> wanted) cons
   return storage_->alone ? storage_->alone->nearest_pins(wanted) : std::vector<char>{};
 }
 
-// Memory is waited for, hence weights of an entry: operations of a factorisation by one thread that take as long as one entry of the
-// factor beside its operations, and in a solve (benchmarks/step_cost; docs/performance.md).
+// Memory access takes time, hence weights of an entry. The unit is an operation of a factorisation by one thread. The
+// weights give the time of one entry of the factor besides its operations, and in a solve
+// (benchmarks/step_cost; docs/performance.md).
 Price price_of(const FactorisationCost& cost) {
   constexpr double per_entry_made = 300, per_entry_solved = 65;
   return {.pin = cost.operations / threads_for(cost.operations) + per_entry_made * cost.entries,

@@ -1,4 +1,5 @@
-// An integer hash: neighbours become unrelated. The finaliser of the generator SplitMix64 (Steele, Lea, Flood 2014).
+// An integer hash that makes neighbouring numbers unrelated: the finaliser of the generator SplitMix64 (Steele, Lea,
+// Flood 2014).
 #pragma once
 #include <cstdint>
 

@@ -23,7 +23,7 @@ struct RestrictedSystem {
   const Vector& b;
   std::span<const char> fixed;
 
-  // b - A x, the equations of the fixed unknowns included.
+  // Computes b - A x, including the equations of the fixed unknowns.
   void full_residual(Vector& x, Vector& r) const {
     x.update_ghosts();
     apply(x, r);
@@ -32,7 +32,7 @@ struct RestrictedSystem {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = load[i] - values[i];
   }
 
-  // z = M^{-1} r; returns sqrt(r' z), or NaN if M is not positive definite.
+  // Computes z = M^{-1} r; returns sqrt(r' z), or NaN if M is not positive definite.
   double preconditioned(const Vector& r, Vector& z) const {
     precondition(r, z);
     set_zero_where(fixed, z);
@@ -60,7 +60,7 @@ double reference_norm(const RestrictedSystem& system, const Vector& x) {
   return system.preconditioned(r, z);
 }
 
-// Energy norm of the error that rounding x to double precision makes.
+// Energy norm of the error from rounding x to double precision.
 double rounding_floor(const Vector& diagonal, const Vector& x) {
   if (!diagonal.layout()) return 0;
   double sum = 0;
@@ -70,7 +70,7 @@ double rounding_floor(const Vector& diagonal, const Vector& x) {
   return epsilon * std::sqrt(sum_over_ranks(sum, x.layout()->comm));
 }
 
-// The iterate with the smallest residual so far, and whether the residual still falls.
+// The iterate with the smallest residual so far. It also shows whether the residual still decreases.
 class BestIterate {
  public:
   BestIterate(const Vector& x, const Vector& residual, double norm, int patience)
@@ -102,8 +102,8 @@ class BestIterate {
   int steps_since_halved_ = 0;
 };
 
-// The conjugate direction p: z + beta p with beta = z' (r - r_old) / (z_old' r_old), which forgives residuals that are
-// recomputed instead of updated.
+// The conjugate direction p: z + beta p with beta = z' (r - r_old) / (z_old' r_old). This form permits residuals that
+// are recomputed instead of updated.
 class Direction {
  public:
   const Vector& next(const Vector& r, const Vector& z, double norm) {

@@ -1,6 +1,6 @@
-// Conjugate gradients for A x = b where A is known better as an operator than as the matrix that was factorised.
-// The factor serves as preconditioner, so one to five steps are usual; each one recomputes the residual b - A x from x
-// itself (iterative refinement with conjugate directions), hence the accuracy is the operator's, not the matrix's.
+// Conjugate gradients for A x = b, where A is known more exactly as an operator than as the factorised matrix.
+// The factor serves as preconditioner, so one to five steps are usual. Each step recomputes the residual b - A x from x
+// (iterative refinement with conjugate directions). Hence the accuracy is given by the operator, not by the matrix.
 // Source of the flexible direction update: Golub and Ye, Inexact preconditioned conjugate gradient method (1999).
 #pragma once
 #include <plastron/algebra/vector.hpp>
@@ -10,29 +10,32 @@
 
 namespace plastron::algebra {
 
-/// y = A x for owned values (collective); x comes with ghosts up to date.
+/// Computes y = A x for owned values (collective). The ghosts of x are current.
 using Operator = std::function<void(const Vector& x, Vector& y)>;
 
 struct CgSettings {
-  double tolerance = 1e-12;  ///< of the residual in the preconditioner's norm, relative to that of x = 0 (see below)
+  /// Tolerance of the residual in the preconditioner's norm, relative to the residual of x = 0 (see below).
+  double tolerance = 1e-12;
   int max_steps = 30;
-  int patience = 2;  ///< ends when so many steps together do not halve the residual
+  int patience = 2;  ///< ends when this number of steps together does not halve the residual
 };
 
 struct CgResult {
   int steps = 0;
-  /// sqrt(r' M^{-1} r), about the energy norm of the error, divided by its value when all unknowns but the fixed are 0.
+  /// sqrt(r' M^{-1} r), nearly the energy norm of the error, divided by its value when all unknowns except the fixed
+  /// ones are 0.
   double relative_residual = 0;
-  /// The tolerance is met, or the residual is as small as x rounded to double precision permits.
+  /// Whether the tolerance is met, or the residual is as small as rounding of x to double precision permits.
   bool converged = false;
-  /// b - A x of the x that is returned, the equations of fixed unknowns included.
+  /// b - A x of the returned x, including the equations of fixed unknowns.
   Vector residual{};
 };
 
-/// Improves x. Unknowns with fixed[i] != 0 (owned; empty: none) keep their values, and their equations are left out;
+/// Improves x. Unknowns with fixed[i] != 0 (owned; empty: none) keep their values, and their equations are ignored.
 /// `precondition` must map a residual that is zero there to a correction that is zero there. `diagonal` of A (may be
-/// empty) gives the rounding floor sqrt(sum_i A_ii (eps x_i)^2), below which no iterate can get. Ends also when
-/// `patience` steps together do not halve the residual, and returns the best iterate, ghosts up to date. (collective)
+/// empty) gives the rounding limit sqrt(sum_i A_ii (eps x_i)^2), which no iterate can go below. The iteration also ends
+/// when `patience` steps together do not halve the residual. It returns the best iterate, with current ghosts.
+/// (collective)
 CgResult conjugate_gradients(const Operator& apply, const Operator& precondition, const Vector& b,
                              std::span<const char> fixed, const Vector& diagonal, Vector& x,
                              const CgSettings& settings = {});

@@ -1,11 +1,12 @@
-// Whether a launcher of parallel jobs (mpiexec, srun) started this process; known before MPI starts, from the environment alone.
+// Detects whether a launcher of parallel jobs (mpiexec, srun) started this process. It reads only the environment,
+// before MPI starts.
 #pragma once
 #include <cstdlib>
 #include <initializer_list>
 
 namespace plastron::algebra {
 
-/// The rank that the launcher gave this process, as text; null if there was none.
+/// Returns the rank that the launcher gave this process, as text; null if there was no launcher.
 inline const char* rank_of_launcher() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "SLURM_PROCID"})
     if (const char* value = std::getenv(name)) return value;

@@ -1,4 +1,4 @@
-// A distribution of nodes and, with it, the plan by which its ghosts are exchanged.
+// A distribution of nodes, together with the exchange plan of its ghosts.
 #pragma once
 #include <plastron/algebra/distribution.hpp>
 #include <plastron/algebra/exchange.hpp>
@@ -7,7 +7,7 @@
 
 namespace plastron::algebra {
 
-/// Shared by all vectors and matrices on it, and so is its plan. Another distribution is another layout.
+/// All vectors and matrices on a layout share it and its plan. Another distribution is another layout.
 class Layout : public Distribution {
  public:
   /// Makes the plan (collective).

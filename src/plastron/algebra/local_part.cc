@@ -1,4 +1,5 @@
-// The part of a Matrix that one rank has added, as a matrix of its own: what methods of domain decomposition call a subdomain's.
+// The part of a Matrix that one rank has added, as a separate matrix: the matrix of a subdomain in domain
+// decomposition.
 #include <plastron/algebra/matrix.hpp>
 
 #include <algorithm>
@@ -12,14 +13,16 @@ namespace {
 
 constexpr LocalIndex elsewhere = -1;
 
-/// Local node of `layout` for each node of `wide`, `elsewhere` for those that only other ranks' elements couple.
+/// Returns the local node of `layout` for each node of `wide`; `elsewhere` for nodes that only other ranks' elements
+/// couple.
 std::vector<LocalIndex> nodes_of_wide(const Matrix::Storage& A) {
   std::vector<LocalIndex> nodes(A.global.size(), elsewhere);
   for (LocalIndex i = 0; i < A.layout->local_size(); ++i) nodes[static_cast<std::size_t>(A.in_wide(i))] = i;
   return nodes;
 }
 
-/// A block of A at its place in the local matrix, whose order is another one: ghosts come last there. `source` may have to be transposed.
+/// A block of A at its place in the local matrix. The order there is different, with ghosts last. `source` may have to
+/// be transposed.
 struct PlacedBlock {
   LocalIndex row, column;
   std::size_t source;
@@ -42,7 +45,7 @@ std::vector<PlacedBlock> placed_blocks(const Matrix::Storage& A) {
   return blocks;
 }
 
-/// The nodes of one rank as if there were no others.
+/// Returns a layout of one rank's nodes, without other ranks.
 std::shared_ptr<const Layout> layout_of_its_own(LocalIndex nodes) {
   return std::make_shared<const Layout>(Distribution{.owned = nodes, .global_size = nodes});
 }

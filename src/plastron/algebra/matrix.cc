@@ -13,8 +13,8 @@
 namespace plastron::algebra {
 namespace {
 
-// y = sum over the kept blocks B of B x and, off the diagonal, of the mirrored product; `map` is applied to all
-// factors.
+// Computes y = sum over the stored blocks B of B x and, off the diagonal, of the mirrored product. `map` is applied to
+// all factors.
 template <class Map>
 void multiply_mapped(const Matrix::Storage& A, const Vector& x, Vector& y, Map map) {
   PLASTRON_ASSERT(&x != &y, &x, &y);

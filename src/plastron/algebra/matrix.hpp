@@ -1,5 +1,6 @@
-// A distributed symmetric sparse matrix with one dense block per pair of coupled nodes. Only blocks on and above the
-// diagonal (in global numbering) are kept: half the memory and half the time to add; a factorisation wants no more.
+// A distributed symmetric sparse matrix with one dense block for each pair of coupled nodes. Only blocks on and above
+// the diagonal (in global numbering) are stored: half the memory and half the time to add. A factorisation needs no
+// more.
 #pragma once
 #include <plastron/algebra/layout.hpp>
 #include <plastron/algebra/vector.hpp>
@@ -10,12 +11,12 @@
 
 namespace plastron::algebra {
 
-/// The node lists of elements (local node indices), one after the other.
+/// The node lists of elements (local node indices), element by element.
 struct Connectivity {
-  int nodes_per_element = 0;  ///< unless `start` says otherwise
+  int nodes_per_element = 0;  ///< unless `start` gives other numbers
   std::vector<LocalIndex> nodes{};
   std::vector<std::size_t>
-      start{};  ///< where each element begins, then the end; empty if all have the same number of nodes
+      start{};  ///< first entry of each element, then the end; empty if all elements have the same number of nodes
   std::size_t elements() const {
     if (!start.empty()) return start.size() - 1;
     return nodes_per_element ? nodes.size() / static_cast<std::size_t>(nodes_per_element) : 0;
@@ -29,36 +30,38 @@ struct Connectivity {
 
 class Matrix {
  public:
-  /// Zero, with the exact pattern that `elements` gives: every pair of nodes of an element is coupled. `elements` must
-  /// hold every element this rank will add; couplings that other ranks' elements give to nodes owned here are learnt
-  /// from them, even between nodes that this rank sees no element of (collective).
+  /// Makes a zero matrix with the exact pattern of `elements`: every pair of nodes of an element is coupled. `elements`
+  /// must contain every element that this rank will add. Other ranks report the couplings that their elements give to
+  /// nodes owned here, even between nodes of which this rank sees no element (collective).
   Matrix(std::shared_ptr<const Layout> layout, int block, const Connectivity& elements);
   Matrix(Matrix&&) noexcept;
   Matrix& operator=(Matrix&&) noexcept;
   ~Matrix();
 
   /// Adds a dense symmetric element matrix, row-major, (nodes * block)^2 values with the block index running fastest.
-  /// Only elements of the pattern; each rank adds its own elements. A node may occur twice in `nodes`.
+  /// Precondition: the element is in the pattern. Each rank adds its own elements. A node may occur twice in `nodes`.
   void add(std::span<const LocalIndex> nodes, std::span<const double> values);
-  /// Ends the adding: what was added to rows of other ranks goes there (collective). Adding may go on afterwards.
+  /// Ends the adding: sends the values in rows of other ranks to these ranks (collective). Adding may continue
+  /// afterwards.
   void finish();
   void set_zero();  ///< keeps the pattern
-  /// What this rank alone has added, A_i, as a matrix on MPI_COMM_SELF whose nodes are all local nodes of layout() in their local order: A is
-  /// the sum over ranks of R_i' A_i R_i, with R_i from global to local values. Before finish(), which ships rows of ghosts
-  /// away: afterwards, until set_zero(), std::logic_error.
+  /// Returns the part A_i that this rank alone has added, as a matrix on MPI_COMM_SELF. Its nodes are all local nodes
+  /// of layout() in their local order. A is the sum over ranks of R_i' A_i R_i, with R_i from global to local values.
+  /// Call it before finish(), which sends rows of ghosts to other ranks. Throws std::logic_error after finish(), until
+  /// set_zero().
   Matrix local_part() const;
-  /// A + factor B, for matrices of one layout, block and pattern (collective).
+  /// Returns A + factor B, for matrices of one layout, block and pattern (collective).
   Matrix plus_multiple(double factor, const Matrix& B) const;
 
-  /// y = A x, owned values; the ghosts of x are not read, those of y end as zero (collective).
+  /// Computes y = A x, owned values. It does not read the ghosts of x, and sets the ghosts of y to zero (collective).
   void multiply(const Vector& x, Vector& y) const;
-  /// y = |A| |x| with absolute values of all entries: eps times this bounds the rounding of A x (collective).
+  /// Computes y = |A| |x| with absolute values of all entries. eps times this bounds the rounding of A x (collective).
   void multiply_absolute(const Vector& x, Vector& y) const;
   Vector diagonal() const;
 
   const std::shared_ptr<const Layout>& layout() const;
   int block() const;
-  std::int64_t nonzeros() const;  ///< of the whole symmetric pattern, over all ranks (collective)
+  std::int64_t nonzeros() const;  ///< entries of the whole symmetric pattern, over all ranks (collective)
 
   struct Storage;
   const Storage& storage() const { return *storage_; }

@@ -1,4 +1,4 @@
-// The pattern of a Matrix: which blocks elements couple, here and on other ranks.
+// The pattern of a Matrix: the blocks that elements couple, here and on other ranks.
 #include <fmt/core.h>
 #include <plastron/algebra/agreement.hpp>
 
@@ -17,7 +17,7 @@ namespace {
 
 using Coupling = std::pair<GlobalIndex, GlobalIndex>;  // row and column, row <= column
 
-/// Compressed rows of columns.
+/// Columns by compressed rows.
 struct Rows {
   std::vector<std::int64_t> start{0};
   std::vector<LocalIndex> column{};
@@ -35,7 +35,7 @@ void check_nodes(const Connectivity& elements, LocalIndex nodes) {
       throw std::out_of_range(fmt::format("element node {} is not in 0..{}", node, nodes - 1));
 }
 
-// Lists by local node, as compressed rows: the elements that touch it.
+// Elements that touch each local node, as compressed rows.
 struct ElementsOfNodes {
   std::vector<std::size_t> start;
   std::vector<std::size_t> element;
@@ -52,13 +52,14 @@ ElementsOfNodes elements_of_nodes(std::size_t nodes, const Connectivity& element
   return lists;
 }
 
-// The rows that this rank's elements give to its local nodes, columns ascending in global numbering. Owned rows have a diagonal in any case.
+// Returns the rows that this rank's elements give to its local nodes, with columns ascending in global numbering. Owned
+// rows always have a diagonal.
 Rows rows_of_elements(const Layout& layout, const Connectivity& elements) {
   const auto nodes = static_cast<std::size_t>(layout.local_size());
   const ElementsOfNodes lists = elements_of_nodes(nodes, elements);
   std::vector<GlobalIndex> global(nodes);
   for (std::size_t i = 0; i < nodes; ++i) global[i] = layout.global(static_cast<LocalIndex>(i));
-  std::vector<std::size_t> last_row(nodes, nodes);  // for which row a node was taken last
+  std::vector<std::size_t> last_row(nodes, nodes);  // the last row that took a node
   Rows rows;
   for (std::size_t row = 0; row < nodes; ++row) {
     const auto take = [&](LocalIndex node) {
@@ -78,7 +79,7 @@ Rows rows_of_elements(const Layout& layout, const Connectivity& elements) {
   return rows;
 }
 
-// How many blocks the rows of each neighbour's ghosts have.
+// Returns the number of blocks in the rows of each neighbour's ghosts.
 ItemsOfNeighbours blocks_of_ghosts(const Layout& layout, const Rows& rows) {
   std::vector<int> counts;
   LocalIndex ghost = layout.owned;
@@ -90,8 +91,8 @@ ItemsOfNeighbours blocks_of_ghosts(const Layout& layout, const Rows& rows) {
   return ItemsOfNeighbours(std::move(counts));
 }
 
-// Sends the places of the blocks in rows of ghosts to their owners, and sets A's shipments; what has come here, neighbour after neighbour
-// (collective).
+// Sends the places of the blocks in rows of ghosts to their owners, and sets A's shipments. Returns the received
+// places, ordered by neighbour (collective).
 std::vector<Coupling> ship_places(Matrix::Storage& A, const Rows& rows) {
   const Layout& layout = *A.layout;
   A.outgoing = blocks_of_ghosts(layout, rows);
@@ -108,7 +109,7 @@ std::vector<Coupling> ship_places(Matrix::Storage& A, const Rows& rows) {
   return received;
 }
 
-// The layout itself where every rank sees all columns of its rows (collective).
+// Returns the layout itself where every rank sees all columns of its rows (collective).
 std::shared_ptr<const Layout> widened(const std::shared_ptr<const Layout>& layout,
                                       const std::vector<Coupling>& received) {
   std::vector<GlobalIndex> unseen;
@@ -120,7 +121,7 @@ std::shared_ptr<const Layout> widened(const std::shared_ptr<const Layout>& layou
   return std::make_shared<const Layout>(std::move(wide));
 }
 
-// Columns from `begin` on in ascending global order, each once.
+// Sorts columns from `begin` on in ascending global order, and removes duplicates.
 void order_columns(const Matrix::Storage& A, std::size_t begin, std::vector<LocalIndex>& columns) {
   const auto first = columns.begin() + static_cast<std::ptrdiff_t>(begin);
   std::sort(first, columns.end(), [&](LocalIndex a, LocalIndex b) {
@@ -129,13 +130,13 @@ void order_columns(const Matrix::Storage& A, std::size_t begin, std::vector<Loca
   columns.erase(std::unique(first, columns.end()), columns.end());
 }
 
-// The rows over the nodes of `wide`: those of this rank's elements, owned ones with what has come.
+// Returns the rows over the nodes of `wide`: rows of this rank's elements, and for owned rows also the received places.
 Rows joined_rows(const Matrix::Storage& A, const Rows& rows, std::vector<Coupling> received) {
   std::ranges::sort(received);
   auto next = received.cbegin();
   Rows joined;
   joined.column.reserve(rows.column.size());
-  LocalIndex row = 0;  // of the layout
+  LocalIndex row = 0;  // row of the layout
   for (LocalIndex wide_row = 0; wide_row < A.wide->local_size(); ++wide_row) {
     const std::size_t begin = joined.column.size();
     if (row < A.layout->local_size() && A.in_wide(row) == wide_row)

@@ -1,4 +1,4 @@
-// What a Matrix holds. For matrix*.cc and factorisation*.cc only.
+// The data of a Matrix. For matrix*.cc and factorisation*.cc only.
 #pragma once
 #include <plastron/algebra/matrix.hpp>
 
@@ -8,22 +8,24 @@
 
 namespace plastron::algebra {
 
-/// Compressed rows of blocks. The rows of ghosts come last and collect what goes to their owners. In each row the columns ascend in
-/// global numbering, none is below the row, since lower blocks are not kept, and an owned row begins with itself.
+/// Compressed rows of blocks. The rows of ghosts are last and collect the values for their owners. In each row the
+/// columns ascend in global numbering. No column is below the row, since lower blocks are not stored. An owned row
+/// begins with its diagonal.
 struct Matrix::Storage {
-  std::shared_ptr<const Layout> layout{};  ///< of the vectors and of the elements' nodes
-  /// The same owned nodes, and as ghosts every column that owned rows have: `layout` itself where that has them on every rank.
+  std::shared_ptr<const Layout> layout{};  ///< layout of the vectors and of the elements' nodes
+  /// The same owned nodes, with every column of owned rows as a ghost. It is `layout` itself where that is sufficient
+  /// on every rank.
   std::shared_ptr<const Layout> wide{};
   std::vector<LocalIndex> ghost_in_wide{};  ///< index in `wide` of each ghost of `layout`
   int block = 0;
-  std::vector<GlobalIndex> global{};         ///< of each node of `wide`
+  std::vector<GlobalIndex> global{};         ///< global number of each node of `wide`
   std::vector<std::int64_t> row_start{};     ///< in blocks, for every node of `wide`
   std::vector<LocalIndex> column{};          ///< node of `wide`, for each block
-  std::vector<double> values{};              ///< block after block, row-major inside
-  ItemsOfNeighbours outgoing{}, incoming{};  ///< blocks that finish() ships between neighbours in `layout`
+  std::vector<double> values{};              ///< values of the blocks, row-major inside
+  ItemsOfNeighbours outgoing{}, incoming{};  ///< blocks that finish() sends between neighbours in `layout`
   std::vector<std::size_t> target{};         ///< the block to which each incoming one is added
-  mutable std::vector<double> work{};        ///< of products: two vectors on `wide`
-  bool has_finished = false;                 ///< rows of ghosts have been shipped: no rank knows its own part any more
+  mutable std::vector<double> work{};        ///< scratch for products: two vectors on `wide`
+  bool has_finished = false;                 ///< rows of ghosts have been sent: no rank has its own part any more
 
   std::size_t block_area() const { return static_cast<std::size_t>(block) * static_cast<std::size_t>(block); }
   std::size_t owned_unknowns() const {
@@ -39,7 +41,7 @@ struct Matrix::Storage {
   LocalIndex in_wide(LocalIndex node) const {
     return node < layout->owned ? node : ghost_in_wide[static_cast<std::size_t>(node - layout->owned)];
   }
-  /// Where block (row, column) is; throws std::out_of_range if the pattern lacks it.
+  /// Returns the place of block (row, column). Throws std::out_of_range if it is not in the pattern.
   std::size_t find(LocalIndex row, GlobalIndex column_global) const;
 };
 

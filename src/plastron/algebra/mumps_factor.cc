@@ -11,8 +11,8 @@ namespace plastron::algebra {
 namespace {
 
 constexpr int mumps_extra_memory = 14;         // ICNTL: working space beyond its estimate, in per cent
-constexpr int mumps_negative_pivots = 12;      // INFOG: how many
-constexpr int mumps_estimated_entries = 20;    // INFOG: of the factor, or minus their number in millions
+constexpr int mumps_negative_pivots = 12;      // INFOG: their number
+constexpr int mumps_estimated_entries = 20;    // INFOG: entries of the factor, or minus their number in millions
 constexpr int mumps_estimated_operations = 1;  // RINFOG
 constexpr PetscInt mumps_null_pivot = -10;     // values of INFOG(1)
 constexpr PetscInt mumps_negative_pivot_in_root = -40;
@@ -31,7 +31,7 @@ FactorisationCost cost_of_mumps(Mat factor) {
   return cost;
 }
 
-// MUMPS foresees its memory from the pattern and may be wrong: more is granted, twice as much each time.
+// MUMPS estimates its memory from the pattern, and the estimate may be too small. Then the memory is doubled each time.
 bool is_short_of_estimated_memory(PetscInt outcome) {
   return outcome == -8 || outcome == -9 || outcome == -14 || outcome == -15 || outcome == -17 || outcome == -20;
 }
@@ -56,7 +56,7 @@ void MumpsFactor::analyse() {
   cost_ = cost_of_mumps(factor_);
 }
 
-// PETSc lets MUMPS do nothing more once it has failed, hence the new analysis after each failure.
+// PETSc blocks further calls of MUMPS after a failure. Therefore each failure is followed by a new analysis.
 bool MumpsFactor::factorise(std::vector<double> pinned_diagonal, double shift) {
   copy_.fill(A_, std::move(pinned_diagonal), shift);
   for (;; extra_memory_ *= 2, analyse()) {

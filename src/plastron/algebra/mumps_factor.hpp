@@ -19,9 +19,9 @@ class MumpsFactor {
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;
 
-  /// As SupernodalFactor::factorise (collective).
+  /// Factorises like SupernodalFactor::factorise (collective).
   bool factorise(std::vector<double> pinned_diagonal, double shift);
-  /// Owned values (collective).
+  /// Solves for owned values (collective).
   void solve(const Vector& b, Vector& x) const;
   const FactorisationCost& cost() const { return cost_; }
 

@@ -13,7 +13,7 @@ PetscInt owned_size(const BoundedQuadratic& problem) { return static_cast<PetscI
 
 Vector zeros_like(const Vector& v) { return Vector(v.layout(), v.block()); }
 
-/// PETSc knows infinity as numbers beyond a certain one.
+/// Returns bounds for PETSc, which treats numbers beyond a limit as infinity.
 Vector in_petsc_words(Vector bounds) {
   for (double& bound : bounds.owned())
     bound = std::clamp(bound, static_cast<double>(PETSC_NINFINITY), static_cast<double>(PETSC_INFINITY));
@@ -99,7 +99,7 @@ PetscErrorCode NewtonCallbacks::multiply(Mat A, Vec x, Vec y) {
   });
 }
 
-// The scaling of the problem makes it so.
+// The diagonal is 1 because of the scaling of the problem.
 PetscErrorCode NewtonCallbacks::diagonal(Mat, Vec d) { return VecSet(d, 1.0); }
 
 PetscErrorCode NewtonCallbacks::restrict_to(Mat A, IS rows, IS, MatReuse, Mat* restricted) {
@@ -122,7 +122,7 @@ PetscErrorCode NewtonCallbacks::restrict_to(Mat A, IS rows, IS, MatReuse, Mat* r
   return code;
 }
 
-// Where there is no solution the direction is zero; look_at() then ends the iteration.
+// If there is no solution, the direction is zero. look_at() then ends the iteration.
 PetscErrorCode NewtonCallbacks::solve(PC pc, Vec r, Vec s) {
   void* context = nullptr;
   Mat A = nullptr;

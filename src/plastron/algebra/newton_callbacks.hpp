@@ -1,4 +1,5 @@
-// What TAO and SNES have in common: vectors and the matrix as shells around our functions. Included by .cc files only.
+// The common part of TAO and SNES: PETSc vectors and matrices as shells around our functions. Included by .cc files
+// only.
 #pragma once
 #include <plastron/algebra/bounded_newton.hpp>
 
@@ -12,7 +13,7 @@
 
 namespace plastron::algebra {
 
-/// Destroys a PETSc object in the end.
+/// Owns a PETSc object and destroys it.
 template <class Object, PetscErrorCode (*destroy)(Object*)>
 class Owned {
  public:
@@ -31,14 +32,14 @@ using OwnedMat = Owned<Mat, MatDestroy>;
 
 class NewtonCallbacks;
 
-/// A on the unknowns that are not held, as the context of a MATSHELL.
+/// A on the unknowns that are not fixed, as the context of a MATSHELL.
 struct Face {
   NewtonCallbacks* callbacks = nullptr;
   std::vector<char> held{};
 };
 
-/// One solution of a BoundedQuadratic by PETSc. Its static functions are PETSc's callbacks; exceptions wait in it, since they must not
-/// pass PETSc's frames.
+/// One solution of a BoundedQuadratic by PETSc. Its static functions are PETSc's callbacks. It keeps their exceptions,
+/// which must not pass through PETSc's frames.
 class NewtonCallbacks {
  public:
   NewtonCallbacks(const BoundedQuadratic& problem, const BoundedNewtonSettings& settings);
@@ -47,16 +48,18 @@ class NewtonCallbacks {
 
   Vec bounds(bool upper) const { return (upper ? upper_ : lower_).get(); }
   Mat matrix() const { return matrix_.get(); }
-  Vec create(const Vector& values, OwnedVec& vec) const;  ///< a vector of PETSc's own with these values
-  void use_for(KSP ksp);                                  ///< one application of solve_on_face in place of an iteration
-  void copy(Vec from, Vector& to) const;                  ///< owned values, ghosts updated
+  /// Returns a PETSc vector with its own storage and these values.
+  Vec create(const Vector& values, OwnedVec& vec) const;
+  void use_for(KSP ksp);                  ///< makes one application of solve_on_face replace an iteration
+  void copy(Vec from, Vector& to) const;  ///< copies owned values, updates ghosts
 
-  /// energy and gradient at x; `gradient` may be null
+  /// Computes energy and gradient at x; `gradient` may be null.
   PetscErrorCode evaluate(Vec x, double* energy, Vec gradient);
-  /// Whether to end at the iterate x, and how.
+  /// Decides whether to end at the iterate x, and how.
   PetscErrorCode look_at(int iteration, Vec x, bool& ends);
   BoundedNewtonEnd end() const { return end_; }
-  /// After PETSc returned `code`: throws what a callback threw; what went wrong in PETSc itself is `failed`.
+  /// Returns the end of the solution after PETSc returned `code`. Throws the exception of a callback; an error of PETSc
+  /// itself is `failed`.
   BoundedNewtonEnd outcome(PetscErrorCode code) const;
 
  private:
@@ -74,8 +77,8 @@ class NewtonCallbacks {
 
   const BoundedQuadratic& problem_;
   const BoundedNewtonSettings& settings_;
-  std::deque<Face> faces_{};  ///< of all shells that were made: PETSc keeps some for long
-  Vector point_, product_;    ///< what callbacks work on
+  std::deque<Face> faces_{};  ///< faces of all shells, because PETSc keeps some shells for long
+  Vector point_, product_;    ///< scratch vectors of callbacks
   OwnedVec lower_{}, upper_{};
   OwnedMat matrix_{};
   BoundedNewtonEnd end_ = BoundedNewtonEnd::failed;
@@ -85,7 +88,7 @@ class NewtonCallbacks {
 
 inline NewtonCallbacks& callbacks(void* context) { return *static_cast<NewtonCallbacks*>(context); }
 
-/// Keeps what `function` throws for later and tells PETSc of an error.
+/// Keeps the exception of `function` for later and returns an error to PETSc.
 template <class Function>
 PetscErrorCode NewtonCallbacks::guarded(Function&& function) {
   try {

@@ -1,4 +1,4 @@
-// Turns PETSc's error codes into exceptions. Included by .cc files only: no header of ours shows PETSc.
+// Converts PETSc's error codes to exceptions. Included by .cc files only: no header of ours shows PETSc.
 #pragma once
 #include <petscsys.h>
 
@@ -8,12 +8,13 @@
 
 namespace plastron::algebra {
 
-/// Whether memory was short; CHOLMOD's word for that is its status -2.
+/// Whether memory was insufficient; CHOLMOD reports this with its status -2.
 inline bool is_out_of_memory(PetscErrorCode code, const std::string& message) {
   return code == PETSC_ERR_MEM || message.find("CHOLMOD factorization failed with status -2") != std::string::npos;
 }
 
-/// Throws std::runtime_error with PETSc's own words, std::bad_alloc where memory was short. `doing` names what we asked for.
+/// Throws std::runtime_error with PETSc's message, or std::bad_alloc where memory was insufficient. `doing` names the
+/// requested operation.
 inline void petsc_check(PetscErrorCode code, const char* doing) {
   if (code == 0) return;
   const char* general = nullptr;

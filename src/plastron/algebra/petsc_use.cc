@@ -12,7 +12,7 @@
 namespace plastron::algebra {
 namespace {
 
-// Nothing of the environment reaches PETSc while this lives.
+// Hides the environment from PETSc while this object exists.
 class WithoutOptionsOfTheEnvironment {
  public:
   WithoutOptionsOfTheEnvironment() {
@@ -32,12 +32,12 @@ class WithoutOptionsOfTheEnvironment {
 
 int end_slepc(MPI_Comm, int, void*, void*) {
   PetscBool has_ended = PETSC_FALSE;
-  PetscErrorPrintf = PetscErrorPrintfNone;  // it would tell of a standard output that was closed
+  PetscErrorPrintf = PetscErrorPrintfNone;  // it would report a standard output that was closed
   if (PetscFinalized(&has_ended) == 0 && !has_ended) SlepcFinalize();
   return MPI_SUCCESS;
 }
 
-// MPI_Finalize begins by deleting what is attached to MPI_COMM_SELF: the last moment at which PETSc can end.
+// MPI_Finalize first deletes the attributes of MPI_COMM_SELF. This is the last moment at which PETSc can end.
 void end_slepc_before_mpi() {
   int key = MPI_KEYVAL_INVALID;
   MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, end_slepc, &key, nullptr);
@@ -47,8 +47,8 @@ void end_slepc_before_mpi() {
 
 }  // namespace
 
-// The words PETSc sees in place of our command line: no file, no signal handler that prints, no report at the end. Where
-// PETSc runs already it is not asked to read them. SLEPc ends PETSc if it has started it.
+// PETSc sees these arguments in place of our command line: no file, no signal handler that prints, no report at the
+// end. If PETSc already runs, it does not read them. SLEPc ends PETSc if it has started it.
 bool start_slepc(MPI_Comm world) {
   if (SlepcInitializeCalled) return false;
   const WithoutOptionsOfTheEnvironment without_options;
@@ -65,7 +65,8 @@ bool start_slepc(MPI_Comm world) {
   return true;
 }
 
-// Each process starts it by itself, since others may need it later or never. Where PETSc belongs to the program, SLEPc ends with it.
+// Each process starts PETSc by itself, since others may need it later or never. If PETSc belongs to the program, SLEPc
+// ends with it.
 PetscUse::PetscUse() : print_(PetscErrorPrintf) {
   PetscBool runs = PETSC_FALSE;
   petsc_check(PetscInitialized(&runs), "asking whether it runs");

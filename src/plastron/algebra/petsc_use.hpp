@@ -1,15 +1,16 @@
-// PETSc and SLEPc as guests: started where nobody has, silent while we call them, and otherwise left as they are found. Included by .cc
-// files only.
+// Use of PETSc and SLEPc: started if not yet running, without output during our calls, and otherwise unchanged.
+// Included by .cc files only.
 #pragma once
 #include <petscsys.h>
 
 namespace plastron::algebra {
 
-/// Starts SLEPc, and PETSc if that is not running either, on `world`. False if SLEPc ran already. (collective on `world`)
+/// Starts SLEPc on `world`, and PETSc if it does not run either. Returns false if SLEPc ran already. (collective on
+/// `world`)
 bool start_slepc(MPI_Comm world);
 
-/// While this lives PETSc prints nothing: its errors come back as codes (petsc_check.hpp). Starts PETSc if nobody has, each process for
-/// itself, until MPI_Finalize.
+/// While this object exists, PETSc prints nothing: its errors are returned as codes (petsc_check.hpp). Starts PETSc if
+/// it does not run, in each process separately, until MPI_Finalize.
 class PetscUse {
  public:
   PetscUse();

@@ -1,7 +1,7 @@
 #include "pin_border.hpp"
 
 #include <petscsys.h>
-// after petscsys.h, without which it does not compile
+// must follow petscsys.h, without which it does not compile
 #include <petscblaslapack.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ void PinBorder::take_columns(std::span<const BorderColumn* const> members, const
   tail.solve(tails_);
 }
 
-/// - Y' T Y, both halves.
+/// Computes - Y' T Y, both halves.
 void PinBorder::take_products() {
   const std::size_t k = columns_.size();
   border_.assign(k * k, 0.0);

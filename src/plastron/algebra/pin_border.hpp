@@ -1,9 +1,10 @@
-// A solve with some unknowns pinned turned into one with a few others let go or pinned, by a border of the system: with L L' the factor at hand,
-// J the unknowns let go and E the unit vectors of those pinned anew,
+// Changes a few pins of a factorised system by a border: some unknowns are released, others are pinned. L L' is the
+// available factor, J are the released unknowns and E the unit vectors of the newly pinned ones:
 //   [A   A_J   E] [x  ]   [b  ]          W = [A_J  E],  Y = L^{-1} W,  y = L^{-1} b,  t = (x_J, mu),
 //   [A_J' A_JJ  ] [x_J] = [b_J],         (D - Y' T Y) t = (b_J, 0) - Y' T y,  L' x = T (y - Y t),  D = A_JJ and zeros,
 //   [E'         ] [mu ]   [0  ]
-// where T is 1 but on the tail, the unknowns eliminated last, where it is tail_complement.hpp's solve() with their pins.
+// where T is 1 except on the tail, the unknowns eliminated last. On the tail T is solve() of tail_complement.hpp with
+// their pins.
 // Includes CHOLMOD: for .cc files only.
 #pragma once
 #include <span>
@@ -17,18 +18,19 @@ namespace plastron::algebra {
 class PinBorder {
  public:
   PinBorder() = default;
-  /// `let_go` are pinned in the factor, `pinned` are not; `columns` must outlive this object. `tail` comes last of `size` unknowns.
+  /// Makes the border. `let_go` are pinned in the factor, `pinned` are not. `columns` must outlive this object. `tail`
+  /// is the end of `size` unknowns.
   PinBorder(std::vector<std::size_t> let_go, std::span<const std::size_t> pinned, BorderColumns& columns,
             const TailComplement& tail, std::size_t size);
-  /// False if the border has no inverse.
+  /// Whether the border has an inverse.
   bool is_regular() const { return is_regular_; }
 
   std::span<const std::size_t> let_go() const { return let_go_; }
-  /// From T y to T (y - Y t), by places in the order of elimination, and from b_J to x_J.
+  /// Changes T y to T (y - Y t), by places in the order of elimination, and b_J to x_J.
   void correct(std::span<double> Ty, std::span<double> at_let_go) const;
 
  private:
-  /// Of Y. So many of its entries come before the tail.
+  /// A column of Y. `head` of its entries are before the tail.
   struct Column {
     const SparseVector* y;
     std::size_t head;

@@ -61,7 +61,7 @@ void PinnedMatrix::create(const Matrix::Storage& A) {
                              blocks_here.data(), 0, blocks_elsewhere.data(), &mat_),
               "creating a distributed matrix");
   petsc_check(MatSetOption(mat_, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_TRUE), "fixing a pattern");
-  fill_rows(A);  // the pattern exists for PETSc only once it has values
+  fill_rows(A);  // for PETSc the pattern exists only once it has values
 }
 
 void PinnedMatrix::fill(const Matrix::Storage& A, std::vector<double> pinned_diagonal, double shift) {
@@ -95,7 +95,8 @@ void PinnedMatrix::fill_rows(const Matrix::Storage& A) {
   petsc_check(MatAssemblyEnd(mat_, MAT_FINAL_ASSEMBLY), "assembling a distributed matrix");
 }
 
-// The pins and the shift on one block, whose first unknowns are `row` and `column` and whose rows lie `stride` apart.
+// Applies the pins and the shift to one block. Its first unknowns are `row` and `column`, and its rows have distance
+// `stride`.
 void PinnedMatrix::replace_pinned(std::size_t row, std::size_t column, std::size_t block, double* values,
                                   std::size_t stride) const {
   for (std::size_t a = 0; a < block; ++a)

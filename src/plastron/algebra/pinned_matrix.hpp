@@ -1,5 +1,6 @@
-// The PETSc matrix that several ranks factorise: the upper half of a Matrix with the rows and columns of pinned unknowns replaced
-// by those of a diagonal matrix, in blocked rows. Same pattern for every set of pinned unknowns. Includes PETSc: for .cc files only.
+// The PETSc matrix that several ranks factorise: the upper half of a Matrix in blocked rows. A diagonal matrix replaces
+// the rows and columns of pinned unknowns. The pattern is the same for every set of pinned unknowns. Includes PETSc:
+// for .cc files only.
 #pragma once
 #include <petscmat.h>
 
@@ -10,19 +11,20 @@
 
 namespace plastron::algebra {
 
-/// For each unknown of A's nodes here, ghosts too: the diagonal entry that stands in for the row of a pinned unknown, A's own where that is
-/// positive and A's largest elsewhere; 0 where not pinned. Throws std::invalid_argument for marks of a wrong number. (collective)
+/// Returns for each unknown of A's nodes here, including ghosts, the diagonal entry of its row if it is pinned: A's own
+/// where it is positive, A's largest elsewhere. The value is 0 where not pinned. Throws std::invalid_argument for a
+/// wrong number of marks. (collective)
 std::vector<double> pinned_diagonal(const Matrix::Storage& A, std::span<const char> pinned);
 
 class PinnedMatrix {
  public:
-  /// Takes the pattern (collective).
+  /// Sets the pattern (collective).
   explicit PinnedMatrix(const Matrix::Storage& A);
   ~PinnedMatrix();
   PinnedMatrix(const PinnedMatrix&) = delete;
   PinnedMatrix& operator=(const PinnedMatrix&) = delete;
 
-  /// Takes the values of A + shift diag(A), `pinned_diagonal` from the function above (collective).
+  /// Sets the values of A + shift diag(A); `pinned_diagonal` is from the function above (collective).
   void fill(const Matrix::Storage& A, std::vector<double> pinned_diagonal, double shift);
   Mat mat() const { return mat_; }
 
@@ -33,7 +35,7 @@ class PinnedMatrix {
 
   Mat mat_ = nullptr;
   double diagonal_factor_ = 1;             ///< 1 + shift
-  std::vector<double> pinned_diagonal_{};  ///< of the nodes of `wide`: the diagonal where pinned, 0 where not
+  std::vector<double> pinned_diagonal_{};  ///< for the nodes of `wide`: the diagonal where pinned, 0 where not
 };
 
 }  // namespace plastron::algebra

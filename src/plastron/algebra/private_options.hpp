@@ -1,4 +1,4 @@
-// PETSc's options database without anybody's options. Included by .cc files only.
+// A PETSc options database without the options of program or user. Included by .cc files only.
 #pragma once
 #include <petscsys.h>
 
@@ -6,8 +6,8 @@
 
 namespace plastron::algebra {
 
-/// A database of PETSc options for the time of a call, seen by nobody else: what the program or its user has set for other
-/// solvers does not reach ours.
+/// A private database of PETSc options during a call. Options that the program or its user has set for other
+/// solvers do not affect ours.
 class PrivateOptions {
  public:
   PrivateOptions() {

@@ -1,11 +1,11 @@
-// Where an iteration starts when nothing is known: values without any symmetry, the same on any number of ranks.
+// Start values of an iteration: values without any symmetry, equal on any number of ranks.
 #pragma once
 #include <plastron/algebra/hash.hpp>
 #include <plastron/algebra/vector.hpp>
 
 namespace plastron::algebra {
 
-/// Owned values in (-1, 1), each a function of `seed` and of the unknown's global number only.
+/// Sets owned values in (-1, 1). Each depends only on `seed` and on the unknown's global number.
 inline void fill_with_pseudo_random_values(Vector& v, std::uint64_t seed = 0) {
   const auto first = static_cast<std::uint64_t>(v.layout()->first) * static_cast<std::uint64_t>(v.block());
   const auto values = v.owned();

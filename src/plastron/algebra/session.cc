@@ -14,8 +14,9 @@
 namespace plastron::algebra {
 namespace {
 
-/// While it lives, Open MPI starts a process that no launcher has started without a daemon beside it and without a look at the networks of
-/// the machine: 0.3 s, most of a small run. Other implementations of MPI do not know these names. What the user has set stays.
+/// While it exists, a process without a launcher starts under Open MPI without a daemon and without a search for the
+/// machine's networks. These cost 0.3 s, most of a small run. Other implementations of MPI ignore these names. Settings
+/// of the user are kept.
 class StartAlone {
  public:
   StartAlone() {
@@ -24,7 +25,7 @@ class StartAlone {
       if (setenv_if_absent(name, value)) mine_.emplace_back(name);
   }
   ~StartAlone() {
-    for (const std::string& name : mine_) unsetenv(name.c_str());  // programs that this one starts may be parallel ones
+    for (const std::string& name : mine_) unsetenv(name.c_str());  // programs that this one starts may be parallel
   }
   StartAlone(const StartAlone&) = delete;
   StartAlone& operator=(const StartAlone&) = delete;
@@ -73,7 +74,7 @@ Session::Session(int& argc, char**& argv, int threads) : owns_mpi_(start_mpi(arg
 
 Session::~Session() {
   if (mpi_has_ended()) return;
-  PetscErrorPrintf = PetscErrorPrintfNone;  // it would tell of a standard output that was closed
+  PetscErrorPrintf = PetscErrorPrintfNone;  // it would report a standard output that was closed
   if (owns_slepc_) SlepcFinalize();
   if (owns_mpi_) MPI_Finalize();
 }

@@ -4,13 +4,14 @@
 
 namespace plastron::algebra {
 
-/// One per program, alive as long as any vector or matrix. What runs already it leaves running, and does not end: MPI and PETSc belong to
-/// whoever started them. A program that starts MPI itself needs no Session; PETSc is then started where it is needed first, ends with
-/// MPI_Finalize, and threads are the program's own affair.
+/// One object for each program; it exists as long as any vector or matrix. It leaves software that already runs
+/// unchanged and does not end it: MPI and PETSc belong to the code that started them. A program that starts MPI itself
+/// needs no Session. PETSc is then started where it is first needed and ends with MPI_Finalize, and the program itself
+/// sets its threads.
 class Session {
  public:
-  /// PETSc reads no options from the command line, the environment or files. `threads`: at most that many in each rank, 0: by default.
-  /// (collective)
+  /// Starts the session. PETSc reads no options from the command line, the environment or files. `threads`: largest
+  /// number in each rank; 0: by default. (collective)
   Session(int& argc, char**& argv, int threads = 0);
   ~Session();
   Session(const Session&) = delete;
@@ -18,7 +19,7 @@ class Session {
 
  private:
   bool owns_mpi_;
-  bool owns_slepc_;  ///< and PETSc, if that did not run before
+  bool owns_slepc_;  ///< owns SLEPc, and also PETSc if that did not run before
 };
 
 }  // namespace plastron::algebra

@@ -9,7 +9,7 @@
 namespace plastron::algebra {
 namespace {
 
-// a = D v, zero at fixed unknowns.
+// Computes a = D v, zero at fixed unknowns.
 void weigh(const Vector& diagonal, const Vector& v, std::span<const char> fixed, Vector& a) {
   for (std::size_t i = 0; i < v.owned().size(); ++i) {
     const bool is_fixed = !fixed.empty() && fixed[i];

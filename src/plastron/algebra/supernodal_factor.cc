@@ -9,14 +9,14 @@
 namespace plastron::algebra {
 namespace {
 
-/// Columns of a border that are made in one step: so many cost as much as a factorisation, by counts. An entry takes as long as so many operations of
-/// a factorisation by one thread.
+/// Returns the number of new border columns that cost as much as a factorisation, by counts. `per_entry` is the time of
+/// an entry in operations of a factorisation by one thread.
 std::size_t most_new_columns(const FactorisationCost& cost) {
   constexpr double per_entry = 32, fewest = 8;
   return static_cast<std::size_t>(std::max(fewest, price_of(cost).pin / (per_entry * cost.entries_of_path + 1)));
 }
 
-/// Where the entry of block k stands in the lower half, and its value, for all entries: take(row, column, value).
+/// Calls take(row, column, value) for all entries, with their places in the lower half.
 template <class Take>
 void for_entries(const Matrix::Storage& A, const std::vector<int>& place, const std::vector<double>& pins, double shift,
                  const Take& take) {
@@ -37,7 +37,7 @@ void for_entries(const Matrix::Storage& A, const std::vector<int>& place, const 
     }
 }
 
-/// The lower half by columns, in the order of elimination; the caller frees it.
+/// Returns the lower half by columns, in the order of elimination; the caller frees it.
 cholmod_sparse* lower_half(const Matrix::Storage& A, const std::vector<int>& place, const std::vector<double>& pins,
                            double shift, cholmod_common& common) {
   const std::size_t n = A.owned_unknowns();
@@ -58,7 +58,7 @@ cholmod_sparse* lower_half(const Matrix::Storage& A, const std::vector<int>& pla
   return half;
 }
 
-/// A vector of ours as CHOLMOD sees it.
+/// Returns our vector as a CHOLMOD vector.
 cholmod_dense column_of(std::vector<double>& values) {
   cholmod_dense dense{};
   dense.nzmax = dense.nrow = dense.d = values.size();
@@ -97,7 +97,7 @@ std::vector<char> SupernodalFactor::nearest_pins(std::span<const char> wanted) c
   return pins;
 }
 
-/// Whether a border that costs little makes up for what is_pinned(unknown) has other than the factor.
+/// Whether a border of low cost can represent the differences between is_pinned(unknown) and the pins of the factor.
 template <class IsPinned>
 bool SupernodalFactor::is_within_reach(const IsPinned& is_pinned) const {
   constexpr std::size_t most = 256;
@@ -119,7 +119,7 @@ bool SupernodalFactor::factorise(const std::vector<double>& pinned_diagonal, dou
   return movable_.empty() || (pin_tail() && pin_border());
 }
 
-/// With nothing pinned among the movable. Where that leaves a motion free, none are movable from here on.
+/// Factorises with no movable unknown pinned. If this leaves a motion free, no unknowns are movable from then on.
 bool SupernodalFactor::factorise_all(const std::vector<double>& pinned_diagonal, double shift) {
   const double begin = MPI_Wtime();
   std::vector<double> pins = pinned_diagonal;

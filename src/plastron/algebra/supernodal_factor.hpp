@@ -1,6 +1,6 @@
-// Cholesky factor of one rank's matrix with some unknowns pinned, by CHOLMOD's supernodes. Unknowns whose pins will probably change are
-// eliminated last and pinned in their Schur complement alone (tail_complement.hpp): one factor of the rest serves all their pins. A few others
-// that change nevertheless become a border (pin_border.hpp).
+// Cholesky factor of one rank's matrix with some unknowns pinned, by CHOLMOD's supernodes. Unknowns whose pins will
+// probably change are eliminated last and pinned only in their Schur complement (tail_complement.hpp): one factor of
+// the rest serves all their pins. A few others that change nevertheless form a border (pin_border.hpp).
 // Includes CHOLMOD: for .cc files only.
 #pragma once
 #include <plastron/algebra/factorisation.hpp>
@@ -17,22 +17,23 @@ namespace plastron::algebra {
 
 class SupernodalFactor {
  public:
-  /// Analyses the pattern. movable[i] != 0 for unknowns to come last; may be empty.
+  /// Analyses the pattern. movable[i] != 0 for unknowns that must come last; may be empty.
   SupernodalFactor(const Matrix::Storage& A, std::span<const char> movable);
   ~SupernodalFactor();
   SupernodalFactor(const SupernodalFactor&) = delete;
   SupernodalFactor& operator=(const SupernodalFactor&) = delete;
 
-  /// Of A + shift diag(A) with the pinned unknowns' rows and columns replaced by those of a diagonal matrix, `pinned_diagonal` where that is
-  /// not 0. False if a pivot is not positive.
+  /// Factorises A + shift diag(A). A diagonal matrix replaces the rows and columns of the pinned unknowns:
+  /// `pinned_diagonal` where it is not 0. Returns false if a pivot is not positive.
   bool factorise(const std::vector<double>& pinned_diagonal, double shift);
-  /// `wanted` where that is had without another factor of all; else the wanted pins of movable unknowns and the factor's of all others. Empty before a factorisation or where none are movable.
+  /// Returns `wanted` if it needs no new full factor. Otherwise returns the wanted pins of movable unknowns and the
+  /// factor's pins of all others. Empty before a factorisation or if no unknowns are movable.
   std::vector<char> nearest_pins(std::span<const char> wanted) const;
   void solve(std::span<const double> b, std::span<double> x);
 
   const FactorisationCost& cost() const { return elimination_.cost; }
-  int factorisations() const { return factorisations_; }  ///< tail and border alone not counted
-  double seconds() const { return seconds_; }             ///< spent on those
+  int factorisations() const { return factorisations_; }  ///< without changes of tail and border alone
+  double seconds() const { return seconds_; }             ///< time of these factorisations [s]
 
  private:
   void analyse();
@@ -52,11 +53,11 @@ class SupernodalFactor {
   TailComplement tail_{};
   BorderColumns border_columns_{};
   PinBorder border_{};
-  std::vector<double> factor_pins_{};        ///< the diagonal where the factor has it pinned, else 0
-  std::vector<double> pins_{};               ///< the same with tail and border
-  std::vector<double> ordered_{}, space_{};  ///< of solve()
+  std::vector<double> factor_pins_{};        ///< the diagonal where the factor has pinned it, else 0
+  std::vector<double> pins_{};               ///< the same, including tail and border
+  std::vector<double> ordered_{}, space_{};  ///< scratch of solve()
   double shift_ = 0;
-  bool is_factorised_ = false;  ///< but for the Schur complement
+  bool is_factorised_ = false;  ///< except for the Schur complement
   int factorisations_ = 0;
   double seconds_ = 0;
 };

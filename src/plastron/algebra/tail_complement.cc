@@ -1,7 +1,7 @@
 #include "tail_complement.hpp"
 
 #include <petscsys.h>
-// after petscsys.h, without which it does not compile
+// must follow petscsys.h, without which it does not compile
 #include <petscblaslapack.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The unknowns eliminated last, when all others are gone: with the factor's last block L they have the Schur complement S = L L', dense. Pinning
-// some of them is a matter of S alone: the others F get the factor of S_FF.
+// The unknowns eliminated last, after all others. The factor's last block L gives their Schur complement S = L L',
+// dense. Pinning some of them changes S only: the others F get the factor of S_FF.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -10,12 +10,13 @@ namespace plastron::algebra {
 class TailComplement {
  public:
   TailComplement() = default;
-  /// L by columns, `size` x `size`, zero above the diagonal.
+  /// Takes L by columns, `size` x `size`, zero above the diagonal.
   TailComplement(std::size_t size, std::vector<double> factor);
 
-  /// Factorises S without the pinned ones. False if a pivot is not positive.
+  /// Factorises S without the pinned ones. Returns false if a pivot is not positive.
   bool pin(const std::vector<char>& pinned);
-  /// In place, each column of size(): from L^{-1} b, as the elimination of the others leaves it, to L' z with S_FF z_F = b_F and z = 0 where pinned.
+  /// Solves in place, for each column of size(). Input is the part of L^{-1} b after the elimination of the others.
+  /// Output is L' z with S_FF z_F = b_F and z = 0 where pinned.
   void solve(std::span<double> columns) const;
   std::size_t size() const { return size_; }
 
@@ -24,7 +25,7 @@ class TailComplement {
   std::vector<double> factor_{};      ///< L
   std::vector<double> complement_{};  ///< S, its lower half
   std::vector<std::size_t> free_{};
-  std::vector<double> free_factor_{};  ///< of S_FF
+  std::vector<double> free_factor_{};  ///< factor of S_FF
 };
 
 }  // namespace plastron::algebra

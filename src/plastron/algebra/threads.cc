@@ -13,13 +13,13 @@
 namespace plastron::algebra {
 namespace {
 
-/// More have not been measured.
+/// Larger numbers have not been measured.
 constexpr int most_by_default = 2;
 
 int limit = 1;
 bool is_limit_given = false;
 
-// Looked up by name, since another BLAS or OpenMP lacks them.
+// Finds the function by name, since another BLAS or OpenMP does not have it.
 void call_if_there(const char* name, int value) {
   using Setter = void (*)(int);
   if (const auto set = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, name))) set(value);
@@ -30,8 +30,8 @@ int ask_if_there(const char* name, int otherwise) {
   return get ? get() : otherwise;
 }
 
-/// Threads that run or wait for a core, on the whole machine, this one included; the least of a few looks, since many are there for an instant
-/// only. 0 if the system does not tell.
+/// Returns the number of threads that run or wait for a core on the whole machine, including this one. It is the least
+/// of a few readings, since many threads exist for an instant only. 0 if the system does not show it.
 int running_threads() {
   constexpr int looks = 5;
   int least = std::numeric_limits<int>::max();
@@ -55,8 +55,8 @@ int usable_cores() {
   return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
 }
 
-// OpenBLAS starts with OPENBLAS_NUM_THREADS or all cores: what it starts with is respected as a limit. CHOLMOD asks
-// OpenMP for four threads whatever OMP_NUM_THREADS says; without active levels it gets one. MUMPS asks for the default.
+// OpenBLAS starts with OPENBLAS_NUM_THREADS or all cores: this number is respected as a limit. CHOLMOD requests
+// four OpenMP threads for any OMP_NUM_THREADS; without active levels it gets one. MUMPS uses the default.
 void restrict_threads(int threads, int ranks) {
   const int by_default =
       ranks > 1 ? 1 : std::min({most_by_default, usable_cores(), ask_if_there("openblas_get_num_threads", 1)});

@@ -32,7 +32,7 @@ Vector::Vector(std::shared_ptr<const Layout> layout, int block) : storage_(std::
 
 Vector::Vector(const Vector& other) : storage_(std::make_unique<Storage>(*other.storage_)) {}
 
-// The one moved from is left empty, not without storage: it can be read and assigned to.
+// The source of a move becomes empty but keeps storage: it can be read and assigned to.
 Vector::Vector(Vector&& other) noexcept : storage_(std::move(other.storage_)) {
   other.storage_ = std::make_unique<Storage>();
 }

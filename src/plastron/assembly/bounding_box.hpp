@@ -1,4 +1,4 @@
-// The axis-parallel box that holds points of all ranks.
+// The axis-parallel box around points of all ranks.
 #pragma once
 #include <plastron/algebra/vector.hpp>
 
@@ -15,7 +15,7 @@ struct BoundingBox {
   double longest_side() const { return (high - low).maxCoeff(); }
 };
 
-/// Of place(0), ..., place(count - 1) on each rank (collective).
+/// Returns the box around place(0), ..., place(count - 1) of all ranks (collective).
 template <class Place>
 BoundingBox bounding_box(std::size_t count, const Place& place, MPI_Comm comm) {
   BoundingBox box;

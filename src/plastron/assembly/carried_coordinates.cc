@@ -29,7 +29,7 @@ std::optional<double> prescribed(const fem::PlacedBody& placed, int k) {
   return k < 3 ? *value : placed.length * *value;
 }
 
-/// One row of a support, `row` on (u, r): the body's prescribed components must say it already.
+/// Checks one row of a support, `row` on (u, r): the body's prescribed components must already prescribe it.
 void check_row(const fem::PlacedBody& placed, const fem::CarriedNode& node, const Vector6& row, double value,
                double scale, const NodalPoint& point) {
   constexpr double rounding_part = 1e-9;
@@ -73,7 +73,7 @@ void check_supports(const fem::PlacedBody& placed, const fem::CarriedNode& node,
   }
 }
 
-/// Of a projector.
+/// Returns an orthonormal basis of the projector's range.
 std::vector<Vector3d> orthonormal_range(const Eigen::Matrix3d& projector) {
   const auto modes = geometry::symmetric_eigen(projector);
   std::vector<Vector3d> range;
@@ -82,7 +82,8 @@ std::vector<Vector3d> orthonormal_range(const Eigen::Matrix3d& projector) {
   return range;
 }
 
-/// The displacement held in all directions, and the rotation, too, where the body decides it.
+/// Returns a support that fixes the displacement in all directions. It also fixes the rotation where the body
+/// determines it.
 NodeSupport held(const NodalPoint& point, const NodeSupport& support, bool is_hinge) {
   NodeSupport all;
   for (int axis = 0; axis < 3; ++axis) all.displacement.emplace_back(Vector3d::Unit(axis), 0);
@@ -95,7 +96,8 @@ NodeSupport held(const NodalPoint& point, const NodeSupport& support, bool is_hi
   return all;
 }
 
-/// u is another node's, and of r what the kink leaves: held at zero is the rest.
+/// Returns coordinates with u and a part of r fixed at zero: u follows from another node, and the kink leaves the rest
+/// of r.
 NodeCoordinates kinked_coordinates(const fem::CarriedNode& node, const NodalPoint& point, const NodeSupport& support,
                                    double size) {
   NodeSupport all;

@@ -1,15 +1,18 @@
-// Coordinates of nodes that are carried (fem/carried_nodes.hpp): those of the rigid bodies' motions, and rotations that hinges leave free.
+// Coordinates of carried nodes (fem/carried_nodes.hpp): the motions of rigid bodies, and the rotations that hinges
+// leave free.
 #pragma once
 #include <plastron/assembly/node_coordinates.hpp>
 #include <plastron/fem/carried_nodes.hpp>
 
 namespace plastron::assembly {
 
-/// Of an owned node, rows not set. Where a kink carries the node, `support` holds what is left of its rotation (kinked_supports.hpp).
+/// Returns the coordinates of an owned node, without contact rows. Where a kink carries the node, `support` contains
+/// the remaining rows on its rotation (kinked_supports.hpp).
 ///
-///  Where the node keeps unknowns of its body, its displacements are they: three coordinates, with equal
-/// bounds where the body is fixed; elsewhere they are held at zero and move nothing. Supports of the node may say of the body what is
-/// prescribed of it already, and hold rotations that a hinge leaves free; throws SupportError where they say more.
+/// Where the node keeps unknowns of its body, its three displacement coordinates are these unknowns. Their bounds are
+/// equal where the body is fixed. Elsewhere the displacement coordinates are fixed at zero and move nothing. Supports
+/// of the node may repeat the components that its body prescribes, and may fix rotations that a hinge leaves free.
+/// Throws SupportError where they prescribe more.
 NodeCoordinates carried_coordinates(const fem::CarriedNodes& carried, const fem::CarriedNode& node,
                                     const NodalPoint& point, const NodeSupport& support, double size);
 

@@ -34,7 +34,7 @@ CellPacks::CellPacks(const fem::Space& space, const fem::Surface& surface, const
   samplings_.resize(lines(sampling_points * PackedCells::sampling_size));
   materials_.resize(lines(PackedCells::material_size));
   for (std::size_t to = 0; to < packs * lanes(); ++to) {
-    // Lanes without a cell compute something finite.
+    // Lanes without a cell get the last cell, so that their results are finite.
     const fem::Cell& cell = space.cells[std::min(to, space.owned_cells - 1)];
     const CrossSection& section = sections.at(*space.coarse, cell);
     set_points(surface, section, cell, to);
@@ -109,7 +109,7 @@ geometry::Frame CellPacks::frame(std::size_t cell, std::size_t q) const {
   const auto vector = [&](std::size_t first) {
     return Vector3d(in[first * lanes()], in[(first + 1) * lanes()], in[(first + 2) * lanes()]);
   };
-  // A jet with this curvature: its second derivatives along the tangents matter to nobody.
+  // This jet has the stored curvature. No caller uses the tangential parts of its second derivatives.
   SurfaceJet jet{.d = {vector(0), vector(3)}};
   const Vector3d a3 = geometry::unit_normal(jet);
   jet.dd = {in[6 * lanes()] * a3, in[8 * lanes()] * a3, in[7 * lanes()] * a3};

@@ -1,5 +1,5 @@
-// The geometry of all cells of a rank at quadrature and sampling points, stored once: in packs, as the product through strains reads it
-// (pack_kernels.hpp), and no more of it than what the rest follows from.
+// The geometry of all cells of a rank at quadrature and sampling points, in packs. The product through strains reads it
+// in this order (pack_kernels.hpp). Quantities that follow from others are not stored.
 #pragma once
 #include <plastron/assembly/cross_sections.hpp>
 #include <plastron/assembly/pack_kernels.hpp>
@@ -12,7 +12,7 @@
 
 namespace plastron::assembly {
 
-/// What the membrane and shear strains need of the geometry at a point.
+/// Geometry at a point that the membrane and shear strains need.
 struct SamplingPoint {
   std::array<geometry::Vector3d, 2> a_cov{geometry::Vector3d::Zero(), geometry::Vector3d::Zero()};
   geometry::Vector3d a3 = geometry::Vector3d::Zero();
@@ -20,17 +20,19 @@ struct SamplingPoint {
 
 class CellPacks {
  public:
-  /// Of the owned cells. Precondition: the surface is regular and the thickness positive at the quadrature points.
+  /// Stores the geometry of the owned cells. Precondition: the surface is regular and the thickness positive at the
+  /// quadrature points.
   CellPacks(const fem::Space& space, const fem::Surface& surface, const CrossSections& sections,
             const element::ElementTables& tables, const PackKernels& kernels);
 
   const PackKernels& kernels() const { return *kernels_; }
-  /// What the kernels read; points into this object and into `space`.
+  /// Returns the arrays for the kernels. They point into this object and into `space`.
   PackedCells view(const fem::Space& space) const;
 
   geometry::Frame frame(std::size_t cell, std::size_t q) const;
   double thickness(std::size_t cell, std::size_t q) const { return point(cell, q)[9 * lanes()]; }
-  /// Of the sampling `set` of the tables, its point t. Where strains are tied, vectors that those of the set do not need are zero.
+  /// Returns point t of the tables' sampling `set`. With tied strains, vectors that the strains of this set do not need
+  /// are zero.
   SamplingPoint sampling_point(std::size_t set, std::size_t cell, std::size_t t) const;
 
  private:
@@ -48,7 +50,8 @@ class CellPacks {
   std::size_t lanes() const { return static_cast<std::size_t>(kernels_->lanes); }
   static double* data(std::vector<Line>& lines) { return lines.empty() ? nullptr : lines.front().values; }
   static const double* data(const std::vector<Line>& lines) { return lines.empty() ? nullptr : lines.front().values; }
-  /// Where a cell's first quantity is in an array with `quantities` of them for each of `points`; the next is lanes() further.
+  /// Returns the place of a cell's first quantity at `point`, in an array with `quantities` values for each of
+  /// `points`. The next quantity is lanes() further.
   std::size_t place(std::size_t cell, std::size_t points, std::size_t point, std::size_t quantities) const {
     return ((cell / lanes() * points + point) * quantities) * lanes() + cell % lanes();
   }
@@ -56,13 +59,13 @@ class CellPacks {
     return data(points_) + place(cell, weights_.size(), q, PackedCells::point_size);
   }
   void set_tables(const element::ElementTables& tables);
-  /// The geometry of `cell` goes to the place of `to`.
+  /// Writes the geometry of `cell` to the place of cell number `to`.
   void set_points(const fem::Surface& surface, const CrossSection& section, const fem::Cell& cell, std::size_t to);
   void set_sampling_points(const fem::Surface& surface, const fem::Cell& cell, std::size_t to);
 
   const PackKernels* kernels_;
   PackedCells::Kind kind_;
-  std::vector<std::vector<fem::Vector2d>> sampling_xi_{};  ///< of tied strains
+  std::vector<std::vector<fem::Vector2d>> sampling_xi_{};  ///< sampling points of tied strains
   std::vector<fem::Vector2d> xi_;
   std::vector<double> weights_;
   std::vector<Line> points_{}, samplings_{}, materials_{};

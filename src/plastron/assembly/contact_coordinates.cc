@@ -16,11 +16,12 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Below this part of a row its freedom, or what tells it from another row, is left out: where a curved shell is squeezed between two
-/// plates, both gaps feel the rotation by the sine of the slope, and coordinates that kept them apart would cancel by its square.
+/// Part of a row below which its freedom, or its difference from another row, is ignored. Example: two plates squeeze a
+/// curved shell. Both gaps depend on the rotation by the sine of the slope. Coordinates that separate the gaps would
+/// lose digits by its square.
 constexpr double negligible = 1e-6;
 
-/// Directions of span(free) orthogonal to p, one fewer than free has.
+/// Returns directions of span(free) orthogonal to p, one fewer than `free` has.
 std::vector<Vector3d> orthogonal_part(const std::vector<Vector3d>& free, const Vector3d& p) {
   if (free.size() == 3) {
     const auto pair = across(p.normalized());
@@ -36,7 +37,8 @@ Vector3d projection(const std::vector<Vector3d>& onto, const Vector3d& v) {
   return p;
 }
 
-/// One gap: w first, then what leaves w alone. u alone moves w where it can, or r where supports hold u across.
+/// Returns columns for one gap w: first the column that moves w, then the columns that do not change w. The first is a
+/// displacement where u can move w. Where supports fix u in this direction, it is a rotation.
 std::optional<std::vector<ContactColumn>> around_one_gap(const obstacle::Gap& gap, const std::vector<Vector3d>& u,
                                                          const std::vector<Vector3d>& r) {
   const Vector3d zero = Vector3d::Zero();
@@ -57,7 +59,7 @@ std::optional<std::vector<ContactColumn>> around_one_gap(const obstacle::Gap& ga
   return columns;
 }
 
-/// The gaps as rows on the free directions: displacements as they are, rotations times the largest |z|.
+/// The gaps as rows on the free directions: displacements are not scaled, rotations are multiplied by the largest |z|.
 struct GapRows {
   GapRows(std::span<const obstacle::Gap> gaps, const std::vector<Vector3d>& free_u, const std::vector<Vector3d>& free_r)
       : u(free_u), r(free_r), all(static_cast<Index>(gaps.size()), static_cast<Index>(u.size() + r.size())) {
@@ -82,7 +84,7 @@ struct GapRows {
   MatrixXd all;
 };
 
-/// A basis whose first columns C have F C = 1 and are orthogonal to the others, which F maps to zero.
+/// Returns a basis whose first columns C have F C = 1. They are orthogonal to the other columns, which F maps to zero.
 MatrixXd dual_basis(const MatrixXd& F) {
   const auto qr = F.transpose().householderQr();
   MatrixXd basis = qr.householderQ();
@@ -93,7 +95,8 @@ MatrixXd dual_basis(const MatrixXd& F) {
   return basis;
 }
 
-/// Columns C with F C = 1, and such that F maps the rest to zero. Displacements alone move the gaps where they can.
+/// Returns columns: the first ones, C, have F C = 1, and F maps the others to zero. Where possible, displacements alone
+/// move the gaps.
 std::vector<ContactColumn> around_gaps(const GapRows& rows, const MatrixXd& F) {
   constexpr double well_apart = 0.05;  // least singular value of U
   const auto m = static_cast<Index>(rows.u.size()), p = F.rows();
@@ -114,7 +117,7 @@ std::vector<ContactColumn> around_gaps(const GapRows& rows, const MatrixXd& F) {
   return result;
 }
 
-/// Which gaps become coordinates, and where the others stand.
+/// Gaps that become coordinates, and the place of every gap.
 struct Choice {
   std::vector<Index> coordinates{};
   std::vector<ContactPlace> places{};
@@ -164,7 +167,6 @@ std::vector<ContactColumn> without_gaps(const std::vector<Vector3d>& u, const st
 
 }  // namespace
 
-/// Two unit vectors that make an orthonormal basis with the unit vector n.
 std::array<Vector3d, 2> across(const Vector3d& n) {
   int smallest = 0;
   n.cwiseAbs().minCoeff(&smallest);

@@ -14,23 +14,24 @@ struct ContactColumn {
   Vector3d u = Vector3d::Zero(), r = Vector3d::Zero();
 };
 
-/// Where an obstacle's gap stands among the coordinates: its change is scale times that of the coordinate.
+/// Place of an obstacle's gap among the coordinates. The gap changes by scale times the change of the coordinate.
 struct ContactPlace {
-  int coordinate = -1;  ///< -1: the free directions do not change it, or it is left out
+  int coordinate = -1;  ///< -1: the free directions do not change the gap, or it is left out
   double scale = 1;
-  bool is_left_out = false;  ///< it depends on several gaps that are nearer: no coordinates have bounds for all of them
+  bool is_left_out = false;  ///< the gap depends on several nearer gaps: no coordinates have bounds for all of them
 };
 
 struct ContactCoordinates {
-  std::vector<ContactColumn> columns{};  ///< a basis of the free directions, coordinates of gaps first
-  std::vector<ContactPlace> places{};    ///< of each gap
+  std::vector<ContactColumn> columns{};  ///< basis of the free directions; coordinates of gaps are first
+  std::vector<ContactPlace> places{};    ///< one for each gap
 };
 
-/// Two unit vectors that make an orthonormal basis with the unit vector n.
+/// Returns two unit vectors that form an orthonormal basis with the unit vector n.
 std::array<Vector3d, 2> across(const Vector3d& n);
 
-/// `u`, `r`: orthonormal bases of the displacements and rotations that supports leave free; `order`: of the gaps, the one that matters
-/// most first. It decides only where some must be left out: elsewhere the gaps' own order does.
+/// Returns the coordinates of a node. `u`, `r`: orthonormal bases of the displacements and rotations that supports
+/// leave free. `order`: the gaps, the most important first. This order is used only where some gaps must be left out.
+/// Elsewhere the gaps keep their given order.
 ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std::span<const std::size_t> order,
                                        const std::vector<Vector3d>& u, const std::vector<Vector3d>& r);
 

@@ -1,5 +1,5 @@
-// What the shell consists of at a point of its mid-surface: thickness, elastic constants and density, which a region of
-// the domain may have of its own (M7 to M9).
+// The cross-section of the shell at a point of its mid-surface: thickness, elastic constants and density. A region of
+// the domain may have its own values (M7 to M9).
 #pragma once
 #include <plastron/fem/space.hpp>
 #include <plastron/geometry/expression.hpp>
@@ -13,23 +13,23 @@ namespace plastron::assembly {
 struct CrossSection {
   geometry::Expression thickness{1.0};  ///< e(x, y) [m]
   shell::Material material{};
-  double density = 0;  ///< rho [kg/m^3]; 0: without weight
+  double density = 0;  ///< rho [kg/m^3]; 0: no weight
 };
 
 struct CrossSections {
-  CrossSection common{};                          ///< of the regions that have none of their own
-  std::map<std::string, CrossSection> regions{};  ///< by name of the region
+  CrossSection common{};                          ///< for regions without their own cross-section
+  std::map<std::string, CrossSection> regions{};  ///< cross-sections by name of region
 
-  /// That of the region in which a cell lies.
+  /// Returns the cross-section of the region that contains a cell.
   const CrossSection& at(const fem::CoarseMesh& coarse, const fem::Cell& cell) const;
-  /// The material of the smallest E: what measures of the whole shell are safe against.
+  /// Returns the material of the smallest E. With it, measures of the whole shell are conservative.
   const shell::Material& softest() const;
 };
 
-/// The name of the region in which a cell lies.
+/// Returns the name of the region that contains a cell.
 const std::string& region_of(const fem::CoarseMesh& coarse, const fem::Cell& cell);
 
-/// Throws fem::DomainError where a region is named that the mesh does not have.
+/// Throws fem::DomainError where `sections` name a region that the mesh does not have.
 void check_regions(const CrossSections& sections, const fem::CoarseMesh& coarse);
 
 }  // namespace plastron::assembly

@@ -89,8 +89,9 @@ algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
 
 namespace {
 
-/// b(U, q) = 0 in nodal coordinates. The Schur complement of the multiplier is spectrally close to the matrix of
-/// int a^{ab} d_a p d_b q, for s = q a_3 makes b(s, q) exactly that and costs little else.
+/// Returns the constraint b(U, q) = 0 in nodal coordinates. The Schur complement of the multiplier is spectrally close
+/// to the matrix of int a^{ab} d_a p d_b q. The reason: b(s, q) is equal to this form for s = q a_3, and this s adds
+/// little other energy.
 contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete) {
   const auto& layout = discrete.space().layout;
   const auto zeros = std::make_shared<const std::vector<char>>(multiplier_zeros(discrete.coordinates, *layout));
@@ -131,7 +132,7 @@ contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Ma
   algebra::Vector load(layout, discrete.coordinates.width);
   algebra::Vector forces = discrete.load;
   discrete.coordinates.add_transposed(forces, load);
-  // Scratch vectors live as long as the operator: it is applied many times.
+  // Scratch vectors live as long as the operator because it is applied many times.
   const auto y = std::make_shared<algebra::Vector>(layout, 6), f = std::make_shared<algebra::Vector>(layout, 6);
   const auto apply = [&discrete, y, f](const algebra::Vector& z, algebra::Vector& result) {
     discrete.coordinates.to_cartesian(z, *y);

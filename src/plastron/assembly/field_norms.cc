@@ -4,7 +4,7 @@ namespace plastron::assembly {
 
 namespace {
 
-/// a^{ab} p_a . p_b for the derivatives p_a of one field at a point.
+/// Returns a^{ab} p_a . p_b for the derivatives p_a of one field at a point.
 double squared_gradient(const Eigen::Matrix2d& metric_con, const geometry::Vector3d& p1, const geometry::Vector3d& p2) {
   return metric_con(0, 0) * p1.squaredNorm() + 2 * metric_con(0, 1) * p1.dot(p2) + metric_con(1, 1) * p2.squaredNorm();
 }

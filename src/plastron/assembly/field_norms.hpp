@@ -9,20 +9,21 @@ struct SquaredNorms {
   double u = 0, grad_u = 0;  ///< [m^4], [m^2]
   double r = 0, grad_r = 0;  ///< [m^2], [1]
 
-  /// (u, r) in L2 x L2 and H1 x H1: the sums of squares of the paper's spaces with `length` [m], the shell's own, as unit
-  /// of length (h1_matrix.hpp), so pure numbers.
+  /// Squared norms of (u, r) in L2 x L2 and H1 x H1, the paper's spaces. They are pure numbers: the unit of length is
+  /// `length` [m], the shell's own (h1_matrix.hpp).
   double l2(double length) const { return (u / (length * length) + r) / (length * length); }
   double h1(double length) const { return h1_u(length) + h1_r(length); }
   double h1_u(double length) const { return (u / (length * length) + grad_u) / (length * length); }
   double h1_r(double length) const { return r / (length * length) + grad_r; }
 };
 
-/// Of Cartesian nodal values y = (u, r), block 6 with valid ghosts, at the Gauss points of the stiffness (collective).
+/// Returns the norms of Cartesian nodal values y = (u, r), block 6 with valid ghosts, at the Gauss points of the
+/// stiffness (collective).
 SquaredNorms squared_norms(const ShellOperator& shell, const algebra::Vector& y);
 
-/// |r - r_K|^2 = int a^{ab} 2 delta_{a3} 2 delta_{b3} sqrt(a) dx [m^2], r_K = -(d_a u . a_3) a^a: the rotation that Koiter's
-/// model (Remark 2 of the paper, sign corrected) has for the same u, since r - r_K = 2 delta_{a3} a^a for tangent r (M6).
-/// The shear strain is the method's: tied where tying is on (M22). (collective)
+/// Returns |r - r_K|^2 = int a^{ab} 2 delta_{a3} 2 delta_{b3} sqrt(a) dx [m^2] (collective). r_K = -(d_a u . a_3) a^a
+/// is the rotation of Koiter's model for the same u (Remark 2 of the paper, sign corrected): r - r_K = 2 delta_{a3} a^a
+/// for tangent r (M6). The shear strain is the strain of the method, tied where tying is on (M22).
 double squared_distance_to_koiter(const ShellOperator& shell, const algebra::Vector& y);
 
 }  // namespace plastron::assembly

@@ -1,4 +1,4 @@
-// Rows of supports that one node hands to another, which may belong to another rank.
+// Rows of supports that one node passes to another node, which may belong to another rank.
 #pragma once
 #include <plastron/algebra/layout.hpp>
 #include <plastron/assembly/node_coordinates.hpp>
@@ -11,21 +11,21 @@ namespace plastron::assembly {
 
 class HandedSupports {
  public:
-  /// Directions with their values, in which u of the node `to` is held.
+  /// Adds directions and values in which u of the node `to` is prescribed.
   void add_displacement(std::int64_t to, const std::vector<std::pair<Vector3d, double>>& rows, double scale) {
     add(to, false, rows, scale);
   }
-  /// The same of r.
+  /// Adds directions and values in which r of the node `to` is prescribed.
   void add_rotation(std::int64_t to, const std::vector<std::pair<Vector3d, double>>& rows, double scale) {
     add(to, true, rows, scale);
   }
-  /// Adds what all ranks have handed to the supports of the owned nodes (collective).
+  /// Adds the rows that all ranks have passed to the supports of the owned nodes (collective).
   void deliver(const algebra::Layout& layout, std::vector<NodeSupport>& supports) const;
 
  private:
   void add(std::int64_t to, bool is_rotation, const std::vector<std::pair<Vector3d, double>>& rows, double scale);
 
-  /// Of each row: node, 0 for u and 1 for r, direction, value, scale.
+  /// Data of each row: node, 0 for u and 1 for r, direction, value, scale.
   std::vector<double> packed_{};
 };
 

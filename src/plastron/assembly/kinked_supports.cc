@@ -15,7 +15,8 @@ namespace {
 
 using Row = std::pair<Vector3d, double>;
 
-/// The pair of rotations at a kinked node: its own, about what is across the edge, and that with the other node.
+/// Two rotations at a kinked node: its own one about the direction across the edge, and the one about the edge, which
+/// it shares with the other node.
 struct KinkFrame {
   KinkFrame(const fem::CarriedNode& node, const Vector3d& a3) {
     const Eigen::Matrix3d own = node.own.bottomRightCorner<3, 3>() - a3 * a3.transpose();
@@ -35,7 +36,7 @@ struct KinkFrame {
       point.x[0], point.x[1], why));
 }
 
-/// What rows on r of a kinked node say of its own rotation, kept, and of the other's, returned.
+/// Splits the rows on r of a kinked node: keeps those on its own rotation, returns rows on the other node's rotation.
 std::vector<Row> split_rotation(const fem::CarriedNode& node, const NodalPoint& point, NodeSupport& support) {
   constexpr double parallel_part = 1e-6;
   if (support.rotation.empty()) return {};

@@ -18,7 +18,7 @@ namespace plastron::assembly {
 
 namespace {
 
-/// Values of a load (force, couple) at points, a row per point.
+/// Adds values of a load (force, couple) at points, one row for each point.
 void add_expression(const VectorExpression& f, std::span<const double> x, std::span<const double> y, int column,
                     element::CellField& values) {
   std::vector<double> component(x.size());
@@ -36,7 +36,7 @@ void add_function(const VectorFunction& f, std::span<const double> x, std::span<
     values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
 }
 
-/// Pieces of expressions that have several.
+/// Pieces of expressions that have several pieces.
 class LoadPieces {
  public:
   void add(const geometry::Expression& f) {
@@ -53,17 +53,17 @@ class LoadPieces {
   std::vector<geometry::Pieces> all_{};
 };
 
-/// What acts on the area of one region.
+/// Loads that act on the area of one region.
 struct RegionLoads {
   std::vector<const AreaLoad*> loads{};
   const geometry::Expression* thickness = nullptr;
   Vector3d weight = Vector3d::Zero();  ///< rho g [N/m^3], to be multiplied by e
-  PiecesOfAll functions{};             ///< those that have several pieces
+  PiecesOfAll functions{};             ///< load functions that have several pieces
 
   bool is_empty() const { return loads.empty() && weight.isZero(0); }
 };
 
-/// Adds loads up, and remembers the first place where one is not finite.
+/// Sums loads, and remembers the first place where a load is not finite.
 class LoadSum {
  public:
   LoadSum(const ShellOperator& shell, algebra::Vector& f)
@@ -129,7 +129,7 @@ class LoadSum {
     return loads;
   }
 
-  /// Loads at points of a cell with normals a_3.
+  /// Returns loads at points of a cell with normals a_3.
   template <class NormalAt>
   element::CellField values(const RegionLoads& loads, std::size_t c, const std::vector<Vector2d>& xi,
                             const NormalAt& a3) {
@@ -149,7 +149,7 @@ class LoadSum {
     return values;
   }
 
-  /// rho e g.
+  /// Adds the weight rho e g.
   static void add_weight(const RegionLoads& loads, std::span<const double> x, std::span<const double> y,
                          element::CellField& values) {
     std::vector<double> e(x.size());
@@ -247,7 +247,7 @@ class LoadSum {
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
                             const std::vector<EdgeLoad>& edge_loads, const Vector3d& gravity) {
   algebra::Vector f(shell.space().layout, 6);
-  // Loads may be functions of the caller, and a place where one is not finite is seen by one rank alone.
+  // Loads may be functions of the caller, and only one rank may find a value that is not finite.
   algebra::in_agreement<LoadError>(shell.space().layout->comm, [&] {
     LoadSum sum(shell, f);
     sum.add_area_loads(area_loads, gravity);

@@ -11,16 +11,16 @@ namespace plastron::assembly {
 
 using geometry::Vector3d;
 
-/// A load that is infinite or not a number at a quadrature point, or that names a boundary or region which the mesh does not
-/// have: in words for the user.
+/// Error of a load, in words for the user: the load is infinite or not a number at a quadrature point, or names a
+/// boundary or region that the mesh does not have.
 struct LoadError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Nodal forces and couples, six a node, complete on owned nodes (collective). Area loads name regions of the mesh, edge
-/// loads boundaries; rigid bodies of the space bring their own. The weight rho e g of the cross-sections under the acceleration g [m/s^2] is added to the loads.
-/// Loads made of pieces (geometry::is_piecewise) are integrated between the borders of the pieces, however narrow these are.
-/// Throws LoadError on all ranks alike.
+/// Returns nodal forces and couples, six values for each node, complete on owned nodes (collective). Area loads name
+/// regions of the mesh, edge loads name boundaries. Loads of the space's rigid bodies are included. So is the weight
+/// rho e g of the cross-sections under the acceleration g [m/s^2]. Loads made of pieces (geometry::is_piecewise) are
+/// integrated between the borders of the pieces, even if these are narrow. Throws LoadError on all ranks together.
 algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
                             const std::vector<EdgeLoad>& edge_loads, const Vector3d& gravity = Vector3d::Zero());
 

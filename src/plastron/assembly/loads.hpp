@@ -19,21 +19,21 @@ using VectorFunction = std::function<Eigen::Vector3d(double x, double y)>;
 struct AreaLoad {
   VectorExpression force{};            ///< p, Cartesian [N/m^2]
   geometry::Expression pressure{};     ///< force along a_3, positive along the normal [N/m^2]
-  VectorExpression couple{};           ///< m, works on r [N m/m^2]
+  VectorExpression couple{};           ///< m, does work on r [N m/m^2]
   VectorFunction force_function{};     ///< added to `force`; empty in loads from case files
   VectorFunction couple_function{};    ///< added to `couple`
-  std::vector<std::string> regions{};  ///< where it acts; empty: everywhere
+  std::vector<std::string> regions{};  ///< regions where the load acts; empty: everywhere
 
   bool acts_in(const std::string& region) const {
     return regions.empty() || std::ranges::find(regions, region) != regions.end();
   }
 };
 
-/// Dead load per unit length of the curve phi(Gamma), on the boundary or inside of the shell.
+/// Dead load per unit length of the curve phi(Gamma), on the boundary or inside the shell.
 struct EdgeLoad {
   std::string boundary{};
   VectorExpression force{};   ///< n [N/m]
-  VectorExpression couple{};  ///< k, works on r [N m/m]
+  VectorExpression couple{};  ///< k, does work on r [N m/m]
 };
 
 }  // namespace plastron::assembly

@@ -10,17 +10,17 @@
 
 namespace plastron::assembly {
 
-/// Owned nodes where lambda = 0. Precondition: the coordinates are those of a relaxed formulation.
+/// Marks the owned nodes where lambda = 0. Precondition: the coordinates belong to a relaxed formulation.
 std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const algebra::Layout& layout);
 
-/// q_i = b(y, N_i), complete on owned nodes; needs y's ghosts (collective).
+/// Computes q_i = b(y, N_i), complete on owned nodes. Needs y's ghosts (collective).
 void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& q);
-/// f_j = b(phi_j, lambda) as Cartesian nodal forces, complete on owned nodes; needs lambda's ghosts, and gives its tied nodes their values
-/// (collective).
+/// Computes f_j = b(phi_j, lambda) as Cartesian nodal forces, complete on owned nodes. Needs lambda's ghosts, and sets
+/// the values of its tied nodes (collective).
 void apply_coupling_transposed(const ShellOperator& shell, algebra::Vector& lambda, algebra::Vector& f);
-/// int a^{ab} d_a p d_b q sqrt(a) dx, a scalar a node (collective).
+/// Returns the matrix of int a^{ab} d_a p d_b q sqrt(a) dx, one scalar for each node (collective).
 algebra::Matrix gradient_matrix(const ShellOperator& shell);
-/// (int a^{ab} d_a q d_b q sqrt(a) dx)^{1/2}, over all ranks (collective); needs q's ghosts.
+/// Returns (int a^{ab} d_a q d_b q sqrt(a) dx)^{1/2} over all ranks (collective). Needs q's ghosts.
 double gradient_norm(const ShellOperator& shell, const algebra::Vector& q);
 
 }  // namespace plastron::assembly

@@ -35,7 +35,7 @@ void pack(const NodeCoordinates& node, bool supported, double* out) {
   out[48] = supported;
 }
 
-/// Rows of a node that no obstacle touches.
+/// Returns the rows of a node that no obstacle touches.
 std::vector<ContactRow> no_rows(std::size_t obstacles) {
   std::vector<ContactRow> rows;
   for (std::size_t k = 0; k < obstacles; ++k) rows.push_back({.obstacle = static_cast<int>(k), .bound_gap = NAN});
@@ -63,7 +63,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
                                .space = std::move(space_pointer),
                                .lower = algebra::Vector(space.layout, width),
                                .upper = algebra::Vector(space.layout, width)};
-  // Owners decide, the others take over: a basis must be the same on every rank to the last bit.
+  // Owners decide, other ranks copy: a basis must be equal on all ranks to the last bit.
   for (const fem::Tie& tie : space.ties) coordinates.tied[static_cast<std::size_t>(tie.node)] = 1;
   auto node_support = node_supports(space, surface, points, supports);
   hand_to_masters(space, node_support);
@@ -88,7 +88,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
         lifts[k] = state.lift(i, k);
       }
       const auto node_number = static_cast<algebra::LocalIndex>(i);
-      NodeCoordinates node;  // a tied one has no coordinates of its own: columns of zeros, held at zero
+      NodeCoordinates node;  // a tied node has no coordinates of its own: columns of zeros, fixed at zero
       if (const auto* carried = space.carried ? space.carried->find(node_number) : nullptr) {
         node = carried_coordinates(*space.carried, *carried, points[i], s, size);
         node.rows = no_rows(gaps.size());
@@ -120,7 +120,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
 
 namespace {
 
-// Of every node: with sizes known at compile time they take a third of the time.
+// Works on all nodes. With sizes known at compile time it takes a third of the time.
 template <int width>
 void times_all_bases(std::span<const NodeBasis> bases, const double* z, double* y) {
   for (std::size_t i = 0; i < bases.size(); ++i)

@@ -11,10 +11,10 @@ namespace plastron::assembly {
 
 namespace {
 
-// Block: x (2), phi (3), a_3 (3), e, E.
+// Values of a block: x (2), phi (3), a_3 (3), e, E.
 constexpr int block = 10;
 
-/// The largest thickness and modulus at owned nodes, of all cells that meet there, whichever rank owns those.
+/// Sets the largest thickness and modulus at owned nodes, from all cells that meet there, on any rank.
 void add_sections(const fem::Space& space, const fem::Surface& surface, const element::ElementTables& tables,
                   const CrossSections& sections, algebra::Vector& data) {
   std::vector<double> x(tables.nodes.size()), y(x.size()), e(x.size());
@@ -37,7 +37,7 @@ void add_sections(const fem::Space& space, const fem::Surface& surface, const el
 
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
                                        const element::ElementTables& tables, const CrossSections& sections) {
-  // Owners write, ghosts read, so that ranks agree to the last bit.
+  // Owners write and ghosts read, so that ranks agree to the last bit.
   algebra::Vector data(space.layout, block), weights(space.layout, 1);
   std::vector<char> done(static_cast<std::size_t>(space.layout->local_size()), 0);
   std::vector<geometry::SurfaceJet> jets(tables.nodes.size());
@@ -66,7 +66,7 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   add_sections(space, surface, tables, sections, data);
   data.update_ghosts();
   weights.accumulate_ghosts();
-  fem::collect(space, weights);  // a tied node is never in contact; others answer for its share
+  fem::collect(space, weights);  // a tied node is never in contact; its masters take its share
   fem::collect_at_kinks(space, weights);
   weights.update_ghosts();
 
@@ -74,7 +74,7 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double* d = data.local().data() + i * block;
     points[i] = {{d[0], d[1]}, {d[2], d[3], d[4]}, {d[5], d[6], d[7]}, d[8], d[9], weights.local()[i]};
-    // The share that one hanging node hands to a master may be negative, the sum must not be.
+    // The share that one hanging node gives to a master may be negative. The sum must not be negative.
     PLASTRON_ASSERT(points[i].weight >= 0, i, points[i].weight);
   }
   return points;

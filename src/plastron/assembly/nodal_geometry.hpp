@@ -1,4 +1,4 @@
-// What the nodes need to know of the shell: position, normal, thickness, and the weight of the nodal quadrature (M21).
+// Data of the shell at nodes: position, normal, thickness, and the weight of the nodal quadrature (M21).
 // Where regions of different thickness meet, a node has the largest: the thickest part touches an obstacle first (M16).
 #pragma once
 #include <plastron/algebra/vector.hpp>
@@ -19,10 +19,10 @@ struct NodalPoint {
   Vector3d a3;        ///< unit normal
   double thickness;   ///< e, the largest of the cells that meet [m]
   double young;       ///< E, the largest of the cells that meet [Pa]
-  double weight;      ///< nodal quadrature weight: mid-surface area that the node stands for, or 0 [m^2]
+  double weight;      ///< nodal quadrature weight: mid-surface area of the node, or 0 [m^2]
 };
 
-/// Of every local node, the same on every rank that sees the node (collective).
+/// Returns the data of every local node, equal on all ranks that see the node (collective).
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
                                        const element::ElementTables& tables, const CrossSections& sections);
 

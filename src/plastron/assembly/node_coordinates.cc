@@ -18,14 +18,14 @@ constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 using Eigen::Vector2d;
 
-/// Orthonormal directions in R^3, those that are prescribed and those that are free.
+/// Orthonormal directions in R^3: prescribed ones and free ones.
 struct Split {
   std::vector<Vector3d> prescribed;
   std::vector<double> values;
   std::vector<Vector3d> free;
 };
 
-/// What one unknown's rows at a node are judged by.
+/// Scales against which the rows of one unknown at a node are compared.
 struct Scales {
   double value;     ///< the largest value that the node's supports prescribe
   double rounding;  ///< rounding of a value that should be zero
@@ -34,9 +34,9 @@ struct Scales {
 /// Splits the plane or space orthogonal to `excluded` (empty: all of R^3) by the prescribed rows.
 Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vector<Vector3d>& excluded,
             const Vector2d& x, const Scales& scales) {
-  // Directions that differ by less than this angle are one. Conormals of two boundaries that meet smoothly differ by
-  // the rounding of the mesh's nodes, 1e-16 to 1e-7, and a component that is the quotient of two such differences
-  // would be noise; beyond the angle a value's rounding is magnified by 1e4 at most.
+  // Directions that differ by less than this angle are equal. Conormals of two boundaries that meet smoothly differ by
+  // the rounding of the mesh's nodes, 1e-16 to 1e-7. A component that is the quotient of two such differences
+  // would be noise. Beyond the angle the rounding of a value is magnified by 1e4 at most.
   constexpr double negligible = 1e-4;
   constexpr double precision = 1e-9;
   Split result;
@@ -44,7 +44,7 @@ Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vec
   for (const auto& [direction, value] : rows) {
     Vector3d d = direction;
     for (const Vector3d& q : excluded) d -= q.dot(d) * q;
-    // What the directions taken so far already prescribe of this component:
+    // Value of this component that the earlier directions already prescribe:
     double known = 0;
     for (std::size_t k = 0; k < result.prescribed.size(); ++k) {
       const double share = result.prescribed[k].dot(d);
@@ -88,7 +88,7 @@ void prescribe(const Split& u, const Split& r, const std::vector<ContactColumn>&
     add(Vector3d::Zero(), r.prescribed[k], r.values[k], r.values[k]);
 }
 
-/// The gap where all free components are zero.
+/// Returns the gap where all free components are zero.
 double gap_of_prescribed(const obstacle::Gap& gap, const Split& u, const Split& r) {
   double value = gap.initial;
   for (std::size_t k = 0; k < u.prescribed.size(); ++k) value += gap.normal.dot(u.prescribed[k]) * u.values[k];
@@ -96,7 +96,8 @@ double gap_of_prescribed(const obstacle::Gap& gap, const Split& u, const Split& 
   return value;
 }
 
-/// Bounds of the coordinates from their rows. Of rows on one side of a coordinate the tightest binds, the first of equals.
+/// Sets the bounds of the coordinates from their rows. The tightest row on each side of a coordinate binds; of equal
+/// rows the first.
 void bound(NodeCoordinates& node) {
   std::array<ContactRow*, 6> below{}, above{};
   for (ContactRow& row : node.rows) {
@@ -113,7 +114,7 @@ void bound(NodeCoordinates& node) {
   }
 }
 
-/// The gaps by their size where (u, r) = at.
+/// Returns the gaps in the order of their size at (u, r) = at.
 std::vector<std::size_t> nearest_first(std::span<const obstacle::Gap> gaps, const Vector3d& a3,
                                        const Eigen::Matrix<double, 6, 1>& at) {
   std::vector<std::size_t> order(gaps.size());
@@ -133,7 +134,7 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
   const Split u = split(support.displacement, {}, point.x, {support.displacement_scale, rounding * size}),
               r = split(support.rotation, {point.a3}, point.x, {support.rotation_scale, rounding});
   NodeCoordinates node;
-  // Vertices of triangles of degree 2 carry no weight in (M21), hence no bound.
+  // Vertices of triangles of degree 2 have no weight in (M21), hence no bound.
   const auto counted = point.weight > 0 ? gaps : gaps.first(0);
   const ContactCoordinates contact = contact_coordinates(counted, nearest_first(counted, point.a3, at), u.free, r.free);
   prescribe(u, r, contact.columns, node);

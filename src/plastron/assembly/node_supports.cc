@@ -1,4 +1,4 @@
-// From supports by boundary or point and component to prescribed directions at nodes.
+// Converts supports by boundary or point and component to prescribed directions at nodes.
 #include <plastron/assembly/nodal_coordinates.hpp>
 
 #include <plastron/fem/basis.hpp>
@@ -19,14 +19,15 @@ struct EdgeFrame {
   Vector3d conormal, tangent;
 };
 
-/// Frames of the boundary curves that meet at a node. Pieces of one smooth curve give one averaged frame; at a corner
-/// of the curve both directions stay.
+/// Frames of the boundary curves that meet at a node. Pieces of one smooth curve give one averaged frame. At a corner
+/// of the curve both directions are kept.
 class EdgeFrames {
  public:
   void add(const EdgeFrame& frame) {
-    // One degree. Sides of a smooth curve meet without an angle in the exact maps of the built-in domains and, in a mesh
-    // of second order, with less than this up to an arc of 30 degrees a side. Whatever is sharper is a corner, where
-    // the domain has two conormals: with only their mean held, the shell slides in the other direction.
+    // One degree. Sides of a smooth curve meet without an angle in the exact maps of the built-in domains.
+    // In a mesh of second order their angle is below this limit up to an arc of 30 degrees for each side.
+    // A larger angle is a corner, where the domain has two conormals. If only their mean were fixed, the shell would
+    // slide in the other direction.
     constexpr double corner = 0.0175;
     for (EdgeFrame& known : frames_)
       if ((known.conormal - frame.conormal).norm() < corner) {
@@ -42,7 +43,8 @@ class EdgeFrames {
   std::vector<EdgeFrame> frames_;
 };
 
-/// Outward conormal and tangent (anticlockwise round the domain) on a side of a cell that runs along `side_tangent`.
+/// Returns the outward conormal and the tangent (anticlockwise around the domain) on a side of a cell along
+/// `side_tangent`.
 EdgeFrame edge_frame(const geometry::SurfaceJet& jet, const Eigen::Vector2d& side_tangent) {
   const Vector3d a3 = geometry::unit_normal(jet);
   const Vector3d tangent = (side_tangent[0] * jet.d[0] + side_tangent[1] * jet.d[1]).normalized();
@@ -81,7 +83,7 @@ class FramesOn {
   std::vector<std::pair<algebra::LocalIndex, EdgeFrames>> take() { return std::move(frames_); }
 
  private:
-  /// `is_twin`: the side runs the other way.
+  /// `is_twin`: the side runs in the opposite direction.
   void add(const fem::BoundarySide& edge, bool is_twin) {
     const auto line = fem::gauss_lobatto(space_.degree + 1).points;  // the nodes of a side on either shape
     std::vector<Eigen::Vector2d> xi;
@@ -113,7 +115,7 @@ class FramesOn {
 
 namespace {
 
-/// The rows that one support puts at the nodes of its boundary.
+/// The rows that one support adds at the nodes of its boundary.
 class Rows {
  public:
   Rows(const Support& support, const std::vector<NodalPoint>& points) : support_(support), points_(points) {}

@@ -6,20 +6,20 @@
 
 namespace plastron::assembly {
 
-/// A row per quadrature point: d_1(r . a_3), d_2(r . a_3) along the cell's coordinates.
+/// One row for each quadrature point: d_1(r . a_3), d_2(r . a_3) along the cell's coordinates.
 using CellGradient = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 CellGradient normal_rotation_gradients(const ShellOperator& shell, std::size_t cell, const element::CellField& field);
-/// The transpose of normal_rotation_gradients(): adds nodal forces.
+/// Adds the nodal forces of `stresses`: the transpose of normal_rotation_gradients().
 void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, const CellGradient& stresses,
                                 element::CellField& forces);
 
-/// Adds what this rank's cells give to factor times the form's operator on y to f's local values; needs y's ghosts.
-/// f.accumulate_ghosts() then completes the sum.
+/// Adds the product of factor times the form's operator with y to f's local values, for this rank's cells. Needs y's
+/// ghosts. f.accumulate_ghosts() then completes the sum.
 void add_normal_rotation_form(const ShellOperator& shell, double factor, const algebra::Vector& y, algebra::Vector& f);
-/// 1/2 factor times the form's value at (y, y), over all ranks (collective) [J].
+/// Returns 1/2 factor times the form's value at (y, y), over all ranks (collective) [J].
 double tangency_energy(const ShellOperator& shell, double factor, const algebra::Vector& y);
-/// R with R' R the element matrix of factor times the form.
+/// Returns R, where R' R is the element matrix of factor times the form.
 RowMatrix scaled_normal_rotation_matrix(const ShellOperator& shell, std::size_t cell, double factor);
 
 }  // namespace plastron::assembly

@@ -1,12 +1,12 @@
-// A pack of cells on its way from nodal values to strains and back: values gathered, derivatives at points by tables applied along one
-// direction after the other, and each step's transpose. A name below ends in what its array runs over: nodes, full or reduced Gauss
-// points, first those along xi_2, then those along xi_1, which run fastest.
+// A pack of cells between nodal values and strains: gathered values, derivatives at points by tables along one
+// direction after the other, and the transpose of each step. The end of a name below says the range of its array:
+// nodes, full or reduced Gauss points. The points along xi_2 are named first, then those along xi_1, which run fastest.
 #pragma once
 #include <plastron/assembly/pack_points.hpp>
 
 namespace plastron::assembly::PLASTRON_PACK_NAMESPACE {
 
-/// Components of a field with `block` values a node.
+/// Components of a field with `block` values for each node.
 struct Components {
   int first, count, block;
 };
@@ -40,7 +40,7 @@ class PackCell {
     half_mixed_ = scratch_.take(m_ * n_);
   }
 
-  /// The pack's nodal values; lanes without a cell get zeros.
+  /// Gathers the pack's nodal values. Lanes without a cell get zeros.
   void gather(std::size_t pack, const Components& which, const double* y) {
     const std::int32_t* nodes[lanes];
     const int used = nodes_of(pack, nodes), first = which.first, last = which.first + which.count;
@@ -58,7 +58,7 @@ class PackCell {
     for (int l = 0; l < used; ++l) is_used[l] = 1;
     for (int i = first * nodes_; i < last * nodes_; ++i) field_[i] = is_used != 0 ? field_[i] : Pack{};
   }
-  /// f += the pack's nodal forces, cell after cell.
+  /// Adds the pack's nodal forces to f, cell by cell.
   void scatter(std::size_t pack, const Components& which, double* f) const {
     const std::int32_t* nodes[lanes];
     const int used = nodes_of(pack, nodes);
@@ -70,7 +70,7 @@ class PackCell {
       }
   }
 
-  /// Derivatives of some components at the quadrature points, and r itself if it is wanted.
+  /// Computes derivatives of some components at the quadrature points, and r itself if `with_r`.
   void differentiate(const Components& which, bool with_r) {
     const int first = which.first, count = which.count;
     const Pack* field = field_ + first * nodes_;
@@ -88,7 +88,8 @@ class PackCell {
     map_1(forward(c_.value), d, d2, count * n_);
     if (with_r) map_1(forward(c_.value), value_full_nodes_ + 3 * n_ * n_, r_, 3 * n_);
   }
-  /// The transpose: nodal forces from what works on derivatives and r, and, if `with_samples`, on the tied strains' samples.
+  /// Computes nodal forces from the duals of derivatives and r, and if `with_samples` also from the duals of the tied
+  /// strains' samples. It is the transpose.
   void differentiate_transposed(const Components& which, bool with_r, bool with_samples) {
     const int first = which.first, count = which.count;
     Pack* field = field_ + first * nodes_;
@@ -112,7 +113,7 @@ class PackCell {
     }
   }
 
-  /// The tied strains at the quadrature points, by way of the sampling points (M22). After differentiate().
+  /// Computes the tied strains at the quadrature points from the sampling points (M22). Call it after differentiate().
   void tie(const Pack* geometry) {
     const int mn = m_ * n_, mm = m_ * m_;
     map_2(forward(c_.reduced_value), field_, value_reduced_nodes_, 6, n_);
@@ -133,7 +134,8 @@ class PackCell {
     map_1(forward(c_.from_reduced), sampled_mixed_, half_mixed_, m_);
     map_2(forward(c_.from_reduced), half_mixed_, tied_ + 4 * points_, 1, n_);
   }
-  /// The transpose, up to what works on derivatives and r at the sampling points. Before differentiate_transposed().
+  /// Computes the duals of derivatives and r at the sampling points. It is the transpose of tie(). Call it before
+  /// differentiate_transposed().
   void tie_transposed(const Pack* geometry) {
     const int mm = m_ * m_;
     map_1(transposed(c_.from_reduced), tied_, sampled_1_, 2 * n_);
@@ -161,7 +163,7 @@ class PackCell {
     put(r1, d1_ + 3 * points_ + q, points_);
     put(r2, d2_ + 3 * points_ + q, points_);
   }
-  /// The gradient of r . a_3 along the cell's coordinates (shell/normal_rotation.hpp), and what works on it.
+  /// The gradient of r . a_3 along the cell's coordinates (shell/normal_rotation.hpp), or its dual.
   struct Gradient {
     Pack along_1, along_2;
   };
@@ -205,7 +207,7 @@ class PackCell {
     const std::size_t left = c_.cells - pack * lanes;
     return left < lanes ? static_cast<int>(left) : lanes;
   }
-  /// Along one direction: gamma_aa = d_a u . a_a and 2 delta_a = d_a u . a_3 + r . a_a.
+  /// Computes the strains along one direction: gamma_aa = d_a u . a_a and 2 delta_a = d_a u . a_3 + r . a_a.
   const Pack* sample_line(const Pack* geometry, const Pack* field, Pack* sampled) const {
     const int count = m_ * n_;
     for (int t = 0; t < count; ++t, geometry += PackedCells::sampling_size) {
@@ -235,10 +237,10 @@ class PackCell {
   }
 
   const PackedCells& c_;
-  int n_, m_, nodes_, points_;  // nodes and reduced points of a line, nodes and points of a cell
+  int n_, m_, nodes_, points_;  // nodes and reduced points of a line; nodes and points of a cell
   Scratch scratch_;
   Pack *field_, *d1_, *d2_, *r_;  // six components each, r_ three
-  // Six components where only the direction xi_2 has been gone through; of the last u alone.
+  // Values after the tables along xi_2 only: six components, in the last array only u.
   Pack *value_full_nodes_, *d_full_nodes_, *value_reduced_nodes_, *d_reduced_nodes_;
   Pack *along_1_, *along_2_, *mixed_;  // at sampling points: d_a u, r; d_a u, r; d_1 u, d_2 u
   Pack *sampled_1_, *sampled_2_, *sampled_mixed_, *half_mixed_, *tied_;

@@ -1,4 +1,5 @@
-// The loops of pack_kernels.hpp, compiled by files that name the lanes, the namespace and the kernels (pack_kernels_*.cc).
+// The loops of pack_kernels.hpp. The files that compile them name the lanes, the namespace and the kernels
+// (pack_kernels_*.cc).
 #pragma once
 #include <plastron/assembly/pack_cell.hpp>
 
@@ -16,7 +17,8 @@ void for_packs(const PackedCells& c, const Work& work) {
          packs(c.materials) + pack * PackedCells::material_size);
 }
 
-/// Strains of the gathered field at all quadrature points: take(q, frame, strains) may leave stresses in their place.
+/// Computes the strains of the gathered field at all quadrature points and calls take(q, frame, strains), which may
+/// store stresses.
 template <class Take>
 inline void with_strains(const PackedCells& c, PackCell& cell, const Pack* points, const Pack* samplings,
                          const Take& take) {
@@ -75,7 +77,7 @@ PackEnergies energies(const PackedCells& c, const double* y) {
   return {sum_of_lanes(membrane) / 2, sum_of_lanes(bending) / 2, sum_of_lanes(shear) / 2};
 }
 
-/// scale a^{ab} g_b
+/// Returns scale a^{ab} g_b.
 inline PackCell::Gradient raised(Pack scale, const Frame& f, const PackCell::Gradient& g) {
   return {scale * (f.g11 * g.along_1 + f.g12 * g.along_2), scale * (f.g12 * g.along_1 + f.g22 * g.along_2)};
 }
@@ -125,7 +127,7 @@ void add_coupling_transposed(const PackedCells& c, const double* lambda, double*
 
 using LoosePack [[gnu::vector_size(lanes * sizeof(double)), gnu::may_alias, gnu::aligned(8)]] = double;
 
-/// The part of b' b in `high` rows from i on and `wide` packs of columns from j on.
+/// Computes the part of b' b in `high` rows from i on and `wide` packs of columns from j on.
 template <int high, int wide>
 inline void gram_block(const double* b, int rows, int columns, int i, int j, double* k) {
   Pack sums[high][wide]{};
@@ -141,7 +143,7 @@ inline void gram_block(const double* b, int rows, int columns, int i, int j, dou
       *reinterpret_cast<LoosePack*>(k + static_cast<std::ptrdiff_t>(i + h) * columns + j + w * lanes) = sums[h][w];
 }
 
-/// `high` rows from i on, up to the diagonal and some columns further.
+/// Computes `high` rows from i on, up to the diagonal and some columns further.
 template <int high>
 inline void gram_rows(const double* b, int rows, int columns, int i, double* k) {
   int j = 0;

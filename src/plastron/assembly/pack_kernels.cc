@@ -4,7 +4,7 @@
 
 namespace plastron::assembly {
 
-// Each in an object file of its own, for the compiler is told the instructions by file (src/plastron/CMakeLists.txt).
+// Each is in its own object file because the compiler gets the instructions by file (src/plastron/CMakeLists.txt).
 extern const PackKernels common_kernels;
 #ifdef __x86_64__
 extern const PackKernels avx2_kernels;

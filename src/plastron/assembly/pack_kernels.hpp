@@ -1,6 +1,7 @@
-// The product through strains for packs of cells, one cell in each lane of the processor's vector registers: what the inner loops
-// read, as plain arrays, and the loops themselves as functions, compiled once for each set of instructions (pack_formulas.hpp) and
-// chosen when the program runs. Sums are taken in the same order in every run; another set changes last digits only.
+// The product through strains for packs of cells, one cell in each lane of the processor's vector registers. The file
+// holds the input of the inner loops as plain arrays, and the loops as functions. The functions are compiled once for
+// each set of instructions (pack_formulas.hpp) and chosen when the program runs. Sums are taken in the same order in
+// every run; another set of instructions changes last digits only.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,39 +9,41 @@
 
 namespace plastron::assembly {
 
-/// A table of basis functions, row by row, and its transpose.
+/// A table of basis functions by rows, and its transpose.
 struct PackTable {
   const double* values = nullptr;
   const double* transposed = nullptr;
   int rows = 0, columns = 0;  ///< points, nodes
 };
 
-/// Cells in packs of `lanes`: cell c is lane c % lanes of pack c / lanes, and lanes of the last pack that are left over hold copies of
-/// the last cell. Arrays of geometry run by pack, point, quantity, lane and are aligned to 64 bytes.
+/// Cells in packs of `lanes`: cell c is lane c % lanes of pack c / lanes. Unused lanes of the last pack contain copies
+/// of the last cell. Arrays of geometry run by pack, point, quantity, lane and are aligned to 64 bytes.
 struct PackedCells {
   enum class Kind {
     tied,    ///< squares whose membrane and shear strains are tied (M22)
-    square,  ///< squares without
-    plain    ///< no tensor product
+    square,  ///< squares without tied strains
+    plain    ///< cells without tensor product
   };
-  /// Quantities of a quadrature point: a_1, a_2, b_11, b_22, b_12, e. All else follows, faster than memory would deliver it.
+  /// Quantities of a quadrature point: a_1, a_2, b_11, b_22, b_12, e. Computing the others is faster than reading them
+  /// from memory.
   static constexpr int point_size = 10;
-  /// Quantities of a sampling point: the two vectors that its strains need.
+  /// Quantities of a sampling point: the two vectors for its strains.
   static constexpr int sampling_size = 6;
-  /// Of a cell's material: E nu / (1 - nu^2), mu, k_s mu, E.
+  /// Quantities of a cell's material: E nu / (1 - nu^2), mu, k_s mu, E.
   static constexpr int material_size = 4;
 
   Kind kind = Kind::tied;
   std::size_t cells = 0;
   int nodes_per_cell = 0, points_per_cell = 0;
-  const std::int32_t* nodes = nullptr;  ///< of all cells
+  const std::int32_t* nodes = nullptr;  ///< nodes of all cells
   const double* points = nullptr;
-  const double* samplings = nullptr;  ///< of the three sets of (M22), one after the other: a_1, a_3; a_2, a_3; a_1, a_2
-  const double* materials = nullptr;  ///< by pack, quantity, lane
-  const double* weights = nullptr;    ///< of the quadrature points
-  /// Along a line: values and derivatives at the full and reduced Gauss points, and the way from those to these.
+  const double* samplings = nullptr;  ///< points of the three sets of (M22), set by set: a_1, a_3; a_2, a_3; a_1, a_2
+  const double* materials = nullptr;  ///< values by pack, quantity, lane
+  const double* weights = nullptr;    ///< weights of the quadrature points
+  /// Tables along a line: values and derivatives at the full and reduced Gauss points, and the map from reduced to full
+  /// points.
   PackTable value{}, d{}, reduced_value{}, reduced_d{}, from_reduced{};
-  /// Of a cell that is no tensor product: values and derivatives at its points.
+  /// Tables of a cell without tensor product: values and derivatives at its points.
   PackTable cell_value{}, cell_d1{}, cell_d2{};
 
   std::size_t sampling_points() const {
@@ -53,24 +56,24 @@ struct PackEnergies {
   double membrane = 0, bending = 0, shear = 0;
 };
 
-/// Loops over all packs. Fields have six values a node, scalars one.
+/// Loops over all packs. Fields have six values for each node, scalars one.
 struct PackKernels {
-  const char* name;  ///< of the instructions
+  const char* name;  ///< name of the instructions
   int lanes;         ///< cells in a pack
-  /// f += A y
+  /// Computes f += A y.
   void (*add_product)(const PackedCells& cells, const double* y, double* f);
-  /// 1/2 a(y, y) by its parts
+  /// Returns 1/2 a(y, y) by its parts.
   PackEnergies (*energies)(const PackedCells& cells, const double* y);
-  /// f += factor times the form of normal_rotation.hpp on y
+  /// Adds factor times the form of normal_rotation.hpp on y to f.
   void (*add_normal_rotation)(const PackedCells& cells, double factor, const double* y, double* f);
-  /// q += b(y, N_i) and f += b(phi_j, lambda) of multiplier.hpp
+  /// Computes q += b(y, N_i) and f += b(phi_j, lambda) of multiplier.hpp.
   void (*add_coupling)(const PackedCells& cells, const double* y, double* q);
   void (*add_coupling_transposed)(const PackedCells& cells, const double* lambda, double* f);
-  /// The lower triangle of k = b' b, b row by row; the rest of k is left as it is, or is filled in.
+  /// Computes the lower triangle of k = b' b, b row by row. The rest of k is unchanged or filled.
   void (*gram)(const double* b, int rows, int columns, double* k);
 };
 
-/// Those that this processor has, the widest first; all in all builds have at least one.
+/// Returns the kernels for this processor, the widest first. All builds have at least one.
 std::span<const PackKernels* const> pack_kernels();
 
 }  // namespace plastron::assembly

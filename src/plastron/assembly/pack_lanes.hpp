@@ -1,6 +1,7 @@
-// A number for each lane of a vector register, and tables applied to lines of them. For the files that say how many lanes there are and
-// in what namespace: everything here is compiled once for each set of instructions, so nothing of it may have the same name twice, and
-// no templates of the standard library may be instantiated, of which the linker would keep the version of any one file.
+// Packs (one number for each lane of a vector register), and tables applied to lines of them. The including file
+// defines the number of lanes and the namespace. Everything here is compiled once for each set of instructions, so no
+// name may occur twice. Templates of the standard library must not be instantiated here: the linker would keep only one
+// file's version.
 #pragma once
 #include <plastron/assembly/pack_kernels.hpp>
 
@@ -26,7 +27,7 @@ inline double sum_of_lanes(Pack v) {
   return sum;
 }
 
-/// Memory for a loop over packs, handed out piece by piece.
+/// Memory for a loop over packs, given out piece by piece.
 class Scratch {
  public:
   explicit Scratch(int packs)
@@ -48,7 +49,7 @@ class Scratch {
   Pack *memory_, *next_;
 };
 
-/// A table that takes `columns` values to `rows`.
+/// A table that maps `columns` values to `rows` values.
 struct Map {
   const double* values;
   int rows, columns;
@@ -56,7 +57,8 @@ struct Map {
 inline Map forward(const PackTable& t) { return {t.values, t.rows, t.columns}; }
 inline Map transposed(const PackTable& t) { return {t.transposed, t.columns, t.rows}; }
 
-/// out = T in, or out += T in, for one line. With `size` > 0, which is then the number of columns, the values stay in registers.
+/// Computes out = T in or out += T in for one line. `size` > 0 is the number of columns; then the values stay in
+/// registers.
 template <int size, bool adds>
 inline void map_line(const Map& t, const Pack* in, int in_step, Pack* out, int out_step) {
   Pack kept[size + (size == 0)];
@@ -73,7 +75,7 @@ inline void map_line(const Map& t, const Pack* in, int in_step, Pack* out, int o
   }
 }
 
-/// For `blocks` arrays of lines; the lines of an array lie side by side, `across` of them.
+/// Maps `blocks` arrays of lines. The lines of an array are side by side, `across` of them.
 template <int size, bool adds>
 void map_lines(const Map& t, const Pack* in, Pack* out, int blocks, int across) {
   for (int b = 0; b < blocks; ++b, in += t.columns * across, out += t.rows * across)
@@ -106,10 +108,10 @@ void map_blocks(const Map& t, const Pack* in, Pack* out, int blocks, int across)
   }
 }
 
-/// Along the direction that runs fastest, in `count` lines one after the other.
+/// Maps along the direction that runs fastest, in `count` successive lines.
 inline void map_1(const Map& t, const Pack* in, Pack* out, int count) { map_blocks<false>(t, in, out, count, 1); }
 inline void add_1(const Map& t, const Pack* in, Pack* out, int count) { map_blocks<true>(t, in, out, count, 1); }
-/// Along the other one, in `blocks` arrays of `across` lines.
+/// Maps along the other direction, in `blocks` arrays of `across` lines.
 inline void map_2(const Map& t, const Pack* in, Pack* out, int blocks, int across) {
   map_blocks<false>(t, in, out, blocks, across);
 }

@@ -1,5 +1,5 @@
-// The formulas of shell/ at a point of a pack of cells: frame and section stiffness from what is stored, strains (M4-M6), stresses (M8)
-// and the transposed strain maps. Tests hold them to shell/'s.
+// The formulas of shell/ at a point of a pack of cells: frame and section stiffness from stored data, strains (M4-M6),
+// stresses (M8) and the transposed strain maps. Tests compare them with shell/.
 #pragma once
 #include <plastron/assembly/pack_lanes.hpp>
 
@@ -14,7 +14,7 @@ inline Pack dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y
 inline Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// Three quantities `step` apart.
+/// Returns the vector of three quantities at distance `step`.
 inline Vector vector_at(const Pack* at, int step) { return {at[0], at[step], at[2 * step]}; }
 inline void put(const Vector& v, Pack* at, int step) {
   at[0] = v.x;
@@ -22,7 +22,7 @@ inline void put(const Vector& v, Pack* at, int step) {
   at[2 * step] = v.z;
 }
 
-/// Strains or stresses: 11, 22, 12, and the two of shear.
+/// Strains or stresses: 11, 22, 12, and two components of shear.
 struct Strains {
   Pack membrane[3], bending[3], shear[2];
 };
@@ -55,7 +55,7 @@ struct Derivatives {
   Vector u1, u2, r1, r2;  ///< d_1 u, d_2 u, d_1 r, d_2 r
 };
 
-/// (M4), (M6)
+/// Sets the strains (M4), (M6).
 inline void set_membrane_and_shear(const Derivatives& d, const Vector& r, const Frame& f, Strains& s) {
   s.membrane[0] = dot(d.u1, f.a1);
   s.membrane[1] = dot(d.u2, f.a2);
@@ -63,14 +63,14 @@ inline void set_membrane_and_shear(const Derivatives& d, const Vector& r, const 
   s.shear[0] = dot(d.u1, f.a3) + dot(r, f.a1);
   s.shear[1] = dot(d.u2, f.a3) + dot(r, f.a2);
 }
-/// (M5)
+/// Sets the strains (M5).
 inline void set_bending(const Derivatives& d, const Frame& f, Strains& s) {
   s.bending[0] = dot(d.u1, f.da1) + dot(d.r1, f.a1);
   s.bending[1] = dot(d.u2, f.da2) + dot(d.r2, f.a2);
   s.bending[2] = dot(d.u1, f.da2) + dot(d.u2, f.da1) + dot(d.r1, f.a2) + dot(d.r2, f.a1);
 }
 
-/// (M8): stresses times the area of the point.
+/// Returns the stresses (M8) times the area of the point.
 inline Strains stresses_of(const Strains& s, const Frame& f, const Pack* material, double weight) {
   const Pack e = f.thickness, scale = weight * f.sqrt_a * e, bending = scale * e * e * (1.0 / 12);
   const Pack l = material[0], mu = material[1], both = l + 2 * mu;

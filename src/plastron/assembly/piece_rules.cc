@@ -11,10 +11,10 @@ namespace plastron::assembly {
 
 namespace {
 
-/// More borders or more work than a rule can follow.
+/// Thrown where a rule would need too many borders or too much work.
 struct TooMany {};
 
-/// Two numbers closer than this are one border; what lies in so small a part of a cell has no weight.
+/// Two numbers closer than this are one border. Such a small part of a cell has no weight.
 constexpr double smallest = 1e-12;
 constexpr std::size_t most_borders = 200;
 constexpr int most_looks = 400'000;
@@ -25,7 +25,7 @@ std::vector<double> with_ends(std::vector<double> inner) {
   return inner;
 }
 
-/// Borders of pieces in the square of s and t, which `place` lays on the cell.
+/// Borders of pieces in the square of s and t. `place` maps this square to the cell.
 class Borders {
  public:
   using Place = std::function<Vector2d(double s, double t)>;
@@ -41,7 +41,7 @@ class Borders {
     });
   }
 
-  /// Where borders cross the line of s, ascending.
+  /// Returns the places where borders cross the line of s, ascending.
   std::vector<double> on_line(double s) const {
     std::vector<double> all;
     double end = -1;
@@ -49,7 +49,7 @@ class Borders {
     return all;
   }
 
-  /// Values of s where the borders on lines begin, end, turn or have corners, ascending.
+  /// Returns the values of s where the borders on lines begin, end, turn or have corners, ascending.
   std::vector<double> events() const {
     std::vector<double> all;
     double end = -1;
@@ -57,7 +57,7 @@ class Borders {
     return all;
   }
 
-  /// The cuts, and as many more as the rule in s needs for the widths of all pieces on lines.
+  /// Returns the cuts, and further cuts until the rule in s integrates the widths of all pieces on lines.
   std::vector<double> cuts(const fem::Rule& rule) const {
     const std::vector<double> all = with_ends(events());
     std::vector<double> finer{0};
@@ -67,7 +67,8 @@ class Borders {
   }
 
  private:
-  /// An enclosure of x and y: the values at corners and middles, and as much more as the middles are off what the corners say.
+  /// Returns intervals around x and y: the values at corners and middles, extended by the difference between the
+  /// middles and the linear interpolation of the corners.
   std::array<geometry::Interval, 2> box(double s0, double s1, double t0, double t1) const {
     std::array<Vector2d, 9> points;
     std::array<double, 9> x{}, y{};
@@ -94,7 +95,8 @@ class Borders {
     return {enclosed(x), enclosed(y)};
   }
 
-  /// `end`: of what cannot be told apart from the last border. Where a border is along the line, the arithmetic cannot tell over a length.
+  /// Adds the crossings of the line of s between t0 and t1 to `all`. `end`: end of the interval that arithmetic cannot
+  /// separate from the last border. Where a border runs along the line, this interval has a length.
   void find(double s, double t0, double t1, std::vector<double>& all, double& end) const {
     if (are_none(s, s, t0, t1)) return;
     const bool goes_on = t0 - end < smallest;
@@ -109,7 +111,7 @@ class Borders {
     find(s, middle, t1, all, end);
   }
 
-  /// Integrals over s of the widths of pieces between a and b; nothing if their number changes.
+  /// Returns the integrals over s of the widths of pieces between a and b; nothing if the number of pieces changes.
   std::vector<double> widths(double a, double b, const fem::Rule& rule) const {
     std::vector<double> sums;
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
@@ -152,7 +154,8 @@ class Borders {
     find_events(middle, between, b, on_b, all, end);
   }
 
-  /// The crossings at a, at b and between them are those of smooth curves, and nothing else lies between a and b.
+  /// Whether the crossings at a, at b and between them belong to smooth curves, with no other crossings between a and
+  /// b.
   bool are_curves(double a, const std::vector<double>& on_a, const std::vector<double>& between, double b,
                   const std::vector<double>& on_b) const {
     if (on_a.size() != between.size() || on_b.size() != between.size()) return false;
@@ -174,8 +177,9 @@ class Borders {
     int last_look;
     bool is_empty_beyond;
   };
-  /// No border crosses the box, as far as boxes show that are a part of its width, and not too many of them. Boxes of x and y around oblique boxes
-  /// of s and t touch a curve early: beside a place where the curve is along the lines hundreds are needed. A narrow box counts as empty then.
+  /// Whether no border crosses the box. The test divides the box into smaller boxes, down to a part of its width and up
+  /// to a limited number. Boxes of x and y around oblique boxes of s and t touch a curve early. Near a place where a
+  /// curve runs along the lines, hundreds of boxes are needed. If they are too many, a narrow box counts as empty.
   bool is_empty(double s0, double s1, double t0, double t1) const {
     constexpr int enough = 300;
     constexpr double narrow = 1e-6;
@@ -200,13 +204,13 @@ class Borders {
   mutable int looks_ = 0;
 };
 
-/// A triangle is a square whose side s = 1 has no length.
+/// Returns the map of the square to a cell. For a triangle, the square's side s = 1 has no length.
 Borders::Place place_on(fem::Shape shape) {
   if (shape == fem::Shape::triangle) return [](double s, double t) { return Vector2d(s, t * (1 - s)); };
   return [](double s, double t) { return Vector2d(s, t); };
 }
 
-/// Calls visit(point, weight) for a Gauss rule between two cuts each.
+/// Calls visit(point, weight) for the points of a Gauss rule between each pair of cuts.
 template <class Visit>
 void between(const std::vector<double>& cuts, const fem::Rule& rule, const Visit& visit) {
   for (std::size_t i = 1; i < cuts.size(); ++i)
@@ -214,7 +218,7 @@ void between(const std::vector<double>& cuts, const fem::Rule& rule, const Visit
       visit(cuts[i - 1] + rule.points[q] * (cuts[i] - cuts[i - 1]), rule.weights[q] * (cuts[i] - cuts[i - 1]));
 }
 
-/// A rule for functions with roots at both ends.
+/// Returns a rule for functions with roots at both ends.
 fem::Rule with_roots_at_ends(int points) {
   fem::Rule rule = fem::gauss(points);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
@@ -255,7 +259,7 @@ PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const Pi
                         const Positions& positions) {
   constexpr std::size_t most_parts = 30'000;
   constexpr int most_divisions = 30;
-  constexpr double small = 1.0 / 64;  // shape functions are linear over such a part, nearly: one point is enough
+  constexpr double small = 1.0 / 64;  // shape functions are nearly linear over such a part: one point is enough
   PieceRule rule;
   const double area = shape == fem::Shape::triangle ? 0.5 : 1;
   const Vector2d centre = shape == fem::Shape::triangle ? Vector2d(1.0 / 3, 1.0 / 3) : Vector2d(0.5, 0.5);

@@ -4,7 +4,7 @@ namespace plastron::assembly {
 
 namespace {
 
-/// By how much the gap of a row closes while its obstacle goes on by one.
+/// Returns the decrease of a row's gap for a unit motion of its obstacle along the force.
 double closing(const DiscreteShell& discrete, const ContactRow& row) {
   const auto k = static_cast<std::size_t>(row.obstacle);
   return discrete.coordinates.gaps[k][row.node].normal.dot(discrete.obstacles.all[k].force.normalized());

@@ -9,7 +9,7 @@ namespace {
 
 using geometry::Vector3d;
 
-/// A row per quadrature point: 11, 22, 2 x 12.
+/// One row for each quadrature point: 11, 22, 2 x 12.
 using MembraneRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// The field of a cell at the points of each sampling.
 using SampledFields = std::vector<element::FieldRows>;
@@ -22,7 +22,7 @@ SampledFields sampled_fields(const ShellOperator& shell, std::size_t cell, const
   return sampled;
 }
 
-/// 1/2 (d_a v . d_b w + d_b v . d_a w) at the quadrature points, from their values at sampling points.
+/// Returns 1/2 (d_a v . d_b w + d_b v . d_a w) at the quadrature points, from the values at sampling points.
 MembraneRows products(const ShellOperator& shell, const SampledFields& v, const SampledFields& w) {
   MembraneRows at_points = MembraneRows::Zero(shell.tables().points_per_cell(), 3);
   for (std::size_t s = 0; s < v.size(); ++s) {
@@ -37,7 +37,8 @@ MembraneRows products(const ShellOperator& shell, const SampledFields& v, const 
   return at_points;
 }
 
-/// Adds the forces of membrane stresses times area that work on d_a v . d_b w, v the field that is given and w the one they move.
+/// Adds the forces of membrane stresses times area that do work on d_a v . d_b w. v is the given field, w the virtual
+/// one.
 void add_forces_along(const ShellOperator& shell, std::size_t cell, const MembraneRows& stresses,
                       const SampledFields& v, element::CellField& forces) {
   for (std::size_t s = 0; s < v.size(); ++s) {
@@ -57,7 +58,7 @@ void add_forces_along(const ShellOperator& shell, std::size_t cell, const Membra
   }
 }
 
-/// The larger of both faces' largest principal strains, by size.
+/// Returns the largest principal strain of both faces, by absolute value.
 double largest_principal(const QuadraturePoint& p, const CellStrain& strains, Eigen::Index q) {
   double largest = 0;
   for (const double z : {-p.thickness / 2, p.thickness / 2}) {
@@ -71,7 +72,7 @@ double largest_principal(const QuadraturePoint& p, const CellStrain& strains, Ei
   return largest;
 }
 
-/// Fills f by cells: forces_of(cell, field of y, forces).
+/// Returns nodal forces assembled from cells: forces_of(cell, forces) computes them.
 template <class ForcesOf>
 algebra::Vector assembled(const ShellOperator& shell, const ForcesOf& forces_of) {
   algebra::Vector f(shell.space().layout, 6);
@@ -84,7 +85,7 @@ algebra::Vector assembled(const ShellOperator& shell, const ForcesOf& forces_of)
   return f;
 }
 
-/// N^{ab} times area at the quadrature points.
+/// Returns N^{ab} times area at the quadrature points.
 MembraneRows membrane_forces(const ShellOperator& shell, std::size_t cell, const element::CellField& field) {
   return shell.weighted_stresses(cell, shell.strains(cell, field)).leftCols<3>();
 }

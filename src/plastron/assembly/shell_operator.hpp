@@ -1,6 +1,7 @@
-// The discrete shell on one mesh: strains of a nodal field, and the bilinear form a(., .) of (M8) as an operator that
-// goes through strains (B u first, then C, then B'), so that rounding acts on strains and not on displacements (D6). Products and
-// energies of the whole shell take cells in packs (cell_packs.hpp); what takes a single cell is the plain form of the same.
+// The discrete shell on one mesh: strains of a nodal field, and the bilinear form a(., .) of (M8) as an operator.
+// The operator works through strains (B u first, then C, then B'), so that rounding acts on strains and not on
+// displacements (D6). Products and energies of the whole shell use cells in packs (cell_packs.hpp). Functions of a
+// single cell are the plain form of the same formulas.
 #pragma once
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
@@ -19,8 +20,8 @@ namespace plastron::assembly {
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 
-/// Strains or weighted stresses of a cell: a row per point; gamma_11 gamma_22 2gamma_12, chi likewise, 2delta_1
-/// 2delta_2.
+/// Strains or weighted stresses of a cell, one row for each point: gamma_11 gamma_22 2gamma_12, the same of chi,
+/// 2delta_1 2delta_2.
 using CellStrain = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -32,7 +33,7 @@ struct Energies {
 /// Geometry and stiffness at a quadrature point, in the element's own coordinates.
 struct QuadraturePoint {
   geometry::Frame frame;
-  shell::SectionStiffness stiffness;  ///< not weighted
+  shell::SectionStiffness stiffness;  ///< without weight
   double thickness;                   ///< e of the cell's own region [m]
   double young;                       ///< E of the cell's own region [Pa]
   double area;                        ///< sqrt(a) times the quadrature weight [m^2]
@@ -41,7 +42,7 @@ struct QuadraturePoint {
 class ShellOperator {
  public:
   /// Precondition: the surface is regular and the thickness positive at the quadrature points. Covariant interpolation
-  /// is that of (M15). Throws fem::DomainError for cross-sections of regions that the mesh does not have.
+  /// follows (M15). Throws fem::DomainError for cross-sections of regions that the mesh does not have.
   ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
                 CrossSections sections, bool tying, bool is_covariant,
                 const PackKernels& kernels = *pack_kernels().front());
@@ -51,10 +52,10 @@ class ShellOperator {
   const fem::Surface& surface() const { return *surface_; }
   const element::ElementTables& tables() const { return tables_; }
   const CrossSections& sections() const { return sections_; }
-  /// That of the cell's region.
+  /// Returns the cross-section of the cell's region.
   const CrossSection& section(std::size_t cell) const { return sections_.at(*space_->coarse, space_->cells[cell]); }
   const element::Interpolation& interpolation() const { return interpolation_; }
-  /// Moving bases at the quadrature points of a cell; none for Cartesian interpolation.
+  /// Moving bases at the quadrature points of a cell; empty for Cartesian interpolation.
   element::Interpolation::Bases quadrature_bases(std::size_t cell) const {
     return bases_at(quadrature_bases_, cell, tables_.weights.size());
   }
@@ -68,29 +69,31 @@ class ShellOperator {
   element::CellField forces(std::size_t cell, const CellStrain& stresses) const;
   /// Stresses times area at the quadrature points: N, M, Q of (M8).
   CellStrain weighted_stresses(std::size_t cell, const CellStrain& strains) const;
-  /// The matrix of strains(): rows point by point in the order of CellStrain, columns node by node in the order of
+  /// Returns the matrix of strains(): rows by point in the order of CellStrain, columns by node in the order of
   /// CellField.
   RowMatrix strain_matrix(std::size_t cell) const;
 
-  /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), all others
-  /// as they are.
+  /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), the others
+  /// directly.
   CellStrain strains_at(std::size_t cell, const element::CellField& field, const element::BasisAt& basis,
                         const std::vector<MatrixXd>& tied, std::span<const geometry::SurfaceJet> jets) const;
 
-  /// f = A y for Cartesian nodal values (block 6); needs y's ghosts, leaves f complete on owned nodes (collective).
+  /// Computes f = A y for Cartesian nodal values (block 6). Needs y's ghosts; f is complete on owned nodes
+  /// (collective).
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
-  /// Adds what this rank's cells give to A y to f's local values; f.accumulate_ghosts() then completes the sum.
+  /// Adds the product A y of this rank's cells to f's local values. f.accumulate_ghosts() then completes the sum.
   void add_product(const algebra::Vector& y, algebra::Vector& f) const;
-  /// 1/2 a(y, y) by its three parts, over all ranks (collective).
+  /// Returns 1/2 a(y, y) by its three parts, over all ranks (collective).
   Energies energies(const algebra::Vector& y) const;
 
   geometry::Frame frame_at(std::size_t cell, int q) const { return packs_.frame(cell, static_cast<std::size_t>(q)); }
-  /// Computed from what is stored.
+  /// Computes a quadrature point from stored data.
   QuadraturePoint point(std::size_t cell, int q) const;
-  /// Of a cell: int sqrt(a) dx [m^2].
+  /// Area of a cell: int sqrt(a) dx [m^2].
   double area(std::size_t cell) const;
 
-  /// The owned cells as the loops over packs read them. Not for covariant interpolation, whose strains they do not know.
+  /// Returns the owned cells for the loops over packs. Not for covariant interpolation, whose strains these loops do
+  /// not compute.
   PackedCells packed() const {
     PLASTRON_ASSERT(has_packed_strains());
     return packs_.view(*space_);
@@ -99,7 +102,8 @@ class ShellOperator {
   bool has_packed_strains() const { return !interpolation_.is_covariant(); }
 
  private:
-  /// Sampled membrane and shear strains: a row per sampling point, gamma_11 gamma_22 2gamma_12 2delta_1 2delta_2.
+  /// Sampled membrane and shear strains, one row for each sampling point: gamma_11 gamma_22 2gamma_12 2delta_1
+  /// 2delta_2.
   using SampledStrain = Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor>;
 
   /// Asserts six values for every node that this rank sees.
@@ -112,9 +116,9 @@ class ShellOperator {
   element::Interpolation::Bases sampling_bases(std::size_t sampling, std::size_t cell) const {
     return bases_at(sampling_bases_[sampling], cell, tables_.samplings[sampling].basis.xi.size());
   }
-  /// Of this rank's cells.
+  /// Energies of this rank's cells.
   Energies energies_cell_by_cell(const algebra::Vector& y) const;
-  /// Of a sampling in a cell.
+  /// Points of a sampling in a cell.
   std::vector<SamplingPoint> sampling_points(std::size_t sampling, std::size_t cell) const;
   SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const element::CellField& field) const;
 

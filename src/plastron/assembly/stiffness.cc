@@ -9,7 +9,8 @@ namespace plastron::assembly {
 
 namespace {
 
-/// Multiplies rows from `first` on by the transpose of the Cholesky factor of a point's stiffness times its area, in place.
+/// Multiplies rows from `first` on, in place, by the transpose of the Cholesky factor of a point's stiffness times its
+/// area.
 template <int size>
 void scale_rows(const Eigen::Matrix<double, size, size>& stiffness, double area, Eigen::Index first, RowMatrix& b) {
   const Eigen::Matrix<double, size, size> upper = std::sqrt(area) * stiffness.llt().matrixU().toDenseMatrix();
@@ -19,7 +20,8 @@ void scale_rows(const Eigen::Matrix<double, size, size>& stiffness, double area,
   }
 }
 
-/// C' B with C C' the weighted section stiffness at each point, so that the element matrix is (C' B)' (C' B).
+/// Computes C' B, where C C' is the weighted section stiffness at each point. The element matrix is then (C' B)'
+/// (C' B).
 void scale_by_stiffness(const ShellOperator& shell, std::size_t cell, RowMatrix& b) {
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
     const QuadraturePoint p = shell.point(cell, q);

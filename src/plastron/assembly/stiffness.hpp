@@ -6,10 +6,10 @@
 
 namespace plastron::assembly {
 
-/// Cartesian element matrix, 6 values a node.
+/// Cartesian element matrix, 6 values for each node.
 RowMatrix element_stiffness(const ShellOperator& shell, std::size_t cell);
 
-/// Of a(., .) plus `tangency_factor` times the form of normal_rotation.hpp (collective).
+/// Returns the matrix of a(., .) plus `tangency_factor` times the form of normal_rotation.hpp (collective).
 algebra::Matrix stiffness_matrix(const ShellOperator& shell, const NodalCoordinates& coordinates,
                                  double tangency_factor = 0);
 

@@ -1,4 +1,5 @@
-// Supports: which components of (u, r) a boundary prescribes, or which of u a point, and to which values.
+// Supports: components of (u, r) that a boundary prescribes, or components of u that a point prescribes, and their
+// values.
 #pragma once
 #include <plastron/geometry/expression.hpp>
 
@@ -11,7 +12,7 @@ namespace plastron::assembly {
 
 enum class Unknown { displacement, rotation };
 
-/// Directions in which a component is taken. `conormal` is the unit vector tangent to the shell and normal to the
+/// Directions of a component. `conormal` is the unit vector tangent to the shell and normal to the
 /// boundary curve, outward; `tangent` runs along the curve, normal is a_3.
 enum class Direction { x, y, z, conormal, tangent, normal };
 
@@ -22,11 +23,12 @@ struct PrescribedComponent {
   geometry::Expression value{};
 };
 
-/// A point has no boundary and prescribes Cartesian components of u alone; it is a node of every mesh (fem/kept_nodes.hpp).
+/// A support of a boundary or a point. A point has no boundary and prescribes Cartesian components of u alone. It is a
+/// node of every mesh (fem/kept_nodes.hpp).
 struct Support {
   std::string boundary{};
   std::vector<PrescribedComponent> components{};
-  bool symmetry = false;  ///< the components came from "symmetry": the edge must lie in a plane normal to the shell
+  bool symmetry = false;  ///< the components come from "symmetry": the edge must lie in a plane normal to the shell
   std::optional<Eigen::Vector2d> point{};  ///< in Omega
 };
 

@@ -19,7 +19,7 @@ namespace plastron::computation {
 
 namespace {
 
-/// Of the owned cells: the largest part that any goal's error has in a cell, over what is allowed.
+/// Returns for each owned cell the largest error that any goal has in it, relative to the allowed error.
 std::vector<double> indicators(const fem::Space& space, const std::vector<GoalRecord>& records,
                                const estimation::Estimates& estimates) {
   std::vector<double> all(space.owned_cells, 0.0);
@@ -30,8 +30,8 @@ std::vector<double> indicators(const fem::Space& space, const std::vector<GoalRe
   return all;
 }
 
-/// The largest threshold above which cells make up `share` of the whole, to within a hundredth, so that cells that are alike by symmetry
-/// are not told apart by rounding (collective).
+/// Returns the largest threshold above which cells contain `share` of the whole, to within a hundredth. The tolerance
+/// ensures that rounding does not separate cells that are equal by symmetry (collective).
 double threshold(const std::vector<double>& indicators, double share, MPI_Comm comm) {
   double sum = 0, most = 0;
   for (const double x : indicators) {
@@ -52,18 +52,18 @@ double threshold(const std::vector<double>& indicators, double share, MPI_Comm c
   return at;
 }
 
-/// Sum of the norms of what obstacles bear [N].
+/// Returns the sum of the norms of the obstacles' forces [N].
 double obstacle_forces(const certificate::Summary& summary) {
   double sum = 0;
   for (const certificate::ObstacleContact& obstacle : summary.obstacles) sum += obstacle.reaction.force.norm();
   return sum;
 }
 
-/// What an error is relative to where the value itself is smaller: components that vanish by symmetry have no digits, nor has the sum of
-/// obstacles that press against each other.
+/// Returns the scale of relative errors where the value itself is smaller. Components that vanish by symmetry have no
+/// correct digits. The same is true for the sum of obstacles that press against each other.
 double least_scale(const estimation::Functional& functional, const certificate::Summary& summary) {
   using namespace estimation;
-  constexpr double as_good_as_zero = 1e-3;  // of the largest of a kind of numbers
+  constexpr double as_good_as_zero = 1e-3;  // part of the largest value of its kind
   const double forces = std::max(summary.load_norms, obstacle_forces(summary));
   if (const auto* force = std::get_if<ObstacleForce>(&functional))
     return force->obstacle || force->component ? as_good_as_zero * forces : obstacle_forces(summary);
@@ -73,9 +73,10 @@ double least_scale(const estimation::Functional& functional, const certificate::
   return std::holds_alternative<ObstaclePosition>(functional) ? as_good_as_zero * summary.max_displacement : 0;
 }
 
-/// Cauchy and Schwarz: a linear number of a solution with this energy is at most 2 sqrt(E E_z), E_z that of its dual. A hundred-thousandth of
-/// that vanishes, by symmetry as a rule; for point resultants, whose bound grows as cells shrink, it is a thousandth of usual values. All of
-/// the energy of a shell that nothing strains vanishes.
+/// Returns a scale below which values are only rounding. By Cauchy and Schwarz, a linear quantity of a solution with
+/// this energy is at most 2 sqrt(E E_z), with E_z the energy of its dual. A value below 1e-5 of this bound vanishes,
+/// usually by symmetry. For point resultants the bound grows as cells shrink, and the limit is a thousandth of usual
+/// values. The whole energy of an unstrained shell vanishes.
 double rounding_scale(const estimation::Functional& functional, const estimation::GoalEstimate& found,
                       const certificate::Summary& summary) {
   constexpr double vanishing = 1e-5;
@@ -84,7 +85,7 @@ double rounding_scale(const estimation::Functional& functional, const estimation
   return vanishing * 2 * std::sqrt(summary.energy.total() * found.dual_energy);
 }
 
-/// Of the witness's unknowns over those of a space.
+/// Ratio of the witness's unknowns to the unknowns of a space.
 double growth_to_witness(const Problem& problem, const fem::Space& space) {
   return std::pow(1 + static_cast<double>(degrees_of_witness(problem)) / space.degree, 2);
 }
@@ -130,7 +131,7 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRe
                                const estimation::Estimates& estimates, double share) {
   const std::vector<double> weights = indicators(space, goals, estimates);
   const double above = threshold(weights, share, space.layout->comm);
-  // A cell made of four has their error times about 2^(2k + 2): it must stay negligible then.
+  // A cell made of four has about 2^(2k + 2) times their error. This must still be negligible.
   const double below = 0.01 * above * std::exp2(-2 * space.degree - 2);
   std::vector<signed char> result;
   result.reserve(weights.size());
@@ -198,7 +199,7 @@ std::string AccuracyLoop::limit_of_meshes(const Level& level, std::int64_t added
   if (std::string limit = unsettled(6, 0.9); !limit.empty()) return limit;
   if (std::string limit = stalled(); !limit.empty()) return limit;
   if (added == 0) return "the cells to divide are as small as can be";
-  const bool is_unseen = missed_.empty() && space.shape() == fem::Shape::quadrilateral;  // by a witness
+  const bool is_unseen = missed_.empty() && space.shape() == fem::Shape::quadrilateral;  // witness is missing
   double growth = 1 + static_cast<double>(added) / static_cast<double>(space.global_cells);
   if (is_unseen) growth = std::max(growth, growth_to_witness(problem_, space));
   std::string limit = obstacle(level, growth, space.layout->comm);
@@ -228,9 +229,9 @@ std::string AccuracyLoop::place_of_error(const fem::Space& space, const estimati
   std::vector<double> shares = estimates.goals[static_cast<std::size_t>(worst - goals_.begin())].cells;
   for (double& share : shares) share = std::abs(share);
   const double above = threshold(shares, 0.5, comm);
-  if (std::isinf(above)) return "";  // no cell has any: the next degree alone tells of an error
+  if (std::isinf(above)) return "";  // no cell has an error: only the next degree shows it
   const std::int64_t mine = std::ranges::count_if(shares, [&](double share) { return share > above; });
-  std::vector<double> largest;  // of this rank: share and place
+  std::vector<double> largest;  // on this rank: share and place
   if (const auto most = std::ranges::max_element(shares); most != shares.end()) {
     const fem::Surface surface(space.coarse, problem_.charts);
     const Eigen::Vector2d centre = fem::centre(space.shape());
@@ -254,7 +255,7 @@ std::vector<double> AccuracyLoop::changes(std::size_t goal, std::size_t count) c
   return result;
 }
 
-// Cells with nodes inside are left out: those are held there, and smaller cells are no means against it.
+// Cells with nodes inside are not counted: these nodes are fixed there, and smaller cells do not help.
 std::string AccuracyLoop::missed_contact(const Result& result, const fem::Space& space) {
   entered_.clear();
   if (!result.solution || problem_.linearisation.once) return {};
@@ -273,7 +274,7 @@ std::string AccuracyLoop::missed_contact(const Result& result, const fem::Space&
   return row == limits.end() ? std::string{} : row->text();
 }
 
-// What has no limit changes as much each time its place is divided (a logarithm) or more (a power).
+// A quantity without limit changes by the same amount at each division of its place (a logarithm) or more (a power).
 std::string AccuracyLoop::unsettled(std::size_t count, double least_decay) const {
   std::string text;
   for (std::size_t g = 0; g < goals_.size(); ++g) {
@@ -289,9 +290,9 @@ std::string AccuracyLoop::unsettled(std::size_t count, double least_decay) const
   return text;
 }
 
-/// Chords are cut, cells are marked; all of them where no goal has errors in cells that could be told apart.
+/// Cuts chords and marks cells. It marks all cells where the goals' errors in cells cannot be distinguished.
 std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates) {
-  constexpr double rounding = 1e-6;  // of what is allowed: which cells have most of it would be chance
+  constexpr double rounding = 1e-6;  // part of the allowed error; below it the largest cells are random
   const auto marked = [&](signed char mark) {
     return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, mark)}, space.layout->comm);
   };
@@ -317,7 +318,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     for (const std::size_t cell : entered_) marks_[cell] = 1;
   }
   fem::mark_evenly(space, even_, marks_);
-  constexpr double smallest = 0x1p-24;  // of a coarse cell; p4est ends at 2^-29
+  constexpr double smallest = 0x1p-24;  // part of a coarse cell; p4est ends at 2^-29
   for (std::size_t c = 0; c < marks_.size(); ++c)
     if (marks_[c] > 0 && std::abs(space.cells[c].size) <= smallest) marks_[c] = 0;
   has_joined_ = cuts_.empty() && marked(-1) > 0;
@@ -354,7 +355,8 @@ void AccuracyLoop::cut(const fem::Space& space, const estimation::Estimates& est
                       .at_edges = wants_edges_});
 }
 
-// An energy hardly depends on where the edge of a contact zone is, but who asks for the energy wants to see the zone, too.
+// The energy hardly depends on the edge of a contact zone, but a user who requests the energy also wants to see the
+// zone.
 bool AccuracyLoop::edges_are_known(const std::optional<estimation::Estimates>& estimates) const {
   constexpr double over_energy = 15, least = 1e-3;
   if (!estimates || !estimates->edge_change) return true;
@@ -379,14 +381,15 @@ double AccuracyLoop::worst_excess() const {
 
 double AccuracyLoop::share_to_divide() const {
   constexpr double most = 0.8;
-  constexpr double aim = 0.9;    // of what is allowed
-  constexpr double kept = 0.25;  // of a cell's error at the edge of a contact zone, where nodes come half as far apart
-  const double excess = std::max(worst_excess(), 1.0);  // a mesh that only confirms must be another one, too
+  constexpr double aim = 0.9;  // part of the allowed error
+  // Part of a cell's error that remains at the edge of a contact zone, where the distance of nodes is halved.
+  constexpr double kept = 0.25;
+  const double excess = std::max(worst_excess(), 1.0);  // a mesh that only confirms must also be different
   return std::min((1 - aim / excess) / (1 - kept), most);
 }
 
 std::string AccuracyLoop::obstacle(const Level& level, double growth, MPI_Comm comm) const {
-  constexpr double cost_exponent = 1.3;  // of a mesh, in its unknowns (docs/performance.md)
+  constexpr double cost_exponent = 1.3;  // cost of a mesh in its unknowns (docs/performance.md)
   const double unknowns = growth * static_cast<double>(level.unknowns);
   if (unknowns > problem_.accuracy->max_unknowns)
     return fmt::format("the next mesh would have about {:.2g} unknowns, and max_unknowns = {:g}", unknowns,

@@ -13,21 +13,23 @@ namespace plastron::computation {
 
 namespace {
 
-/// A shell that is deeper in an obstacle than this part of its thickness or largest displacement, whichever is more, is not out.
+/// Limit of the depth in an obstacle, as a part of the thickness or of the largest displacement, whichever is larger.
 constexpr double negligible = 1e-9;
-/// A node's lift grows by the norm of this order of the depths of its cells: by the largest, and by at most a seventh more.
+/// Order of the norm of the cells' depths by which a node's lift grows. It exceeds the largest depth by at most a
+/// seventh.
 constexpr int order = 16;
 constexpr int max_rounds = 30;
-/// Rounds that leave more than this part of the least depth so far gain nothing; a few of them may come one after the other.
+/// A round without gain leaves more than this part of the least depth so far. A few of them may follow one another.
 constexpr double gain = 0.9;
 constexpr int max_rounds_without_gain = 4;
-/// Where nodes that supports hold weigh more than this, lifts of the others are no means against a depth.
+/// Largest weight of fixed nodes at which lifts of the other nodes can reduce a depth.
 constexpr double most_held = 0.5;
 
-/// Twice as fine as what is reported, and finer.
+/// Returns at least twice the fineness of the reported gaps.
 int lattice_intervals(int degree) { return std::max(8, 4 * degree); }
 
-/// The free nodes of a cell, and how much those that supports hold against an obstacle weigh at the points of a basis.
+/// The free nodes of a cell, and the weight of fixed nodes at the points of a basis. Supports fix these nodes against
+/// an obstacle.
 class CellWeights {
  public:
   CellWeights(const fem::Space& space, const algebra::Vector& held) : space_(space), held_(held) {}
@@ -52,7 +54,7 @@ class CellWeights {
   const algebra::Vector& held_;
 };
 
-/// 1 where supports leave a node's gap no freedom, or a rigid body does as it likes with it (collective).
+/// Returns 1 where supports leave a node's gap no freedom, or where a rigid body carries the node (collective).
 algebra::Vector held_nodes(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   const fem::CarriedNodes* carried = discrete.space().carried.get();
@@ -72,7 +74,7 @@ struct CellDepth {
   double depth;  ///< [m]
 };
 
-/// The cells of this rank that lie inside of an obstacle somewhere.
+/// Returns this rank's cells that are partly inside an obstacle.
 std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
                                    const CellWeights& weights) {
   const fem::Space& space = discrete.space();
@@ -93,7 +95,7 @@ std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, cons
   return all;
 }
 
-/// Thickness or displacement, what is the larger anywhere (collective).
+/// Returns the largest thickness or displacement, whichever is larger (collective).
 double length_scale(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
@@ -102,7 +104,7 @@ double length_scale(const assembly::DiscreteShell& discrete, const algebra::Vect
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
-/// Of the gaps at a cell's nodes that have weight, the least.
+/// Returns the least gap at the cell's nodes that have weight.
 double least_at_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y, std::size_t cell,
                       std::size_t obstacle) {
   double least = std::numeric_limits<double>::infinity();
@@ -144,7 +146,7 @@ std::optional<algebra::Vector> BoundLifts::next(const certificate::NodalSolution
   if (rounds_ >= max_rounds || rounds_without_gain_ >= max_rounds_without_gain) return {};
   ++rounds_;
 
-  // Sums go over ranks: a node on the border of two has cells on both.
+  // Sums are over ranks, because a node on the border of two ranks has cells on both.
   algebra::Vector powers(space.layout, held.block());
   const auto block = static_cast<std::size_t>(held.block());
   for (const CellDepth& cell : cells)

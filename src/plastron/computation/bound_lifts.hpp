@@ -1,5 +1,6 @@
-// Bounds of gaps at nodes, lifted until the shell is out of the obstacles between its nodes, too (docs/methods/admissible.md): solve,
-// look for the deepest place of every cell, lift the bounds of the cell's nodes by that depth, solve again.
+// Bounds of gaps at nodes, lifted until the shell is outside the obstacles also between its nodes
+// (docs/methods/admissible.md). The loop: solve, find the deepest place of every cell, lift the bounds of the cell's
+// nodes by that depth, solve again.
 #pragma once
 #include <plastron/certificate/certificate.hpp>
 
@@ -8,13 +9,13 @@
 
 namespace plastron::computation {
 
-/// One mesh's loop at one instant. Lifts only grow in it.
+/// The loop of one mesh at one instant. Lifts only increase in it.
 class BoundLifts {
  public:
   explicit BoundLifts(const assembly::DiscreteShell& discrete) : discrete_(discrete) {}
 
-  /// The lifts to solve with next, block: obstacles; nothing where the shell is out, or lifts bring it no further (collective).
-  /// Throws ObstacleError.
+  /// Returns the lifts of the next solution, block: obstacles. Nothing where the shell is outside, or where lifts give
+  /// no further gain (collective). Throws ObstacleError.
   std::optional<algebra::Vector> next(const certificate::NodalSolution& solution);
   int rounds() const { return rounds_; }
 
@@ -24,8 +25,9 @@ class BoundLifts {
   double least_depth_ = std::numeric_limits<double>::infinity();
 };
 
-/// How far gaps fall between the nodes of a cell below the least of those at its nodes that bounds hold, the most of all cells near an
-/// obstacle: what lifts are there to make up for (collective) [m]. Throws ObstacleError.
+/// Returns the largest decrease of the gap between the nodes of a cell, among all cells near an obstacle.
+/// The decrease is measured from the least gap at the cell's nodes that have weight. Lifts must compensate this
+/// decrease (collective) [m]. Throws ObstacleError.
 double largest_dip(const assembly::DiscreteShell& discrete, const algebra::Vector& y);
 
 }  // namespace plastron::computation

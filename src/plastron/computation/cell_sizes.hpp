@@ -1,4 +1,4 @@
-// How large the cells of the finest mesh are, and how thick the shell is there.
+// Size of the cells of the finest mesh, and the shell's thickness there.
 #pragma once
 #include <plastron/computation/problem.hpp>
 
@@ -11,7 +11,7 @@ struct CellSize {
   double thickness;     ///< the smallest at its corners, e [m]
 };
 
-/// Cells of the finest mesh, seen on a mesh of some hundred cells; each rank looks at the whole problem for itself.
+/// Returns cells of the finest mesh, sampled on a mesh of some hundred cells. Each rank computes all of them.
 /// Precondition: a regular chart and a positive thickness.
 std::vector<CellSize> cell_sizes(const Problem& problem);
 

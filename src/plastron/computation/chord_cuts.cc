@@ -18,29 +18,30 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Measured, docs/methods/accuracy.md.
-constexpr double worth = 1.2;  ///< of a chord over that of single cells, from which on it is cut
-/// The same for all chords where edges of contact zones run along some: cells there will be divided again and again.
+// Measured values, docs/methods/accuracy.md.
+constexpr double worth = 1.2;  ///< least worth of a chord relative to single cells; above it the chord is cut
+/// The same for all chords where edges of contact zones run along some chords: the cells there will be divided
+/// repeatedly.
 constexpr double worth_at_edges = 0.3;
-constexpr double best_part = 0.6;     ///< of the worth of the best chord, from which on others are cut with it
-constexpr double least_part = 0.2;    ///< of a cell's side that a cut leaves
-constexpr double middle_part = 0.1;   ///< cuts that are nearer to the middle than that halve
+constexpr double best_part = 0.6;     ///< part of the best chord's worth; chords above it are cut too
+constexpr double least_part = 0.2;    ///< least part of a cell's side after a cut
+constexpr double middle_part = 0.1;   ///< cuts nearer to the middle than this halve the cell
 constexpr double smallest = 0x1p-24;  ///< part of a cell of the first mesh
-constexpr double no_bend = 0.1;       ///< of a side off a straight line over the cell's width
-constexpr double largest_bend = 2;    ///< the same of parts, at most: patches cannot judge more,
+constexpr double no_bend = 0.1;       ///< deviation of a side from a straight line, relative to the cell's width
+constexpr double largest_bend = 2;    ///< the same limit for parts: patches cannot judge larger bends,
 constexpr int bent_degree = 4;        ///< nor bent cells that are cut at higher degrees
 
 struct Chord {
   double cells = 0;
   double share = 0;
   double cut = 0.5;
-  double crossed = 0;   ///< cells that the edge of a contact zone crosses along the chord
-  double unjudged = 0;  ///< cells without patches that are bent, and longer across the chord
+  double crossed = 0;   ///< number of cells that the edge of a contact zone crosses along the chord
+  double unjudged = 0;  ///< bent cells without patches that are longer across the chord
   bool is_cut = false;
   double rate() const { return share / cells; }
 };
 
-/// Where half of what the slices hold lies on either side.
+/// Returns the place that has half of the slices' sum on either side.
 double middle(std::span<const double> slices, std::span<const double> widths) {
   const double half = std::accumulate(slices.begin(), slices.end(), 0.0) / 2;
   double sum = 0, at = 0;
@@ -57,12 +58,12 @@ double cut_near(double middle) {
   return std::clamp(middle, least_part, 1 - least_part);
 }
 
-/// Sides and widths of the coarse cells, on the shell.
+/// Sides and widths of the coarse cells on the shell.
 class CellShapes {
  public:
   explicit CellShapes(const fem::Surface& surface) : surface_(surface) {}
 
-  /// The direction in which a cell is longer.
+  /// Returns the direction in which a cell is longer.
   std::size_t longer(std::size_t cell) const {
     const auto length = [&](const Vector2d& from, const Vector2d& to) {
       return (at(cell, from).value - at(cell, to).value).norm();
@@ -70,8 +71,8 @@ class CellShapes {
     return length({0, 0.5}, {1, 0.5}) >= length({0.5, 0}, {0.5, 1}) ? 0 : 1;
   }
 
-  /// Whether the part of a cell between two numbers in a direction is wider, by a factor of one over `bend`, than its sides across that direction are
-  /// bent in the tangent plane, which is where polynomials are fitted.
+  /// Whether the sides of a part of a cell are nearly straight. Their bend in the tangent plane, where polynomials are
+  /// fitted, must be at most `bend` times the width of the part. `from` and `to` limit the part in `direction`.
   bool is_straight(std::size_t cell, std::size_t direction, double from, double to, double bend) const {
     const auto point = [&](double across, double along) {
       return at(cell, direction == 0 ? Vector2d(across, along) : Vector2d(along, across));
@@ -119,7 +120,7 @@ class ChordChoice {
   }
 
  private:
-  /// Over the cells of all ranks.
+  /// Sums the data of chords over the cells of all ranks.
   void sum_up() {
     const fem::Rule rule = fem::gauss(space_.degree + 1);
     const std::size_t slices = rule.weights.size(), width = slices + 3;  // cells, crossed, without patches, slices
@@ -133,7 +134,8 @@ class ChordChoice {
         sum[0] += 1;
         for (std::size_t i = 0; i < slices; ++i) sum[3 + i] += task_.shares[c] * task_.estimates.profiles[c][d][i];
       }
-    // What is long and bent at once has no patches, and shorter cells have. Where regions or curves are the reason, to cut does not help.
+    // Cells that are both long and bent have no patches; shorter cells have patches. If regions or curves are the
+    // reason, cuts do not help.
     for (const std::size_t c : task_.estimates.unjudged) {
       const auto coarse = static_cast<std::size_t>(space_.cells[c].coarse);
       const std::size_t along = shapes_.longer(coarse);
@@ -174,7 +176,7 @@ class ChordChoice {
       const auto is_good = [&] {
         return std::ranges::none_of(cells[i], makes_bent_parts) && std::ranges::none_of(cells[i], makes_small_parts);
       };
-      // Towards the middle; a chord that may not even be halved is worth nothing.
+      // Moves the cut towards the middle. A chord that cannot even be halved has no worth.
       while (cut != 0.5 && !is_good()) cut = std::abs(cut - 0.5) < 0.02 ? 0.5 : (2 * cut + 0.5) / 3;
       const bool is_beyond = space_.degree > bent_degree && std::ranges::any_of(cells[i], is_bent);
       if (is_beyond || !is_good()) chords_[i].share = 0;
@@ -196,7 +198,7 @@ class ChordChoice {
     std::ranges::sort(ranking, std::greater{}, [&](std::size_t i) { return chords_[i].rate(); });
     const double least = std::max((edges_run_along_chords() ? worth_at_edges : worth) * task_.per_cell * whole_,
                                   best_part * chords_[ranking.front()].rate());
-    constexpr double alike = 0.99;  // chords that are so by symmetry are not told apart by rounding
+    constexpr double alike = 0.99;  // rounding must not separate chords that are equal by symmetry
     double sum = 0, last = 0;
     for (const std::size_t i : ranking) {
       Chord& chord = chords_[i];
@@ -208,12 +210,13 @@ class ChordChoice {
     }
   }
 
-  /// To cut chords of so many cells rather than to divide some of these, each of which becomes four.
+  /// Whether cutting chords with this number of cells is cheaper than dividing `of_these` cells, each of which becomes
+  /// four.
   static bool is_cheaper_cut(double cells, double of_these) { return of_these > 0 && cells <= 3 * of_these; }
 
   struct Edges {
-    double cells = 0;    ///< at edges of contact zones
-    double chords = 0;   ///< cells of the chords that these are in, across the edges
+    double cells = 0;    ///< number of cells at edges of contact zones
+    double chords = 0;   ///< number of cells in the chords through them, across the edges
     bool can_be = true;  ///< whether all these chords can be cut
   };
   Edges edges() const {

@@ -7,7 +7,7 @@
 namespace plastron::computation {
 namespace {
 
-constexpr double rounding = 1e-9;  ///< of interpolated zones
+constexpr double rounding = 1e-9;  ///< rounding of interpolated zones
 constexpr double likely_in = 0.75, likely_out = 0.25;
 
 std::size_t place(const algebra::Vector& v, const assembly::ContactRow& row) {
@@ -20,8 +20,8 @@ bool is_expected(const ContactTrend& expected, const assembly::ContactRow& row) 
   return at(expected.touching, row) > 0.5 ? at(expected.pressure, row) > 0 : at(expected.root_of_gap, row) < 0;
 }
 
-/// Adds 1 at the nodes of cells some of whose nodes are likely in contact with the obstacle (1) and others not (0); nodes without a bound (-1)
-/// do not count.
+/// Adds 1 at the nodes of cells of which some nodes are likely in contact with the obstacle (1) and others not (0).
+/// Nodes without a bound (-1) are ignored.
 void mark_crossed_cells(const fem::Space& space, const algebra::Vector& likely, std::size_t obstacle,
                         algebra::Vector& marks) {
   const auto block = static_cast<std::size_t>(likely.block());

@@ -34,7 +34,7 @@ fem::MeshSequence::Even even_boundaries(const Problem& problem) {
 }
 
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm) {
-  // A mesh file that was not shared before is read by every rank for itself, and one may find another or none.
+  // Every rank reads a mesh file that was not shared before, and one rank may find another file or none.
   auto coarse = algebra::in_agreement<fem::DomainError>(comm, [&] { return start_mesh(problem).coarse; });
   return {std::move(coarse), problem.discretisation.degree, comm, joining(problem), even_boundaries(problem)};
 }

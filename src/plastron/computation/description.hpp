@@ -1,4 +1,4 @@
-// What of a problem its discretisation needs, in one place: a study that left out the element, the tying or the
+// The data of a problem that its discretisation needs, in one place. A study without the element, the tying or the
 // formulation of the case would examine another shell.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
@@ -10,11 +10,12 @@
 namespace plastron::computation {
 
 assembly::ShellDescription shell_description(const Problem& problem);
-/// Ties the nodes on the problem's joined edges, and has its rigid bodies carry theirs, level by level.
+/// Returns a function that ties the nodes on the problem's joined edges and lets rigid bodies carry their nodes, for
+/// each level.
 fem::MeshSequence::Finish joining(const Problem& problem);
-/// Joined edges and those of rigid bodies: no node may hang there.
+/// Returns joined edges and the edges of rigid bodies: no node may hang there.
 fem::MeshSequence::Even even_boundaries(const Problem& problem);
-/// The coarsest mesh of the problem's cells and degree (collective).
+/// Returns the coarsest mesh of the problem's cells and degree (collective).
 fem::MeshSequence mesh_sequence(const Problem& problem, MPI_Comm comm);
 
 }  // namespace plastron::computation

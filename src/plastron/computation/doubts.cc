@@ -11,15 +11,15 @@ namespace plastron::computation {
 
 namespace {
 
-/// What linear strains may leave out of the stored energy before it is said.
+/// Part of the stored energy that linear strains may omit without a warning.
 constexpr double notable_left_out = 0.05;
-/// Membrane forces over those under which the shell buckles: thin shells with imperfections buckle from here on.
+/// Ratio of membrane forces to the buckling forces. Above this value, thin shells with imperfections buckle.
 constexpr double near_buckling = 0.5;
-/// Strain from which measures of strain differ by more than 1 %; metals yield at a tenth of it.
+/// Strain above which measures of strain differ by more than 1 %; metals yield at a tenth of it.
 constexpr double largest_strain = 0.02;
-/// Penetration between nodes that is worth a word, as a part of the thickness.
+/// Penetration between nodes that causes a warning, as a part of the thickness.
 constexpr double notable_depth = 0.05;
-/// Tolerances may be so much looser than asked for before it is said.
+/// Factor by which tolerances may be looser than requested without a warning.
 constexpr double notable_loosening = 1e3;
 
 std::string linear_model_text(const HistoryEntry& instant) {
@@ -50,9 +50,9 @@ std::string penetration_text(double depth, double part) {
       depth, 100 * part);
 }
 
-/// One for each obstacle that the shell touches along lines inside.
+/// Returns one warning for each obstacle that the shell touches along lines inside.
 std::vector<std::string> line_contact_warnings(const certificate::Summary& summary) {
-  constexpr double notable = 0.01;  // of the obstacle's reaction
+  constexpr double notable = 0.01;  // part of the obstacle's reaction
   std::vector<std::string> warnings;
   for (const certificate::ObstacleContact& obstacle : summary.obstacles) {
     double force = 0, per_length = 0;
@@ -100,7 +100,7 @@ std::vector<std::string> linear_model_warnings(const Result& result) {
   const HistoryEntry* worst = nullptr;
   double most = notable_left_out, buckling = 0;
   for (const HistoryEntry& instant : instants) {
-    if (instant.level.status != contact::Status::solved) continue;  // what is no solution says nothing
+    if (instant.level.status != contact::Status::solved) continue;  // a result that is no solution is not judged
     const double part = left_out(instant.summary, instant.level).largest();
     if (part > most) worst = &instant;
     most = std::max(most, part);

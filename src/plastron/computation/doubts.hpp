@@ -1,5 +1,5 @@
-// What to doubt in a result, read off what was computed: whether its certificate bears it out, and where the model's or the
-// mesh's limits show.
+// Warnings about a result from the computed data: whether the certificate confirms it, and where the model or the
+// mesh reaches its limits.
 #pragma once
 #include <plastron/computation/left_out.hpp>
 #include <plastron/contact/settings.hpp>
@@ -9,27 +9,27 @@
 
 namespace plastron::computation {
 
-/// Where the linear model leaves out a notable part of the energy, at the worst of all instants, or the shell would buckle.
-/// Precondition: a level was solved.
+/// Warns where the linear model omits a notable part of the energy, at the worst instant, or where the shell would
+/// buckle. Precondition: a level was solved.
 std::vector<std::string> linear_model_warnings(const Result& result);
 
-/// A part of an energy as per cent, as far as per cent tell something: rigid motions have no energy to speak of.
+/// Returns a part of an energy as per cent, as long as this is meaningful: rigid motions have almost no energy.
 std::string percent(double part);
 
-/// Strains beyond what the linear law of materials is good for; needs the stress peak.
+/// Warns of strains beyond the range of the linear material law; needs the stress peak.
 std::vector<std::string> strain_warnings(const Result& result);
 
-/// Nodes that were deep inside of an obstacle and were pushed out of it along the shell and not across it: their nearest surface at the
-/// start may have been the wrong one.
+/// Warns of nodes that were deep inside an obstacle and were pushed out along the shell instead of across it. Their
+/// nearest surface at the start may have been the wrong one.
 std::vector<std::string> sideways_warnings(const certificate::Summary& summary);
 
-/// Rigid bodies that take their nodes into obstacles.
+/// Warns of rigid bodies that move their nodes into obstacles.
 std::vector<std::string> body_warnings(const certificate::Summary& summary);
 
 /// Sets the limits of the result's certificate. A row beyond its limit makes a solved result inaccurate, and is named.
 void judge_certificate(Result& result);
 
-/// Penetration between nodes, reactions concentrated on edges, tolerances that rounding has loosened.
+/// Warns of penetration between nodes, reactions concentrated on edges, and tolerances that rounding has loosened.
 std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked);
 
 }  // namespace plastron::computation

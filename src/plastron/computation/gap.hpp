@@ -7,13 +7,13 @@
 
 namespace plastron::computation {
 
-/// For (M16).
+/// Returns the obstacles for (M16).
 inline assembly::RigidObstacles rigid_obstacles(const Problem& problem) {
   return {.all = problem.obstacles, .face_scale = problem.face_scale, .are_linear = problem.linearisation.once};
 }
 
-/// The supports hold the row's face inside of its obstacle, and no bound can move it out. What its gap is summed from leaves
-/// rounding, whatever the unit of length.
+/// Whether the supports fix the row's face inside its obstacle, where no bound can move it out. The limit is the
+/// rounding of the gap's terms, for any unit of length.
 inline bool is_held_inside(const assembly::NodalCoordinates& coordinates, const assembly::NodalPoint& point,
                            const assembly::ContactRow& row) {
   if (row.is_touchable() || row.is_left_out) return false;

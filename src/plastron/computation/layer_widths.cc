@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Part of a boundary that lies in one region: points at equal distances, with unit normals into the domain.
+/// Part of a boundary in one region: points at equal distances, with unit normals into the domain.
 struct Piece {
   int boundary = 0, region = 0;
   double length = 0;  ///< in Omega
@@ -87,7 +87,7 @@ const geometry::Expression& thickness_of(const assembly::CrossSections& sections
   return own == sections.regions.end() ? sections.common.thickness : own->second.thickness;
 }
 
-/// b(v, w) for tangents given by their components in the parameters.
+/// Returns b(v, w) for tangents given by their components in the parameters.
 double form(const Eigen::Matrix2d& matrix, const Vector2d& v, const Vector2d& w) { return v.dot(matrix * w); }
 
 EdgeLayer layer_along(const Piece& piece, const geometry::Chart& chart, const geometry::Expression& thickness) {
@@ -127,7 +127,7 @@ struct Sums {
     thickness += dS * e;
     stretch += dS * Vector2d(phi.d[0].norm(), phi.d[1].norm());
   }
-  /// Along an asymptotic line b_nn = 0 and b_nt^2 = -K; b_tt then is the trace.
+  /// Returns the layer width along an asymptotic line, where b_tt = 0 and b_nt^2 = -K; b_nn then is the trace.
   double layer() const {
     const double K = gauss / area, flat = 1e-6 * std::pow(trace / area, 2);
     if (K > flat) return INFINITY;

@@ -17,7 +17,8 @@ namespace plastron::computation {
 
 namespace {
 
-/// A support holds the touching face inside of an obstacle: K is empty. No bound says so, for nothing can move there.
+/// Whether a support fixes the touching face inside an obstacle, so that K is empty. No bound shows this, because
+/// nothing can move there.
 bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   std::int64_t held = 0;
@@ -26,7 +27,7 @@ bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
   return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
 }
 
-/// What the solver adds to the measures of a level.
+/// Adds the solver's data to the measures of a level.
 Level record_of(Level level, const contact::BoxSolution& z) {
   level.status = z.status;
   level.linear_residual = z.linear_residual;
@@ -34,7 +35,8 @@ Level record_of(Level level, const contact::BoxSolution& z) {
   return level;
 }
 
-/// What a contact problem is solved with. Kept to its end, for estimates of errors use its factor.
+/// Matrix, factor and box program of a contact problem. They are kept to the end because error estimates use the
+/// factor.
 struct LinearAlgebra {
   LinearAlgebra(algebra::Matrix matrix, const std::vector<char>& movable, MPI_Comm comm)
       : A(std::move(matrix)), F(A, movable), pins(F, comm) {}
@@ -44,7 +46,7 @@ struct LinearAlgebra {
   std::optional<contact::BoxProblem> box{};
 };
 
-/// A level on its way: its shell, linearised as far as it has come.
+/// A level during its solution: its shell in the present linearisation.
 class LevelRun {
  public:
   LevelRun(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete, const Observer& observer)
@@ -54,7 +56,7 @@ class LevelRun {
   int factorisations = 0, linearisations = 0;
   std::vector<contact::Iteration> history{};
 
-  /// The contact problem of the present linearisation, from the zone that is expected; null if none is.
+  /// Solves the contact problem of the present linearisation, starting from the expected zone; null if there is none.
   contact::BoxSolution solve(const algebra::Vector* zone, bool detect_free_motions) {
     Stopwatch watch;
     tell("assembly");
@@ -93,7 +95,7 @@ class LevelRun {
     return estimation::values(task_.valued, solved(z, nodal, summary));
   }
 
-  /// Errors of the solution of the last solve(), and of what is asked for.
+  /// Estimates the errors of the solution of the last solve() and of its goals.
   estimation::Estimates estimate(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
                                  const certificate::Summary& summary) {
     Stopwatch watch;
@@ -104,7 +106,7 @@ class LevelRun {
     return estimates;
   }
 
-  /// What the linear model leaves out of that solution; where errors are estimated, buckling too.
+  /// Computes the parts that the linear model omits from that solution; where errors are estimated, buckling too.
   estimation::Linearity linearity(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
                                   const certificate::Summary& summary) {
     Stopwatch watch;
@@ -142,7 +144,7 @@ struct Found {
   certificate::NodalSolution nodal;
 };
 
-/// Solves, and linearises again until gaps are what they are where the shell is found.
+/// Solves, and repeats the linearisation until the linearised gaps agree with the position of the shell.
 Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
   Relinearisation outer(task.linearisation, run.discrete());
   contact::BoxSolution z = run.solve(zone, detect_free_motions);
@@ -161,7 +163,7 @@ Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, boo
   return {std::move(z), std::move(nodal)};
 }
 
-/// The contact problem with other lifts of bounds, from a solution's state and contact zone.
+/// Solves the contact problem with other lifts of bounds, from a solution's state and contact zone.
 Found met_with(algebra::Vector lifts, LevelRun& run, const LevelTask& task, const certificate::NodalSolution& before) {
   const ContactTrend trend = contact_trend(run.discrete(), before);
   assembly::State state = run.discrete().state;
@@ -177,8 +179,8 @@ struct Lifted {
   std::optional<double> energy_before{};  ///< [J]
 };
 
-/// Lifts bounds until the shell is out of the obstacles between its nodes. Lifts that leave obstacles no room for the shell between
-/// them are taken back: the certificate says how deep it is then.
+/// Lifts bounds until the shell is outside the obstacles also between its nodes. If lifts leave no room for the shell
+/// between obstacles, they are undone. The certificate then shows the depth.
 Lifted lift_bounds(LevelRun& run, const LevelTask& task, Found& found) {
   assembly::DiscreteShell& discrete = run.discrete();
   if (discrete.obstacles.empty()) return {};

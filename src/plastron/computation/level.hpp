@@ -1,4 +1,5 @@
-// A discrete shell on one mesh at one instant: assemble, solve the contact problem, linearise again where obstacles are curved, certify.
+// A discrete shell on one mesh at one instant: assemble, solve the contact problem, repeat the linearisation where
+// obstacles are curved, certify.
 #pragma once
 #include <plastron/computation/observer.hpp>
 #include <plastron/computation/problem.hpp>
@@ -17,29 +18,31 @@ struct LevelTask {
   contact::Settings settings{};
   Linearisation linearisation{};
   bool admissible = false;                ///< see Problem
-  std::optional<algebra::Vector> zone{};  ///< where contact is expected (contact_forecast.hpp); empty at first
-  std::optional<std::vector<estimation::Goal>> goals{};  ///< whose errors are estimated, with that of the solution
-  std::vector<estimation::Goal> valued{};                ///< whose values alone are wanted
-  Seconds seconds{};                                     ///< spent on the mesh and on `discrete`
+  std::optional<algebra::Vector> zone{};  ///< expected contact zone (contact_forecast.hpp); empty at first
+  /// Goals whose errors are estimated, together with the solution's error.
+  std::optional<std::vector<estimation::Goal>> goals{};
+  std::vector<estimation::Goal> valued{};  ///< goals of which only values are computed
+  Seconds seconds{};                       ///< time spent on the mesh and on `discrete`
 };
 
 struct LevelResult {
   Level record;
   Solution solution;
   certificate::Verdict verdict;
-  std::optional<estimation::Estimates> estimates{};  ///< if asked for, of a solution that was found
-  std::vector<double> values{};                      ///< of LevelTask::valued, likewise
+  std::optional<estimation::Estimates> estimates{};  ///< if requested, for a solution that was found
+  std::vector<double> values{};                      ///< values of LevelTask::valued, if a solution was found
 };
 
-/// Whether the supports alone hold the shell: then the active set's first step of all went through with nothing in contact. Other solvers'
-/// first steps say nothing of the kind, nor do those of proximal points.
+/// Whether the supports alone fix the shell. Then the very first step of the active set succeeded with nothing in
+/// contact. First steps of other solvers or of proximal points do not show this.
 bool supports_hold(const std::vector<contact::Iteration>& history, contact::Solver solver);
 
-/// What a solution itself tells of a level, whoever found it (collective).
+/// Returns the data of a level that follow from the solution itself, independent of the solver (collective).
 Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
                const certificate::Verdict& verdict);
 
-/// `discrete` is linearised where the gaps shall be at first; it becomes the solution's (collective).
+/// Solves a level. `discrete` is linearised at the first state of the gaps; it becomes the solution's shell
+/// (collective).
 LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete,
                         const Observer& observer);
 

@@ -13,9 +13,10 @@ namespace plastron::computation {
 
 namespace {
 
-/// A cell whose membrane and shear strains can only follow a bending to order h^k takes (h^k / (e L^{k-1}))^2 too much
-/// energy for it. Largest h (e/L)^{-1/k} / L at which that costs a tenth of the deflection, measured for degree 1 to 3
-/// (docs/methods/triangles.md); higher degrees were not seen to lock on meshes one would use.
+/// Limit of the size h (e/L)^{-1/k} / L, at which locking costs a tenth of the deflection, measured for degree 1 to 3
+/// (docs/methods/triangles.md). The reason: the membrane and shear strains of a cell can only follow a bending to order
+/// h^k. The cell's energy is too large by (h^k / (e L^{k-1}))^2. Higher degrees did not lock on meshes of practical
+/// size.
 constexpr std::array<double, 3> largest_size = {0.7, 1.3, 1.7};
 
 }  // namespace

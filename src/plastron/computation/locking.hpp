@@ -1,4 +1,4 @@
-// Elements without tying (M22) that are too large for the thickness give displacements that are far too small.
+// Warns of elements without tying (M22) that are too large for the thickness: their displacements are far too small.
 #pragma once
 #include <plastron/computation/problem.hpp>
 
@@ -7,8 +7,8 @@
 
 namespace plastron::computation {
 
-/// One warning, in words for the user, if the finest mesh of a problem is so coarse that its elements lock; empty with
-/// tying. Each rank looks at the whole problem for itself. Precondition: a regular chart and a positive thickness.
+/// Returns one warning, in words for the user, if the finest mesh of a problem is so coarse that its elements lock.
+/// Empty with tying. Each rank checks the whole problem. Precondition: a regular chart and a positive thickness.
 std::vector<std::string> locking_warnings(const Problem& problem);
 
 }  // namespace plastron::computation

@@ -20,16 +20,19 @@ namespace {
 using certificate::CertificateLimit;
 using Node6 = Eigen::Matrix<double, 6, 1>;
 
-/// Of the thickness or of the largest displacement, whichever is more, as the certificate has it for supports.
+/// Limit as a part of the thickness or of the largest displacement, whichever is larger, as in the certificate for
+/// supports.
 constexpr double algebraic_part = 1e-6;
-/// b(U, q) is of the size of the rotations where r . a_3 is; a solver leaves 1e-12 of them.
+/// Limit of b(U, q) relative to the rotations. Where r . a_3 is not zero, b(U, q) is of their size; a solver leaves
+/// 1e-12 of them.
 constexpr double tangency_part = 1e-8;
-/// Each of the eight cells that may meet at a node asks for what its own gap falls (docs/methods/admissible.md).
+/// Limit of a lift relative to the gap's decrease between nodes. Up to eight cells may meet at a node, and each
+/// requires its own decrease (docs/methods/admissible.md).
 constexpr double lift_per_dip = 10;
 
 Node6 values_at(const algebra::Vector& y, std::size_t node) { return Eigen::Map<const Node6>(&y.local()[6 * node]); }
 
-/// (u, e r), a length.
+/// Returns (u, e r), a length.
 Node6 as_length(Node6 y, double thickness) {
   y.tail<3>() *= thickness;
   return y;
@@ -37,7 +40,7 @@ Node6 as_length(Node6 y, double thickness) {
 
 double length_of(const Node6& y) { return y.head<3>().norm() + y.tail<3>().norm(); }
 
-/// How far (u, e r) is from the combinations of the node's coordinates.
+/// Returns the distance of (u, e r) from the combinations of the node's coordinates.
 double distance_from_span(const assembly::NodeBasis& basis, int width, const Node6& y, double thickness) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> span = basis.leftCols(width);
   span.bottomRows<3>() *= thickness;
@@ -45,7 +48,7 @@ double distance_from_span(const assembly::NodeBasis& basis, int width, const Nod
   return length_of(given - span * span.colPivHouseholderQr().solve(given));
 }
 
-/// How far a node that a kink carries is from where the others take it [m].
+/// Returns the distance of a kinked node from the position that its carriers give it [m].
 double kink_error(const fem::CarriedNodes& carried, const algebra::Vector& y, std::size_t node, double thickness) {
   const fem::CarriedNode* at = carried.find(static_cast<algebra::LocalIndex>(node));
   if (!at || !fem::is_kinked(carried, *at)) return 0;
@@ -68,9 +71,9 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
     if (coordinates.tied[i])
       error = length_of(as_length(here - values_at(spread, i), e));
     else if (coordinates.width <
-             6)  // carried nodes' bases, too: their directions span all of u, and r as the normal has it
+             6)  // also valid for carried nodes: their bases span all of u, and r tangent to the shell
       error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
-    if (!(error <= most)) most = error;  // a NaN, too
+    if (!(error <= most)) most = error;  // also for a NaN
     if (carried) most = std::max(most, kink_error(*carried, y, i, e));
   }
   if (carried)
@@ -81,8 +84,8 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
-/// max |b(U, q_i)| over the largest rotation, and the largest |lambda| where it should be 0 over the largest anywhere
-/// (M14).
+/// Returns the larger of two ratios (M14): max |b(U, q_i)| to the largest rotation, and the largest |lambda| where it
+/// must be 0 to the largest anywhere.
 double tangency_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
                       double rotation) {
   algebra::Vector q(discrete.space().layout, 1);
@@ -99,7 +102,7 @@ double tangency_error(const assembly::DiscreteShell& discrete, const certificate
   return std::max(part(algebra::max_abs(q), rotation), part(outside, algebra::max_abs(solution.lambda)));
 }
 
-/// max |u| of the displacement that the gaps were linearised at.
+/// Returns max |u| of the displacement at which the gaps were linearised.
 double moved(const assembly::DiscreteShell& discrete) {
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
@@ -107,7 +110,7 @@ double moved(const assembly::DiscreteShell& discrete) {
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
-/// |R . d - F| / F, the largest over the obstacles that forces F d press.
+/// Returns |R . d - F| / F, the largest over the obstacles that forces F d press.
 double force_error(const assembly::DiscreteShell& discrete, const certificate::Summary& summary,
                    const std::vector<std::size_t>& pressed) {
   double most = 0;
@@ -134,7 +137,8 @@ void add_linearisation(const Problem& problem, const assembly::DiscreteShell& di
                   "no face at a node is inside of a curved obstacle by its true distance, to the same tolerance"});
 }
 
-/// Lifted bounds are rows of the solution's own making: they may keep the shell out of obstacles between its nodes, and do no more.
+/// Adds rows on lifted bounds, which the solution defines itself. Lifts may only keep the shell out of obstacles
+/// between its nodes.
 void add_lifts(const assembly::DiscreteShell& discrete, const algebra::Vector& y, std::vector<CertificateLimit>& rows) {
   if (!discrete.state.is_admissible()) return;
   const auto lifts = discrete.state.lifts.owned();

@@ -1,6 +1,6 @@
-// Whether a solution that somebody hands over is of the kind that its case asks for: in the discrete space, tangent,
-// linearised where the case wants it, under the case's load. The certificate sees none of this, for solve() makes no
-// other solutions.
+// Checks whether a given solution belongs to its case: in the discrete space, tangent,
+// linearised as the case requires, under the case's load. The certificate does not check this, because solve() makes
+// only such solutions.
 #pragma once
 #include <plastron/certificate/certificate_limits.hpp>
 #include <plastron/computation/problem.hpp>
@@ -9,7 +9,7 @@
 
 namespace plastron::computation {
 
-/// (collective) The rows that have a meaning in the problem.
+/// Returns the rows that have a meaning in the problem (collective).
 std::vector<certificate::CertificateLimit> membership_rows(const Problem& problem,
                                                            const assembly::DiscreteShell& discrete,
                                                            const certificate::NodalSolution& solution,

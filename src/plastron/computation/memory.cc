@@ -23,14 +23,14 @@ double own_peak() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts kilobytes
 }
 
-/// Resident now, of this process [bytes].
+/// Resident memory of this process now [bytes].
 double own_memory() {
   std::ifstream file("/proc/self/statm");
   double all = 0, resident = 0;
   return file >> all >> resident ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : own_peak();
 }
 
-/// That other processes leave [bytes]; infinite where nothing says so.
+/// Memory that other processes do not use [bytes]; infinite if unknown.
 double free_memory() {
   std::ifstream file("/proc/meminfo");
   for (std::string line; std::getline(file, line);)
@@ -59,14 +59,14 @@ MemoryUse memory_use(MPI_Comm comm) {
   const double own = algebra::sum_over_ranks(own_memory(), machine);
   use.limit = algebra::min_over_ranks(std::min(free_memory() + own, group_limit()), machine);
   MPI_Comm_free(&machine);
-  // The machine with the least free memory counts.
+  // The machine with the largest used part of its memory decides.
   const double part = algebra::max_over_ranks(use.peak / use.limit, comm);
   if (use.peak / use.limit < part) use = {};
   return {.peak = algebra::max_over_ranks(use.peak, comm), .limit = algebra::max_over_ranks(use.limit, comm)};
 }
 
 std::string memory_obstacle(const MemoryUse& use, double growth) {
-  constexpr double exponent = 1.2;  // of factors, in the unknowns (docs/performance.md)
+  constexpr double exponent = 1.2;  // memory of factors in the unknowns (docs/performance.md)
   constexpr double usable = 0.9;
   const double next = use.peak * std::pow(std::max(growth, 1.0), exponent);
   if (!(growth > 1) || next <= usable * use.limit) return "";

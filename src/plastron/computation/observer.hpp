@@ -1,4 +1,4 @@
-// Who hears of the progress of a computation.
+// Callbacks on the progress of a computation.
 #pragma once
 #include <plastron/computation/result.hpp>
 
@@ -7,16 +7,17 @@
 
 namespace plastron::computation {
 
-/// Hears of progress; every member may be empty. Called on every rank.
+/// Receives progress; every member may be empty. Called on every rank.
 struct Observer {
   std::function<void(int level, std::string_view phase)> phase{};
   std::function<void(int level, const contact::Iteration&)> iteration{};
   std::function<void(int level, const Level&)> level{};
-  std::function<void(std::string_view text)> warning{};        ///< as soon as it is known; it also stands in the result
-  std::function<void(int level, const Solution&)> solution{};  ///< of every level, which is gone afterwards
-  std::function<void(const HistoryEntry&, const Solution&)> instant{};  ///< of every instant, where there are steps
-  /// Asked between active-set iterations and between meshes: true ends the computation with status interrupted. Empty on all
-  /// ranks or on none; one rank that says true stops all.
+  std::function<void(std::string_view text)> warning{};  ///< called as soon as it is known; the result has it too
+  /// Solution of every level, which does not exist afterwards.
+  std::function<void(int level, const Solution&)> solution{};
+  std::function<void(const HistoryEntry&, const Solution&)> instant{};  ///< every instant, where there are steps
+  /// Called between active-set iterations and between meshes: true ends the computation with status interrupted. It
+  /// must be empty on all ranks or on none. If one rank returns true, all stop.
   std::function<bool()> stop{};
 };
 

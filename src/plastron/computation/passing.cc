@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Part of the thickness that an obstacle may go in one go whatever it is.
+/// Part of the thickness that any obstacle may move in one step.
 constexpr double short_way = 0.25;
 
-/// An obstacle before and after, and where its points go.
+/// An obstacle before and after its motion, and the displacement of its points.
 struct Moving {
   obstacle::Obstacle before, after;
 
@@ -23,7 +23,7 @@ struct Moving {
 };
 
 bool may_pass_at(const Moving& moving, const assembly::NodalPoint& point, const Vector3d& X) {
-  // What the node stands for: an obstacle may be smaller than the distance of nodes.
+  // Size of the region around the node: an obstacle may be smaller than the distance of nodes.
   const double around = 2 * std::sqrt(point.weight) + point.thickness / 2, way = moving.way(X).norm();
   if (way <= short_way * point.thickness) return false;
   const obstacle::Nearest first = moving.before.nearest(X);

@@ -8,10 +8,10 @@ namespace plastron::computation {
 
 namespace {
 
-/// Of the sum of the norms of all loads: what counts as no force.
+/// Limit below which a force counts as zero, relative to the sum of the norms of all loads.
 constexpr double negligible_force = 1e-6;
 
-/// Six components, all at points: statics alone says what they carry.
+/// Whether there are six components, all at points: then statics alone determines their forces.
 bool is_isostatic(const std::vector<assembly::Support>& supports) {
   std::size_t components = 0;
   for (const assembly::Support& support : supports) {
@@ -38,7 +38,7 @@ std::vector<std::string> point_support_warnings(const Result& result, const std:
   const auto most = std::ranges::max_element(
       s.point_reactions, {}, [](const certificate::PointReaction& reaction) { return reaction.force.norm(); });
   const double force = most->force.norm();
-  double pressed = 0;  // by obstacles, which may be all that loads the shell
+  double pressed = 0;  // force of obstacles, which may be the only load of the shell
   for (const certificate::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
   if (force <= negligible_force * (s.load_norms + pressed)) return {};
   const std::string what =

@@ -12,7 +12,7 @@ namespace {
 
 using recovery::PointValues;
 
-/// The values on this rank, if one of its cells holds the point.
+/// Returns the values on this rank, if one of its cells contains the point.
 std::optional<PointValues> local_values(const Solution& solution, const fem::Location& location) {
   const fem::Space& space = solution.discrete->space();
   for (std::size_t c = 0; c < space.owned_cells; ++c)
@@ -63,7 +63,7 @@ std::vector<PointValues> values_at(const Solution& solution, const std::vector<E
     for (const fem::Location& location : locations) mine.push_back(local_values(solution, location));
     return mine;
   });
-  // The lowest rank that holds a point tells the others. PointValues is all doubles.
+  // The lowest rank that contains a point sends its values to the others. PointValues contains only doubles.
   constexpr std::size_t size = sizeof(PointValues) / sizeof(double);
   static_assert(sizeof(PointValues) % sizeof(double) == 0);
   std::vector<PointValues> values;

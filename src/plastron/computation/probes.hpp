@@ -1,4 +1,4 @@
-// Values of a solution at points that the case names.
+// Values of a solution at the points that a case names.
 #pragma once
 #include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
@@ -7,18 +7,19 @@
 
 namespace plastron::computation {
 
-/// Sets solution.recovery as the problem wants it; to be done again when the solution changes (collective).
+/// Sets solution.recovery according to the problem. Call it again when the solution changes (collective).
 void choose_recovery(const Output& output, Solution& solution);
 
-/// Sets result.peak and result.singular_places from its solution and summary; after choose_recovery() (collective).
+/// Sets result.peak and result.singular_places from its solution and summary. Call it after choose_recovery()
+/// (collective).
 void find_stress_peak(Result& result);
 
-/// Values at points of Omega, the same on every rank; where cells meet, those of the lowest rank's first one (collective). Throws
-/// fem::DomainError for points outside of Omega, naming them as `what`.
+/// Returns values at points of Omega, equal on every rank. Where cells meet, the first cell of the lowest rank is used
+/// (collective). Throws fem::DomainError for points outside Omega, named as `what`.
 std::vector<recovery::PointValues> values_at(const Solution& solution, const std::vector<Eigen::Vector2d>& points,
                                              std::string_view what);
 
-/// (collective) Throws fem::DomainError for probes outside of Omega.
+/// Returns the probe values (collective). Throws fem::DomainError for probes outside Omega.
 std::vector<ProbeValue> probe(const Solution& solution, const std::vector<Probe>& probes);
 
 }  // namespace plastron::computation

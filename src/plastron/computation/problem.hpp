@@ -1,4 +1,4 @@
-// All that defines a computation: geometry, shell, supports, loads, obstacle, discretisation. Plain values.
+// Plain values that define a computation: geometry, shell, supports, loads, obstacle, discretisation.
 #pragma once
 #include <plastron/assembly/cross_sections.hpp>
 #include <plastron/assembly/loads.hpp>
@@ -35,11 +35,12 @@ struct Discretisation {
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
 };
 
-/// What is to be accurate, in place of a number of refinements: meshes are refined until estimated errors are below tolerances.
+/// Required accuracy, instead of a number of refinements: meshes are refined until estimated errors are below
+/// tolerances.
 struct Accuracy {
   struct Goal {
-    std::string name;      ///< of goal_names()
-    double tolerance = 0;  ///< of the error, relative
+    std::string name;      ///< one of goal_names()
+    double tolerance = 0;  ///< relative tolerance of the error
   };
   std::vector<Goal> goals{};
   double max_unknowns = 2e6;
@@ -47,12 +48,14 @@ struct Accuracy {
   bool is_uniform = false;  ///< all cells are divided, for comparison
 };
 
-/// How the gaps of curved obstacles are met (M16).
+/// Settings for the gaps of curved obstacles (M16).
 struct Linearisation {
   bool once = false;   ///< at the undeformed shell, and not again at the deformed one
-  int max_steps = 50;  ///< on one mesh
+  int max_steps = 50;  ///< largest number of steps on one mesh
   double tolerance =
-      1e-8;  ///< between faces in contact and where their gaps are linearised, over the largest displacement
+      /// Limit of the distance between faces in contact and their points of linearisation, relative to the largest
+      /// displacement.
+      1e-8;
 };
 
 /// A point of Omega where the results are wanted.
@@ -61,12 +64,13 @@ struct Probe {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
 };
 
-/// Loads, forces on obstacles and their motions go from where the step before has left them to what they are at this one's end.
+/// A step. Loads, forces on obstacles and their motions change from their values after the previous step to the values
+/// at its end.
 struct Step {
   std::string name{};
-  double load_factor = 1;               ///< of all loads at the step's end
-  int parts = 1;                        ///< equal, each of them solved
-  std::vector<double> force_factors{};  ///< of the forces on obstacles, one by one, at the step's end; empty: 1
+  double load_factor = 1;               ///< factor of all loads at the step's end
+  int parts = 1;                        ///< number of equal parts; each is solved
+  std::vector<double> force_factors{};  ///< factor of each force on an obstacle, at the step's end; empty: 1
 };
 
 /// Points of Omega along which results are written as a table.
@@ -75,29 +79,29 @@ struct Line {
   std::vector<Eigen::Vector2d> points{};
 };
 
-/// How results are given.
+/// Form of the results.
 struct Output {
-  std::optional<Eigen::Vector3d> axis{};  ///< that t1 follows, projected on the surface; empty: d phi/dx
-  bool smooth = true;                     ///< recovered over patches of cells; else of each cell alone
-  Eigen::Vector3d moment_point = Eigen::Vector3d::Zero();  ///< that moments of forces are about [m]
-  std::vector<double> heights{};  ///< z / e, at which fields have stresses besides faces and middle
-  bool double_precision = false;  ///< of the numbers in .vtu files
-  int solid_layers = 0;           ///< of cells through the thickness in solid.vtu; 0: no such file
-  UnitNames units{};              ///< as texts and files call them
+  std::optional<Eigen::Vector3d> axis{};  ///< direction that t1 follows, projected on the surface; empty: d phi/dx
+  bool smooth = true;                     ///< recovered over patches of cells; otherwise in each cell alone
+  Eigen::Vector3d moment_point = Eigen::Vector3d::Zero();  ///< reference point of the moments of forces [m]
+  std::vector<double> heights{};  ///< z / e of additional stress fields besides faces and middle
+  bool double_precision = false;  ///< double precision of the numbers in .vtu files
+  int solid_layers = 0;           ///< layers of cells through the thickness in solid.vtu; 0: no such file
+  UnitNames units{};              ///< names in texts and files
 };
 
 struct Problem {
   fem::Domain domain = fem::Rectangle{};
   std::vector<fem::Join> joins{};                 ///< edges that are joined
-  std::vector<fem::RigidBody> rigid_bodies{};     ///< that carry edges
-  std::map<std::string, geometry::Chart> charts;  ///< by region; the unnamed region is ""
+  std::vector<fem::RigidBody> rigid_bodies{};     ///< bodies that carry edges
+  std::map<std::string, geometry::Chart> charts;  ///< charts by region; the unnamed region is ""
   assembly::CrossSections sections{};             ///< thickness, material and density, by region
   std::vector<assembly::Support> supports{};
   std::vector<assembly::AreaLoad> area_loads{};
   std::vector<assembly::EdgeLoad> edge_loads{};
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g that makes the weight of the density [m/s^2]
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g for the weight of the density [m/s^2]
   std::vector<obstacle::Obstacle> obstacles{};
-  std::vector<Step> steps{};  ///< obstacles have a motion for each, or none; without steps all is where it is
+  std::vector<Step> steps{};  ///< obstacles have a motion for each, or none; without steps nothing moves
   std::vector<Probe> probes{};
   std::vector<Line> lines{};
   Discretisation discretisation{};
@@ -105,8 +109,8 @@ struct Problem {
   contact::Settings contact{};
   Linearisation linearisation{};
   Output output{};
-  bool admissible = false;  ///< bounds of gaps are lifted until the shell is out of obstacles between nodes, too
-  double face_scale = 1;  ///< faces lie at this multiple of e/2; other than 1 in studies that vary the stiffness alone
+  bool admissible = false;  ///< bounds of gaps are lifted until the shell is outside the obstacles also between nodes
+  double face_scale = 1;    ///< faces lie at this multiple of e/2; not 1 in studies that vary the stiffness alone
 };
 
 }  // namespace plastron::computation

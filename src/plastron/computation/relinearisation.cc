@@ -18,7 +18,8 @@ Vector6 block6(const algebra::Vector& y, std::size_t node) {
   return Eigen::Map<const Vector6>(y.local().data() + 6 * node);
 }
 
-/// Calls check(row, obstacle, touches) for the contact rows of curved obstacles at owned nodes, and for those that are left out.
+/// Calls check(row, obstacle, touches) for the contact rows of curved obstacles at owned nodes, and for the rows that
+/// are left out.
 template <class Check>
 void for_rows(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution, const Check& check) {
   const auto obstacles = discrete.obstacles.all.size();
@@ -36,7 +37,7 @@ double largest_displacement(const algebra::Vector& y) {
   return algebra::max_over_ranks(largest, y.layout()->comm);
 }
 
-/// How far the faces in contact are, seen from their obstacles, from where the state has them.
+/// Returns the largest distance of the faces in contact from their positions in the state, relative to their obstacles.
 double distance_from_state(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
   double farthest = 0;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
@@ -49,7 +50,7 @@ double distance_from_state(const assembly::DiscreteShell& discrete, const certif
   return algebra::max_over_ranks(farthest, discrete.space().layout->comm);
 }
 
-/// On this rank's nodes.
+/// Returns the gap error on this rank's nodes.
 GapError gap_error_here(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
   GapError error;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {

@@ -1,6 +1,6 @@
-// The outer loop over linearised gaps (M16): solve, linearise at the faces that have moved, until the linearised gap is the distance of
-// the deformed faces from the obstacles. Planes need none of it: their gap is linear. An
-// obstacle that is left out at a node, for others are nearer, is taken in where the shell has come closer to it.
+// The outer loop over linearised gaps (M16): solve, then linearise at the displaced faces, until the linearised gap
+// equals the distance of the deformed faces from the obstacles. Planes do not need it because their gap is linear. If
+// an obstacle is left out at a node because others are nearer, it is included when the shell has come closer to it.
 #pragma once
 #include <plastron/certificate/certificate.hpp>
 #include <plastron/computation/problem.hpp>
@@ -9,37 +9,38 @@
 
 namespace plastron::computation {
 
-/// How far the linearised gaps are from the distances of the deformed faces (collective).
+/// Difference between the linearised gaps and the distances of the deformed faces (collective).
 struct GapError {
   double at_contact = 0;  ///< largest |distance - gap| of the faces that touch [m]
-  double depth = 0;       ///< the deepest that a face at a node is inside of an obstacle [m]
+  double depth = 0;       ///< largest depth of a face at a node inside an obstacle [m]
 };
 GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution);
 
-/// Whether there is anything to linearise again for: curved obstacles, or rows that are left out and may come to matter (collective).
+/// Whether another linearisation can be needed: there are curved obstacles, or rows that are left out and may become
+/// relevant (collective).
 bool has_rows_to_meet(const assembly::DiscreteShell& discrete);
 
-/// How far a solution is from where its gaps were linearised.
+/// Distance of a solution from the state at which its gaps were linearised.
 struct Nearness {
-  double distance = 0;    ///< of the faces in contact from where the state has them, the largest [m]
-  double depth = 0;       ///< as in GapError [m]
-  double negligible = 0;  ///< what either may be [m]
+  double distance = 0;    ///< largest distance of the faces in contact from their positions in the state [m]
+  double depth = 0;       ///< depth as in GapError [m]
+  double negligible = 0;  ///< limit of both [m]
 
   bool is_met() const { return distance <= negligible && depth <= negligible; }
 };
-/// (collective)
+/// Computes the nearness (collective).
 Nearness nearness(const Linearisation& settings, const assembly::DiscreteShell& discrete,
                   const certificate::NodalSolution& solution);
 
-/// One mesh's loop. A step moves the state by all of the way to the solution; where the distance to it does not fall, by half of the way
-/// before, so that the loop ends or says that it does not.
+/// The loop of one mesh. A step moves the state to the solution. If the distance to the solution does not decrease,
+/// later steps go half the previous part of the way. Therefore the loop converges or reports that it does not.
 class Relinearisation {
  public:
   Relinearisation(const Linearisation& settings, const assembly::DiscreteShell& discrete);
 
-  /// Where to linearise next; nothing where the loop is at its end (collective).
+  /// Returns the next state of linearisation; nothing at the end of the loop (collective).
   std::optional<assembly::State> next(const certificate::NodalSolution& solution);
-  /// The last solution lies where its gaps were linearised, or needs not.
+  /// Whether the last solution agrees with the state of its linearised gaps, or need not agree.
   bool is_met() const { return is_met_; }
   int steps() const { return steps_; }
 

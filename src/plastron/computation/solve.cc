@@ -1,9 +1,9 @@
-// The story, top to bottom:
+// The whole computation:
 //   find U in K with a(U, V - U) >= l(V - U) for all V in K              (M17, M18), without obstacle (M11)
-// on a sequence of nested meshes. On each: the nodal coordinates make K a box, the active set of the mesh before
-// is the first guess, and the finest solution is certified from its strains and bounds. Where there are steps, the finest mesh goes
-// through them, each of their parts starting from the one before. Where an obstacle could pass through the shell from one instant to the
-// next, more of them are solved between.
+// on a sequence of nested meshes. On each mesh the nodal coordinates make K a box. The active set of the previous mesh
+// is the first guess, and the finest solution is certified from its strains and bounds. With steps, the finest mesh is
+// used for all of them, and each part of a step starts from the previous one. If an obstacle could pass through the
+// shell between two instants, intermediate instants are solved.
 #include <plastron/computation/solve.hpp>
 
 #include <plastron/certificate/moment_point.hpp>
@@ -40,7 +40,7 @@ bool nothing_to_refine(contact::Status status) {
          status == contact::Status::not_finite;
 }
 
-/// Adds what is new and tells the observer of it.
+/// Adds new warnings and passes them to the observer.
 void warn(std::vector<std::string> warnings, const Observer& observer, Result& result) {
   for (std::string& text : warnings) {
     if (std::ranges::find(result.warnings, text) != result.warnings.end()) continue;
@@ -49,13 +49,13 @@ void warn(std::vector<std::string> warnings, const Observer& observer, Result& r
   }
 }
 
-/// A solution that is past.
+/// An earlier solution.
 struct Passed {
   double time;
   ContactTrend trend;
 };
 
-/// A computation on its way: meshes one after the other at the first instant, then the other instants on the finest.
+/// A running computation: meshes in sequence at the first instant, then the other instants on the finest mesh.
 class Computation {
  public:
   Computation(const Problem& problem, MPI_Comm comm, const Observer& observer)
@@ -96,7 +96,8 @@ class Computation {
   }
 
  private:
-  /// With max_seconds the clock may stop a mesh, too, once there is one to be the result.
+  /// Returns the observer with a time limit. With max_seconds the clock may also stop a mesh, once a finished mesh
+  /// exists.
   Observer with_time_limit(Observer observer) const {
     if (!problem_.accuracy || std::isinf(problem_.accuracy->max_seconds)) return observer;
     observer.stop = [this, asked = observer.stop] {
@@ -105,13 +106,14 @@ class Computation {
     return observer;
   }
 
-  /// Whether a mesh was stopped by the clock alone, and the one before is the result (collective).
+  /// Whether only the clock stopped a mesh, so that the previous one is the result (collective).
   bool is_out_of_time() const {
     return result_.status == contact::Status::interrupted && !std::isinf(end_of_meshes_) && result_.solution &&
            !wants_to_stop(asked_, comm_);
   }
 
-  /// Instants are not stopped once they are begun: the solution before is gone then (collective).
+  /// Whether there is time for an instant. A running instant is not stopped, because the previous solution no longer
+  /// exists (collective).
   bool has_time_for(const Instant& instant) {
     if (!problem_.accuracy) return true;
     const double max_seconds = problem_.accuracy->max_seconds;
@@ -126,14 +128,16 @@ class Computation {
     return {.time = instant.time, .load_factor = instant.load_factor, .force_factors = instant.force_factors};
   }
 
-  /// Each divides all cells of the one before. Whether the computation goes on, here and in all that follow.
+  /// Solves uniform meshes; each divides all cells of the previous one. Returns whether the computation continues, in
+  /// this and all following functions.
   bool uniform_meshes() {
     bool goes_on = true;
     for (int number = 0; goes_on && number <= problem_.discretisation.refinements; ++number) goes_on = mesh(number);
     return goes_on;
   }
 
-  /// As many as the goals ask for at the first instant, and then at the last one. Whether the computation goes on.
+  /// Solves as many meshes as the goals need at the first instant, and then at the last one. Returns whether the
+  /// computation continues.
   bool meshes_by_accuracy() {
     for (int i = 0; i < problem_.discretisation.refinements; ++i) meshes_.refine({});
     if (!meshes_for_goals()) return false;
@@ -143,10 +147,10 @@ class Computation {
     cuts_.clear();
     marks_.assign(meshes_.space()->owned_cells, 0);
     end_of_meshes_ = problem_.accuracy->max_seconds;  // the solution at the first instant can be the result
-    return meshes_for_goals() || result_.status != contact::Status::interrupted;  // it may be out of reach at once
+    return meshes_for_goals() || result_.status != contact::Status::interrupted;  // it may be unreachable at once
   }
 
-  /// At one instant, from the present mesh on.
+  /// Solves meshes at one instant, from the present mesh on.
   bool meshes_for_goals() {
     const bool is_first = on_mesh_ == &instants_.front();
     const int instants_to_come = problem_.steps.empty() ? 0 : static_cast<int>(instants_.size());
@@ -168,14 +172,16 @@ class Computation {
       cuts_ = loop.cuts();
       marks_ = loop.marks();
       if (is_first) continue;
-      for (signed char& mark : marks_) mark = std::max<signed char>(mark, 0);  // what the first instant needs stays
+      // Cells that the first instant needs stay.
+      for (signed char& mark : marks_) mark = std::max<signed char>(mark, 0);
     }
     end_of_meshes_ = std::numeric_limits<double>::infinity();
     missed_accuracy_ = loop.missed();
     return true;
   }
 
-  /// The first instant on the finest mesh: as it is, or anew if another one was solved there. Whether the computation goes on.
+  /// Takes the first instant on the finest mesh, or solves it again if another one was solved there. Returns whether
+  /// the computation continues.
   bool begin() {
     const Instant& first = instants_.front();
     if (on_mesh_ != &first) {
@@ -189,7 +195,8 @@ class Computation {
     return true;
   }
 
-  /// What errors are estimated of: the goals where accuracy is asked for, else energy and reaction.
+  /// Returns the quantities whose errors are estimated: the goals where an accuracy is requested, else energy and
+  /// reaction.
   std::vector<estimation::Goal> goals() const {
     if (problem_.accuracy) return estimated_goals(problem_);
     std::vector<estimation::Goal> goals{{"energy", estimation::Energy{}}};
@@ -197,12 +204,14 @@ class Computation {
     return goals;
   }
 
-  /// Where pressed obstacles have come to, to linearise there; at the start if that is to be where gaps are linearised.
+  /// Returns the positions of pressed obstacles, for the linearisation there. Empty if gaps are linearised at the
+  /// start.
   std::vector<double> positions() const {
     return problem_.linearisation.once ? std::vector<double>{} : result_.solution->discrete->positions();
   }
 
-  /// An instant, the first unless told otherwise, on the next mesh, whose first guess and state come from the mesh before. Whether the computation goes on.
+  /// Solves an instant, by default the first, on the next mesh. First guess and state come from the previous mesh.
+  /// Returns whether the computation continues.
   bool mesh(int number) {
     result_.status = contact::Status::interrupted;
     if (wants_to_stop(observer_, comm_)) return false;
@@ -225,7 +234,7 @@ class Computation {
     if (!discrete) discrete = shell_at(*on_mesh_, task);
     task.seconds.discretisation = watch.lap();
     LevelResult level = solve_level(task, std::move(discrete), observer_);
-    if (level.record.status == contact::Status::interrupted) return false;  // the mesh before is the result
+    if (level.record.status == contact::Status::interrupted) return false;  // the previous mesh is the result
     if (observer_.level && !problem_.accuracy) observer_.level(number, level.record);
     if (observer_.solution) observer_.solution(number, level.solution);
     result_.levels.push_back(level.record);
@@ -239,7 +248,8 @@ class Computation {
     const assembly::State& before = result_.solution->discrete->state;
     const bool was_deformed = before.is_deformed();
     start.positions = positions();
-    if (!observer_.stop) result_.solution.reset();  // one mesh at a time in memory, unless this may be the last one
+    // One mesh at a time in memory, except where this may be the last one.
+    if (!observer_.stop) result_.solution.reset();
     const auto carried = std::span(fields).first(was_deformed ? 3 : 2);
     if (!cuts_.empty()) {
       meshes_.cut(carried, cuts_);
@@ -258,7 +268,7 @@ class Computation {
       task.settings.detect_free_motions = false;
   }
 
-  /// What the goals are at one degree more on the cells of the present solution, if that can be solved.
+  /// Computes the goals at one degree more on the cells of the present solution, if that problem can be solved.
   void call_witness(const Instant& instant) {
     Stopwatch watch;
     const certificate::NodalSolution& nodal = result_.solution->nodal;
@@ -284,7 +294,7 @@ class Computation {
     result_.levels.back().seconds.witness = watch.lap();
   }
 
-  /// What an instant takes from the solution at hand.
+  /// Returns the state of an instant that starts from the present solution.
   assembly::State continued_at(const Instant& instant) const {
     assembly::State start = state_at(instant);
     start.positions = positions();
@@ -292,7 +302,7 @@ class Computation {
     return start;
   }
 
-  /// The shell of the solution at hand, linearised for an instant with what it takes from that solution.
+  /// Returns the shell of the present solution, linearised for an instant that starts from that solution.
   std::unique_ptr<assembly::DiscreteShell> shell_at(const Instant& instant, LevelTask& task) {
     const ContactTrend trend = contact_trend(*result_.solution->discrete, result_.solution->nodal);
     assembly::State start = continued_at(instant);
@@ -303,8 +313,8 @@ class Computation {
     return discrete;
   }
 
-  /// How far to go at once from `done` on, parts of the way between two instants: no farther than obstacles can go without passing through
-  /// the shell where `y` has it.
+  /// Returns the next part of the way between two instants, after `done`. It is so short that obstacles cannot pass
+  /// through the shell at `y`.
   static double next_part(const assembly::DiscreteShell& discrete, const algebra::Vector& y, const Instant& from,
                           const Instant& to, double done) {
     constexpr double least = 0x1p-10;
@@ -314,7 +324,7 @@ class Computation {
     return next;
   }
 
-  /// Solves an instant on the way, whose results nobody asks for. Whether the computation goes on.
+  /// Solves an intermediate instant whose results are not requested. Returns whether the computation continues.
   bool pass(const Instant& instant, std::unique_ptr<assembly::DiscreteShell> discrete, LevelTask task) {
     task.number = std::max(0, static_cast<int>(result_.levels.size()) - 1);
     task.settings = problem_.contact;
@@ -335,8 +345,8 @@ class Computation {
     return result_.status == contact::Status::inaccurate;
   }
 
-  /// Instants on the way from `done` on, from the solution at hand: as many as keep obstacles from passing through the shell. Whether the
-  /// computation goes on.
+  /// Solves intermediate instants from the present solution, after the part `done`. Their number prevents that
+  /// obstacles pass through the shell. Returns whether the computation continues.
   bool approach(const Instant& from, const Instant& to, double done = 0) {
     for (;;) {
       const Solution& at_hand = *result_.solution;
@@ -353,7 +363,8 @@ class Computation {
     }
   }
 
-  /// The same from the undeformed shell on. `discrete` stays where no instant is needed; else it goes into the solution at hand.
+  /// The same, starting from the undeformed shell. `discrete` stays if no instant is needed; otherwise it becomes the
+  /// shell of the present solution.
   bool start_out(std::unique_ptr<assembly::DiscreteShell>& discrete, const Instant& to) {
     if (problem_.steps.empty()) return true;
     const Instant start{.load_factor = 0, .force_factors = std::vector<double>(problem_.obstacles.size(), 0)};
@@ -365,7 +376,8 @@ class Computation {
     return pass(instant, std::move(discrete), {}) && approach(start, to, first);
   }
 
-  /// From the first instant to the last one without their results, where an obstacle could pass through the shell in one go.
+  /// Goes from the first instant to the last one without their results, if an obstacle could pass through the shell in
+  /// one step.
   bool approach_last() {
     const Solution& at_hand = *result_.solution;
     if (!may_pass(*at_hand.discrete, at_hand.nodal.y, instants_.front().time, instants_.back().time)) return true;
@@ -379,7 +391,8 @@ class Computation {
     return true;
   }
 
-  /// An instant on the finest mesh, from a state and the contact zone of the solution at hand. Whether the computation goes on.
+  /// Solves an instant on the finest mesh, from a state and the contact zone of the present solution. Returns whether
+  /// the computation continues.
   bool advance(const Instant& instant, assembly::State start) {
     if (wants_to_stop(observer_, comm_)) {
       result_.status = contact::Status::interrupted;
@@ -410,7 +423,8 @@ class Computation {
     return result_.status == contact::Status::solved || result_.status == contact::Status::inaccurate;
   }
 
-  /// From the solution at hand; within a step contact is expected to go on as it went.
+  /// Returns the expected contact from the present solution. Within a step the trend of contact is expected to
+  /// continue.
   ContactTrend expected_at(const Instant& instant) {
     ContactTrend now = contact_trend(*result_.solution->discrete, result_.solution->nodal);
     const std::optional<Passed> before = std::exchange(passed_, {});
@@ -420,7 +434,8 @@ class Computation {
     return continued(std::move(now), before->trend, (instant.time - at_->time) / (at_->time - before->time));
   }
 
-  /// Reached step by step, the last instant may be another one than what the mesh was made for.
+  /// Judges the accuracy at the last instant. The steps may lead to another solution than the one for which the mesh
+  /// was made.
   void judge_accuracy_at_end(const Instant& instant) {
     const estimation::Estimates& estimates = *result_.estimates;
     if (!meshes_are_ahead_ && wants_witness(problem_, *meshes_.space(), estimates, result_.summary))
@@ -431,7 +446,7 @@ class Computation {
         fmt::format("{}at the last instant, reached step by step, {}", missed_accuracy_.empty() ? "" : "; ", missed);
   }
 
-  /// A solved end does not hide what missed a limit on the way.
+  /// Sets the worst status, so that a solved end does not hide a missed limit of an earlier instant.
   void adopt_worst_status() {
     if (result_.status == contact::Status::solved && !missed_accuracy_.empty()) {
       result_.status = contact::Status::accuracy_not_reached;
@@ -458,13 +473,13 @@ class Computation {
     result_.estimates = std::move(level.estimates);
   }
 
-  /// Resultants of the present solution, and its probes.
+  /// Computes resultants of the present solution, and its probes.
   void recover() {
     choose_recovery(problem_.output, *result_.solution);
     result_.probes = probe(*result_.solution, problem_.probes);
   }
 
-  /// The present solution becomes an entry of the history.
+  /// Adds the present solution to the history.
   void note(const Instant& instant) {
     judge_certificate(result_);
     recover();
@@ -485,22 +500,22 @@ class Computation {
   const Observer& asked_;
   Stopwatch since_start_{};
   double end_of_meshes_ =
-      std::numeric_limits<double>::infinity();  ///< [s since the start]; none before the first mesh is done
-  Observer observer_;                           ///< what was asked for, and the clock
+      std::numeric_limits<double>::infinity();  ///< [s since the start]; none before the first mesh is finished
+  Observer observer_;                           ///< the caller's observer with the time limit
   assembly::ShellDescription shell_;
   std::vector<Instant> instants_;
   fem::MeshSequence meshes_;
-  bool meshes_are_ahead_ = false;  ///< of the solution, whose successor the clock has stopped
+  bool meshes_are_ahead_ = false;  ///< whether the clock stopped a mesh after the one of the solution
   std::shared_ptr<const fem::Surface> surface_;
   Result result_{};
   Level latest_{};
-  const Instant* on_mesh_ = &instants_.front();  ///< that is solved on each mesh
-  const Instant* at_ = nullptr;                  ///< of the latest entry of the history
-  std::optional<Passed> passed_{};               ///< the instant before that one
-  std::vector<fem::Cuts> cuts_{};                ///< of the present mesh, where accuracy is asked for
-  std::vector<signed char> marks_{};             ///< of its cells, where there are no cuts
+  const Instant* on_mesh_ = &instants_.front();  ///< instant that is solved on each mesh
+  const Instant* at_ = nullptr;                  ///< instant of the latest entry of the history
+  std::optional<Passed> passed_{};               ///< trend at the instant before that one
+  std::vector<fem::Cuts> cuts_{};                ///< cuts for the next mesh, where an accuracy is requested
+  std::vector<signed char> marks_{};             ///< marks of cells for the next mesh, where there are no cuts
   std::string missed_accuracy_{};
-  std::string missed_on_the_way_{};  ///< between instants
+  std::string missed_on_the_way_{};  ///< limits missed between instants
 };
 
 }  // namespace

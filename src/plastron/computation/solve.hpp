@@ -1,4 +1,4 @@
-// From a problem to its result: the whole computation.
+// The whole computation, from a problem to its result.
 #pragma once
 #include <plastron/computation/observer.hpp>
 #include <plastron/computation/problem.hpp>
@@ -9,9 +9,9 @@
 namespace plastron::computation {
 
 /// Solves on every mesh of the sequence and certifies the finest solution (collective).
-/// Throws fem::DomainError, assembly::SupportError for what is wrong with the problem itself; a computation that does
-/// not converge is no exception but a status. Interrupted (Observer::stop), the result is that of the last mesh that was
-/// finished; without one there are no levels and no solution.
+/// Throws fem::DomainError, assembly::SupportError for mistakes in the problem itself. A computation that does
+/// not converge is not an exception but a status. If it is interrupted (Observer::stop), the result belongs to the last
+/// finished mesh; without one there are no levels and no solution.
 Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer = {});
 
 }  // namespace plastron::computation

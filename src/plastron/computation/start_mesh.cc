@@ -20,20 +20,23 @@ namespace {
 using Eigen::Vector2d;
 
 // Measured on a saddle and on shells in contact, docs/methods/layers.md.
-constexpr double row_widths = 3.5;         ///< of a row over that of its layer
-constexpr double narrow_row_widths = 0.2;  ///< of a second row at the edge
+constexpr double row_widths = 3.5;         ///< width of a row relative to its layer
+constexpr double narrow_row_widths = 0.2;  ///< width of a second row at the edge
 constexpr int narrow_row_degree = 4;
-constexpr double corner_errors = 0.03;  ///< with one row each way, over a corner's part of the domain
+/// Error with one row in each direction, relative to a corner's part of the domain.
+constexpr double corner_errors = 0.03;
 constexpr double cells_per_layer_degree =
-    0.68;                               ///< size of a cell inside over the degree and the width of the layers there
-constexpr double contact_nodes = 700;   ///< of the finest mesh, where contact zones may have their edge anywhere
-constexpr double largest_share = 0.25;  ///< of the domain that a row may take
+    0.68;  ///< size of an inner cell, relative to the degree and the width of the layers there
+/// Number of nodes of the finest mesh where contact zones may have their edge anywhere.
+constexpr double contact_nodes = 700;
+constexpr double largest_share = 0.25;  ///< largest part of the domain for a row
 constexpr int most_cells_across = 64;
-/// Of a disk's radius, beyond which a mesh that chords are cut in has rings: edges of contact zones may be round, too.
+/// Part of a disk's radius outside which a mesh with cut chords has rings: edges of contact zones may also be round.
 constexpr double core_part = 0.35;
-constexpr int ring_degree = 4;  ///< the highest; patches of higher ones cannot judge cells that are long and bent
+/// Highest degree with rings; patches of higher ones cannot judge cells that are long and bent.
+constexpr int ring_degree = 4;
 
-/// How much room rows have that lie along a boundary, in Omega.
+/// Space for rows along a boundary, in Omega.
 struct Room {
   const EdgeLayer& layer;
   double operator()(const fem::Rectangle& r) const {
@@ -48,7 +51,7 @@ struct Room {
   double operator()(const fem::MeshFile&) const { return 0; }
 };
 
-/// Boundaries beside which the shell goes on: no edge is there.
+/// Returns boundaries beyond which the shell continues: there is no edge.
 std::set<int> boundaries_within(const Problem& problem) {
   const auto names = fem::boundary_names(problem.domain);
   std::set<int> result;
@@ -63,7 +66,7 @@ std::set<int> boundaries_within(const Problem& problem) {
   return result;
 }
 
-/// Whether joined edges stay alike whatever rows the others have: opposite sides of a rectangle.
+/// Whether joined edges stay equal for any rows of the other edges: opposite sides of a rectangle.
 bool keeps_joins_alike(const Problem& problem) {
   if (problem.joins.empty()) return true;
   const std::set<std::string> pair(problem.joins[0].boundaries.begin(), problem.joins[0].boundaries.end());
@@ -71,8 +74,9 @@ bool keeps_joins_alike(const Problem& problem) {
          (pair == std::set<std::string>{"left", "right"} || pair == std::set<std::string>{"bottom", "top"});
 }
 
-/// Rows cross at corners of four-sided domains; where more is asked for than the corners' cells give, each row is worth a second, narrow one
-/// between it and the edge, at the degree at which that pays. `share` is that of the widest row in the domain's width.
+/// Whether each row needs a second, narrow row between it and the edge. Rows cross at corners of four-sided domains.
+/// Narrow rows are useful if the required accuracy exceeds the accuracy of the corners' cells, at the degree of
+/// narrow_row_degree. `share` is the widest row's part of the domain's width.
 bool wants_narrow_rows(const Problem& problem, double share) {
   if (!problem.accuracy || problem.discretisation.degree != narrow_row_degree) return false;
   const auto* polygon = std::get_if<fem::Polygon>(&problem.domain);
@@ -83,14 +87,14 @@ bool wants_narrow_rows(const Problem& problem, double share) {
   });
 }
 
-/// The rows of each boundary and the layers they are for. A boundary has rows in all its regions or in none.
+/// Returns the rows of each boundary and their layers. A boundary has rows in all its regions or in none.
 std::pair<fem::Rows, std::vector<EdgeLayer>> rows_of(const Problem& problem) {
   fem::Rows rows;
   std::vector<EdgeLayer> kept;
   const auto within = boundaries_within(problem);
   const auto boundaries = static_cast<int>(fem::boundary_names(problem.domain).size());
   const auto layers = edge_layers(problem);
-  double share = 0;  // of the widest row
+  double share = 0;  // share of the widest row
   for (int b = 0; b < boundaries; ++b) {
     std::vector<std::vector<double>> distances;
     bool fits = false;
@@ -108,7 +112,7 @@ std::pair<fem::Rows, std::vector<EdgeLayer>> rows_of(const Problem& problem) {
     if (!fits) std::ranges::fill(distances, std::vector<double>{});
     rows.distances.push_back(std::move(distances));
   }
-  // Joined edges, maybe turned over, meet the rows of both neighbours.
+  // Joined edges, which may be reversed, meet the rows of both neighbours.
   if (!problem.joins.empty()) {
     auto& a = within.contains(0) ? rows.distances[2] : rows.distances[0];
     auto& b = within.contains(0) ? rows.distances[3] : rows.distances[1];
@@ -128,7 +132,7 @@ bool has_narrow_rows(const fem::Rows& rows) {
                              [](const auto& regions) { return !regions.empty() && regions.front().size() > 1; });
 }
 
-/// The size of cells between the rows on the finest mesh [m].
+/// Returns the size of cells between the rows on the finest mesh [m].
 double size_inside(const Problem& problem, const Interior& inside) {
   const int degree = problem.discretisation.degree;
   double size = cells_per_layer_degree * degree * inside.width;
@@ -141,16 +145,16 @@ double last_or_nothing(const std::vector<std::vector<double>>& distances) {
   return distances.front().empty() ? 0 : distances.front().back();
 }
 
-/// Cells between the rows, as fem::Rows counts them, of cells of a size in metres.
+/// Number of cells between the rows, in the form of fem::Rows, for a cell size in metres.
 struct InnerCells {
   const fem::Rows& rows;
   const Interior& inside;
   double size;
 
   int count(double length) const {
-    constexpr double rounding = 0.05;  // a cell may be that much larger
+    constexpr double rounding = 0.05;  // a cell may be larger by this part
     const double cells = std::ceil(length / size - rounding);
-    if (!(cells > 1)) return 1;  // also where the chart has no curvature to speak of
+    if (!(cells > 1)) return 1;  // also where the chart has almost no curvature
     return static_cast<int>(std::min(cells, 1.0 * most_cells_across));
   }
   std::array<int, 2> operator()(const fem::Rectangle& r) const {
@@ -159,7 +163,7 @@ struct InnerCells {
     const Vector2d length = (r.to - r.from - taken).cwiseProduct(inside.stretch);
     return {std::max(r.cells[0], count(length[0])), std::max(r.cells[1], count(length[1]))};
   }
-  /// 5 m^2 cells of about the same area.
+  /// A disk has 5 m^2 cells of about the same area.
   std::array<int, 2> operator()(const fem::Disk&) const {
     const int m = count(std::sqrt(inside.area / 5));
     return {m, m};
@@ -183,21 +187,22 @@ struct InnerCells {
   std::array<int, 2> operator()(const fem::MeshFile&) const { return {1, 1}; }
 };
 
-/// Rings outside of the middle of a disk whose chords may be cut.
+/// Adds rings outside the middle of a disk whose chords may be cut.
 void add_rings(const Problem& problem, const InnerCells& cells, fem::Rows& rows) {
   const auto* disk = std::get_if<fem::Disk>(&problem.domain);
   if (!disk || !problem.accuracy || is_refined_evenly(problem) || problem.discretisation.degree > ring_degree) return;
   const double core = core_part * disk->radius;
-  const double between = disk->radius - last_or_nothing(rows.distances[0]) - core;  // rows take a quarter at most
+  const double between = disk->radius - last_or_nothing(rows.distances[0]) - core;  // rows take at most a quarter
   rows.core = core;
   rows.rings = cells.count(between * cells.inside.stretch.mean());
   rows.inner[1] = std::max(1, rows.inner[1] / 2);
 }
 
-/// At least two cells along the longer side on the finest mesh: one cell of whatever degree sees little.
+/// Returns a size that gives at least two cells along the longer side on the finest mesh. One cell is too coarse at any
+/// degree.
 double largest_cell(const Interior& inside) { return std::sqrt(inside.area) / 2; }
 
-/// A point that is held has to be a node.
+/// Whether all fixed points are nodes.
 bool has_points(const fem::CoarseMesh& coarse, const Problem& problem) {
   const auto nodes = fem::kept_nodes(coarse, problem.discretisation.degree);
   const double tolerance = fem::point_tolerance(coarse);
@@ -246,7 +251,8 @@ std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinemen
       sides.insert(
           std::minmax(cell.vertices[static_cast<std::size_t>(from)], cell.vertices[static_cast<std::size_t>(to)]));
     }
-  const std::int64_t n = static_cast<std::int64_t>(degree) << refinements;  // nodes are those of one cell of degree n
+  // A refined cell has the nodes of one cell of degree n.
+  const std::int64_t n = static_cast<std::int64_t>(degree) << refinements;
   const bool is_triangle = coarse.shape == fem::Shape::triangle;
   const std::int64_t in_cell = is_triangle ? (n - 1) * (n - 2) / 2 : (n - 1) * (n - 1);
   std::set<int> vertices;

@@ -1,4 +1,5 @@
-// A result's end in words, and its pressure. Apart from what judges it: tables of results name this, and are read without the solver's libraries.
+// Text on the end of a result, and its pressure. It is separate from the judging code, because tables of results use it
+// without the solver's libraries.
 #include <plastron/computation/result.hpp>
 
 #include <fmt/format.h>

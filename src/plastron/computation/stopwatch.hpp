@@ -1,4 +1,4 @@
-// Wall time between laps.
+// A stopwatch of wall time with laps.
 #pragma once
 #include <chrono>
 
@@ -14,7 +14,7 @@ class Stopwatch {
     return seconds;
   }
 
-  /// Since the last lap, which goes on.
+  /// Seconds since the last lap, without starting a new one.
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count(); }
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> base_units{"Pa", "N", "J", "m"};
 
-/// force / length^2 and force * length, where they have names of their own.
+/// Units of force / length^2 and force * length that have their own names.
 struct NamedUnits {
   std::string_view force, length, stress, energy;
 };
@@ -21,13 +21,14 @@ constexpr std::array named_units{NamedUnits{"N", "m", "Pa", "J"},    NamedUnits{
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool goes_on(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/' || c == '^'; }
 
-/// The unit at the beginning of the text without its exponent; empty if there is none.
+/// Returns the unit at the beginning of the text without its exponent; empty if there is none.
 std::string_view base_unit(std::string_view text) {
   const auto found = std::ranges::find_if(base_units, [&](std::string_view unit) { return text.starts_with(unit); });
   return found == base_units.end() ? std::string_view() : text.substr(0, found->size());
 }
 
-/// Length of the unit at the beginning of the text: factors with exponents, joined by blanks and strokes. 0 if there is none that ends there.
+/// Returns the length of the unit at the beginning of the text: factors with exponents, joined by blanks and slashes. 0
+/// if no unit ends there.
 std::size_t length_of_unit(std::string_view text) {
   std::size_t end = 0, length = 0;
   while (true) {
@@ -42,7 +43,7 @@ std::size_t length_of_unit(std::string_view text) {
   }
 }
 
-/// Whether a unit may begin at `at`: after a number, a vector or a number in HTML, or as all that brackets hold.
+/// Whether a unit may begin at `at`: after a number, a vector or a number in HTML.
 bool follows_number(std::string_view text, std::size_t at) {
   constexpr std::string_view ends_of_numbers = "0123456789.)>";
   return at >= 2 && text[at - 1] == ' ' && ends_of_numbers.find(text[at - 2]) != std::string_view::npos;

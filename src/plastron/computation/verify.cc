@@ -17,7 +17,8 @@ namespace plastron::computation {
 
 namespace {
 
-/// Divides what is larger than the cells wanted, until nothing is or there are more cells than wanted.
+/// Divides cells that are larger than the requested cells, until there are no more or the mesh has more cells than
+/// requested.
 void refine_to(std::span<const fem::CellPlace> cells, fem::MeshSequence& meshes) {
   const std::set<fem::CellPlace> wanted(cells.begin(), cells.end());
   const auto total = static_cast<std::int64_t>(cells.size());

@@ -1,6 +1,6 @@
-// A solution that somebody hands over, judged from the case alone (docs/decisions/0011-verification.md): the finest
-// mesh, the shell linearised where the solution says it was, the certificate (docs/model.md, section 8), and what the
-// certificate takes for granted of our own solvers' results. Nothing is factorised, nothing is solved.
+// Judges a given solution from the case alone (docs/decisions/0011-verification.md): the finest
+// mesh, the shell linearised at the stored state, the certificate (docs/model.md, section 8), and the conditions that
+// the certificate assumes for our own solvers' results. It factorises nothing and solves nothing.
 #pragma once
 #include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
@@ -14,10 +14,10 @@
 
 namespace plastron::computation {
 
-/// What a solution on the finest mesh is, apart from all that follows from the case.
+/// The data of a solution on the finest mesh that do not follow from the case.
 struct StoredSolution {
-  assembly::State state{};     ///< where its gaps are linearised
-  std::vector<double> ways{};  ///< how far forces have pressed each obstacle on from there [m]
+  assembly::State state{};     ///< state at which its gaps are linearised
+  std::vector<double> ways{};  ///< distances by which forces have moved each obstacle since then [m]
   certificate::NodalSolution nodal{};
 };
 
@@ -25,24 +25,25 @@ struct FinestMesh {
   std::shared_ptr<const fem::Space> space{};
   std::shared_ptr<const fem::Surface> surface{};
 };
-/// What tells a mesh that follows from estimates.
+/// Cells that define a mesh that follows from estimates.
 struct MeshCells {
   std::vector<fem::Cuts> cuts{};  ///< fem::CoarseMesh::cuts
   std::vector<fem::CellPlace> places{};
 };
 
-/// The mesh that solve() ends on; where that follows from estimates, the mesh of these cells, which all ranks give whole. Cells that no such
-/// mesh has give another mesh (collective). Throws fem::DomainError.
+/// Returns the last mesh of solve(). If it follows from estimates, returns the mesh of `cells`, which all ranks give
+/// completely. Cells that no such mesh has give another mesh (collective). Throws fem::DomainError.
 FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, const MeshCells& cells = {});
 
 struct Verification {
-  /// As solve() would have left it, with a single level; the status is solved or inaccurate.
+  /// Result of solve(), with a single level; the status is solved or inaccurate.
   Result result;
-  /// That the solution is one of the case's kind: rows that say nothing of solutions that solve() has found.
+  /// Rows that show that the solution belongs to the case. They need no check for solutions that solve() has found.
   std::vector<certificate::CertificateLimit> membership{};
 };
 
-/// (collective) Throws fem::DomainError, assembly::SupportError, obstacle::ObstacleError, as solve() does.
+/// Verifies a solution (collective). Throws fem::DomainError, assembly::SupportError, obstacle::ObstacleError, as
+/// solve() does.
 Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSolution solution);
 
 }  // namespace plastron::computation

@@ -22,13 +22,14 @@ bool has_cell_in_contact(const Solution& solution, std::size_t obstacle) {
   return algebra::sum_over_ranks(cells, space.layout->comm) > 0;
 }
 
-/// The width of strips and rings, the radius of round zones [m].
+/// Returns the width of strips and rings, or the radius of round zones [m].
 double width_of(const certificate::ContactZone& zone) {
   const double length = zone.line_length() + zone.rim_length();
   return length > 0 ? 2 * zone.area / length : 0;
 }
 
-/// Zones that are wider than the layer at their edges, half of the thickness: narrower ones carry their reaction as lines do.
+/// Returns zones that are wider than the layer at their edges, half of the thickness. Narrower ones carry their
+/// reaction like lines.
 std::vector<certificate::ContactZone> wide_zones(std::vector<certificate::ContactZone> zones, double thickness) {
   std::erase_if(zones, [&](const certificate::ContactZone& zone) { return width_of(zone) < thickness / 2; });
   return zones;

@@ -1,15 +1,16 @@
-// The contact zones of a finished result, and how well their edges are known.
+// The contact zones of a finished result, and the accuracy of their edges.
 #pragma once
 #include <plastron/computation/result.hpp>
 
 namespace plastron::computation {
 
-/// Of each obstacle of the solution, into the summary (collective).
+/// Adds the contact zones of each obstacle to the summary (collective).
 void add_contact_zones(Result& result);
 
-/// How far the edges of contact zones are from those of another solution, over the zones' size (certificate::relative_distance): of the obstacle
-/// where that is most. Contact along a line has no edge to find: neither obstacles that no cell touches with all its nodes nor zones narrower than
-/// half of the thickness count, which is how wide the layer at an edge is. (collective)
+/// Returns the distance between the edges of contact zones of two solutions, relative to the zones' size
+/// (certificate::relative_distance). It is the largest of all obstacles. Contact along a line has no edge. Therefore
+/// obstacles without a cell whose nodes all touch are ignored. Zones narrower than half of the thickness, the width of
+/// the layer at an edge, are ignored too. (collective)
 double edge_change(const Solution& one, const Solution& other, double least_thickness);
 
 }  // namespace plastron::computation

@@ -1,4 +1,4 @@
-// [accuracy]: what is to be accurate, in place of a mesh.
+// Reads [accuracy]: the required accuracy, in place of a mesh.
 #include <plastron/computation/goal_names.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
@@ -10,7 +10,7 @@ namespace plastron::config {
 
 namespace {
 
-/// Of energy and reaction, where a case says nothing of mesh and accuracy.
+/// Tolerance of energy and reaction in a case without mesh and accuracy.
 constexpr double default_tolerance = 1e-3;
 
 void read_other_goals(Table& accuracy, const std::vector<std::string>& known, computation::Accuracy& given) {

@@ -14,7 +14,7 @@ namespace {
   throw CaseErrors({{.file = path.string(), .what = what}});
 }
 
-/// What the entry of a file system is that is no regular file.
+/// Returns the kind of a file system entry that is not a regular file.
 std::string kind_of(std::filesystem::file_type type) {
   switch (type) {
     case std::filesystem::file_type::directory:
@@ -31,7 +31,7 @@ std::string kind_of(std::filesystem::file_type type) {
   }
 }
 
-/// Reads no more than one byte beyond the limit, whatever the file says of its size.
+/// Reads at most one byte beyond the limit, for any reported file size.
 std::string contents(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);

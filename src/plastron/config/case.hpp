@@ -1,4 +1,4 @@
-// A case file as a computation::Problem. This folder is the only reader of case files; the format is docs/case-file.md.
+// Reads a case file as a computation::Problem. Only this folder reads case files; the format is docs/case-file.md.
 #pragma once
 #include <plastron/computation/problem.hpp>
 #include <plastron/config/input_file.hpp>
@@ -17,16 +17,17 @@ struct Case {
   geometry::Constants constants;
   computation::Problem problem;
   bool wants_report = true;        ///< [output] report
-  nlohmann::json effective;        ///< all settings, defaults included, in the shape of the case file
-  std::string text{};              ///< of the case file, byte for byte; with settings as those have edited it
-  std::vector<InputFile> files{};  ///< that the case names: meshes, rasters, surfaces
+  nlohmann::json effective;        ///< all settings, including defaults, in the form of the case file
+  std::string text{};              ///< text of the case file, byte for byte; after `settings` the edited text
+  std::vector<InputFile> files{};  ///< files that the case names: meshes, rasters, surfaces
 };
 
-/// `settings` take the place of keys of the file, "shell.thickness=0.02" each (overrides.hpp). Throws CaseErrors.
+/// Reads a case. `settings` replace keys of the file, for example "shell.thickness=0.02" (overrides.hpp). Throws
+/// CaseErrors.
 Case read_case(const std::filesystem::path& path, std::span<const std::string> settings = {});
-/// The files that the case names are searched for in `folder`. Throws CaseErrors.
+/// Searches in `folder` for the files that the case names. Throws CaseErrors.
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder);
-/// The files that the case names are searched for in the folder of `file_name`. Throws CaseErrors.
+/// Searches in the folder of `file_name` for the files that the case names. Throws CaseErrors.
 Case parse_case(std::string text, std::string file_name);
 
 }  // namespace plastron::config

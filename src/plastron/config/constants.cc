@@ -16,7 +16,7 @@ bool is_identifier(const std::string& name) {
   return !name.empty() && letter(name[0]) && std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c); });
 }
 
-// Names the expressions' libraries give a meaning of their own.
+// Names with a meaning in the libraries for expressions.
 bool is_taken(const std::string& name) {
   static const std::vector<std::string> more{"sq",  "cube", "step", "log2", "log10", "rint",
                                              "sum", "avg",  "Pi",   "I",    "Euler", "Catalan"};

@@ -1,4 +1,4 @@
-// [mesh], [output], [contact] and [solver].
+// Reads [mesh], [output], [contact] and [solver].
 #include <plastron/config/sections.hpp>
 
 #include <algorithm>
@@ -8,7 +8,8 @@ namespace plastron::config {
 
 namespace {
 
-/// Triangles have degrees 1 and 2 and no tying; the default of `tying` gives way, a written one does not.
+/// Checks triangles, which have degrees 1 and 2 and no tying. A default of `tying` is changed, a given value is an
+/// error.
 void check_triangles(Table& mesh, computation::Discretisation& d) {
   if (d.degree > 2)
     mesh.report("degree", fmt::format("degree {} is not available on triangles", d.degree), "1 <= degree <= 2",
@@ -20,7 +21,8 @@ void check_triangles(Table& mesh, computation::Discretisation& d) {
   mesh.effective["tying"] = false;
 }
 
-/// What is not written suits meshes that follow from estimated errors: a start mesh as it is, which knows edge layers, of high degree.
+/// Sets missing values for meshes that follow from estimated errors: an unrefined start mesh with edge layers, of high
+/// degree.
 void suit_accuracy(Table& mesh, computation::Discretisation& d) {
   const bool is_triangular = d.cells == fem::Shape::triangle;
   if (!mesh.has("refinements")) mesh.effective["refinements"] = d.refinements = 0;

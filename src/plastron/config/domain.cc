@@ -1,4 +1,4 @@
-// [geometry] domain.
+// Reads [geometry] domain.
 #include <plastron/config/printable.hpp>
 #include <plastron/config/sections.hpp>
 
@@ -86,7 +86,7 @@ std::optional<Eigen::Vector2d> read_point(Reading& reading, const Item& item) {
   return Eigen::Vector2d((*list)[0], (*list)[1]);
 }
 
-// polygon = { corners = [...] } or polygon = [...].
+// Reads polygon = { corners = [...] } or polygon = [...].
 Domain read_polygon(Table& domain) {
   toml::value corners = domain.value("polygon").value();
   if (corners.is_table()) {

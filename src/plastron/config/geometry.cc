@@ -1,4 +1,4 @@
-// [geometry]: the domain and its charts.
+// Reads [geometry]: the domain and its charts.
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 #include <plastron/geometry/quotation.hpp>
@@ -16,8 +16,8 @@ std::optional<std::string> read_formula(Reading& reading, const Item& item) {
   return field ? std::optional(field->text()) : std::nullopt;
 }
 
-// The formulas are expressions already, so the chart can only fail to differentiate them. It does not say which: each
-// is tried alone.
+// The formulas are valid expressions, so the only possible error is their differentiation. The chart does not name the
+// wrong one: each is tried alone.
 void report_chart(Reading& reading, const Item& item, const Formulas& formulas) {
   for (std::size_t i = 0; i < 3; ++i) try {
       const geometry::Chart alone({formulas[i], "0", "0"}, reading.constants);
@@ -30,7 +30,7 @@ void report_chart(Reading& reading, const Item& item, const Formulas& formulas) 
     }
 }
 
-/// Without the name of a region the chart is that of all.
+/// Reads a chart; without the name of a region it is the chart of all regions.
 void read_chart(const Table& geometry, const Item& item, const std::string& region, computation::Problem& problem,
                 nlohmann::json& effective) {
   Reading& reading = geometry.reading();
@@ -56,7 +56,7 @@ void report_unknown_region(Reading& reading, const std::string& region, const to
                          : did_you_mean(region, regions));
 }
 
-// A table of charts by region. The regions of a mesh file are known only when it is read.
+// Reads a table of charts by region. The regions of a mesh file are known only when it is read.
 void read_charts_by_region(const Table& geometry, const toml::value& table, const std::vector<std::string>& regions,
                            computation::Problem& problem, nlohmann::json& effective) {
   Reading& reading = geometry.reading();
@@ -98,7 +98,7 @@ std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& prob
     problem.domain = *domain;
     read_charts(*geometry, *domain, problem);
   } else if (const auto chart = geometry->value("chart"); chart && !chart->is_table()) {
-    const Item item{*chart, "chart"};  // its own mistakes are found whatever the domain
+    const Item item{*chart, "chart"};  // its own mistakes are found for any domain
     nlohmann::json unused;
     read_chart(*geometry, item, "", problem, unused);
   }

@@ -4,7 +4,7 @@
 
 namespace plastron::config {
 
-/// All numbers greater than 0.
+/// Returns the range of all numbers greater than 0.
 inline Range positive() { return {.low = 0, .low_open = true}; }
 
 std::vector<Section> geometry_sections();

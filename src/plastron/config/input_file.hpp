@@ -6,7 +6,7 @@
 namespace plastron::config {
 
 struct InputFile {
-  std::string name;  ///< as the case has it
+  std::string name;  ///< name as written in the case
   std::filesystem::path path;
 };
 

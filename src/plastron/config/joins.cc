@@ -1,4 +1,4 @@
-// [[join]].
+// Reads [[join]].
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 

@@ -24,7 +24,7 @@ Schema list_of(Schema entry, int count = 0) {
   return list;
 }
 
-/// The number itself, which an expression may stand for.
+/// Returns the schema of the number itself, which an expression may replace.
 Schema number(const char* type, const Range& range) {
   Schema value{{"type", type}};
   if (std::isfinite(range.low)) value[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
@@ -44,7 +44,7 @@ bool is_declared(const std::string& path) {
 
 Schema reference(const std::string& path) { return {{"$ref", "#/definitions/" + path}}; }
 
-/// Any names, and what values of supports look like: { u.z = 1 }, { u = [0, 0, 1] }.
+/// Returns the schema of any names, with values as in supports: { u.z = 1 }, { u = [0, 0, 1] }.
 Schema free_table() {
   const Schema value = any_of({number("number", {}), list_of(number("number", {}))});
   return {{"type", "object"},
@@ -121,7 +121,7 @@ Schema property(const Section& section, const Key& key) {
   const std::string path = section.path.empty() ? key.name : section.path + "." + key.name;
   Schema value = schema_of(key, key.kind, path);
   if (key.shorthand) value = any_of({std::move(value), schema_of(key, *key.shorthand, path)});
-  // Beside $ref nothing counts in this draft.
+  // In this draft other keys beside $ref are ignored.
   if (value.contains("$ref")) value = {{"allOf", Schema::array({std::move(value)})}};
   const std::string range = key.range.text(key.name);
   Schema result{{"description",

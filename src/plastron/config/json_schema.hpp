@@ -1,11 +1,12 @@
-// The JSON Schema (draft 7) of the case file, for editors that complete and check TOML while one writes it. What it cannot say (names that
-// must exist, expressions that must be valid, radii that must fit) `plastron check` says.
+// The JSON Schema (draft 7) of the case file, for editors that complete and check TOML during writing. Conditions that
+// it cannot express (names that must exist, expressions that must be valid, radii that must fit) are checked by
+// `plastron check`.
 #pragma once
 #include <nlohmann/json.hpp>
 
 namespace plastron::config {
 
-/// Made from sections().
+/// Makes the schema from sections().
 nlohmann::ordered_json case_schema();
 
 }  // namespace plastron::config

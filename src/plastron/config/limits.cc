@@ -10,8 +10,8 @@ namespace {
 
 bool is_quote(char c) { return c == '"' || c == '\''; }
 
-/// Where a comment or a string that begins at `at` ends: the first character after it. A string on one line that is never
-/// closed ends with its line.
+/// Returns the end of a comment or a string that begins at `at`: the first character after it. A string on one line
+/// without closing quote ends with its line.
 std::size_t after_token(std::string_view text, std::size_t at) {
   const auto end_or = [&](std::size_t found, std::size_t length) {
     return found == std::string_view::npos ? text.size() : found + length;
@@ -43,12 +43,12 @@ void check_shape(const Source& source) {
     if (deep > deepest_nesting) refuse(at, fmt::format("{} nested deeper than {}", what, deepest_nesting));
   };
   std::size_t depth = 0, parts = 0, sections = 0;
-  std::array<std::size_t, deepest_nesting + 1> entries{};  // so far at each depth; at depth 0 those of the section
+  std::array<std::size_t, deepest_nesting + 1> entries{};  // number so far at each depth; at depth 0 in the section
   const auto count_entry = [&](std::size_t at) {
     if (++entries[depth] > most_entries)
       refuse(at, fmt::format("a list or table of more than {} entries", most_entries));
   };
-  char before = '\n';  // the last character that is no blank
+  char before = '\n';  // the last character that is not a blank
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '#' || is_quote(c)) {

@@ -1,4 +1,4 @@
-// [[probe]] and [[line]]: where results are wanted.
+// Reads [[probe]] and [[line]]: the places where results are requested.
 #include <plastron/config/limits.hpp>
 #include <plastron/config/sections.hpp>
 
@@ -10,14 +10,14 @@ namespace plastron::config {
 
 namespace {
 
-/// Names become names of files.
+/// Whether a name can be the name of a file, because lines are written to files.
 bool is_file_name(const std::string& name) {
   return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
     return (c < 128 && std::isalnum(c) != 0) || c == '-' || c == '_';
   });
 }
 
-/// Equidistant along a polyline, its ends included.
+/// Returns equidistant points along a polyline, including its ends.
 std::vector<Eigen::Vector2d> along(const std::vector<Eigen::Vector2d>& corners, std::size_t count) {
   std::vector<double> reached{0};
   for (std::size_t i = 1; i < corners.size(); ++i)

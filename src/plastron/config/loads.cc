@@ -1,4 +1,4 @@
-// [[load]].
+// Reads [[load]].
 #include <plastron/config/sections.hpp>
 
 namespace plastron::config {

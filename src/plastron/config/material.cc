@@ -34,7 +34,7 @@ void from_lame(Table& table, Material& material) {
   material = {*lambda, *mu, material.shear_correction};
 }
 
-/// Reports the partner that is missing from a pair of elastic constants.
+/// Reports the missing partner in a pair of elastic constants.
 bool has_pair(const Table& table, const std::string& header, const char* first, const char* second) {
   if (table.has(first) && table.has(second)) return true;
   const char *given = table.has(first) ? first : second, *missing = table.has(first) ? second : first;

@@ -1,4 +1,4 @@
-// Elastic constants in a table: E and nu, or lambda and mu.
+// Reads elastic constants in a table: E and nu, or lambda and mu.
 #pragma once
 #include <plastron/config/table.hpp>
 #include <plastron/shell/material.hpp>
@@ -7,10 +7,10 @@
 
 namespace plastron::config {
 
-/// Any of the four.
+/// Whether the table has any of the four.
 bool has_elastic_constants(const Table& table);
 
-/// Sets the Lame constants to those of the table, if they are there and right. `header`: as messages call the table.
+/// Sets the Lame constants from the table, if they are present and correct. `header`: name of the table in messages.
 void read_material(Table& table, const std::string& header, shell::Material& material);
 
 }  // namespace plastron::config

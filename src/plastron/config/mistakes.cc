@@ -12,7 +12,7 @@ namespace {
 
 bool starts_code_point(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-// Blanks up to the mistake, keeping tabs so that the caret stands below its character whatever a tab is worth.
+// Returns blanks up to the mistake, and keeps tabs, so that the caret is below its character for any width of tabs.
 std::string caret_line(const std::string& line, int column, int length) {
   std::string carets;
   int character = 0;
@@ -27,7 +27,7 @@ std::string caret_line(const std::string& line, int column, int length) {
   return carets;
 }
 
-/// The part of a long line around the mistake, and where it stands in that.
+/// The part of a long line around the mistake, and the position of the mistake in it.
 struct Excerpt {
   std::string line;
   int column;

@@ -6,7 +6,7 @@ namespace plastron::config {
 
 namespace {
 
-/// One number, or a list of other than three, does not say which component is meant.
+/// Whether a value names no component: one number, or a list that does not have three values.
 bool names_no_component(Reading& reading, const std::string& name, const toml::value& value, const std::string& other) {
   if (value.is_table() || (value.is_array() && value.as_array().size() == 3)) return false;
   const std::string also = other.empty() ? "" : fmt::format(", {}.{} = ...", name, other);

@@ -20,7 +20,7 @@ bool is_abbreviation(const std::string& word, const std::string& of) {
 
 }  // namespace
 
-// distance[i][j] is that of the first i characters of a and the first j of b.
+// distance[i][j] is the distance between the first i characters of a and the first j of b.
 int edit_distance(const std::string& first, const std::string& second) {
   const std::string a = lower_case(first), b = lower_case(second);
   std::vector<std::vector<int>> distance(a.size() + 1, std::vector<int>(b.size() + 1));
@@ -40,7 +40,7 @@ int edit_distance(const std::string& first, const std::string& second) {
 std::vector<std::string> nearest_few(const std::string& word, std::span<const std::string> candidates,
                                      std::size_t most) {
   std::vector<std::pair<int, std::string>> near;
-  if (word.size() > longest_name) return {};  // nobody mistyped that
+  if (word.size() > longest_name) return {};  // too long for a typing mistake
   for (const std::string& candidate : candidates) {
     const int length = static_cast<int>(std::max(word.size(), candidate.size()));
     const int distance = edit_distance(word, candidate);

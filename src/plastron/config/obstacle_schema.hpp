@@ -5,7 +5,7 @@
 namespace plastron::config {
 
 std::vector<Section> obstacle_sections();
-/// A turn about a line, as the table at `path`.
+/// Returns the declaration of a rotation about a line, for the table at `path`.
 Section rotate_section(const std::string& path);
 
 }  // namespace plastron::config

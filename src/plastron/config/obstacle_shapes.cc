@@ -14,7 +14,7 @@ namespace {
 using obstacle::Shape;
 using MaybeShape = std::optional<Shape>;
 
-/// True if the key is absent or a number from 0 to `most`; `limit` says what that is.
+/// Returns true if the key is absent or a number from 0 to `most`; `limit` describes the limit.
 bool check_fillet(const Table& table, double fillet, double most, const std::string& limit) {
   if (fillet <= most) return true;
   table.report("fillet", fmt::format("fillet is {}, more than the shape can be rounded", fillet),
@@ -22,7 +22,7 @@ bool check_fillet(const Table& table, double fillet, double most, const std::str
   return false;
 }
 
-/// False if the file gives the key, but it could not be read.
+/// Returns false if the file gives the key, but it could not be read.
 template <class Value>
 bool is_read_or_absent(const Table& table, const std::string& name, const std::optional<Value>& value) {
   return value || !table.has(name);
@@ -57,7 +57,7 @@ MaybeShape read_cylinder(Table& table) {
   return fits ? MaybeShape(c) : std::nullopt;
 }
 
-/// The columns of a box's axes from its first two.
+/// Returns the columns of a box's axes from its first two.
 std::optional<Eigen::Matrix3d> read_axes(Table& table) {
   const auto axes = table.vectors("axes");
   if (!axes) return {};
@@ -104,12 +104,12 @@ MaybeShape read_cone(Table& table) {
   if (!apex || !axis || !half_angle || !is_read_or_absent(table, "height", height) || !fillet) return {};
   obstacle::Cone c{.apex = *apex, .axis = *axis, .half_angle = *half_angle, .fillet = *fillet};
   if (height) c.height = *height;
-  const double share = 0.999;  // of the ball that would leave nothing of the cone
+  const double share = 0.999;  // part of the ball that would remove the whole cone
   const bool fits = check_fillet(table, *fillet, share * c.largest_fillet(), "0.999 of the largest ball in the cone");
   return fits ? MaybeShape(c) : std::nullopt;
 }
 
-/// The file that a key names, beside the case file; what is wrong with the path is reported.
+/// Returns the file that a key names, relative to the case file; reports mistakes in the path.
 std::optional<std::string> read_path(Table& table, const std::string& name) {
   const auto path = table.text(name);
   if (!path) return {};
@@ -121,7 +121,7 @@ std::optional<std::string> read_path(Table& table, const std::string& name) {
   return table.reading().file(*path).string();
 }
 
-/// What `make` makes; if it throws an ObstacleError, that is reported about the key.
+/// Returns the result of `make`. If that throws an ObstacleError, it is reported at the key.
 MaybeShape made(const Table& table, const std::string& name, const std::string& allowed, const auto& make) {
   try {
     return Shape(make());
@@ -138,7 +138,7 @@ MaybeShape read_surface(Table& obstacle) {
               [&] { return obstacle::TriangleSurface(obstacle::read_triangle_mesh(*path), *path); });
 }
 
-/// The function under a key, noted as effective.
+/// Returns the function of a key, noted as effective.
 std::shared_ptr<const geometry::SpaceFunction> read_function(Table& table, const std::string& name) {
   const toml::value value = table.value(name).value();
   auto function = read_space_function(table.reading(), Item{value, name});
@@ -160,7 +160,7 @@ MaybeShape read_height(Table& table, const std::string& name) {
               [&] { return obstacle::HeightField(function); });
 }
 
-/// height_field = "expression" or { expression = ... } or { file = ... }.
+/// Reads height_field = "expression" or { expression = ... } or { file = ... }.
 MaybeShape read_height_field(Table& obstacle) {
   const std::string key = "height_field";
   if (!obstacle.value(key)->is_table()) return read_height(obstacle, key);
@@ -182,10 +182,10 @@ MaybeShape read_height_field(Table& obstacle) {
 
 struct ShapeReader {
   std::string key;
-  std::function<MaybeShape(Table&)> read;  ///< of the [[obstacle]]
+  std::function<MaybeShape(Table&)> read;  ///< reads the [[obstacle]]
 };
 
-/// A shape that is a table of its own keys.
+/// Returns the reader of a shape that is a table of its own keys.
 ShapeReader in_table(const std::string& key, MaybeShape (*read)(Table&)) {
   return {key, [=](Table& obstacle) -> MaybeShape {
             auto table = obstacle.table(key);

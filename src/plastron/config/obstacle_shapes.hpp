@@ -7,12 +7,12 @@
 
 namespace plastron::config {
 
-/// The shape that an [[obstacle]] names. Reports what is wrong, none or two of them among it.
+/// Returns the shape that an [[obstacle]] names. Reports mistakes, also if it names none or two.
 std::optional<obstacle::Shape> read_shape(Table& obstacle);
 
-/// The unit vector along the three numbers of a key; the zero vector is reported.
+/// Returns the unit vector along the three numbers of a key; reports the zero vector.
 std::optional<Eigen::Vector3d> read_direction(Table& table, const std::string& name);
-/// `rotate`, then `translate`.
+/// Reads `rotate`, then `translate`.
 std::optional<obstacle::Motion> read_motion(Table& table);
 
 }  // namespace plastron::config

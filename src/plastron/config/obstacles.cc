@@ -1,4 +1,4 @@
-// [[obstacle]] and [[probe]].
+// Reads [[obstacle]].
 #include <plastron/config/obstacle_shapes.hpp>
 #include <plastron/config/sections.hpp>
 
@@ -8,7 +8,7 @@ namespace plastron::config {
 
 namespace {
 
-// An obstacle that both faces may touch counts as two.
+// An obstacle that both faces may touch is two obstacles.
 constexpr const char *of_lower_face = ", lower face", *of_upper_face = ", upper face";
 
 }  // namespace
@@ -24,7 +24,7 @@ std::vector<std::size_t> obstacles_named(const computation::Problem& problem, co
 
 namespace {
 
-/// The one that the case gives, otherwise "obstacle-1", "obstacle-2", ... by the obstacle's place.
+/// Returns the given name, otherwise "obstacle-1", "obstacle-2", ... by the obstacle's place.
 std::string read_obstacle_name(Table& table, const computation::Problem& problem, std::size_t place) {
   std::string name = fmt::format("obstacle-{}", place);
   const bool is_given = table.has("name");
@@ -41,7 +41,7 @@ std::string read_obstacle_name(Table& table, const computation::Problem& problem
   return name;
 }
 
-/// One obstacle for each face that it may meet.
+/// Adds one obstacle for each face that it may meet.
 void add_faces(obstacle::Obstacle body, const std::string& face, computation::Problem& problem) {
   using obstacle::Face;
   if (face == "both") {

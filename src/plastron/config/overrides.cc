@@ -20,7 +20,7 @@ using Path = std::vector<std::string>;  // "[0]" for a place in a list
 bool is_bare(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; }
 bool is_index(const std::string& step) { return step.starts_with('['); }
 
-/// The end of the name, or of the place in a list, that begins at `at`.
+/// Returns the end of the name, or of the place in a list, that begins at `at`.
 std::size_t end_of_step(const std::string& key, std::size_t at) {
   if (key[at] == '[') return std::min(key.find(']', at), key.size() - 1) + 1;
   if (key[at] == '"' || key[at] == '\'') return std::min(key.find(key[at], at + 1), key.size() - 1) + 1;
@@ -36,7 +36,7 @@ bool is_step(const std::string& step) {
          std::ranges::all_of(digits, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// obstacle[0].force; empty if that is no key.
+/// Returns the parts of a key like obstacle[0].force; empty if it is no key.
 Path path_of(const std::string& key) {
   Path path;
   for (std::size_t at = 0; at < key.size();) {
@@ -59,7 +59,7 @@ std::string dotted_key(std::span<const std::string> names) {
   return key;
 }
 
-/// The value's text, which must be TOML by itself.
+/// Checks the value's text, which must be valid TOML by itself.
 void check_value(const std::string& value, const std::string& option) {
   if (value.find_first_not_of(" \t") == std::string::npos)
     refuse_setting(option, "the value is missing after =", "write --set key=value");
@@ -73,7 +73,7 @@ void check_value(const std::string& value, const std::string& option) {
   }
 }
 
-/// The names in the header of a section that begins at `at`: "step.move" of [[step.move]].
+/// Returns the names in the header of a section that begins at `at`: "step.move" of [[step.move]].
 std::string header_at(const std::string& text, std::size_t at) {
   std::string names;
   for (; at < text.size() && text[at] != '\n' && text[at] != '#'; ++at)
@@ -82,8 +82,8 @@ std::string header_at(const std::string& text, std::size_t at) {
 }
 
 struct Target {
-  const toml::value* value;  ///< the last that there is
-  std::size_t found = 0;     ///< steps that lead to it
+  const toml::value* value;  ///< the last existing value on the path
+  std::size_t found = 0;     ///< number of steps that lead to it
 };
 
 Target find(const toml::value& root, const Path& path, const std::string& option) {
@@ -112,7 +112,7 @@ Target find(const toml::value& root, const Path& path, const std::string& option
   return target;
 }
 
-/// Whether a value is spread over lines of its own, under a header or by keys with dots.
+/// Whether a value is on several lines of its own, under a header or by keys with dots.
 bool is_spread(const Source& source, const toml::value& value) {
   const auto begins = [&](const toml::value& v) { return source.text()[source.value(v).offset]; };
   if (value.is_table()) return begins(value) != '{';
@@ -125,7 +125,7 @@ struct Insertion {
   std::string text;
 };
 
-/// A line under a header, or an entry more in braces; nothing where neither is there.
+/// Returns a line under a header, or a further entry in braces; nothing where neither exists.
 std::optional<Insertion> into(const Source& source, const toml::value& table, const std::string& names,
                               const std::string& line) {
   const std::string& text = source.text();
@@ -140,7 +140,7 @@ std::optional<Insertion> into(const Source& source, const toml::value& table, co
   return Insertion{end, "\n" + line};
 }
 
-/// Where and how a key that is not in the file is written.
+/// Returns the place and the text of a key that is not in the file.
 Insertion insertion(const Source& source, const toml::value& root, const Target& target, const Path& path,
                     const std::string& value, const std::string& option) {
   Path names;

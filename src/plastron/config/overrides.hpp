@@ -1,5 +1,5 @@
-// `--set key=value`: a case with some keys other than in its file. The text of the file is edited where the key stands, or a line is added
-// to its section, so that the outcome is a case file like any other, which can be kept beside the results and verified.
+// `--set key=value`: a case with some keys that differ from its file. The text of the file is edited at the key, or a
+// line is added to its section. The result is a normal case file, which can be kept beside the results and verified.
 #pragma once
 #include <plastron/config/mistakes.hpp>
 
@@ -11,21 +11,21 @@ namespace plastron::config {
 
 class Overrides {
  public:
-  /// Edits the text of a case file. A setting is a key, "=", and a value in TOML: "shell.thickness=0.02", "obstacle[0].force=[0,0,-2]".
-  /// Throws CaseErrors that name the settings that are wrong, or what is no TOML in the text.
+  /// Edits the text of a case file. A setting is a key, "=", and a value in TOML: "shell.thickness=0.02",
+  /// "obstacle[0].force=[0,0,-2]". Throws CaseErrors that name the wrong settings, or mistakes in the TOML of the text.
   Overrides(std::string text, std::string file_name, std::span<const std::string> settings);
 
-  /// Of the case as it is computed, with a line of comment for each setting at its top.
+  /// Text of the computed case, with a comment line for each setting at its top.
   const std::string& text() const { return text_; }
 
-  /// Mistakes found in text() as the user sees them: of a setting, or of a line of the file as it was.
+  /// Converts mistakes in text() to mistakes of a setting, or of a line of the original file.
   std::vector<Mistake> of_user(std::vector<Mistake> mistakes) const;
 
  private:
-  /// Text that has been put in; offsets are those of text_.
+  /// Inserted text; offsets refer to text_.
   struct Edit {
     std::size_t offset, length;
-    int lost_lines;      ///< of the text that stood there
+    int lost_lines;      ///< lines of the replaced text
     std::string option;  ///< "--set shell.thickness=0.02"; empty: a comment
   };
   void apply(const std::string& setting);

@@ -1,4 +1,4 @@
-// Plane geometry of the built-in domains: is a polygon simple, is a point inside.
+// Plane geometry of the built-in domains: whether a polygon is simple, whether a point is inside.
 #include <plastron/config/sections.hpp>
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Points on the boundary count as inside up to this multiple of the domain's size.
+// Points on the boundary are inside up to this multiple of the domain's size.
 constexpr double slack = 1e-9;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -28,7 +28,7 @@ bool segments_meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, cons
                    distance_to_segment(b, c, d)}) <= touching;
 }
 
-// Neighbouring sides share a corner; they overlap if the second turns back on the first.
+// Neighbouring sides share a corner. They overlap if the second reverses along the first.
 bool folds_back(const Vector2d& before, const Vector2d& corner, const Vector2d& after) {
   const Vector2d in = corner - before, out = after - corner;
   return std::abs(cross(in, out)) <= 1e-12 * in.norm() * out.norm() && in.dot(out) < 0;

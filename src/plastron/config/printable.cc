@@ -4,7 +4,7 @@ namespace plastron::config {
 
 namespace {
 
-/// U+2028 to U+202E and U+2066 to U+2069: line separators and directions of writing.
+/// Whether it is U+2028 to U+202E or U+2066 to U+2069: line separators and directions of writing.
 bool turns_the_line(std::string_view code_point) {
   if (code_point.size() != 3 || code_point[0] != '\xE2') return false;
   const auto second = static_cast<unsigned char>(code_point[1]), third = static_cast<unsigned char>(code_point[2]);

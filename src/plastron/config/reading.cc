@@ -12,7 +12,7 @@ namespace plastron::config {
 
 namespace {
 
-// Products of six such numbers, E e^3 |u|^2 with an area, are still finite. Whatever the units, no shell comes near.
+// Products of six such numbers, E e^3 |u|^2 with an area, are still finite. No shell reaches these limits in any units.
 constexpr double largest = 1e50, smallest = 1e-50;
 constexpr std::size_t most_digits = 18;
 
@@ -34,11 +34,11 @@ std::string found(const toml::value& value) {
   }
 }
 
-// The value if it may be used; NaN is silent where it comes from a constant already reported.
+// Returns the value if it can be used. A NaN from a constant already reported is not reported again.
 std::optional<double> finite(Reading& reading, const Item& item, double value) {
   if (std::abs(value) < largest) return value;
   if (!reading.constants_complete && item.value.is_string()) return {};
-  // toml11 turns a number that is too large into the largest one.
+  // toml11 converts a number that is too large to the largest one.
   const bool is_finite = std::abs(value) < std::numeric_limits<double>::max();
   reading.report(reading.source.value(item.value),
                  fmt::format("{} is {:g}, which is {}", item.name, value,
@@ -60,7 +60,8 @@ const std::vector<std::string> parameters{"x", "y"};
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool in_name(char c) { return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)); }
 
-/// Where the text calls a function that the manual does not list, though the library behind expressions may know it.
+/// Returns the place where the text calls a function that the manual does not list; the library behind expressions may
+/// know it.
 std::optional<std::size_t> unlisted_function(const std::string& text) {
   for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
     end = begin + 1;

@@ -1,5 +1,5 @@
-// What all readers of one case file share, and the readers of single values. A reader reports what is wrong and returns
-// nothing, so that reading goes on and all mistakes are found together.
+// The common data of all readers of one case file, and the readers of single values. A reader reports mistakes and
+// returns nothing. Then reading continues, so that all mistakes are found together.
 #pragma once
 #include <fmt/format.h>
 #include <plastron/config/input_file.hpp>
@@ -20,14 +20,14 @@ namespace plastron::config {
 
 struct Reading {
   const Source& source;
-  std::filesystem::path folder{};  ///< where files that the case names are searched for
-  std::vector<InputFile> files{};  ///< that it names
+  std::filesystem::path folder{};  ///< folder of the files that the case names
+  std::vector<InputFile> files{};  ///< files that the case names
   geometry::Constants constants{};
-  std::vector<std::string> later_constants{};  ///< those below the one being read
+  std::vector<std::string> later_constants{};  ///< constants below the one being read
   bool constants_complete =
-      true;  ///< false: some constant is wrong and stands as NaN; what follows from it is not reported
+      true;  ///< false: some constant is wrong and is NaN; mistakes that follow from it are not reported
   std::vector<Mistake> mistakes{};
-  bool more_mistakes = false;  ///< than most_mistakes: those were not kept
+  bool more_mistakes = false;  ///< there were more than most_mistakes, and the rest was dropped
 
   /// Notes a file that the case names; returns its path.
   std::filesystem::path file(const std::string& name) {
@@ -41,7 +41,7 @@ struct Reading {
   }
 };
 
-/// A value to be read, and what messages call it.
+/// A value to be read, and its name in messages.
 struct Item {
   const toml::value& value;
   std::string name;
@@ -50,32 +50,33 @@ struct Item {
 
 std::optional<bool> read_boolean(Reading& reading, const Item& item);
 std::optional<std::string> read_text(Reading& reading, const Item& item);
-/// A name of the user's choice: not empty, not long, without control characters.
+/// Reads a name of the user's choice: not empty, not long, without control characters.
 std::optional<std::string> read_name(Reading& reading, const Item& item);
-/// A number or an expression of the constants, finite and in the item's range.
+/// Reads a number or an expression of the constants, finite and in the item's range.
 std::optional<double> read_number(Reading& reading, const Item& item);
 std::optional<int> read_integer(Reading& reading, const Item& item);
-/// A number or an expression that may use x and y; a constant one is finite and in the item's range.
+/// Reads a number or an expression that may use x and y. A constant one is finite and in the item's range.
 std::optional<geometry::Expression> read_field(Reading& reading, const Item& item);
 
-/// An expression of X, Y, Z and the constants with two derivatives.
+/// Reads an expression of X, Y, Z and the constants with two derivatives.
 std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& reading, const Item& item);
 
 void report_kind(Reading& reading, const Item& item, Kind expected);
 void report_range(Reading& reading, const Item& item, double value);
-/// Marks the character of the string that the error is about.
+/// Marks the wrong character of the string.
 void report_expression(Reading& reading, const Item& item, const geometry::ExpressionError& error,
                        const std::vector<std::string>& variables);
-/// Refuses what the expressions' library would accept, but the manual does not describe. True if there is none.
+/// Refuses text that the expressions' library would accept, but the manual does not describe. Returns true if there is
+/// none.
 bool check_expression_text(Reading& reading, const Item& item);
 
-/// Names that expressions know already: x, y, pi and the functions.
+/// Returns the names that expressions know already: x, y, pi and the functions.
 const std::vector<std::string>& expression_names();
 
-/// The entries of a table in the order of the file.
+/// Returns the entries of a table in the order of the file.
 std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading, const toml::value& table);
 
-/// A list of `count` values (any number for 0), each read by `read`.
+/// Reads a list of `count` values (any number for 0), each by `read`.
 template <class Read>
 auto read_list(Reading& reading, const Item& item, Kind kind, std::size_t count, Read read) {
   using Value = typename std::invoke_result_t<Read, Reading&, const Item&>::value_type;

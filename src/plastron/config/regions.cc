@@ -1,4 +1,4 @@
-// [[region]] and [gravity]: what regions have of their own, and the weight of all.
+// Reads [[region]] and [gravity]: the regions' own data, and the weight of all.
 #include <plastron/config/material.hpp>
 #include <plastron/config/sections.hpp>
 
@@ -9,7 +9,7 @@ namespace plastron::config {
 
 namespace {
 
-/// Begins with what the section has, which is that of [shell].
+/// Reads a section of a region. Its initial values are the values of [shell].
 void read_section(Table& region, assembly::CrossSection& section) {
   if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density"))
     region.reading().report(region.place(), "[[region]] has nothing of its own",
@@ -20,7 +20,7 @@ void read_section(Table& region, assembly::CrossSection& section) {
   if (region.has("density")) section.density = region.number("density").value_or(section.density);
 }
 
-/// Where the file gives a density; the first one.
+/// Returns the place of the first density in the file.
 std::optional<Place> density_place(const Table& root) {
   std::vector<toml::value> tables;
   if (root.has("shell")) tables.push_back(root.value("shell").value());

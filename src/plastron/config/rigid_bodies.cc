@@ -1,4 +1,4 @@
-// [[rigid_body]].
+// Reads [[rigid_body]].
 #include <plastron/config/named_values.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>

@@ -1,4 +1,4 @@
-// What [[rigid_body]] declares.
+// The declarations of [[rigid_body]].
 #pragma once
 #include <plastron/config/schema.hpp>
 

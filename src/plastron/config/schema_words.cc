@@ -1,4 +1,4 @@
-// Declarations in words.
+// Converts declarations to words.
 #include <fmt/format.h>
 #include <plastron/config/schema.hpp>
 

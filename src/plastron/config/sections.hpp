@@ -12,40 +12,40 @@ namespace plastron::config {
 /// Fills Reading::constants, which all other sections use.
 void read_constants(Table& root);
 void read_shell(Table& root, computation::Problem& problem);
-/// Cross-sections of regions; after [shell], whose values they begin with.
+/// Reads cross-sections of regions. Call it after [shell], whose values are their initial values.
 void read_regions(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
-/// After all densities.
+/// Reads gravity. Call it after all densities.
 void read_gravity(Table& root, computation::Problem& problem);
-/// The domain and its charts; nothing if the domain is wrong.
+/// Reads the domain and its charts; returns nothing if the domain is wrong.
 std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& problem);
 std::optional<fem::Domain> read_domain(Table& geometry);
 void read_charts(Table& geometry, const fem::Domain& domain, computation::Problem& problem);
 void read_mesh(Table& root, computation::Problem& problem);
-/// After probes, supports and obstacles, whose names it knows.
+/// Reads the accuracy. Call it after probes, supports and obstacles, because it uses their names.
 void read_accuracy(Table& root, computation::Problem& problem);
 void read_contact(Table& root, computation::Problem& problem);
 void read_solver(Table& root, computation::Problem& problem);
 void read_units(Table& root, computation::UnitNames& units);
-/// Whether a report is wanted.
+/// Reads the output; returns whether a report is requested.
 bool read_output(Table& root, computation::Problem& problem);
 void read_joins(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_rigid_bodies(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_loads(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_obstacles(Table& root, computation::Problem& problem);
-/// Places in the problem's list: two for an obstacle that both faces may touch, none for an unknown name.
+/// Returns places in the problem's list: two for an obstacle that both faces may touch, none for an unknown name.
 std::vector<std::size_t> obstacles_named(const computation::Problem& problem, const std::string& name);
-/// After the obstacles.
+/// Reads the steps. Call it after the obstacles.
 void read_steps(Table& root, computation::Problem& problem);
 void read_lines(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 void read_probes(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem);
 
-/// The names under "boundary", those of the domain if its names are known.
+/// Returns the names under "boundary". They must be boundaries of the domain if its names are known.
 std::optional<std::vector<std::string>> read_boundaries(Table& table, const std::optional<fem::Domain>& domain);
 
-/// What is wrong with a closed polygon, in words; "" if nothing.
+/// Returns the fault of a closed polygon, in words; "" if there is none.
 std::string polygon_fault(const std::vector<Eigen::Vector2d>& corners);
-/// False if the point is certainly not in the domain; mesh files are not looked at.
+/// Returns false if the point is certainly not in the domain; mesh files are not read.
 bool may_contain(const fem::Domain& domain, const Eigen::Vector2d& point);
 
 }  // namespace plastron::config

@@ -1,4 +1,4 @@
-// [shell].
+// Reads [shell].
 #include <plastron/config/material.hpp>
 #include <plastron/config/sections.hpp>
 

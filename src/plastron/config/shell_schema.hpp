@@ -1,4 +1,4 @@
-// The declarations of [shell], [[region]] and [gravity]: what the shell consists of, and its weight.
+// The declarations of [shell], [[region]] and [gravity]: the cross-sections of the shell, and its weight.
 #pragma once
 #include <plastron/config/schema.hpp>
 

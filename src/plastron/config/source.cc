@@ -14,7 +14,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool in_identifier(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool in_bare_key(char c) { return in_identifier(c) || c == '-'; }
 
-// Bytes of source that stand for one character of a string.
+// Returns the number of source bytes of one character of a string.
 std::size_t source_length(const std::string& text, std::size_t at, bool escapes) {
   if (!escapes || text[at] != '\\' || at + 1 >= text.size()) return 1;
   return text[at + 1] == 'u' ? 6 : text[at + 1] == 'U' ? 10 : 2;
@@ -62,7 +62,7 @@ Place Source::key(const std::string& name, const toml::value& value) const {
     while (end > 0 && is_blank(text_[end - 1])) --end;
   };
   skip_blanks();
-  if (end == 0 || text_[end - 1] != '=') {  // a header or a dotted key: toml11 gives that as the table's place
+  if (end == 0 || text_[end - 1] != '=') {  // a header or a dotted key: toml11 gives it as the table's place
     const std::size_t found = text_.substr(at.offset, at.length).find(name);
     return found == std::string::npos ? at : Place{at.offset + found, name.size()};
   }

@@ -1,4 +1,5 @@
-// The text of a case file and the places in it: toml11 tells where a value is, this finds keys and characters too.
+// The text of a case file and the places in it: toml11 gives the place of a value, this class also finds keys and
+// characters.
 #pragma once
 #include <plastron/config/mistakes.hpp>
 
@@ -8,7 +9,7 @@
 
 namespace plastron::config {
 
-/// A stretch of the text, in bytes from its beginning.
+/// A part of the text, in bytes from its beginning.
 struct Place {
   std::size_t offset = 0;
   std::size_t length = 1;
@@ -24,11 +25,11 @@ class Source {
 
   std::size_t offset(std::size_t line, std::size_t column) const;
 
-  /// A value as written; for a table with a header, its header.
+  /// Returns the place of a value as written; for a table with a header, its header.
   Place value(const toml::value& value) const;
-  /// The key of a value.
+  /// Returns the place of a value's key.
   Place key(const std::string& name, const toml::value& value) const;
-  /// Character `position` of a string value, with the identifier that begins there.
+  /// Returns the place of character `position` of a string value, with the identifier that begins there.
   Place inside(const toml::value& string, std::size_t position) const;
 
   Mistake mistake(Place place, std::string what, std::string allowed = "", std::string advice = "") const;
@@ -38,7 +39,7 @@ class Source {
   std::vector<std::size_t> line_begins_;
 };
 
-/// The file's content. Throws CaseErrors with one clear message if it is no TOML.
+/// Returns the file's content. Throws CaseErrors with one clear message if it is not TOML.
 toml::value parse_toml(const Source& source);
 
 }  // namespace plastron::config

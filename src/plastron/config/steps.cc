@@ -1,4 +1,4 @@
-// [[step]] and [[step.move]].
+// Reads [[step]] and [[step.move]].
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/obstacle_shapes.hpp>
 #include <plastron/config/sections.hpp>
@@ -9,7 +9,7 @@ namespace plastron::config {
 
 namespace {
 
-/// All instants together: each is a solve and a file.
+/// Largest number of instants in total: each needs a solution and a file.
 constexpr int most_parts = 5000;
 
 std::string read_step_name(Table& table, const computation::Problem& problem) {
@@ -28,7 +28,7 @@ std::vector<std::string> obstacle_names(const Table& root) {
   return names;
 }
 
-/// The places of the obstacle that the table moves; empty if there is a mistake.
+/// Returns the places of the obstacle that the table moves; empty if there is a mistake.
 std::vector<std::size_t> moved_obstacles(Table& table, const computation::Problem& problem,
                                          const std::vector<std::string>& known, std::vector<std::string>& seen) {
   const auto name = table.text("obstacle");

@@ -1,4 +1,4 @@
-// [[support]].
+// Reads [[support]].
 #include <plastron/config/named_values.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
@@ -14,7 +14,8 @@ namespace {
 using assembly::Direction;
 using assembly::Unknown;
 
-// "u.x" and its like; "u" and "r" are the three Cartesian components, "symmetry" is u.n and r.n.
+// Returns the components of a word such as "u.x". "u" and "r" are the three Cartesian components, "symmetry" is u.n and
+// r.n.
 std::vector<std::string> components_of(const std::string& word) {
   if (word == "u" || word == "r") return {word + ".x", word + ".y", word + ".z"};
   if (word == "symmetry") return {"u.n", "r.n"};
@@ -35,7 +36,7 @@ struct Fixed {
   bool by_symmetry;
 };
 
-// What earlier words and sections fixed at each place, a boundary in quotes or a point.
+// Components that earlier words and sections fixed at each place, a boundary in quotes or a point.
 using FixedOn = std::map<std::string, std::vector<std::string>>;
 
 bool check_new(Reading& reading, const toml::value& word, const std::string& place, const std::string& name,
@@ -104,12 +105,12 @@ std::optional<std::vector<std::string>> read_boundaries(Table& table, const std:
 
 namespace {
 
-/// Where a support acts: boundaries, or a point. Nothing if that is wrong.
+/// Places of a support: boundaries, or a point. Nothing if they are wrong.
 struct Places {
   std::vector<std::string> boundaries{};
   std::optional<Eigen::Vector2d> point{};
 
-  /// As messages call them.
+  /// Returns their names in messages.
   std::vector<std::string> names() const {
     if (point) return {fmt::format("the point ({:.10g}, {:.10g})", (*point)[0], (*point)[1])};
     std::vector<std::string> all;
@@ -134,7 +135,7 @@ Places read_places(Table& support, const std::optional<fem::Domain>& domain) {
   return {};
 }
 
-/// At a point only Cartesian components of u can be held.
+/// Checks that a support at a point fixes only Cartesian components of u.
 void check_components_at_point(const Table& support) {
   const toml::value given = support.value("fix").value_or(toml::value());
   if (!given.is_array()) return;

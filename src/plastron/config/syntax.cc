@@ -1,5 +1,5 @@
-// toml11's several-line syntax errors put into one sentence with one caret. Its message quotes the text as
-// "12 | line" above a line with carets, several times when two places matter: the last one is where reading stopped.
+// Converts toml11's syntax errors of several lines to one sentence with one caret. Its message quotes the text as
+// "12 | line" above a line with carets, several times when two places matter: at the last one reading stopped.
 #include <fmt/format.h>
 #include <plastron/config/limits.hpp>
 #include <plastron/config/schema.hpp>
@@ -14,7 +14,7 @@ namespace plastron::config {
 
 namespace {
 
-// Offset of the last caret of toml11's message.
+// Returns the offset of the last caret of toml11's message.
 std::size_t last_caret(const Source& source, const std::string& message, std::size_t otherwise) {
   std::istringstream lines(message);
   for (std::string line, carets; std::getline(lines, line);) {
@@ -74,7 +74,7 @@ std::string vector_or_components(const std::string& name) {
   return fmt::format("either {0} = [three values] or {0}.x, {0}.y, {0}.z one by one", name);
 }
 
-/// A key with a value, and below it a dotted key that begins with the same name.
+/// Explains a key with a value, followed by a dotted key that begins with the same name.
 Sentence about_parts(const std::string& message) {
   const std::size_t begin = message.find("target (") + 8;
   const std::string name = geometry::shortened(message.substr(begin, message.find(')', begin) - begin));
@@ -87,7 +87,7 @@ bool is_repeated(const std::string& path) {
                              [&](const Section& s) { return s.path == path && s.header.starts_with("[["); });
 }
 
-/// The line of the first header of a section; 0 if none is found.
+/// Returns the line of the first header of a section; 0 if none is found.
 std::size_t first_line(const std::string& text, const std::string& section) {
   std::istringstream lines(text);
   std::size_t number = 0;

@@ -30,7 +30,7 @@ nlohmann::json json_of(const std::vector<geometry::Expression>& fields) {
   return list;
 }
 
-// Headers of the other sections that know a key of this name.
+// Returns the headers of the other sections that have a key of this name.
 std::string belongs(const std::string& name) {
   std::string headers;
   for (const Section& other : sections()) {

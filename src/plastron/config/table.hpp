@@ -1,5 +1,5 @@
-// A table of the case file seen through its declaration: only declared keys exist, absent ones have their default.
-// What is read is also noted as effective setting.
+// A table of the case file with its declaration: only declared keys exist, absent ones have their default.
+// Values that are read are also noted as effective settings.
 #pragma once
 #include <plastron/assembly/loads.hpp>
 #include <plastron/config/reading.hpp>
@@ -16,12 +16,12 @@ class Table {
 
   Reading& reading() const { return *reading_; }
   Place place() const;
-  /// True if the file gives the key.
+  /// Returns true if the file gives the key.
   bool has(const std::string& name) const;
   Place key_place(const std::string& name) const;
-  /// The value as it stands in the file, or the default. A required key that is absent is reported.
+  /// Returns the value in the file, or the default. A required key that is absent is reported.
   std::optional<toml::value> value(const std::string& name) const;
-  /// Reports something about the value of a key of the file.
+  /// Reports a mistake in the value of a key of the file.
   void report(const std::string& name, std::string what, std::string allowed = "", std::string advice = "") const;
 
   std::optional<bool> boolean(const std::string& name);
@@ -33,22 +33,22 @@ class Table {
   std::optional<std::vector<Eigen::Vector2d>> points(const std::string& name);
   std::optional<std::vector<Eigen::Vector3d>> vectors(const std::string& name);
   std::optional<std::array<int, 2>> cell_counts(const std::string& name);
-  /// A text; where words are declared, one of them that this version can do.
+  /// Returns a text; where words are declared, one of the words that this version supports.
   std::optional<std::string> text(const std::string& name);
-  /// One of the declared words, or "" for false.
+  /// Returns one of the declared words, or "" for false.
   std::optional<std::string> word_or_false(const std::string& name);
   std::optional<std::vector<std::string>> texts(const std::string& name);
-  /// A name that is not empty, one of `known` if that has any; messages call it a `what`.
+  /// Returns a name that is not empty, and one of `known` if that has any. `what` is its name in messages.
   std::optional<std::string> known_name(const std::string& name, const std::string& what,
                                         const std::vector<std::string>& known);
-  /// One such name or a list of some, none of them twice.
+  /// Returns one such name or a list of some, without repetitions.
   std::optional<std::vector<std::string>> name_list(const std::string& name, const std::string& what,
                                                     const std::vector<std::string>& known);
   std::optional<geometry::Expression> field(const std::string& name);
   std::optional<assembly::VectorExpression> field_vector(const std::string& name);
   std::optional<Table> table(const std::string& name) const;
   std::vector<Table> tables(const std::string& name) const;
-  /// The keys that are not declared, in the order of the file: for sections that have other keys.
+  /// Returns the keys that are not declared, in the order of the file: for sections that have other keys.
   std::vector<std::pair<std::string, toml::value>> other_entries() const;
 
   nlohmann::json effective = nlohmann::json::object();
@@ -70,7 +70,7 @@ class Table {
   toml::value value_;
 };
 
-/// The number, or the text of an expression that depends on x or y.
+/// Returns the number, or the text of an expression that depends on x or y.
 nlohmann::json as_json(const geometry::Expression& field);
 
 }  // namespace plastron::config

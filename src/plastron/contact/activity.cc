@@ -121,7 +121,7 @@ std::int64_t count_changes(const BoxProblem& problem, const ActiveSet& before, c
   return count_over_ranks(problem, changes);
 }
 
-// A sum of hashes, so that neither order nor ranks matter; it may wrap around.
+// A sum of hashes, so that it does not depend on order or ranks. It may overflow and wrap.
 std::uint64_t fingerprint(const BoxProblem& problem, const ActiveSet& set) {
   const auto first =
       static_cast<std::uint64_t>(problem.load.layout()->first) * static_cast<std::uint64_t>(problem.load.block());

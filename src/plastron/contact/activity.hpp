@@ -1,4 +1,4 @@
-// Active sets: where each unknown stands, as the contact solvers pass it around. Functions of all ranks are collective.
+// Active sets: the activity of each unknown in the contact solvers. Functions over all ranks are collective.
 #pragma once
 #include <plastron/contact/problem.hpp>
 
@@ -8,37 +8,39 @@
 
 namespace plastron::contact {
 
-/// Of the owned unknowns, one after the other.
+/// Activities of the owned unknowns, in their order.
 using ActiveSet = std::vector<Activity>;
 
-/// Asserts that load and bounds fit the matrix: layout, block, sizes. What they say is another matter (bounds_are_consistent).
+/// Asserts that load and bounds fit the matrix in layout, block and size. It does not check their values
+/// (bounds_are_consistent).
 void assert_fits_together(const BoxProblem& problem);
 
-/// lower <= upper everywhere, on all ranks, and no bound is NaN. Bounds that pressing forces move against each other are left out:
-/// whether they cross is a matter of the positions (at_positions).
+/// Whether lower <= upper everywhere, on all ranks, and no bound is NaN. Bounds that pressing forces move against each
+/// other are not checked: their positions determine whether they cross (at_positions).
 bool bounds_are_consistent(const BoxProblem& problem);
 
-/// `initial` where it makes sense, that is where the bound exists; prescribed unknowns marked. Empty: nothing active.
+/// Returns `initial` where the bound exists, with prescribed unknowns marked. Empty `initial`: nothing is active.
 ActiveSet starting_set(const BoxProblem& problem, std::span<const Activity> initial);
-/// Every unknown that has a bound at a bound, at the one nearer to zero if it has two.
+/// Returns a set with every unknown at a bound, if it has one. Of two bounds the one nearer to zero is taken.
 ActiveSet everything_active(const BoxProblem& problem);
 
-/// Every unknown that z has at a bound, or beyond, at that bound.
+/// Returns a set with every unknown at a bound that z has at this bound or beyond it.
 ActiveSet everything_at_bounds(const BoxProblem& problem, const algebra::Vector& z);
-/// z with every unknown that is beyond a bound at that bound, ghosts up to date. (collective)
+/// Returns z with every unknown that is beyond a bound moved to that bound, with current ghosts. (collective)
 algebra::Vector project(const BoxProblem& problem, algebra::Vector z);
 
-/// Zeros of the right size, nothing active, and the status: where a solver starts from.
+/// Returns a solution of the right size for the start of a solver: zeros, nothing active, and the status.
 BoxSolution unsolved(const BoxProblem& problem, Status status);
 
-/// The bound at which an active or prescribed unknown is held.
+/// Returns the bound at which an active or prescribed unknown is fixed.
 double held_at(const BoxProblem& problem, std::size_t i, Activity activity);
 
-/// Unknowns at a bound, prescribed ones not counted, on all ranks.
+/// Number of unknowns at a bound on all ranks, without prescribed ones.
 std::int64_t count_active(const BoxProblem& problem, const ActiveSet& set);
-/// Unknowns that stand differently in the two sets, on all ranks.
+/// Number of unknowns whose activity differs between the two sets, on all ranks.
 std::int64_t count_changes(const BoxProblem& problem, const ActiveSet& before, const ActiveSet& after);
-/// A number that tells active sets apart, the same on all ranks and however the unknowns are spread over them.
+/// Returns a number that distinguishes active sets. It is equal on all ranks and does not depend on the distribution of
+/// the unknowns.
 std::uint64_t fingerprint(const BoxProblem& problem, const ActiveSet& set);
 
 }  // namespace plastron::contact

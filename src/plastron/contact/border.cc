@@ -5,12 +5,13 @@
 namespace plastron::contact {
 namespace {
 
-/// c' K c of a direction that the earlier ones left of the k-th motion.
+/// Whether the stiffness c' K c is only rounding. c is the part of the k-th motion that remains after the earlier
+/// directions.
 bool costs_nothing(const SmallMatrix& K, const SmallMatrix& factor, const SmallMatrix& scale, std::span<const double> c,
                    std::size_t k) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr double nothing_but_rounding = 4 * epsilon, unlike_its_factor = 1e-3;
-  constexpr double dependent = 256 * epsilon;  // what is left of K_kk after the others were taken off
+  constexpr double dependent = 256 * epsilon;  // part of K_kk that remains after the other directions are subtracted
   const double stiffness = K.product(c, c);
   return !(stiffness > nothing_but_rounding * scale.product(c, c)) ||
          !(stiffness > unlike_its_factor * factor.product(c, c)) || !(stiffness > dependent * K(k, k));

@@ -1,5 +1,6 @@
-// The few equations that bordering a linear problem by pressing forces leaves: K x = r with K_kl = z_k' A z_l, the stiffness that the structure
-// offers the forces on an active set. Solved in directions conjugate with respect to K, which show a motion that only rounding holds.
+// The small system that remains when pressing forces border a linear problem: K x = r with K_kl = z_k' A z_l.
+// K is the stiffness of the structure against the forces on an active set. Directions conjugate with respect to K solve
+// it. They also show a motion whose stiffness is only rounding.
 #pragma once
 #include <optional>
 #include <span>
@@ -15,22 +16,22 @@ struct SmallMatrix {
   explicit SmallMatrix(std::size_t m) : size(m), values(m * m) {}
   double& operator()(std::size_t k, std::size_t l) { return values[k * size + l]; }
   double operator()(std::size_t k, std::size_t l) const { return values[k * size + l]; }
-  /// a' M b
+  /// Returns a' M b.
   double product(std::span<const double> a, std::span<const double> b) const;
 };
 
 class Border {
  public:
-  /// `stiffness` with the operator, `factor_stiffness` with the matrix that was factorised, `scale` with A's diagonal, all of the same motions
-  /// z_k.
+  /// Makes the border from three matrices of the same motions z_k: `stiffness` with the operator, `factor_stiffness`
+  /// with the factorised matrix, `scale` with A's diagonal.
   static Border of(const SmallMatrix& stiffness, const SmallMatrix& factor_stiffness, const SmallMatrix& scale);
-  /// A combination that costs nothing but rounding, judged like algebra::SoftestMotion::is_free(); empty if there is none. With one, K has no
-  /// inverse.
+  /// A combination whose stiffness is only rounding, by the criterion of algebra::SoftestMotion::is_free(); empty if
+  /// there is none. If there is one, K has no inverse.
   const std::vector<double>& free_motion() const { return free_motion_; }
-  /// x = K^{-1} r
+  /// Returns x = K^{-1} r.
   std::vector<double> solve(std::span<const double> r) const;
-  /// Of all x with rows x = values the one nearest to `to` in the energy of K, and the multipliers mu of x = to - K^{-1} rows' mu. Nothing
-  /// if the rows depend on each other.
+  /// Returns the x with rows x = values that is nearest to `to` in the energy of K, and the multipliers mu
+  /// of x = to - K^{-1} rows' mu. Nothing if the rows are linearly dependent.
   struct Nearest {
     std::vector<double> x, multipliers;
   };

@@ -8,16 +8,18 @@
 namespace plastron::contact {
 namespace {
 
-/// Fewer broken bounds than this at the coarsest thinning say too little of the zone.
+/// The coarsest thinning must have at least this number of violated bounds, to describe the zone.
 constexpr double fewest = 100;
-/// The coarsest thinning is left when no more than this part of the most that changed in one of its steps changes: its rows are worth
-/// many of all bounds. Where rows are short (a narrow strip), all steps change as few, and it is settled.
+/// The search leaves the coarsest thinning when a step changes at most this part of the largest change there. One of
+/// its rows stands for many rows of all bounds. Where rows are short (a narrow strip), all steps change equally few
+/// bounds, and it is finished.
 constexpr double coarse_share = 1.0 / 3;
-/// The others are left when no more than this part of their active bounds changes. Measured from 0.01 to 0.1: what is not settled costs
-/// more steps among more bounds.
+/// The search leaves the other thinnings when at most this part of their active bounds changes. Values from 0.01 to 0.1
+/// were measured. An unfinished thinning costs more steps among more bounds.
 constexpr double few_changes = 0.02;
 
-/// Bounds taken by their numbers' hashes: about as many everywhere, and those of a thinning are among those of the next finer.
+/// Bounds selected by hashes of their numbers. Their density is nearly uniform, and each thinning is a subset of the
+/// next finer one.
 class Thinning {
  public:
   explicit Thinning(const BoxProblem& problem)
@@ -29,7 +31,7 @@ class Thinning {
     return (algebra::hash(first_ + i) & mask) == 0;
   }
 
-  /// `next` where the thinning keeps the bound, `set` elsewhere.
+  /// Returns `next` where the thinning keeps the bound, `set` elsewhere.
   ActiveSet among(const ActiveSet& set, const ActiveSet& next, int level) const {
     ActiveSet result = set;
     for (std::size_t i = 0; i < set.size(); ++i)
@@ -52,7 +54,7 @@ std::optional<SubproblemPoint> start_among_fewer(const BoxProblem& problem, Pres
   const auto broken = static_cast<double>(count_changes(problem, set, verdict.next));
   const int coarsest = broken > fewest ? static_cast<int>(std::log2(broken / fewest) / 2) : 0;
   int level = coarsest, steps = 0;
-  double most_changes = 0;  // of a step on the coarsest, the first left out
+  double most_changes = 0;  // most changes in a step on the coarsest thinning, except the first
   std::optional<SubproblemPoint> at = std::move(point);
   while (level > 0 && !observer.wants_to_stop()) {
     Verdict kept = verdict;

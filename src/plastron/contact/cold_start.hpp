@@ -1,10 +1,11 @@
-// A first active set where nothing is known of it: found among few of the bounds, then among more.
+// A first active set from a cold start: the search uses few of the bounds first, then more.
 //
-// From a cold start the plain iteration takes in far too much at once and then gives the edge of the zone back a row of nodes a step: as
-// many steps as the zone has rows too many, which double with every refinement. Among every 4^k-th bound only, the rows are 2^k times as far
-// apart. What is active among those and what lies beyond its bound between them is where the next finer thinning begins, with k - 1, until
-// all bounds count: a few steps each, so their number grows with the logarithm of the mesh. Every step is one of the whole problem, with
-// the same matrix, and needs no coarser mesh.
+// From a cold start the plain iteration makes far too many unknowns active in one step. Then it releases one row of
+// nodes at the edge of the zone in each step. The number of steps is the number of excess rows, which doubles with
+// every refinement. Among every 4^k-th bound only, the rows are 2^k times as far apart. The next finer thinning, with
+// k - 1, starts from the active bounds of this one and the violated bounds between them. This is repeated until all
+// bounds are used. Each thinning needs a few steps, so their number grows with the logarithm of the mesh size. Every
+// step solves the whole problem with the same matrix, and needs no coarser mesh.
 #pragma once
 #include <plastron/contact/pressed_subproblem.hpp>
 #include <plastron/contact/problem.hpp>
@@ -12,8 +13,9 @@
 
 namespace plastron::contact {
 
-/// From `set` with nothing active, whose point is given: `set` becomes the one to go on with among all bounds. Returns its point; nothing if a
-/// set on the way has none, and then `set` is as it was. Iterations are added to `solution`. Does nothing where few bounds are broken. (collective)
+/// Starts from `set` with nothing active, whose point is given. `set` becomes the start for the iteration among all
+/// bounds. Returns its point. Returns nothing if an intermediate set has no point; then `set` is unchanged. Iterations
+/// are added to `solution`. Does nothing where few bounds are violated. (collective)
 std::optional<SubproblemPoint> start_among_fewer(const BoxProblem& problem, PressedSubproblem& subproblems,
                                                  SubproblemPoint point, const Observer& observer, ActiveSet& set,
                                                  BoxSolution& solution);

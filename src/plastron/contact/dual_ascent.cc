@@ -10,7 +10,7 @@ namespace {
 
 using algebra::Vector;
 
-/// d(q) with what it is made of.
+/// The value d(q) and the data from which it is computed.
 struct DualPoint {
   Vector q{};
   Vector violation{};  ///< d'(q) = B z
@@ -60,7 +60,7 @@ class DualAscent {
     if (observer_.iteration) observer_.iteration(solution_.iterations.back());
   }
 
-  // Nothing if the solver inside fails, or the limit is reached: then the solution has its status.
+  // Nothing if the inner solver fails or reaches the limit; then the solution has its status.
   std::optional<DualPoint> evaluate(Vector q, const ActiveSet& start) {
     Settings settings = settings_;
     settings.max_iterations -= static_cast<int>(solution_.iterations.size());
@@ -86,7 +86,8 @@ class DualAscent {
     return point;
   }
 
-  /// Step 2: q*, and the solution if it is one. Nothing where the equations cannot hold on the set, or at an end.
+  /// Step 2: returns q*, or ends with the solution. Nothing where the equations cannot be satisfied on the set, or at
+  /// an end.
   std::optional<Vector> maximise_on(SubproblemSolver& subproblems, const ActiveSet& set, const Vector& q) {
     subproblems.start_multipliers_from(q);
     auto point = subproblems.solve(set);
@@ -108,10 +109,11 @@ class DualAscent {
     return direction;
   }
 
-  /// By the part of d' that cannot be reduced on the set, where there is one: along it d is about linear as long as the set stays, worth a
-  /// long step, where the other part allows a short one. Of a violation that can be reduced entirely rounding is left, which leads nowhere.
+  /// Returns the ascent direction. It uses the part of d' that cannot be reduced on the set, if there is one. Along
+  /// this part d is nearly linear while the set stays. This permits a long step, where the other part permits a short
+  /// one. If the violation can be reduced entirely, only rounding remains of this part, and it is useless.
   Vector ascent(const SubproblemSolver& subproblems, const DualPoint& here) const {
-    constexpr double rounding = 1e-10;  // of the whole slope
+    constexpr double rounding = 1e-10;  // relative to the whole slope
     Vector whole = preconditioned(here.violation);
     if (subproblems.failure() != Status::linear_solver_stalled) return whole;  // not even A is definite
     Vector rest = preconditioned(subproblems.irreducible(here.set, here.violation));
@@ -132,7 +134,8 @@ class DualAscent {
     return evaluate(std::move(q), here.set);
   }
 
-  // Armijo's test on d; a slope that is still not negative proves the rise where the values of d agree up to rounding.
+  // Armijo's test on d. Where the values of d agree up to rounding, a slope that is still not negative proves the
+  // increase.
   std::optional<DualPoint> first_rise(const DualPoint& here, const Vector& direction, double slope) {
     constexpr double fraction_of_slope = 1e-4;
     constexpr int most_halvings = 40;
@@ -149,7 +152,7 @@ class DualAscent {
     return no_more(Status::cycling);
   }
 
-  // A direction without a length: doubled as long as the slope has not halved.
+  // The direction has no natural length: the step is doubled until the slope has halved.
   std::optional<DualPoint> lengthened(const DualPoint& here, const Vector& direction, double slope, DualPoint next) {
     constexpr int most_doublings = 30;
     for (int k = 0; k < most_doublings; ++k) {
@@ -160,7 +163,7 @@ class DualAscent {
       if (!(further->value > next.value)) return next;
       next = std::move(*further);
     }
-    return no_more(Status::infeasible);  // d has no greatest value
+    return no_more(Status::infeasible);  // d has no maximum
   }
 
   const BoxProblem& problem_;
@@ -171,7 +174,7 @@ class DualAscent {
   bool is_safeguard_;
   BoxSolution& solution_;
   bool has_ended_ = false;
-  double length_ = 1;  ///< of the step taken last
+  double length_ = 1;  ///< length of the last step
 };
 
 }  // namespace

@@ -8,24 +8,25 @@
 
 namespace plastron::contact {
 
-/// M^{-1}: A^{-1} or about it on the unknowns that were free when it was pinned, the inverse diagonal on the others. Symmetric and
-/// positive definite, and so is its part on any face, P M^{-1} P with P the projection on the face's free unknowns.
+/// M^{-1}: (nearly) A^{-1} on the unknowns that were free when it was pinned, the inverse diagonal on the others. It is
+/// symmetric and positive definite. So is its part on any face, P M^{-1} P with P the projection on the face's free
+/// unknowns.
 class FacePreconditioner {
  public:
-  /// Refers to both. `diagonal` is A's, positive.
+  /// Keeps references to both. `diagonal` is A's, positive.
   FacePreconditioner(algebra::Preconditioner& preconditioner, const algebra::Vector& diagonal)
       : preconditioner_(preconditioner), diagonal_(diagonal) {}
 
-  /// Solved if that went well; singular if a motion is free on `set`, or what else failed. (collective)
+  /// Returns solved if pinning succeeded, singular if a motion is free on `set`, or another failure. (collective)
   Status pin(const BoxProblem& problem, const ActiveSet& set, bool detect_free_motions);
-  /// z = M^{-1} r, owned values. (collective)
+  /// Computes z = M^{-1} r, owned values. (collective)
   void apply(const algebra::Vector& r, algebra::Vector& z) const;
 
  private:
   algebra::Preconditioner& preconditioner_;
   const algebra::Vector& diagonal_;
   std::vector<char> pinned_{};
-  mutable algebra::Vector on_free_{};  ///< of apply()
+  mutable algebra::Vector on_free_{};  ///< scratch vector of apply()
 };
 
 }  // namespace plastron::contact

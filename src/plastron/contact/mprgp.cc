@@ -20,7 +20,7 @@ using algebra::Vector;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Less curvature than this, in unknowns of unit diagonal, is a motion that only rounding holds.
+/// Curvature limit, in unknowns of unit diagonal. Below it the stiffness of a motion is only rounding.
 constexpr double no_stiffness = 4 * epsilon;
 
 /// Proportioning in the unknowns x of ScaledUnknowns, from a feasible point.
@@ -65,7 +65,7 @@ class Mprgp {
   }
 
  private:
-  // g = A x - b afresh; the next direction is the preconditioned gradient.
+  // Recomputes g = A x - b; the next direction is the preconditioned gradient.
   void restart() {
     x_.update_ghosts();
     scaled_.apply(x_, gradient_);
@@ -74,7 +74,7 @@ class Mprgp {
     p_ = z_;
   }
 
-  // Free and chopped gradient, z = P M^{-1} P phi.
+  // Computes free and chopped gradient, z = P M^{-1} P phi.
   void look_around() {
     split_gradient(scaled_.lower(), scaled_.upper(), x_, gradient_, step_length_, split_);
     precondition(split_.free, z_);
@@ -88,7 +88,7 @@ class Mprgp {
     if (since_halved_ == 0) halved_ = norm;
   }
 
-  // z = M^{-1} r
+  // Computes z = M^{-1} r.
   void precondition(const Vector& r, Vector& z) {
     scaled_.original_forces(r, force_);
     preconditioner_.apply(force_, original_);
@@ -107,7 +107,7 @@ class Mprgp {
     return std::sqrt(phi_z_) <= std::max(nearly * reference_, rounding * algebra::norm(x_)) || since_halved_ > patience;
   }
 
-  // A step of conjugate gradients, or as far as the box lets one go.
+  // A step of conjugate gradients, shortened at the box.
   void move_in_face() {
     ++steps_;
     p_.update_ghosts();
@@ -129,8 +129,8 @@ class Mprgp {
     }
   }
 
-  // The projected conjugate-gradient step where it lowers the energy more than the feasible half-step does, else the latter and a
-  // projected step along the free gradient.
+  // Takes the projected conjugate-gradient step where it lowers the energy more than the feasible half-step. Otherwise
+  // takes the half-step and a projected step along the free gradient.
   void expand(double step, double feasible, double change_of_half_step) {
     if (std::isfinite(step)) {
       Vector candidate = clamped_step(scaled_.lower(), scaled_.upper(), x_, p_, step);
@@ -143,7 +143,7 @@ class Mprgp {
     restart();
     for (;; step_length_ /= 2) {
       Vector candidate = clamped_step(scaled_.lower(), scaled_.upper(), x_, split_.free, step_length_);
-      // The estimate of |A| comes from below; a step that does not lower the energy shows it.
+      // The estimate of |A| is a lower bound. A step that does not lower the energy shows that it is too small.
       if (!(energy_change(candidate) > 0) || step_length_ < epsilon) {
         x_ = std::move(candidate);
         return restart();
@@ -151,7 +151,7 @@ class Mprgp {
     }
   }
 
-  /// g's + s'As/2 of the step s to `candidate`.
+  /// Returns g's + s'As/2 of the step s to `candidate`.
   double energy_change(const Vector& candidate) {
     s_ = candidate;
     algebra::axpy(-1, x_, s_);
@@ -160,7 +160,7 @@ class Mprgp {
     return algebra::dot(gradient_, s_) + 0.5 * algebra::dot(s_, As_);
   }
 
-  // Proportioning: the minimiser along the chopped gradient, as far as the box allows.
+  // Proportioning: goes to the minimiser along the chopped gradient, at most to the next bound.
   void let_go(const Vector& d) {
     Vector direction = d, Ad(d.layout(), d.block());
     direction.update_ghosts();
@@ -203,7 +203,7 @@ class Mprgp {
       outcome_ = Status::interrupted;
   }
 
-  // The minimiser on this face to full accuracy, through problem.apply, judged as in the other solvers.
+  // Computes the minimiser on this face to full accuracy, through problem.apply, and judges it as in the other solvers.
   void conclude() {
     Vector z = scaled_.original(x_);
     const ActiveSet set = everything_at_bounds(problem_, z);
@@ -229,7 +229,7 @@ class Mprgp {
     if (!outcome_) go_on_from(verdict);
   }
 
-  // From the face's minimiser: on the box, with only what judge() releases let go of.
+  // Restarts from the face's minimiser, projected on the box; only the unknowns that judge() releases become free.
   void go_on_from(const Verdict& verdict) {
     set_ = solution_.activity;
     x_ = scaled_.unknowns(project(problem_, solution_.z));
@@ -251,18 +251,18 @@ class Mprgp {
   const Observer& observer_;
   BoxSolution& solution_;
   Vector x_, gradient_, z_, p_{};
-  Vector Ap_, s_, As_, force_, original_;  ///< used again in every step
+  Vector Ap_, s_, As_, force_, original_;  ///< scratch vectors of every step
   SplitGradient split_{};
   double phi_z_ = 0, reference_ = 0, step_length_ = 0;
-  double halved_ = infinity;  ///< preconditioned norm of the free gradient when it was last seen halved
+  double halved_ = infinity;  ///< preconditioned norm of the free gradient at its last halving
   int since_halved_ = 0;
   int steps_ = 0;  ///< since the last iteration
-  ActiveSet set_;  ///< of the last iteration
+  ActiveSet set_;  ///< active set of the last iteration
   std::set<std::uint64_t> concluded_{};
   std::optional<Status> outcome_{};
 };
 
-/// The minimiser on the pinned set, by conjugate gradients.
+/// Computes the minimiser on the pinned set by conjugate gradients.
 algebra::CgResult first_minimiser(const BoxProblem& problem, const FacePreconditioner& preconditioner,
                                   const ActiveSet& set, const Vector& diagonal, const Settings& settings, Vector& z) {
   for (std::size_t i = 0; i < set.size(); ++i)

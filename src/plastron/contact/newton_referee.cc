@@ -16,11 +16,11 @@ ActiveSet free_where_not_held(const BoxProblem& problem, std::span<const char> h
   ActiveSet set = starting_set(problem, {});
   for (std::size_t i = 0; i < set.size(); ++i)
     if (held[i] && set[i] != Activity::prescribed)
-      set[i] = Activity::at_lower;  // which bound does not matter to an increment
+      set[i] = Activity::at_lower;  // an increment does not depend on which bound it is
   return set;
 }
 
-/// One run of PETSc's method, and what its iterates are to the solution.
+/// One run of PETSc's method, and its iterates as iterations of the solution.
 class Run {
  public:
   Run(const BoxProblem& problem, SubproblemSolver& subproblems, const Observer& observer, BoxSolution& solution)
@@ -59,7 +59,7 @@ class Run {
     return true;
   }
 
-  // The start is no iteration.
+  // The start is not an iteration.
   bool follow(int iteration, const Vector& x, const Vector& gradient) {
     if (iteration == 0) return true;
     const ActiveSet set = everything_at_bounds(problem_, project(problem_, scaled_.original(x)));
@@ -77,10 +77,10 @@ class Run {
   SubproblemSolver& subproblems_;
   const Observer& observer_;
   BoxSolution& solution_;
-  ActiveSet set_;  ///< of the iterate before
+  ActiveSet set_;  ///< active set of the previous iterate
 };
 
-/// Step 3. Whether that was the end.
+/// Step 3. Returns whether the solution has ended.
 bool polish(const BoxProblem& problem, SubproblemSolver& subproblems, const Observer& observer, BoxSolution& solution) {
   const ActiveSet set = everything_at_bounds(problem, solution.z);
   auto point = subproblems.solve(set);

@@ -8,11 +8,11 @@
 namespace plastron::contact {
 namespace {
 
-/// So many iterations without fewer changes than ever before end the plain method. Generous: from a cold start it
-/// honestly moves the free boundary one element a step.
+/// The plain method ends after this number of iterations without a new minimum of changes. It is large: from a cold
+/// start the method may move the free boundary by one element in each step.
 constexpr int patience_with_changes = 50;
 
-// Whether the plain method still gets anywhere.
+// Detects whether the plain method still makes progress.
 class Progress {
  public:
   bool is_lost(std::uint64_t next_set, std::int64_t changes) {

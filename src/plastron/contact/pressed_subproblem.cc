@@ -12,14 +12,14 @@ using algebra::Vector;
 
 constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
 
-/// z' D w
+/// Returns z' D w.
 double weighed(const Vector& z, const Vector& diagonal, const Vector& w) {
   Vector weights = w;
   for (std::size_t i = 0; i < weights.owned().size(); ++i) weights.owned()[i] *= diagonal.owned()[i];
   return algebra::dot(z, weights);
 }
 
-/// Every unknown that stands at a bound where z = 0, but for rounding, at that bound: what touches before anything has moved.
+/// Returns the set of unknowns that touch before any motion: they are at a bound for z = 0, up to rounding.
 ActiveSet everything_touching(const BoxProblem& problem) {
   constexpr double rounding = 1e-12;
   const auto lower = problem.lower.owned(), upper = problem.upper.owned();
@@ -37,7 +37,7 @@ ActiveSet everything_touching(const BoxProblem& problem) {
   return set;
 }
 
-/// Whether every force is answered but for rounding.
+/// Whether reactions balance every force up to rounding.
 bool is_balanced(std::span<const double> misfit, std::span<const double> sizes) {
   constexpr double rounding = 16 * rounding_unit;
   for (std::size_t k = 0; k < misfit.size(); ++k)
@@ -115,7 +115,7 @@ Border PressedSubproblem::border_of(const std::vector<Response>& responses) cons
   return Border::of(stiffness, factor_stiffness, scale);
 }
 
-/// Steps of the border until the reactions are the forces: the second mends the rounding of the first.
+/// Solves the border until the reactions equal the forces: the second step corrects the rounding of the first.
 std::optional<SubproblemPoint> PressedSubproblem::settle(const ActiveSet& set, const std::vector<Response>& responses,
                                                          SubproblemPoint point) {
   constexpr int most_steps = 4;
@@ -145,7 +145,8 @@ std::optional<SubproblemPoint> PressedSubproblem::settle(const ActiveSet& set, c
   return point;
 }
 
-/// What belongs to the positions: the forces that nothing carries, the energy, the rounding of bounds.
+/// Completes the data that depend on the positions: touches of forces that nothing carries, the energy, the rounding of
+/// bounds.
 void PressedSubproblem::finish(const ActiveSet& set, SubproblemPoint& point) {
   const auto noise = [&](std::size_t i) { return point.gap_noise.owned()[i]; };
   for (std::size_t k = 0; k < positions_.size(); ++k) {

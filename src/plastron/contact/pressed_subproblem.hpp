@@ -1,9 +1,11 @@
-// The subproblem of an active set with the positions of pressing forces as further unknowns: a linear problem with a border,
-//   A z = b where free,   z_i = bound_i(delta) where held,   sum over active i of (A z - b)_i shape_ki = F_k.
-// With z_k the answer to position k, A z_k = 0 where free and z_k = shape_k where held, and z_0 the solution at the positions at hand,
+// The subproblem of an active set with the positions of pressing forces as further unknowns: a linear problem with a
+// border,
+//   A z = b where free,   z_i = bound_i(delta) where fixed,   sum over active i of (A z - b)_i shape_ki = F_k.
+// z_k is the response to position k: A z_k = 0 where free and z_k = shape_k where fixed. z_0 is the solution at the
+// present positions:
 //   z = z_0 + sum_k step_k z_k,   sum_l (z_k' A z_l) step_l = F_k - R_k(z_0),
-// so one factorisation serves all. A force that no active unknown carries has no equation: its position becomes the one at which it
-// first touches z, and what it touches is to become active.
+// so one factorisation serves all. A force that no active unknown carries has no equation. Its position becomes the one
+// at which it first touches z. The unknowns that it touches will become active.
 #pragma once
 #include <plastron/contact/border.hpp>
 #include <plastron/contact/subproblem.hpp>
@@ -15,29 +17,31 @@ namespace plastron::contact {
 
 class PressedSubproblem {
  public:
-  /// Refers to all of them; without pressing forces it is a SubproblemSolver. Every force can be carried.
+  /// Keeps references to all of them. Without pressing forces it is a SubproblemSolver. Precondition: every force can
+  /// be carried.
   PressedSubproblem(const BoxProblem& problem, algebra::Preconditioner& preconditioner, const Settings& settings);
   PressedSubproblem(const PressedSubproblem&) = delete;
   PressedSubproblem& operator=(const PressedSubproblem&) = delete;
 
-  /// Nothing if the set leaves a motion free, of the structure or of an obstacle, or it cannot be computed; failure() then tells which. The
-  /// positions stay at the point's, and the energy holds - F delta. (collective)
+  /// Returns nothing if the set leaves a motion of the structure or of an obstacle free, or if the computation fails;
+  /// failure() then gives the reason. The positions are then those of the point, and the energy includes - F delta.
+  /// (collective)
   std::optional<SubproblemPoint> solve(const ActiveSet& set);
-  /// The point on `initial` or, where that leaves a motion free, with what touches at z = 0 or every bound active; `set` becomes the one
-  /// that has it. (collective)
+  /// Returns the point on `initial`. If that leaves a motion free, unknowns that touch at z = 0 or all bounds are
+  /// active. `set` becomes the set of the point. (collective)
   std::optional<SubproblemPoint> solve_first(std::span<const Activity> initial, ActiveSet& set);
   Status failure() const { return failure_; }
 
-  /// Where the next solve() begins. (0 at first)
+  /// Sets the positions for the next solve() (0 at first).
   void start_from(std::vector<double> positions);
-  /// The problem with its bounds where the positions are.
+  /// The problem with its bounds at the present positions.
   const BoxProblem& box() const { return box_; }
   SubproblemSolver& subproblems() { return subproblems_; }
-  /// K of the forces that the last set met; of none where it had no point without them either.
+  /// K of the forces that meet the last set; empty if that set has no point even without forces.
   const Border& border() const { return border_; }
 
  private:
-  /// z_k and A z_k of a force that is met.
+  /// z_k and A z_k of a force that active unknowns carry.
   struct Response {
     std::size_t force;
     algebra::Vector z, forces;

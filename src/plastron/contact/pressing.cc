@@ -12,7 +12,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 MPI_Comm ranks_of(const BoxProblem& problem) { return problem.load.layout()->comm; }
 
-/// The bounds of an owned unknown that force k presses onto it.
+/// Whether force k presses the lower bound onto an owned unknown.
 bool presses_from_below(const BoxProblem& problem, std::size_t k, std::size_t i) {
   return problem.pressing[k].lower_shape.owned()[i] > 0 && std::isfinite(problem.lower.owned()[i]);
 }
@@ -29,10 +29,10 @@ bool presses_from_above(const BoxProblem& problem, std::size_t k, std::size_t i)
   return true;
 }
 
-/// A bound of an unknown that meets z at a position.
+/// A position at which a bound of an unknown meets z.
 struct Meeting {
   double position;
-  double noise;  ///< of the position
+  double noise;  ///< noise of the position
   Touch touch;
 };
 
@@ -55,7 +55,7 @@ std::vector<Meeting> meetings_here(const BoxProblem& problem, const BoxProblem& 
   return meetings;
 }
 
-/// How fast the bounds of an owned unknown approach each other with each position.
+/// Returns the rate at which the bounds of an owned unknown approach each other, for each position.
 std::vector<double> closing_of(const BoxProblem& problem, std::size_t i) {
   std::vector<double> closing;
   for (const PressingForce& pressing : problem.pressing)

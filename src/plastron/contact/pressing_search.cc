@@ -13,7 +13,7 @@ namespace {
 using algebra::Vector;
 using Positions = std::vector<double>;
 
-/// phi(delta) with what it is made of.
+/// The value phi(delta) and the data from which it is computed.
 struct PressedState {
   Positions positions{};
   Positions excess{};  ///< F - R = - phi'
@@ -22,7 +22,8 @@ struct PressedState {
   BoxSolution inner{};
 };
 
-/// Of the width between two bounds that a step may take away, and how many such steps in a row show that nothing is between them.
+/// Part of the width between two bounds that a step may remove, and number of such steps in a row that shows that no
+/// minimum lies between.
 constexpr double part_of_the_way = 0.9;
 constexpr int most_in_a_row = 8;
 
@@ -43,12 +44,12 @@ double slope_along(const Positions& direction, const Positions& excess) {
   return slope;
 }
 
-/// Whether other positions may be better where the solver inside ended so.
+/// Whether other positions may help after this status of the inner solver.
 bool is_about_the_positions(Status status) {
   return status != Status::iteration_limit && status != Status::interrupted;
 }
 
-/// F - R, each over the stiffness that the diagonal of A gives the unknowns on which the force stands.
+/// Returns F - R, each divided by the stiffness that A's diagonal gives the unknowns that carry the force.
 Positions scaled_excess(const BoxProblem& problem, const PressedState& here, const Vector& diagonal) {
   Positions direction = here.excess;
   for (std::size_t k = 0; k < direction.size(); ++k) {
@@ -61,7 +62,8 @@ Positions scaled_excess(const BoxProblem& problem, const PressedState& here, con
   return direction;
 }
 
-/// Along the motion that costs nothing on the set, of the length of `ascent`; nothing if the forces hardly drive it, or it is none of theirs.
+/// Returns the free motion on the set, whose stiffness is only rounding, with the length of `ascent`. Nothing if the
+/// forces hardly drive it, or if it does not belong to them.
 std::optional<Positions> along_free_motion(const Positions& excess, const Positions& motion, const Positions& ascent) {
   constexpr double hardly = 1e-8;
   if (motion.size() != excess.size()) return {};
@@ -84,7 +86,7 @@ class PressingSearch {
         solution_(solution),
         subproblem_(problem, preconditioner, settings) {}
 
-  /// To be called before run() unless the solution has positions and an active set already.
+  /// Call it before run(), unless the solution already has positions and an active set.
   void start(std::span<const Activity> initial) {
     ActiveSet set;
     auto point = subproblem_.solve_first(initial, set);
@@ -120,7 +122,7 @@ class PressingSearch {
     if (observer_.iteration) observer_.iteration(iteration);
   }
 
-  /// A subproblem's point becomes the solution so far, and its end if it keeps all conditions.
+  /// Stores a subproblem's point as the solution so far. The search ends if the point satisfies all conditions.
   Verdict take(SubproblemPoint point, const ActiveSet& set) {
     Verdict verdict = judge(subproblem_.box(), point, set);
     const bool crossed = bounds_cross(subproblem_.box(), point.gap_noise);
@@ -132,7 +134,7 @@ class PressingSearch {
     return verdict;
   }
 
-  // Where the solver inside finds nothing at the first positions, those at which the bounds were given are tried.
+  // If the inner solver finds nothing at the first positions, tries the positions at which the bounds were given.
   std::optional<PressedState> begin() {
     auto here = evaluate(solution_.positions, solution_.activity);
     const Status failure = solution_.status;
@@ -141,7 +143,8 @@ class PressingSearch {
     return here;
   }
 
-  // Nothing where the solver inside fails: then the solution has its status, and the search has ended if no other positions help.
+  // Nothing where the inner solver fails; then the solution has its status. The search has then ended if no other
+  // positions help.
   std::optional<PressedState> evaluate(Positions positions, const ActiveSet& start) {
     Settings settings = settings_;
     settings.max_iterations -= static_cast<int>(solution_.iterations.size());
@@ -169,7 +172,7 @@ class PressingSearch {
     return state;
   }
 
-  /// Step 1: what touches becomes active.
+  /// Step 1: makes touched unknowns active.
   void touch_all(PressedState& here) const {
     const BoxProblem box = at_positions(problem_, here.positions);
     double largest = 0;
@@ -185,7 +188,7 @@ class PressingSearch {
           here.set[touched.unknown] = touched.activity;
   }
 
-  /// Step 2. Nothing at an end.
+  /// Step 2. Returns nothing if the search ends.
   std::optional<Direction> towards_minimum(const PressedState& here) {
     subproblem_.start_from(here.positions);
     if (here.inner.equation_multiplier.layout())
@@ -216,8 +219,9 @@ class PressingSearch {
     return next;
   }
 
-  /// Where bounds would cross on the way, the direction becomes that to the minimiser with their width, of the border's quadratic function,
-  /// a tenth of the present one: that falls, too. So often in a row and phi is least where they are at each other.
+  /// Changes the direction where bounds would cross on the way. It then leads to the minimiser of the border's
+  /// quadratic function with a tenth of the bounds' present width. This is also a descent direction. After too many
+  /// such steps in a row, phi is least where the bounds meet.
   void keep_bounds_apart(const PressedState& here, Direction& direction) {
     const Positions newtons = direction.by;
     std::vector<Positions> rows;
@@ -263,7 +267,7 @@ class PressingSearch {
     return no_more(stopped_in_a_row_ > 0 ? Status::infeasible : failure);
   }
 
-  // A direction without a length: doubled as long as the slope has not halved.
+  // The direction has no natural length: the step is doubled until the slope has halved.
   std::optional<PressedState> lengthened(const PressedState& here, const Positions& direction, double slope,
                                          PressedState next) {
     constexpr int most_doublings = 40;
@@ -277,7 +281,7 @@ class PressingSearch {
       if (!further || !(slope_along(direction, further->excess) <= 0)) return next;
       next = std::move(*further);
     }
-    return no_more(Status::not_carried);  // phi falls without end
+    return no_more(Status::not_carried);  // phi decreases without limit
   }
 
   const BoxProblem& problem_;
@@ -289,8 +293,8 @@ class PressingSearch {
   BoxSolution& solution_;
   PressedSubproblem subproblem_;
   bool has_ended_ = false;
-  double length_ = 1;         ///< of the present step
-  int stopped_in_a_row_ = 0;  ///< steps that bounds about to cross have shortened
+  double length_ = 1;         ///< length of the present step
+  int stopped_in_a_row_ = 0;  ///< number of successive steps that crossing bounds have shortened
 };
 
 }  // namespace

@@ -11,12 +11,14 @@
 namespace plastron::contact {
 namespace {
 
-/// Whether proximal points are the way on from a free motion: they know neither equations nor pressing forces, and A + rho D has none.
+/// Whether proximal points can continue from a free motion. They treat neither equations nor pressing forces. A + rho D
+/// has no free motion.
 bool may_take_proximal_points(const BoxProblem& problem) {
   return problem.pressing.empty() && !problem.equations && problem.shift == 0;
 }
 
-/// The searches that cannot cycle: projections onto the box keep neither equations nor the balance of pressing forces.
+/// Continues with a search that cannot cycle. Projections onto the box violate equations and the balance of pressing
+/// forces.
 void continue_safely(const BoxProblem& problem, PressedSubproblem& subproblems, algebra::Preconditioner& preconditioner,
                      const Settings& settings, const Observer& observer, BoxSolution& so_far) {
   if (!problem.pressing.empty())
@@ -38,12 +40,12 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
   BoxSolution solution = unsolved(problem, Status::iteration_limit);
   if (!bounds_are_consistent(problem)) return unsolved(problem, Status::infeasible);
   if (!every_force_can_be_carried(problem)) return unsolved(problem, Status::not_carried);
-  PressedSubproblem subproblems(problem, preconditioner, settings);  // sees what becomes of the settings
+  PressedSubproblem subproblems(problem, preconditioner, settings);  // refers to the settings, which change below
   const bool proximal = may_take_proximal_points(problem);
   ActiveSet set = starting_set(problem, initial);
   auto first = proximal ? subproblems.solve(set) : subproblems.solve_first(initial, set);
   if (first && problem.pressing.empty() && count_active(problem, set) == 0) {
-    settings.detect_free_motions = false;  // from here on: what holds without any bound holds with more of them
+    settings.detect_free_motions = false;  // more active bounds still fix the structure
     first = start_among_fewer(problem, subproblems, std::move(*first), observer, set, solution);
   }
   const PlainEnd end = iterate_active_sets(problem, subproblems, std::move(first), settings, observer, set, solution);

@@ -28,8 +28,8 @@ Feasible evaluate(const BoxProblem& problem, Vector z) {
   return here;
 }
 
-/// A step from z to P(z + t (target - z)), and the change of energy g's + s'As/2, which keeps its digits where the
-/// difference of two energies would lose them.
+/// A step from z to P(z + t (target - z)), and the change of energy g's + s'As/2. This form keeps the digits that the
+/// difference of two energies would lose.
 struct Step {
   Vector z{};
   double slope = 0;
@@ -51,8 +51,9 @@ Step projected_step(const BoxProblem& problem, const Feasible& from, const Vecto
   return step;
 }
 
-/// The lowest of the steps t = 1, 1/2, 1/4, ... around the first that passes Armijo's test. An operator application is
-/// cheap beside a factorisation, so it pays to look one further. Nothing if no step lowers the energy.
+/// Returns the lowest of the steps t = 1, 1/2, 1/4, ... around the first that passes Armijo's test. An operator
+/// application is cheap compared with a factorisation, so one further step is tried. Nothing if no step lowers the
+/// energy.
 std::optional<Vector> projected_line_search(const BoxProblem& problem, const Feasible& from, const Vector& target) {
   constexpr double fraction_of_slope = 1e-4;
   constexpr int most_halvings = 50;
@@ -68,7 +69,8 @@ std::optional<Vector> projected_line_search(const BoxProblem& problem, const Fea
   return std::move(best->z);
 }
 
-/// The minimiser's set with only one unknown let go of: the one whose release promises most energy, m^2 / 2 A_ii.
+/// Returns the minimiser's set with one unknown released: the one whose release promises the largest energy decrease,
+/// m^2 / 2 A_ii.
 ActiveSet release_one(const BoxProblem& problem, const ActiveSet& held, const ActiveSet& released,
                       const Vector& multiplier, const Vector& diagonal) {
   const MPI_Comm comm = problem.load.layout()->comm;
@@ -117,7 +119,7 @@ class ProjectedSearch {
   }
 
  private:
-  // Step 3: the minimiser of the subproblem.
+  // Step 3: takes the minimiser of the subproblem and releases unknowns.
   std::optional<Status> leave_face(const SubproblemPoint& point, const Verdict& verdict) {
     here_ = evaluate(problem_, project(problem_, point.z));
     solution_.z = point.z;
@@ -133,7 +135,7 @@ class ProjectedSearch {
     return {};
   }
 
-  // Step 2: towards the minimiser of the subproblem, as far as the box lets the energy fall.
+  // Step 2: moves towards the minimiser of the subproblem, as far as the energy decreases in the box.
   std::optional<Status> approach(const SubproblemPoint& point, const Verdict& verdict) {
     auto z = projected_line_search(problem_, here_, point.z);
     if (!z) return Status::cycling;
@@ -170,9 +172,9 @@ class ProjectedSearch {
   const Observer& observer_;
   BoxSolution& solution_;
   Feasible here_;
-  ActiveSet held_;               ///< defines the subproblem
-  ActiveSet held_at_minimiser_;  ///< before the last release
-  ActiveSet released_;           ///< after it; empty unless it has just happened and let go of several unknowns
+  ActiveSet held_;               ///< fixed unknowns; they define the subproblem
+  ActiveSet held_at_minimiser_;  ///< set before the last release
+  ActiveSet released_;           ///< set after it; empty unless the release has just happened with several unknowns
   std::set<std::uint64_t> minimisers_;
 };
 

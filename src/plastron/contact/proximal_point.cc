@@ -15,13 +15,13 @@ using algebra::Vector;
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// D z
+/// Returns D z.
 Vector weighed_by(const Vector& diagonal, Vector z) {
   for (std::size_t i = 0; i < z.owned().size(); ++i) z.owned()[i] *= diagonal.owned()[i];
   return z;
 }
 
-/// y += rho D z
+/// Adds rho D z to y.
 void add_weighed(double rho, const Vector& diagonal, const Vector& z, Vector& y) {
   for (std::size_t i = 0; i < z.owned().size(); ++i) y.owned()[i] += rho * (z.owned()[i] * diagonal.owned()[i]);
 }
@@ -64,7 +64,7 @@ class ProximalPoints {
  private:
   int iterations() const { return static_cast<int>(solution_.iterations.size()); }
 
-  /// z_{k+1}. Its energies are J(z) + rho/2 (z - z_k)' D (z - z_k).
+  /// Computes z_{k+1}. Its energies are J(z) + rho/2 (z - z_k)' D (z - z_k).
   BoxSolution proximal_point(double rho) {
     const Vector& D = subproblems_.diagonal();
     const Vector pull = weighed_by(D, centre_);
@@ -95,7 +95,7 @@ class ProximalPoints {
     if (observer_.iteration) observer_.iteration(iteration);
   }
 
-  /// The ordinary method from a set; nothing if it meets a free motion or gets lost.
+  /// Runs the ordinary method from a set. Returns nothing if it meets a free motion or makes no progress.
   std::optional<Status> ordinary_method(ActiveSet set) {
     if (iterations() >= settings_.max_iterations) return Status::iteration_limit;
     PressedSubproblem subproblems(problem_, subproblems_.preconditioner(), settings_);
@@ -113,7 +113,7 @@ class ProximalPoints {
     return {};
   }
 
-  /// On along the way from the centre to z, as far as the energy falls and the box allows: a fall ends at the first bound that stops it.
+  /// Continues along the line from the centre to z, while the energy decreases and at most to the next bound.
   Vector further(Vector z) const {
     Vector back = centre_, gradient(z.layout(), z.block()), force = gradient;
     algebra::axpy(-1, z, back);
@@ -128,7 +128,8 @@ class ProximalPoints {
     return clamped_step(problem_.lower, problem_.upper, z, back, step);
   }
 
-  /// Where the energy has no lower bound, steps grow like 1/rho, along a motion that costs nothing and works, and no bound is ahead.
+  /// Whether the energy seems to have no lower bound. Then steps grow like 1/rho along a motion without stiffness that
+  /// does work, with no bound ahead.
   bool is_driven_away(const BoxSolution& next) {
     constexpr double like_one_over_rho = 5;
     constexpr int convinced = 2;

@@ -14,7 +14,7 @@ Vector root_of_diagonal(const BoxProblem& problem) {
   return root;
 }
 
-/// b - A p where nothing is prescribed.
+/// Returns b - A p where nothing is prescribed.
 Vector first_residual(const BoxProblem& problem) {
   Vector p(problem.load.layout(), problem.load.block()), r = p;
   const auto lower = problem.lower.owned(), upper = problem.upper.owned();
@@ -48,7 +48,7 @@ ScaledUnknowns::ScaledUnknowns(const BoxProblem& problem) : problem_(problem), r
   upper_ = times(1, 1 / size_, problem.upper);
 }
 
-/// factor D^{power/2} v
+/// Computes factor D^{power/2} v.
 void ScaledUnknowns::times(double power, double factor, const Vector& v, Vector& result) const {
   for (std::size_t i = 0; i < v.owned().size(); ++i)
     result.owned()[i] = factor * (power > 0 ? v.owned()[i] * root_.owned()[i] : v.owned()[i] / root_.owned()[i]);

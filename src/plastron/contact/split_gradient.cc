@@ -53,7 +53,7 @@ Vector clamped_step(const Vector& lower, const Vector& upper, const Vector& x, c
   for (std::size_t i = 0; i < x.owned().size(); ++i) {
     const double l = lower.owned()[i], u = upper.owned()[i], step = d.owned()[i];
     double& z = result.owned()[i];
-    // What stops the step shall be at its bound in spite of rounding.
+    // The unknown that stops the step must be exactly at its bound in spite of rounding.
     const bool is_stopped = (step > 0 && (z - l) / step <= t) || (step < 0 && (z - u) / step <= t);
     z = is_stopped ? (step > 0 ? l : u) : std::clamp(z - t * step, l, u);
   }

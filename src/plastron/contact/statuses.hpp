@@ -1,4 +1,4 @@
-// All the ways in which a contact problem ends, for who lists them.
+// The list of all statuses of a contact problem.
 #pragma once
 #include <plastron/contact/problem.hpp>
 

@@ -9,11 +9,12 @@
 namespace plastron::contact {
 namespace {
 
-/// A linear solve that ends above this relative residual is a failure; below it, rounding may excuse a missed
-/// tolerance.
+/// Limit of the relative residual of a linear solve. Above it the solve is a failure; below it, rounding may explain a
+/// missed tolerance.
 constexpr double usable_residual = 1e-6;
 
-/// An exact preconditioner leaves rounding to be refined. Any other makes residuals fall by fits and starts, slowly.
+/// Returns the settings of a linear solve. An exact preconditioner leaves only rounding to reduce; with any other,
+/// residuals decrease slowly and irregularly.
 algebra::CgSettings linear_settings(const Settings& settings, const algebra::Preconditioner& preconditioner) {
   constexpr int patience = 200;
   if (preconditioner.is_exact())
@@ -58,7 +59,8 @@ std::optional<SubproblemPoint> SubproblemSolver::solve(const ActiveSet& set) {
   return solve_anew(set);
 }
 
-/// Pins where the preconditioner can at little cost, so that it is about `set` as nearly as it can be without being made anew.
+/// Pins unknowns where this costs little, so that the preconditioner approximates `set` as well as possible without
+/// being made anew.
 void SubproblemSolver::follow(const ActiveSet& set) {
   if (settings_.detect_free_motions || !pinned_) return;
   const std::vector<char> pins = preconditioner_.nearest_pins(held(set));
@@ -113,9 +115,9 @@ bool SubproblemSolver::pin(const ActiveSet& set) {
   return true;
 }
 
-/// A subproblem that differs from the pinned one in a few unknowns: a preconditioner that was exact there is exact here up to that
-/// rank. Its norm weighs the unknowns that changed wrongly, hence the sharper tolerance. Nothing where pinning anew is cheaper, or if
-/// that does not converge soon.
+/// Solves a subproblem that differs from the pinned one in a few unknowns. An exact preconditioner of the pinned one is
+/// exact here up to a matrix of this rank. Its norm gives wrong weights to the changed unknowns, hence the smaller
+/// tolerance. Nothing where pinning anew is cheaper, or if the iteration does not converge soon.
 std::optional<SubproblemPoint> SubproblemSolver::solve_with_kept_factor(const ActiveSet& set) {
   constexpr double sharper = 1e-2;
   if (settings_.detect_free_motions || problem_.equations || !pinned_ || !nearby_.layout()) return {};
@@ -139,7 +141,7 @@ void SubproblemSolver::hold(const ActiveSet& set, algebra::Vector& z) const {
     if (set[i] != Activity::free) z.owned()[i] = held_at(problem_, i, set[i]);
 }
 
-/// z comes with the values of what is held.
+/// Solves for z, which has the values of the fixed unknowns on entry.
 algebra::CgResult SubproblemSolver::solve_linear(const ActiveSet& set, const algebra::Vector& load,
                                                  const algebra::CgSettings& settings, algebra::Vector& z) const {
   const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { preconditioner_.apply(r, x); };
@@ -152,13 +154,13 @@ algebra::CgResult SubproblemSolver::solve_pinned(const ActiveSet& set, const alg
                             : solve_linear(set, load, linear_settings(settings_, preconditioner_), z);
 }
 
-/// The saddle point  A z + B' q = b,  B z = 0  on a subproblem. For given q, z is a linear solve; then q is corrected by the Schur
-/// complement with the preconditioner in place of A (defect correction), which leaves an error of that one's relative error.
-/// Ends when the correction has no more energy than rounding has.
+/// Solves the saddle point  A z + B' q = b,  B z = 0  on a subproblem. For given q, z is a linear solve. Then the Schur
+/// complement corrects q with the preconditioner in place of A (defect correction). The remaining error has the
+/// relative error of the preconditioner. The solver ends when the energy of the correction is only rounding.
 algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, const algebra::Vector& right,
                                                          algebra::Vector& q, algebra::Vector& z) const {
   constexpr int most_corrections = 30;
-  constexpr double negligible = 1e-11;  // of an energy norm
+  constexpr double negligible = 1e-11;  // part of an energy norm
   constexpr double hopeless = 0.1;
   const EqualityConstraints& equations = *problem_.equations;
   algebra::Vector violation = equations.multipliers;
@@ -201,7 +203,8 @@ bool SubproblemSolver::solve_increment(const ActiveSet& set, const algebra::Vect
   return is_usable(linear);
 }
 
-/// z = A^{-1} force where nothing is fixed, exact but for rounding only if the preconditioner is. `force` is zero where fixed.
+/// Computes z = A^{-1} force where nothing is fixed. It is exact up to rounding only if the preconditioner is. `force`
+/// is zero where unknowns are fixed.
 void SubproblemSolver::solve_roughly(std::span<const char> fixed, const algebra::Vector& force,
                                      algebra::Vector& z) const {
   constexpr double tolerance = 1e-8;
@@ -213,8 +216,9 @@ void SubproblemSolver::solve_roughly(std::span<const char> fixed, const algebra:
   algebra::conjugate_gradients(problem_.apply, precondition, force, fixed, diagonal_, z, settings);
 }
 
-/// Roughly (B A^{-1} B')^{-1} times a violation of the equations, by conjugate gradients with the preconditioner for A. A residual
-/// that hardly falls shows that the equations cannot hold on this subproblem.
+/// Computes approximately (B A^{-1} B')^{-1} times a violation of the equations, by conjugate gradients with the
+/// preconditioner for A. A residual that hardly decreases shows that the equations cannot be satisfied on this
+/// subproblem.
 algebra::CgResult SubproblemSolver::multiplier_step(const ActiveSet& set, const algebra::Vector& violation,
                                                     algebra::Vector& step) const {
   constexpr double tolerance = 1e-4;

@@ -1,5 +1,5 @@
-// The equality-constrained subproblem: active and prescribed unknowns are held at their bounds (a face of the box), all others
-// are free. Every contact solver is a way of choosing the next one.
+// The equality-constrained subproblem: active and prescribed unknowns are fixed at their bounds (a face of the box),
+// all others are free. Contact solvers differ in the choice of the next subproblem.
 #pragma once
 #include <plastron/algebra/krylov.hpp>
 #include <plastron/algebra/preconditioner.hpp>
@@ -16,28 +16,32 @@ class SubproblemSolver {
  public:
   SubproblemSolver(const BoxProblem& problem, algebra::Preconditioner& preconditioner, const Settings& settings);
 
-  /// Nothing if the subproblem has no unique minimiser or it cannot be computed; failure() then tells which. (collective)
+  /// Returns nothing if the subproblem has no unique minimiser or the computation fails; failure() then gives the
+  /// reason. (collective)
   std::optional<SubproblemPoint> solve(const ActiveSet& set);
-  /// The same with a factor of this very set, which stays at hand for refine() and response(). (collective)
+  /// Solves with a factor of exactly this set, which remains available for refine() and response(). (collective)
   std::optional<SubproblemPoint> solve_anew(const ActiveSet& set);
-  /// The point of the set that solve_anew() factorised, from a z nearby: after the bounds have moved. (collective)
+  /// Returns the point of the set that solve_anew() factorised, from a near z, after the bounds have moved.
+  /// (collective)
   std::optional<SubproblemPoint> refine(const ActiveSet& set, algebra::Vector z);
-  /// z with (A z)_i = 0 where `set` is free and z_i = values_i where it holds; with equations A z + B' q = 0, B z = 0. The residual is
-  /// - A z (- A z - B' q). Nothing if it cannot be computed. After solve_anew(). (collective)
+  /// Computes z with (A z)_i = 0 where `set` is free and z_i = values_i where `set` is fixed; with equations A z + B'
+  /// q = 0, B z = 0. The residual is - A z (- A z - B' q). Nothing if the computation fails. Call it after
+  /// solve_anew(). (collective)
   std::optional<algebra::CgResult> response(const ActiveSet& set, const algebra::Vector& values, algebra::Vector& z);
-  /// The point on `initial` or, where that leaves a motion free, with every bound active: where solvers begin. (collective)
+  /// Returns the first point of a solver: on `initial` or, where that leaves a motion free, with every bound active.
+  /// (collective)
   std::optional<SubproblemPoint> solve_first(std::span<const Activity> initial);
   Status failure() const { return failure_; }
 
-  /// s with (A s - r)_i = 0 where `set` is free and s_i = 0 elsewhere; r is zero there. False if there is none, as with solve();
-  /// equations are left out. (collective)
+  /// Computes s with (A s - r)_i = 0 where `set` is free and s_i = 0 elsewhere; r is zero there. Returns false if there
+  /// is none, as in solve(). Equations are ignored. (collective)
   bool solve_increment(const ActiveSet& set, const algebra::Vector& r, algebra::Vector& s);
 
-  /// A first guess of the multipliers of the equations, for the next solve().
+  /// Sets a first guess of the equations' multipliers for the next solve().
   void start_multipliers_from(const algebra::Vector& q) { q_ = q; }
 
-  /// For a set on which solve() found that the equations cannot hold: what remains of a violation B z however q is chosen, about
-  /// its part in the kernel of B' on the free unknowns. To be asked right after. (collective)
+  /// Returns the part of a violation B z that remains for every q, nearly its part in the kernel of B' on the free
+  /// unknowns. Call it directly after solve() found that the equations cannot be satisfied on this set. (collective)
   algebra::Vector irreducible(const ActiveSet& set, const algebra::Vector& violation) const;
 
   const algebra::Vector& diagonal() const { return diagonal_; }
@@ -64,17 +68,18 @@ class SubproblemSolver {
   algebra::Preconditioner& preconditioner_;
   const Settings& settings_;
   algebra::Vector diagonal_;
-  std::optional<ActiveSet> pinned_{};  ///< the subproblem that the preconditioner is ready for
-  algebra::Vector q_{};                ///< multipliers of the equations, carried from subproblem to subproblem
-  algebra::Vector nearby_{};           ///< minimiser of the subproblem before
+  std::optional<ActiveSet> pinned_{};  ///< the subproblem for which the preconditioner is ready
+  algebra::Vector q_{};                ///< multipliers of the equations, kept from subproblem to subproblem
+  algebra::Vector nearby_{};           ///< minimiser of the previous subproblem
   Status failure_ = Status::singular;
 };
 
-/// Marks of the unknowns that a set holds.
+/// Marks the unknowns that a set fixes.
 std::vector<char> held(const ActiveSet& set);
-/// What it means for a subproblem that the preconditioner could not be pinned.
+/// Returns the status of a subproblem after the preconditioner could not be pinned.
 Status failure_of(algebra::Pinning pinning);
-/// What a failure means once some subproblem had a minimiser: a motion that is free now was held then.
+/// Returns the status of a failure after some subproblem had a minimiser: the active set then fixed a motion that is
+/// free now.
 constexpr Status after_a_first_step(Status failure) { return failure == Status::singular ? Status::not_held : failure; }
 
 }  // namespace plastron::contact

@@ -14,9 +14,9 @@ bool is_bounded(const BoxProblem& problem, std::size_t i) {
   return lower != upper && (std::isfinite(lower) || std::isfinite(upper));
 }
 
-// The larger of the tolerance asked for, a multiple of the largest unknown that has a bound, and of what rounding leaves of
-// an unknown. Unknowns of other units are compared by the energy sqrt(A_ii) |z_i|, of which rounding spoils a few eps of the
-// largest anywhere: so neither the unit of length nor rotations decide.
+// Sets the larger of two limits: the requested tolerance, a multiple of the largest bounded unknown, and the rounding
+// of an unknown. Unknowns of different units are compared by the energy sqrt(A_ii) |z_i|. Its rounding is a few eps of
+// the largest value anywhere. Hence the result depends neither on the unit of length nor on rotations.
 void measure_gap_noise(const BoxProblem& problem, const Settings& settings, const algebra::Vector& scale,
                        SubproblemPoint& point) {
   constexpr double rounding = 16 * machine_epsilon;
@@ -44,9 +44,9 @@ void measure_gap_noise(const BoxProblem& problem, const Settings& settings, cons
   point.tolerances.gap = largest > 0 ? loosest / largest : settings.gap_tolerance;
 }
 
-// The larger of the tolerance asked for and what rounding does to A z - b. The latter goes like eps |A| |z|, with a
-// factor that the residuals of the free unknowns show, since they would be zero without rounding; forces and moments
-// are made comparable by the diagonal.
+// Sets the larger of the requested tolerance and the rounding of A z - b. The rounding is eps |A| |z| times a
+// factor. The residuals of the free unknowns show this factor, since they would be zero without rounding. The diagonal
+// makes forces and moments comparable.
 void measure_multiplier_noise(const BoxProblem& problem, const Settings& settings, const algebra::Vector& scale,
                               const ActiveSet& set, SubproblemPoint& point) {
   algebra::Vector& noise = point.multiplier_noise;
@@ -69,7 +69,7 @@ void measure_multiplier_noise(const BoxProblem& problem, const Settings& setting
   }
   const MPI_Comm comm = point.z.layout()->comm;
   residual = std::sqrt(algebra::sum_over_ranks(residual, comm));
-  // Where symmetry cancels entries of A, A z is still rounded by a few eps of the largest energy.
+  // If symmetry cancels entries of A, the rounding of A z is still a few eps of the largest energy.
   rounding = std::max(std::sqrt(algebra::sum_over_ranks(rounding, comm)),
                       machine_epsilon * algebra::max_over_ranks(energy, comm));
   const double factor = 4 * std::max(1.0, rounding > 0 ? residual / rounding : 1.0);

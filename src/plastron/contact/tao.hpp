@@ -1,4 +1,5 @@
-// Contact by PETSc's TAO: its bounded Newton method with a line search, TAOBNLS (algebra/bounded_newton.hpp), and a polish.
+// Contact by PETSc's TAO: its bounded Newton method with a line search, TAOBNLS (algebra/bounded_newton.hpp), followed
+// by a polish.
 #pragma once
 #include <plastron/algebra/preconditioner.hpp>
 #include <plastron/contact/problem.hpp>
@@ -8,7 +9,8 @@
 
 namespace plastron::contact {
 
-/// As solve_by_bounded_newton (newton_referee.hpp) does it. Equations: by dual ascent (dual_ascent.hpp). (collective)
+/// Solves by solve_by_bounded_newton (newton_referee.hpp), with equations by dual ascent (dual_ascent.hpp).
+/// (collective)
 BoxSolution solve_tao(const BoxProblem& problem, std::span<const Activity> initial,
                       algebra::Preconditioner& preconditioner, const Settings& settings = {},
                       const Observer& observer = {});

@@ -1,4 +1,5 @@
-// The chart is regular and finite, the thickness positive and small against the radii of curvature (M1 to M3).
+// Checks that the chart is regular and finite, and the thickness positive and small against the radii of curvature
+// (M1 to M3).
 #include <plastron/examination/checks.hpp>
 #include <plastron/geometry/frame.hpp>
 
@@ -16,7 +17,7 @@ bool is_finite(const geometry::SurfaceJet& jet) {
   return finite;
 }
 
-/// Looks at sample points until one is unusable.
+/// Checks sample points until one is unusable.
 class ChartCheck {
  public:
   explicit ChartCheck(Examined& examined) : examined_(examined) {}
@@ -43,7 +44,7 @@ class ChartCheck {
 
  private:
   void check_proportions() {
-    constexpr double doubtful = 0.5, no_shell = 1.5;  // of half the diagonal
+    constexpr double doubtful = 0.5, no_shell = 1.5;  // parts of half the diagonal
     if (!(thickest_ > doubtful * examined_.size)) return;
     examined_.add(
         thickest_ > no_shell * examined_.size ? Severity::error : Severity::warning,
@@ -65,7 +66,7 @@ class ChartCheck {
     return true;
   }
 
-  /// Edges of the domain hold nodes but no quadrature points.
+  /// Checks the nodes, because edges of the domain contain nodes but no quadrature points.
   bool usable_nodes(const fem::Cell& cell) {
     const Samples s = samples(cell, examined_.tables.nodes, false);
     for (std::size_t i = 0; i < s.jets.size(); ++i) {
@@ -98,7 +99,7 @@ class ChartCheck {
                     x, y);
       return false;
     }
-    // A tangent that is zero up to rounding may be at a right angle to the other one.
+    // A tangent that is zero up to rounding may be perpendicular to the other one.
     const double element = jet.d[0].cross(jet.d[1]).norm();
     if (geometry::tangent_sine(jet) > geometry::degenerate_sine &&
         element > geometry::degenerate_sine * largest_element_)
@@ -141,7 +142,7 @@ class ChartCheck {
   Examined& examined_;
   double largest_element_ = 0;  ///< |a_1 x a_2| at the nodes
   double thinnest_ = INFINITY, thickest_ = 0, sharpest_ = 0, area_ = 0;
-  double flattest_ = 0, roundest_ = 0;  ///< largest of the smaller and of the larger principal curvatures [1/m]
+  double flattest_ = 0, roundest_ = 0;  // largest smaller and largest larger principal curvature [1/m]
   Eigen::Vector3d low_ = Eigen::Vector3d::Constant(INFINITY), high_ = -low_;  ///< box of the mid-surface
 };
 

@@ -1,5 +1,6 @@
-// The face that is to touch must be the one that is nearer to the obstacle, where the obstacle is near: otherwise the
-// shell ends a thickness inside of it. Far from it, as on the upper half of a tube on a table, either may be nearer.
+// Checks the face that will touch. Where the obstacle is near, it must be the nearer face: otherwise the
+// shell ends one thickness inside the obstacle. Far from it, as on the upper half of a tube on a table, either face may
+// be nearer.
 #include <plastron/examination/checks.hpp>
 
 #include <algorithm>
@@ -11,16 +12,17 @@ namespace {
 
 using obstacle::Face;
 
-/// Cosine of the angle between a_3 and the obstacle's normal, positive where the named face is the nearer one.
+/// Returns the cosine of the angle between a_3 and the obstacle's normal, positive where the named face is the nearer
+/// one.
 double facing(const obstacle::Gap& gap, const assembly::NodalPoint& point, Face face) {
   const double cosine = gap.normal.dot(point.a3);
   return face == Face::lower ? cosine : -cosine;
 }
 
-/// What matters of the two faces: the node where either is nearest, and how they lie around it.
+/// The node where either face is nearest, and the position of the faces around it.
 struct Nearest {
   std::size_t node = 0;
-  double facing = 0;  ///< mean over the places no farther than a thickness from the nearest
+  double facing = 0;  ///< mean over the places that are at most a thickness farther away
 };
 
 Nearest nearest(const ExaminedNodes& nodes, std::size_t obstacle, Face face) {
@@ -42,7 +44,7 @@ Nearest nearest(const ExaminedNodes& nodes, std::size_t obstacle, Face face) {
   return {least, weights > 0 ? sum / weights : cosines[least]};
 }
 
-/// Which face can touch where the choice is made node by node.
+/// Reports the face that can touch where the choice is made at each node.
 void note_faces(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
   const auto& gaps = nodes.coordinates.gaps[obstacle];
   const auto lower = std::ranges::count_if(gaps, [](const obstacle::Gap& gap) { return gap.z < 0; });
@@ -63,9 +65,10 @@ void note_faces(Examined& examined, const ExaminedNodes& nodes, std::size_t obst
 }  // namespace
 
 void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
-  constexpr double alike = 0.1;  // within 6 degrees of upright, the faces are equally near but for a tenth of e
+  // Within 6 degrees of a right angle the distances of the faces differ by less than a tenth of e.
+  constexpr double alike = 0.1;
   const Face face = examined.problem.obstacles[obstacle].face;
-  if (examined.problem.obstacles[obstacle].is_for_both) return;  // what the one cannot touch is for the other
+  if (examined.problem.obstacles[obstacle].is_for_both) return;  // no check: the other face may touch the same body
   if (face == Face::nearer) return note_faces(examined, nodes, obstacle);
   const Nearest near = nearest(nodes, obstacle, face);
   const auto& point = nodes.points[near.node];

@@ -1,4 +1,4 @@
-// Loads and prescribed values are finite at the nodes and quadrature points of the sample mesh.
+// Checks that loads and prescribed values are finite at the nodes and quadrature points of the sample mesh.
 #include <plastron/examination/checks.hpp>
 #include <plastron/examination/named_expressions.hpp>
 #include <plastron/fem/basis.hpp>
@@ -57,7 +57,7 @@ Points points_of(const Examined& examined, const NamedExpression& e) {
 }  // namespace
 
 void check_finite(Examined& examined) {
-  std::map<std::pair<std::string, std::vector<std::string>>, Points> known;  // by boundary and regions
+  std::map<std::pair<std::string, std::vector<std::string>>, Points> known;  // points by boundary and regions
   const auto points_at = [&](const NamedExpression& e) -> const Points& {
     const auto place = std::pair(e.boundary, e.regions);
     if (!known.contains(place)) known.emplace(place, points_of(examined, e));

@@ -1,4 +1,4 @@
-// The gap of the undeformed shell (M16): K must not be empty.
+// Checks the gap of the undeformed shell (M16): K must not be empty.
 #include <plastron/computation/cell_sizes.hpp>
 #include <plastron/computation/gap.hpp>
 #include <plastron/examination/checks.hpp>
@@ -12,7 +12,7 @@ namespace plastron::examination {
 
 namespace {
 
-/// What the supports that act at a node name: 'the boundary "left"', "the point (0, 0)".
+/// Returns the places of the supports that act at a node: 'the boundary "left"', "the point (0, 0)".
 std::string supports_of(std::size_t node, const Examined& examined, const ExaminedNodes& nodes) {
   std::vector<std::string> names;
   for (const assembly::Support& support : examined.problem.supports) {
@@ -27,7 +27,8 @@ std::string supports_of(std::size_t node, const Examined& examined, const Examin
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// All nodes of a given mesh may miss an obstacle that is smaller than their distance. An accuracy refines there.
+/// Warns if all nodes of a given mesh may miss an obstacle that is smaller than their distance. With an accuracy, the
+/// mesh is refined there.
 void check_roundness(Examined& examined, const assembly::NodalPoint& nearest, std::size_t obstacle) {
   const computation::Problem& problem = examined.problem;
   if (problem.accuracy || problem.obstacles[obstacle].is_plane()) return;

@@ -1,5 +1,5 @@
-// What elements take for smooth must be smooth inside of each cell: a_3 and the thickness may not jump there, the
-// curvature had better not. Loads may: they are integrated between their borders (assembly/piece_rules.hpp).
+// Checks smoothness inside each cell. Elements assume that a_3 and the thickness do not jump there; the
+// curvature should not jump. Loads may jump: they are integrated between their borders (assembly/piece_rules.hpp).
 #include <plastron/examination/jumps.hpp>
 #include <plastron/examination/named_expressions.hpp>
 #include <plastron/geometry/frame.hpp>
@@ -24,7 +24,7 @@ geometry::SurfaceJet jet_at(const Examined& examined, const fem::Cell& cell, con
   return jet;
 }
 
-/// The shape operator as a tensor of space, which does not depend on the cell's coordinates [1/m].
+/// Returns the shape operator as a tensor of space, which does not depend on the cell's coordinates [1/m].
 Eigen::Matrix3d shape_tensor(const geometry::SurfaceJet& jet) {
   const geometry::Frame frame = geometry::frame_at(jet);
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
@@ -51,7 +51,7 @@ bool check_kinks(Examined& examined, const JumpSearch& search) {
 }
 
 void check_curvature(Examined& examined, const JumpSearch& search) {
-  // Against 1 / size, too: rounding in an almost plane chart is no curvature.
+  // The scale is at least 1e-3 / size: rounding in an almost plane chart is not a curvature.
   double largest = 1e-3 / examined.size;
   for (const fem::Cell& cell : examined.space->cells)
     largest =
@@ -66,7 +66,7 @@ void check_curvature(Examined& examined, const JumpSearch& search) {
                  jump->at[0], jump->at[1], jump->size * largest, mesh_line);
 }
 
-/// f over the scale in the cells in which it acts, zero in others.
+/// Returns f divided by the scale in the cells where it acts, zero in others.
 CellFunction values_of(const Examined& examined, const NamedExpression& e, double scale) {
   return [&examined, e, scale](const fem::Cell& cell, const Vector2d& xi) {
     if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) return Sample(Sample::Zero(1));
@@ -76,7 +76,7 @@ CellFunction values_of(const Examined& examined, const NamedExpression& e, doubl
   };
 }
 
-/// Largest magnitude at the nodes; 1 for what is zero there.
+/// Largest magnitude at the nodes; 1 if f is zero there.
 double scale_of(const Examined& examined, const NamedExpression& e) {
   const std::size_t count = examined.tables.nodes.size();
   std::vector<double> x(count), y(count), values(count);
@@ -90,7 +90,7 @@ double scale_of(const Examined& examined, const NamedExpression& e) {
   return largest > 0 && std::isfinite(largest) ? largest : 1;
 }
 
-/// The thicknesses that are not constant, each with the regions whose cells have it.
+/// Returns the thicknesses that are not constant, each with the regions whose cells have it.
 std::vector<NamedExpression> thickness_expressions(const Examined& examined) {
   const assembly::CrossSections& sections = examined.problem.sections;
   std::vector<NamedExpression> all;

@@ -1,5 +1,5 @@
-// Rigid motions that the supports leave free: nothing resists some, the obstacle may hold others if the loads press the
-// shell onto it, which is decided here.
+// Checks rigid motions that the supports leave free. Nothing resists some of them. The obstacle may fix others if the
+// loads press the shell onto it; this is decided here.
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/examination/pressing.hpp>
@@ -38,14 +38,15 @@ void add_hold(const Pressing& pressing, const RigidMotions& motions, Examined& e
                  motion);
 }
 
-/// Where the shell rests on an obstacle: the least distance of its faces, and the obstacle's normal there.
+/// Contact of the shell with an obstacle: the least distance of its faces, and the obstacle's normal there.
 struct Rest {
   double gap = std::numeric_limits<double>::infinity();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
 };
 
-/// Whether a shell that contact holds against a rotation can roll: the linear gap sees no more than its first order. The shell is turned by
-/// finite angles and set down again; where the loads then have not lost work, nothing drives it back.
+/// Detects a shell that can roll although contact fixes it against a rotation: the linear gap contains the rotation to
+/// first order only. The shell is rotated by finite angles and moved into contact again. If the loads then have not
+/// lost work, nothing drives the shell back.
 class Rolling {
  public:
   Rolling(const Examined& examined, const RigidMotions& motions, const ExaminedNodes& nodes,
@@ -65,12 +66,12 @@ class Rolling {
   }
 
   bool is_possible(const RigidMotion& motion) const {
-    constexpr double angle = 0.2, hardly = 0.05;  // of the work that lifts the shell's size by angle^2 / 2
+    constexpr double angle = 0.2, hardly = 0.05;  // part of the work that lifts the shell's size by angle^2 / 2
     if (resultant_.isZero(0) || !RigidMotions::is_rotation(motion)) return false;
     const Rest before = rest(motion, 0);
     for (const double turn : {-angle, angle}) {
       const Rest after = rest(motion, turn);
-      const double down = after.normal.dot(resultant_);  // < 0: the loads press it on
+      const double down = after.normal.dot(resultant_);  // < 0: the loads press the shell onto the obstacle
       if (!(down < 0)) return false;
       const double work = work_of(motion, turn) + (before.gap - after.gap) * down;
       if (work < -hardly * resultant_.norm() * motions_.size() * angle * angle / 2) return false;
@@ -114,7 +115,7 @@ class Rolling {
   std::vector<Eigen::Vector3d> faces_{};
 };
 
-/// Distances to other shapes are searched, which takes too long for thousands of points.
+/// Distances to other shapes need a search, which takes too long for thousands of points.
 bool has_fast_distance(const obstacle::Obstacle& obstacle) {
   return !std::holds_alternative<obstacle::HeightField>(obstacle.shape) &&
          !std::holds_alternative<obstacle::DistanceField>(obstacle.shape) &&
@@ -129,7 +130,7 @@ void check_rolling(Examined& examined, const RigidMotions& motions, const Examin
     try {
       return rolling.is_possible(motion);
     } catch (const obstacle::ObstacleError&) {
-      return false;  // at the middle of a ball there is no distance to follow
+      return false;  // at the centre of a ball the distance has no direction
     }
   };
   for (const RigidMotion& motion : held)

@@ -1,4 +1,5 @@
-// Supports and loads name boundaries and regions, cross-sections regions, supports and probes points: they must be there.
+// Checks names: supports and loads name boundaries and regions, cross-sections name regions, supports and probes name
+// points. They must exist.
 #include <plastron/examination/checks.hpp>
 #include <plastron/fem/kept_nodes.hpp>
 

@@ -1,4 +1,4 @@
-// phi and a_3 must agree where cells meet; second derivatives may jump (phi in W^{2,inf}, model.md section 1).
+// Checks that phi and a_3 agree where cells meet; second derivatives may jump (phi in W^{2,inf}, model.md section 1).
 #include <plastron/examination/checks.hpp>
 #include <plastron/geometry/frame.hpp>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What the first cell at a node says of it.
+/// Position and normal at a node from the first cell that contains it.
 struct Seen {
   bool is = false;
   Vector3d phi, a3;
@@ -41,7 +41,7 @@ bool agree(const Seen& first, const geometry::SurfaceJet& jet, double x, double 
 
 void check_normals(Examined& examined) {
   const fem::Space& space = *examined.space;
-  // A little inside of the cell: on a fold itself, a chart with abs has the normal between those of both sides.
+  // Slightly inside the cell: on a fold itself, the normal of a chart with abs is between the normals of both sides.
   std::vector<Eigen::Vector2d> xi = examined.tables.nodes;
   for (Eigen::Vector2d& point : xi) point += 1e-9 * (fem::centre(space.shape()) - point);
   std::vector<Seen> seen(static_cast<std::size_t>(space.layout->owned));

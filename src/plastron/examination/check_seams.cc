@@ -1,4 +1,4 @@
-// Edges that coincide in space, joined or not.
+// Checks for edges that coincide in space, joined or not.
 #include <plastron/examination/checks.hpp>
 #include <plastron/examination/seams.hpp>
 

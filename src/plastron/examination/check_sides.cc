@@ -1,5 +1,6 @@
-// Deep inside of a body the nearest way out may change its side from node to node, as in the middle of a slab: then
-// gaps push one cell both ways, and which side is the free one is nobody's decision. Outside such a jump does no harm.
+// Checks the sides of obstacles. Deep inside a body the nearest way out may change its side from node to node, as in
+// the middle of a slab. Then gaps push one cell to both sides, and the free side is arbitrary. Outside the body such a
+// jump is harmless.
 #include <plastron/examination/checks.hpp>
 
 #include <optional>
@@ -9,10 +10,10 @@ namespace plastron::examination {
 
 namespace {
 
-/// Cosine between normals that push to opposite sides: 120 degrees.
+/// Limit of the cosine between normals that push to opposite sides: 120 degrees.
 constexpr double opposite = -0.5;
 
-/// Two nodes of one cell within the obstacle that it pushes to opposite sides.
+/// Returns two nodes of one cell inside the obstacle that it pushes to opposite sides.
 std::optional<std::pair<std::size_t, std::size_t>> pushed_apart(const Examined& examined,
                                                                 const std::vector<obstacle::Gap>& gaps, double inside) {
   for (std::size_t cell = 0; cell < examined.space->cells.size(); ++cell) {

@@ -1,4 +1,4 @@
-// Elements and thickness: where elements without tying lock, and where rounding hides the solution.
+// Checks elements and thickness: where elements without tying lock, and where rounding hides the solution.
 #include <plastron/computation/cell_sizes.hpp>
 #include <plastron/computation/extent.hpp>
 #include <plastron/computation/locking.hpp>
@@ -16,11 +16,11 @@ void check_locking(Examined& examined) {
 }
 
 double rounding_residual(const computation::Problem& problem) {
-  // Membrane strains of a bending are differences of displacements: rounding eps w over the distance h of nodes, as
-  // energy e (eps w / h)^2, works against the bending energy e^3 (w / L^2)^2. The factor gives an order of magnitude:
-  // on the strip of cases/inclined-strip, loads ~ e^3, degree 3, the certificate's energy identity was 1.3e-5 and 7.9e-4
-  // at e = 1e-5 and 1e-6 m with 48 intervals, 1.1e-5 at 1e-4 m with 192, within a factor of 6 of this; stationarity was
-  // smaller by 5 to 200. Other shells were not measured.
+  // Membrane strains of a bending are differences of displacements. Rounding eps w over the distance h of nodes has the
+  // energy e (eps w / h)^2. It acts against the bending energy e^3 (w / L^2)^2. The factor gives an order of magnitude:
+  // on the strip of cases/inclined-strip, loads ~ e^3, degree 3, the certificate's energy identity was 1.3e-5 and
+  // 7.9e-4 at e = 1e-5 and 1e-6 m with 48 intervals, 1.1e-5 at 1e-4 m with 192, within a factor of 6 of this.
+  // Stationarity was smaller by 5 to 200. Other shells were not measured.
   constexpr double factor = 0.04;
   const double L = computation::extent(problem);
   double worst = 0;
@@ -30,7 +30,7 @@ double rounding_residual(const computation::Problem& problem) {
 }
 
 void check_precision(Examined& examined) {
-  constexpr double poor = 5e-5;  // half of what the certificate lets forces miss
+  constexpr double poor = 5e-5;  // half of the certificate's limit for forces
   const double residual = rounding_residual(examined.problem);
   if (residual < poor) return;
   examined.add(

@@ -1,4 +1,4 @@
-// What symmetry and the formulations ask of the supports.
+// Checks the conditions that symmetry and the formulations require of the supports.
 #include <plastron/examination/checks.hpp>
 
 #include <fmt/ranges.h>

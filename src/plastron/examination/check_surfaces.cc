@@ -1,4 +1,4 @@
-// What reading has changed of the surfaces that obstacles are made of.
+// Reports the changes that reading has made to the surfaces of obstacles.
 #include <plastron/examination/checks.hpp>
 
 namespace plastron::examination {

@@ -1,4 +1,4 @@
-// The checks of an examination, one a file, and what they share: a sample mesh that every rank has for itself.
+// The checks of an examination, one in each file, and their common data: a sample mesh on every rank.
 #pragma once
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/element/element_tables.hpp>
@@ -13,9 +13,9 @@
 
 namespace plastron::examination {
 
-/// A problem under examination: its sample mesh, and what the checks found so far.
+/// A problem under examination: its sample mesh, and the findings so far.
 struct Examined {
-  /// Throws fem::DomainError.
+  /// Makes the sample mesh. Throws fem::DomainError.
   explicit Examined(const computation::Problem& problem);
 
   template <class... Args>
@@ -23,73 +23,73 @@ struct Examined {
     findings.push_back({severity, fmt::format(text, std::forward<Args>(args)...)});
   }
 
-  /// "x = ..., y = ..." for a point of Omega, rounding cleared away.
+  /// Returns "x = ..., y = ..." for a point of Omega, without rounding.
   std::string place(const Eigen::Vector2d& x) const;
 
   const computation::Problem& problem;
-  std::shared_ptr<const fem::Space> space;  ///< of some hundred cells, all on this rank
+  std::shared_ptr<const fem::Space> space;  ///< some hundred cells, all on this rank
   std::shared_ptr<const fem::Surface> surface;
   element::ElementTables tables;
   std::vector<Finding> findings;
-  // Known once check_chart is through:
-  double size = 0;              ///< half the diagonal of the box that holds the mid-surface [m]
+  // Known after check_chart:
+  double size = 0;              ///< half the diagonal of the box around the mid-surface [m]
   bool is_developable = false;  ///< no Gaussian curvature at any sample point
 };
 
 /// The nodes of the sample mesh with their supports and gaps.
 struct ExaminedNodes {
-  /// Throws assembly::SupportError.
+  /// Computes the supports and gaps. Throws assembly::SupportError.
   explicit ExaminedNodes(const Examined& examined);
 
   std::vector<assembly::NodalPoint> points;
   assembly::NodalCoordinates coordinates;
 };
 
-/// "the obstacle", or which of several.
+/// Returns "the obstacle", or the name of one of several.
 std::string obstacle_text(const computation::Problem& problem, std::size_t obstacle);
 
-/// (x, y, z) for the user, without what is negligible beside `size` or the vector itself.
+/// Returns (x, y, z) for the user, without parts that are negligible against `size` or the vector itself.
 std::string vector_text(Eigen::Vector3d v, double size = 0);
 
-/// The angle between two unit vectors whose difference is that long.
+/// Returns the angle between two unit vectors whose difference has this length.
 double degrees_between(double unit_difference);
 
-/// The mesh has the boundaries, regions and nodes that supports, loads and cross-sections name.
+/// Checks that the mesh has the boundaries, regions and nodes that supports, loads and cross-sections name.
 void check_names(Examined& examined);
-/// The chart is regular, the thickness positive, and thin against the curvature. Others rely on it.
+/// Checks that the chart is regular, the thickness positive, and thin against the curvature. Other checks rely on it.
 void check_chart(Examined& examined);
-/// The charts of two regions meet with one normal.
+/// Checks that the charts of two regions meet with one normal.
 void check_normals(Examined& examined);
-/// No edges lie on each other without being joined.
+/// Checks that no edges coincide without being joined.
 void check_seams(Examined& examined);
-/// Loads and prescribed values are finite.
+/// Checks that loads and prescribed values are finite.
 void check_finite(Examined& examined);
-/// Chart and thickness are smooth inside of each cell; loads that are not are named.
+/// Checks that chart and thickness are smooth inside each cell; names loads that are not.
 void check_inside_cells(Examined& examined);
-/// Elements do not lock.
+/// Checks that elements do not lock.
 void check_locking(Examined& examined);
-/// Double precision is enough for so thin a shell on the finest mesh.
+/// Checks that double precision is sufficient for such a thin shell on the finest mesh.
 void check_precision(Examined& examined);
-/// What rounding spoils of forces and energy where a shell bends, relative: the order of magnitude.
+/// Returns the relative effect of rounding on forces and energy where a shell bends: the order of magnitude.
 double rounding_residual(const computation::Problem& problem);
-/// What rows of cells the mesh begins with, for the user to know.
+/// Reports the rows of cells of the first mesh to the user.
 void check_start_mesh(Examined& examined);
-/// Probes lie in the domain.
+/// Checks that probes and lines are in the domain.
 void check_lines(Examined& examined);
 void check_probes(Examined& examined);
-/// A symmetry edge lies in one plane that the shell meets at a right angle. Throws assembly::SupportError.
+/// Checks that a symmetry edge is in one plane that the shell meets at a right angle. Throws assembly::SupportError.
 void check_symmetry(Examined& examined);
-/// The formulation has what it asks of chart and supports.
+/// Checks that chart and supports satisfy the requirements of the formulation.
 void check_formulation(Examined& examined, const ExaminedNodes& nodes);
-/// The initial gap against one obstacle, and no support that holds the shell inside of it.
+/// Checks the initial gap against one obstacle, and that no support fixes the shell inside it.
 void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
-/// No cell is pushed out of an obstacle to opposite sides.
+/// Checks that no cell is pushed out of an obstacle to opposite sides.
 void check_sides(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
-/// Obstacles' surfaces are as their files have them.
+/// Checks that obstacles' surfaces are the same as in their files.
 void check_surfaces(Examined& examined);
-/// The face that is to touch an obstacle is the near one.
+/// Checks that the face that will touch an obstacle is the near one.
 void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
-/// No rigid motion is left free but those that the loads press on the obstacle.
+/// Checks that no rigid motion is free, except motions that the loads press onto the obstacle.
 void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes);
 
 }  // namespace plastron::examination

@@ -1,4 +1,4 @@
-// The examination top to bottom. Names and chart come first: nothing else makes sense where they are wrong.
+// The whole examination. Names and chart come first: other checks are meaningless if these are wrong.
 #include <plastron/examination/examine.hpp>
 
 #include <plastron/assembly/load_vector.hpp>
@@ -16,7 +16,7 @@ namespace plastron::examination {
 
 namespace {
 
-/// A mesh of some thousand sample points, the same for every rank.
+/// Returns a mesh of some thousand sample points, equal on every rank.
 std::shared_ptr<const fem::Space> sample_mesh(const computation::Problem& problem) {
   constexpr int enough_cells = 256;
   const computation::Discretisation& d = problem.discretisation;
@@ -27,7 +27,7 @@ std::shared_ptr<const fem::Space> sample_mesh(const computation::Problem& proble
   return meshes.space();
 }
 
-/// The checks that need the nodes.
+/// Runs the checks that need the nodes.
 void check_nodes(Examined& examined) {
   try {
     check_symmetry(examined);
@@ -55,7 +55,7 @@ std::vector<Finding> findings_of(const computation::Problem& problem) {
   for (const auto check : {check_normals, check_seams, check_finite, check_surfaces, check_locking, check_precision,
                            check_start_mesh, check_probes, check_lines})
     check(examined);
-  // Values that are not finite would be found again, in other words.
+  // Otherwise values that are not finite would be reported again with another text.
   if (!has_errors(examined.findings)) check_inside_cells(examined);
   check_nodes(examined);
   return examined.findings;

@@ -1,4 +1,4 @@
-// Examines a problem short of solving it: chart, normals, thickness, initial gap, supports, probes.
+// Examines a problem without solving it: chart, normals, thickness, initial gap, supports, probes.
 #pragma once
 #include <plastron/computation/problem.hpp>
 
@@ -9,13 +9,14 @@ namespace plastron::examination {
 
 enum class Severity { note, warning, error };
 
-/// One thing found, in words for the user: where, what was found, what is allowed, what to do.
+/// One finding, in words for the user: the place, the finding, the allowed values, the advice.
 struct Finding {
   Severity severity;
   std::string text;
 };
 
-/// Everything found, errors included; a problem with errors is not to be solved. Communicates with nobody: one rank may examine for all.
+/// Returns all findings, including errors; a problem with errors must not be solved. It does not communicate: one rank
+/// may examine for all.
 std::vector<Finding> examine(const computation::Problem& problem);
 
 bool has_errors(const std::vector<Finding>& findings);

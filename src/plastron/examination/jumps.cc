@@ -13,26 +13,26 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A little inside: what jumps at a side of the cell does no harm.
+/// Returns a point slightly inside the cell: a jump at a side of the cell is harmless.
 Vector2d drawn_in(fem::Shape shape, const Vector2d& xi) {
   constexpr double margin = 1e-6;
   const Vector2d centre = fem::centre(shape);
   return centre + (1 - margin) * (xi - centre);
 }
 
-/// A segment in a cell with three samples. The one between is not in the middle: f may have a value between both sides
-/// exactly on a jump, sign(0) = 0.
+/// A segment in a cell with three samples. The second one is not in the middle: exactly on a jump, f may have a value
+/// between both sides, as sign(0) = 0.
 struct Part {
   static constexpr double ratio = 0.41;
   Vector2d from, between, to;
   Sample at_from, at_between, at_to;
 
-  /// How far f is from linear. What is smooth leaves h^2; a jump J leaves 0.41 J at least, half of it where it lies at an
-  /// end. Changes would hide a small jump where f rises steeply.
+  /// Deviation of f from linear. A smooth f leaves h^2; a jump J leaves at least 0.41 J, or half of it at an
+  /// end of the segment. Differences alone would hide a small jump where f rises steeply.
   double bend() const { return (at_between - (1 - ratio) * at_from - ratio * at_to).norm(); }
 };
 
-/// Divides a segment towards what does not shrink.
+/// Divides a segment towards the part that does not become smooth.
 class Descent {
  public:
   struct Found {
@@ -57,7 +57,7 @@ class Descent {
     return Part{a, between, b, at_a, f_(cell_, between), at_b};
   }
 
-  /// `before`: the change over the part of step `early`.
+  /// Searches a part. `before`: the change over the part of step `early`.
   std::optional<Found> search(const Part& p, int step, double before) {
     if (!std::isfinite(p.bend())) return Found{p.between, INFINITY, false};
     if (p.bend() < least_bend_) return {};
@@ -70,7 +70,7 @@ class Descent {
   }
 
   std::optional<Found> jump(const Part& p, double change, double before) const {
-    // A root shrinks, though slowly; a pole grows.
+    // A root decreases, though slowly; a pole grows.
     if (change < tolerance_ || change < 0.3 * before) return {};
     return Found{p.from, change, change < 3 * before};
   }

@@ -13,7 +13,7 @@ using geometry::Expression;
 
 bool matters(const Expression& f) { return !f.is_constant() || !std::isfinite(f(0, 0)); }
 
-/// " on the boundary "left"" and the like.
+/// Returns a place in words, for example " on the boundary "left"".
 std::string place_of(const NamedExpression& e) {
   if (e.point) return fmt::format(" at the point ({:.6g}, {:.6g})", (*e.point)[0], (*e.point)[1]);
   if (!e.boundary.empty()) return fmt::format(" on the boundary \"{}\"", e.boundary);
@@ -21,7 +21,7 @@ std::string place_of(const NamedExpression& e) {
   return fmt::format(" on the region{} \"{}\"", e.regions.size() > 1 ? "s" : "", fmt::join(e.regions, "\", \""));
 }
 
-/// `where`: without name and f.
+/// Adds f with a name. `where` contains neither.
 void add(const std::string& name, const Expression& f, NamedExpression where, std::vector<NamedExpression>& all) {
   if (!matters(f)) return;
   where.name = fmt::format("{}{}, {},", name, place_of(where), quoted(f));

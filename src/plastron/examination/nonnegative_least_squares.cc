@@ -16,7 +16,7 @@ VectorXd best_on(const MatrixXd& A, const std::vector<Index>& columns, const Vec
   return taken.colPivHouseholderQr().solve(b);
 }
 
-/// The coefficients of the columns that count, all positive.
+/// The active columns with their coefficients, all positive.
 struct Passive {
   std::vector<Index> columns;
   VectorXd x;
@@ -33,7 +33,7 @@ struct Passive {
     x = Eigen::Map<VectorXd>(values.data(), static_cast<Index>(values.size()));
   }
 
-  /// From x towards the best coefficients, dropping columns that turn negative on the way.
+  /// Moves x towards the best coefficients, and removes columns that become negative on the way.
   void settle(const MatrixXd& A, const VectorXd& b) {
     while (!columns.empty()) {
       const VectorXd s = best_on(A, columns, b);
@@ -49,7 +49,7 @@ struct Passive {
           first = k;
         }
       x += step * (s - x);
-      x[first] = 0;  // and not a rounding error above it
+      x[first] = 0;  // exactly, without a positive rounding error
       drop_zeros();
     }
   }
@@ -62,7 +62,7 @@ VectorXd nonnegative_residual(const MatrixXd& A, const VectorXd& b) {
   VectorXd residual = b;
   if (A.cols() == 0) return residual;
   const double negligible = 1e-13 * b.norm() * A.colwise().norm().maxCoeff();
-  // Each step lowers |residual|; the limit is for rounding, which may undo a step.
+  // Each step lowers |residual|. The limit is necessary because rounding may undo a step.
   for (int step = 0; step < 100; ++step) {
     Index steepest = 0;
     if ((A.transpose() * residual).maxCoeff(&steepest) <= negligible) break;
@@ -70,7 +70,7 @@ VectorXd nonnegative_residual(const MatrixXd& A, const VectorXd& b) {
     passive.columns.push_back(steepest);
     passive.x.conservativeResize(passive.x.size() + 1);
     passive.x.tail<1>()[0] = 0;
-    // A column that has just come in may start at zero: its coefficient rises.
+    // A new column may start at zero because its coefficient increases.
     passive.settle(A, b);
     residual = b;
     for (std::size_t k = 0; k < passive.columns.size(); ++k)

@@ -5,7 +5,8 @@
 
 namespace plastron::examination {
 
-/// The residual b - A x of the best x >= 0: by Farkas' lemma zero, or a direction r with A' r <= 0 and b . r > 0.
+/// Returns the residual b - A x of the best x >= 0. By Farkas' lemma it is zero, or a direction r with A' r <= 0 and
+/// b . r > 0.
 Eigen::VectorXd nonnegative_residual(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
 }  // namespace plastron::examination

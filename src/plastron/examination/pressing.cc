@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// G': a column per contact row.
+/// Returns G', one column for each contact row.
 MatrixXd gap_changes(const RigidMotions& motions, const MatrixXd& held, const std::vector<assembly::NodalPoint>& points,
                      const assembly::NodalCoordinates& coordinates) {
   std::vector<assembly::ContactRow> touchable;
@@ -30,12 +30,12 @@ MatrixXd gap_changes(const RigidMotions& motions, const MatrixXd& held, const st
 
 Pressing pressing(const RigidMotions& motions, const MatrixXd& held, const std::vector<assembly::NodalPoint>& points,
                   const assembly::NodalCoordinates& coordinates, std::span<const double> forces) {
-  // Rotations of a curved shell are only interpolated between nodes, so that works are inexact by some 1e-5; and a
-  // shell held by a thousandth of its load is not held by much.
+  // Rotations of a curved shell are only interpolated between nodes, so that works have errors of about 1e-5.
+  // A shell that a thousandth of its load presses is hardly fixed.
   constexpr double unbalanced = 1e-4, margin = 1e-3;
   const MatrixXd G = gap_changes(motions, held, points, coordinates);
   VectorXd load = held.transpose() * motions.work(points, forces);
-  double all_forces = 0;  // sums of magnitudes, not of squares: loads may be as small as they like
+  double all_forces = 0;  // sums of magnitudes, not of squares: loads may be arbitrarily small
   for (const double force : forces) all_forces += std::abs(force);
   const double works = load.lpNorm<1>();
   const bool does_work = works > 1e-9 * all_forces;
@@ -44,7 +44,7 @@ Pressing pressing(const RigidMotions& motions, const MatrixXd& held, const std::
 
   const VectorXd off = nonnegative_residual(G, -load);
   if (off.norm() > unbalanced) return {Hold::pulled_off, motion_of(off)};
-  // The mean reaction lies inside of the cone of reactions: a load that is pressed stays so without a bit of it.
+  // The mean reaction is inside the cone of reactions. A pressed load stays pressed without a small part of it.
   const VectorXd least = nonnegative_residual(G, -load - margin * G.rowwise().mean().normalized());
   if (least.norm() > 1e-3 * margin) return {Hold::balanced, motion_of(least)};
   return {};

@@ -1,6 +1,6 @@
-// Whether the loads press the shell onto the obstacle where only the obstacle holds it: the energy must not fall without
-// bound along any rigid motion W that the supports leave free and that opens no gap by less than nothing, l(W) <= 0.
-// By Farkas' lemma that is so if and only if reactions eta >= 0 balance the loads: -l = G' eta on the free motions.
+// Checks whether the loads press the shell onto the obstacle where only the obstacle fixes it. The energy must not
+// decrease without limit along any rigid motion W that the supports leave free and that closes no gap: l(W) <= 0.
+// By Farkas' lemma this is true if and only if reactions eta >= 0 balance the loads: -l = G' eta on the free motions.
 #pragma once
 #include <plastron/examination/rigid_motions.hpp>
 
@@ -8,16 +8,17 @@ namespace plastron::examination {
 
 enum class Hold {
   pressed,   ///< the energy grows along every such motion
-  balanced,  ///< along some motion it does not change: the loads just do not pull the shell off, or do no work
+  balanced,  ///< the energy is constant along some motion: the loads just do not pull the shell off, or do no work
   pulled_off
 };
 
 struct Pressing {
   Hold hold = Hold::pressed;
-  RigidMotion motion = RigidMotion::Zero();  ///< of unit length: the one that is not pressed; opens the gap
+  RigidMotion motion = RigidMotion::Zero();  ///< unit length: the motion that is not pressed; it opens the gap
 };
 
-/// `held` is an orthonormal basis of motions that the supports leave free, `forces` the load's nodal forces and couples.
+/// Checks the loads. `held` is an orthonormal basis of motions that the supports leave free, `forces` are nodal forces
+/// and couples.
 Pressing pressing(const RigidMotions& motions, const Eigen::MatrixXd& held,
                   const std::vector<assembly::NodalPoint>& points, const assembly::NodalCoordinates& coordinates,
                   std::span<const double> forces);

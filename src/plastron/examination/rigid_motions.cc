@@ -56,7 +56,7 @@ Matrix6 RigidMotions::held_by(const fem::RigidBody& body) const {
   for (int c = 0; c < 6; ++c) {
     if (!body.fixed[static_cast<std::size_t>(c)]) continue;
     RigidMotion row = RigidMotion::Unit(c);
-    // d = c + w x (reference - centre), of rotations w = (tail / size): row . d as a functional of (c, size w)
+    // d = c + w x (reference - centre), with rotations w = (tail / size): row . d as a functional of (c, size w)
     if (c < 3) row.tail<3>() = (body.reference - centre_).cross(Vector3d::Unit(c)) / size_;
     gram += row * row.transpose();
   }
@@ -83,7 +83,8 @@ bool RigidMotions::is_rotation(const RigidMotion& motion) {
   return motion.tail<3>().norm() >= negligible * motion.norm();
 }
 
-/// A translation across the axis moves the axis; one along it makes a screw.
+/// Returns a point of the axis. A translation perpendicular to the axis moves it; one along the axis gives a screw
+/// motion.
 Vector3d RigidMotions::on_axis(const RigidMotion& motion) const {
   const Vector3d translation = motion.head<3>(), rotation = motion.tail<3>();
   return centre_ + size_ * rotation.cross(translation) / rotation.squaredNorm();

@@ -16,11 +16,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A side of a cell on the boundary of the domain, its two ends and its middle in space.
+/// A side of a cell on the boundary of the domain: its two ends and its middle in space.
 struct OuterSide {
   Vector3d from, middle, to;
   Vector2d x;                ///< parameters of the middle
-  std::set<int> boundaries;  ///< -1 alone: unnamed
+  std::set<int> boundaries;  ///< -1 alone: without name
   double length() const { return (to - middle).norm() + (middle - from).norm(); }
 };
 
@@ -40,7 +40,7 @@ OuterSide outer_side(const fem::Space& space, const fem::Surface& surface, const
   return {jets[0].value, jets[1].value, jets[2].value, {x[1], y[1]}, {}};
 }
 
-/// Named sides inside of the domain belong to two cells and are left out.
+/// Returns outer sides. Named sides inside the domain belong to two cells and are ignored.
 std::vector<OuterSide> outer_sides(const fem::Space& space, const fem::Surface& surface) {
   std::map<std::pair<algebra::LocalIndex, algebra::LocalIndex>, int> cells_at;
   for (std::size_t c = 0; c < space.cells.size(); ++c)
@@ -86,7 +86,7 @@ std::string warning(const OuterSide& a, const OuterSide& b, const std::vector<st
 
 std::vector<std::string> seam_warnings(const fem::Space& space, const fem::Surface& surface) {
   std::vector<OuterSide> sides = outer_sides(space, surface);
-  // Along a direction in which nothing is aligned, equal places are neighbours.
+  // Nothing is aligned with this direction, so equal places are neighbours along it.
   const Vector3d direction(0.6123, 0.5477, 0.5701);
   std::ranges::sort(sides, {}, [&](const OuterSide& s) { return direction.dot(s.middle); });
   std::vector<std::string> warnings;

@@ -28,7 +28,7 @@ int rank_in(MPI_Comm comm) {
   return rank;
 }
 
-/// Does a step of the work on `path` on every rank; if it throws on one, all ranks throw.
+/// Runs a step on `path` on every rank. If it throws on one rank, all ranks throw.
 template <class Step>
 void together(std::string_view what, const std::filesystem::path& path, MPI_Comm comm, const Step& step) {
   std::string reason;
@@ -73,7 +73,7 @@ class OpenFile {
     }
   }
   void flush() const {
-    // Some file systems (pipes, a few network ones) cannot flush and say EINVAL: nothing is lost then.
+    // Some file systems (pipes, a few network ones) cannot flush and return EINVAL: nothing is lost then.
     if (::fsync(descriptor_) != 0 && errno != EINVAL) throw_errno();
   }
   /// Network file systems report some failed writes only here.
@@ -89,7 +89,8 @@ class OpenFile {
 
 constexpr std::string_view temporary_prefix = ".plastron-partial-";
 
-/// A directory that is open, and locked unless another process has the lock. A link is not followed. File systems without locks say so.
+/// An open directory, locked unless another process has the lock. It does not follow a link. Without a lock, the
+/// directory does not count as abandoned.
 class LockedDirectory {
  public:
   explicit LockedDirectory(const std::filesystem::path& directory)
@@ -105,9 +106,9 @@ class LockedDirectory {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
 
-  /// Its process has died.
+  /// Whether its process has died.
   bool is_abandoned() const { return is_locked_ && !is_taken_; }
-  /// Keeps it open, and so locked.
+  /// Returns the descriptor, which stays open and therefore locked.
   int release() { return is_taken_ ? -1 : std::exchange(descriptor_, -1); }
 
  private:
@@ -115,9 +116,9 @@ class LockedDirectory {
   bool is_locked_ = false, is_taken_ = false;
 };
 
-/// The files in a temporary directory, and itself. It holds no directories.
+/// Removes the files in a temporary directory, and the directory. It contains no directories.
 void remove_temporary(const std::filesystem::path& directory) {
-  std::error_code ignored;  // the first error is the one to tell
+  std::error_code ignored;  // the caller reports the first error
   for (std::filesystem::directory_iterator entry(directory, ignored), end; !ignored && entry != end;
        entry.increment(ignored))
     ::unlink(entry->path().c_str());
@@ -134,9 +135,9 @@ void remove_temporaries_of_dead(const std::filesystem::path& directory) {
   }
 }
 
-/// A fresh directory with a name of its own, so that two runs in one place do not meet and nobody can have put a link there.
+/// Makes a new directory with a unique name, so that two runs in one place do not conflict and no link can exist there.
 std::pair<std::filesystem::path, int> new_temporary(const std::filesystem::path& beside) {
-  constexpr int most_attempts = 10;  // another process may take a directory that is not yet locked for one of the dead
+  constexpr int most_attempts = 10;  // another process may take a directory that is not yet locked for an abandoned one
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     std::string name = (beside / (std::string(temporary_prefix) + "XXXXXX")).string();
     if (::mkdtemp(name.data()) == nullptr) throw_errno();
@@ -156,10 +157,10 @@ std::int64_t offset_of(std::int64_t size, MPI_Comm comm) {
 void flush_directory_of(const std::filesystem::path& path) {
   const auto directory = path.parent_path();
   OpenFile(directory.empty() ? "." : directory, O_RDONLY | O_DIRECTORY)
-      .flush();  // the new name, too, survives a power cut
+      .flush();  // the new name also survives a power failure
 }
 
-/// Directories that stand in the way are found before the first file is replaced.
+/// Finds directories in place of a file before the first file is replaced.
 void check_replaceable(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path)) throw std::system_error(std::make_error_code(std::errc::is_a_directory));
 }
@@ -244,20 +245,20 @@ void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::v
   });
   make_directory(directory, comm);
   if (rank_in(comm) == 0) remove_temporaries_of_dead(directory);
-  // Enough to be refused by a disk that is full: one block may lie ready in the directory's own.
+  // Large enough to fail on a full disk: one block may already be allocated in the directory.
   constexpr std::size_t some = 1 << 16;
   {
     AtomicFiles attempt(comm);
     attempt.add(directory / ".plastron-may-write", [&] { return std::string(rank_in(comm) == 0 ? some : 0, '\n'); });
   }
-  MPI_Barrier(comm);  // the attempt is gone when any rank returns
+  MPI_Barrier(comm);  // the file is removed when any rank returns
 }
 
 void remove_empty(const std::vector<std::filesystem::path>& directories, MPI_Comm comm) {
   const std::vector<std::filesystem::path> from_inside(directories.rbegin(), directories.rend());
   if (rank_in(comm) == 0)
     for (const auto& directory : from_inside) ::rmdir(directory.c_str());
-  MPI_Barrier(comm);  // they are gone when any rank returns
+  MPI_Barrier(comm);  // they are removed when any rank returns
 }
 
 void make_directory(const std::filesystem::path& directory, MPI_Comm comm) {

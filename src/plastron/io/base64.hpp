@@ -1,4 +1,4 @@
-// Bytes as text, in the standard alphabet of base64 with padding.
+// Converts bytes to text, in the standard alphabet of base64 with padding.
 #pragma once
 #include <cstddef>
 #include <span>

@@ -1,4 +1,4 @@
-// Size and SHA-256 of a file, to notice that it is not the one it was. Whoever changes a file with intent can write another hash as well.
+// Size and SHA-256 of a file, to detect changes. They do not protect against a person who changes a file and its hash.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -14,7 +14,7 @@ struct Checksum {
 };
 
 Checksum checksum_of_text(std::string_view text);
-/// Throws std::runtime_error where there is no regular file or it cannot be read.
+/// Returns the checksum. Throws std::runtime_error where there is no regular file or it cannot be read.
 Checksum checksum_of_file(const std::filesystem::path& path);
 
 }  // namespace plastron::io

@@ -12,7 +12,7 @@ namespace plastron::io {
 
 namespace {
 
-/// No results.json is larger; what is would only fill the memory.
+/// Limit of the size of results.json. A larger file would only fill the memory.
 constexpr std::uintmax_t largest_results = std::uintmax_t{64} << 20;
 
 /// Reads regular files only: a pipe or a device has no end.
@@ -38,7 +38,7 @@ std::string text_of_results(const std::filesystem::path& path) {
 }
 
 Json json_of(const std::string& text, const std::filesystem::path& path) {
-  // Copies and destructors of a JSON value call themselves as deep as it is nested.
+  // Copies and destructors of a JSON value are recursive in its depth.
   constexpr int deepest = 100;
   const auto is_shallow = [&](int depth, Json::parse_event_t, const Json&) {
     if (depth > deepest) throw UnusableResults(fmt::format("{}: it is nested deeper than any results", path.string()));
@@ -51,7 +51,7 @@ Json json_of(const std::string& text, const std::filesystem::path& path) {
   }
 }
 
-/// Reads entries of results.json and says which is not there.
+/// Reads entries of results.json and reports a missing one.
 class Entries {
  public:
   Entries(const Json& json, std::string where) : json_(json), where_(std::move(where)) {}
@@ -66,7 +66,7 @@ class Entries {
     if (!entry.json_.is_string()) refuse(name);
     return entry.json_.get<std::string>();
   }
-  /// The name of a file beside results.json.
+  /// Returns the name of a file beside results.json.
   std::string file_name(const char* name) const {
     std::string file = text(name);
     if (file.empty() || std::filesystem::path(file).filename() != file) refuse(name);
@@ -107,7 +107,7 @@ std::string change_of(const std::string& what, const std::filesystem::path& path
   }
 }
 
-/// Name -> hash, of the lines of SHA256SUMS.
+/// Returns name -> hash, from the lines of SHA256SUMS.
 std::map<std::string, std::string> stored_hashes(const std::filesystem::path& path) {
   constexpr std::size_t digits = 64;
   std::map<std::string, std::string> hashes;
@@ -132,7 +132,7 @@ std::string difference(const std::filesystem::path& path, const std::string& sto
   }
 }
 
-/// All names that results.json gives its files.
+/// Returns all names that results.json gives its files.
 std::vector<std::string> names_of_files(const Json& results) {
   std::vector<std::string> names{std::string(results_name)};
   if (const auto list = results.find("files"); list != results.end() && list->is_array())

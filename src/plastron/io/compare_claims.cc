@@ -11,12 +11,12 @@ namespace plastron::io {
 
 namespace {
 
-/// Parts of results.json that follow from the solution. The others tell how it was found, or by whom.
+/// Parts of results.json that follow from the solution. The others describe how and by which program it was found.
 constexpr std::array recomputed_parts{
     "formulation",      "energy", "energy_parts", "load_work",       "loads",           "moment_point", "reaction",
     "support_reaction", "size",   "tangency",     "point_supports",  "contact",         "obstacles",    "probes",
     "certificate",      "stress", "supports",     "corner_supports", "singular_places", "rigid_bodies", "linearity"};
-/// In these parts, what tells how the solution was found or needs a factor of the matrix.
+/// Entries of these parts that describe how the solution was found, or need a factor of the matrix.
 constexpr std::array told_only{"stress/error",
                                "contact/admissible/rounds",
                                "contact/admissible/energy_before",
@@ -29,21 +29,21 @@ constexpr std::array recomputed_of_level{
     "cells",    "nodes",        "unknowns", "active",       "gap_error",           "energy",
     "reaction", "contact_area", "min_gap",  "max_rotation", "max_normal_rotation", "multiplier_norm"};
 
-/// Of the last level where there are steps: its solution is that of the first instant.
+/// Parts of the last level where there are steps: its solution belongs to the first instant.
 constexpr std::array recomputed_of_mesh{"cells", "nodes", "unknowns"};
-/// What an entry of the history tells of how it was found.
+/// Entries of a history record that describe how its solution was found.
 constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations", "left_out"};
 
-/// Directions have no error bound: where both principal values are nearly the same, rounding turns them.
+/// Directions have no error bound: where both principal values are nearly equal, rounding rotates them.
 bool is_direction(const std::string& pattern) { return pattern.ends_with("_direction"); }
 
-/// Walks through what was recomputed and looks at what is claimed in its place.
+/// Goes through the recomputed values and compares the claims in the same place.
 class Walk {
  public:
   Walk(const Json& units, const Tolerances& tolerances, std::vector<Comparison>& found)
       : units_(units), tolerances_(tolerances), found_(found) {}
 
-  /// `pattern` is the path as `units` has it.
+  /// `pattern` is the path in the form of `units`.
   void compare(const std::string& path, const std::string& pattern, const Json& recomputed, const Json& claimed) {
     if (is_direction(pattern)) return;
     if (std::ranges::find(told_only, pattern) != told_only.end()) return;
@@ -98,7 +98,7 @@ class Walk {
   std::vector<Comparison>& found_;
 };
 
-/// Limits have no unit of their own in `units`: they are compared by their own size.
+/// Compares limits, which have no unit of their own in `units`, by their own size.
 void compare_limits(const Json& recomputed, const Json& claimed, double rounding, std::vector<Comparison>& found) {
   for (const auto& [row, limit] : recomputed.items())
     for (const char* key : {"at_least", "at_most", "holds"}) {
@@ -115,7 +115,7 @@ void compare_limits(const Json& recomputed, const Json& claimed, double rounding
     }
 }
 
-/// A leaf that only one side has comes from another version's schema, not from another case.
+/// Compares settings. An entry on one side only comes from another version's schema, not from another case.
 void compare_settings(const std::string& path, const Json& claimed, const Json& of_case,
                       std::vector<Comparison>& found) {
   if (claimed.is_object() && of_case.is_object()) {

@@ -22,7 +22,7 @@ void for_lines(const certificate::Summary& summary, Visit&& visit) {
   }
 }
 
-/// An array of a .vtu file from a function that gives each point's, or each line's, numbers as text.
+/// Returns an array of a .vtu file from a function that gives the numbers of each point, or of each line, as text.
 template <class Text>
 std::string data_array(const certificate::Summary& summary, std::string_view attributes, bool by_point, Text&& text) {
   std::string all = fmt::format("        <DataArray {} format=\"ascii\">\n", attributes);

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-// Defined in embedded_page.S, which takes the files in as they are.
+// Defined in embedded_page.S, which includes the files without change.
 extern "C" {
 extern const char plastron_page_begin[], plastron_page_end[];
 extern const char plastron_style_begin[], plastron_style_end[];

@@ -1,5 +1,5 @@
-// The parts of report.html that no computation changes, linked into the program (cmake/PlastronViewer.cmake): page and style from
-// viewer/src as they are, the script bundled from viewer/src with vtk.js.
+// The parts of report.html that do not depend on the computation, linked into the program (cmake/PlastronViewer.cmake).
+// Page and style are copied from viewer/src; the script is bundled from viewer/src with vtk.js.
 #pragma once
 #include <string_view>
 
@@ -9,7 +9,7 @@ struct EmbeddedPage {
   std::string_view page;    ///< HTML with places {{...}} that report_html() fills
   std::string_view style;   ///< CSS
   std::string_view script;  ///< the three-dimensional view; empty where Plastron was built with PLASTRON_VIEWER=OFF
-  std::string_view script_source;  ///< how the page's policy names it, by its hash; 'none' without
+  std::string_view script_source;  ///< hash of the script, its name in the page's policy; 'none' without script
 };
 EmbeddedPage embedded_page();
 

@@ -21,7 +21,7 @@ Values two(double first, double second) { return {first, second, 0}; }
 Values two(const Eigen::Vector2d& v) { return two(v[0], v[1]); }
 Values one(double value) { return {value, 0, 0}; }
 
-/// A point of the deformed shell at the height z, a multiple of e/2.
+/// Returns a point of the deformed shell at the height z, a multiple of e/2.
 Vector3d deformed(const PointValues& p, double side) { return p.phi + p.u + side * p.thickness / 2 * (p.a3 + p.r); }
 
 Values stress(const PointValues& p, double side) {
@@ -37,7 +37,7 @@ Values principal_stress(const PointValues& p, double side) {
   return principal_values(shell::in_plane_stress(section_forces(p), side * p.thickness / 2));
 }
 
-/// The tangent along which the first principal value acts.
+/// Returns the tangent direction of the first principal value.
 Values principal_direction(const PointValues& p, const Vector3d& tensor) {
   const double angle = shell::principal(tensor).angle;
   return three(std::cos(angle) * p.t1 + std::sin(angle) * p.t2);
@@ -47,7 +47,7 @@ double von_mises(const PointValues& p, double side) {
   return shell::von_mises_at(section_forces(p), side * p.thickness / 2);
 }
 
-/// `touching` is 0 or 1 at nodes; its interpolation overshoots between them.
+/// Limits `touching` to 0 and 1, its values at nodes, because its interpolation overshoots between them.
 double contact_between(double touching) { return std::clamp(touching, 0.0, 1.0); }
 
 Field field(std::string key, std::vector<std::string> arrays, std::string_view symbol, std::string_view unit,
@@ -150,7 +150,7 @@ const std::vector<Field>& table() {
   return all;
 }
 
-/// Stresses at z = height e.
+/// Adds the stresses at z = height e.
 void add_height(double height, std::vector<Field>& fields) {
   const double side = 2 * height;
   const std::string at = fmt::format("_at_{}", height), where = fmt::format(" at z = {} e", height);

@@ -1,5 +1,5 @@
-// The table of every output field: what it is called in both output files, its unit, its meaning and where it comes
-// from. A pressure [Pa] and a force [N] never share a name.
+// The table of all output fields: their names in both output files, units, meanings and sources.
+// A pressure [Pa] and a force [N] never have the same name.
 #pragma once
 #include <plastron/recovery/recovery.hpp>
 
@@ -12,13 +12,13 @@
 
 namespace plastron::io {
 
-/// Where a field has a meaning.
+/// Computations in which a field has a meaning.
 enum class Presence { always, with_obstacle, with_multiplier };
 
 struct Field {
   std::string key;                  ///< path in a probe of results.json, steps separated by '/'
-  std::vector<std::string> arrays;  ///< in the .vtu file: one name for a Cartesian vector, else one a component
-  std::string_view symbol;          ///< as in docs/symbols.md
+  std::vector<std::string> arrays;  ///< in the .vtu file: one name for a Cartesian vector, else one for each component
+  std::string_view symbol;          ///< symbol as in docs/symbols.md
   std::string_view unit;
   std::string meaning;
   int components;  ///< 1 to 3
@@ -32,7 +32,8 @@ std::span<const Field> fields();
 
 /// Whether a field has a meaning in a computation with or without obstacle and multiplier (mixed formulation).
 bool is_present(const Field& field, bool has_obstacle, bool has_multiplier);
-/// The fields that have. `heights` are those, z / e, at which stresses are wanted besides: "stress_at_0.25" and so on, which probes do not have.
+/// Returns the fields with a meaning. `heights`: additional values of z / e for stresses, named "stress_at_0.25" and so
+/// on; probes do not have them.
 std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights = {});
 
 }  // namespace plastron::io

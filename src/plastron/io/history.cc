@@ -13,7 +13,7 @@ namespace {
 
 using Row = std::vector<std::pair<std::string, std::string>>;  // column, value
 
-/// Quoted where a comma, a quote or the end of a line would break the table.
+/// Returns the text in quotes if a comma, a quote or the end of a line would break the table.
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string result = "\"";
@@ -26,7 +26,7 @@ bool is_list_of_numbers(const Json& value) {
          std::ranges::all_of(value, [](const Json& entry) { return entry.is_number() || entry.is_null(); });
 }
 
-/// Components of tensors are called as in the fields.
+/// Returns the name of a component; components of tensors have the same names as in the fields.
 std::string component_name(const std::string& path, std::size_t k, std::size_t count) {
   static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
   for (const Field& field : fields()) {

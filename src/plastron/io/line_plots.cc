@@ -13,7 +13,7 @@ namespace plastron::io {
 
 namespace {
 
-/// Columns of one unit that are looked at together. Absent and empty ones are left out.
+/// Columns of one unit in a common plot. Absent and empty ones are ignored.
 struct Profile {
   std::string_view name, label;
   std::array<std::string_view, 4> columns;

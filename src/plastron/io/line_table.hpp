@@ -1,4 +1,4 @@
-// Every field along the case's lines: line-NAME.csv.
+// Tables of every field along the case's lines: line-NAME.csv.
 #pragma once
 #include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
@@ -8,16 +8,17 @@
 
 namespace plastron::io {
 
-/// A header with names and units, then a row a point: the length along the undeformed mid-surface from the first point, by chords, and
-/// every field, with the heights and names of units of `given`. What is not defined is empty.
+/// Returns a header with names and units, then one row for each point: the length along the undeformed mid-surface from
+/// the first point, by chords, and every field, with the heights and names of units of `given`. Undefined values are
+/// empty.
 std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
                      const computation::Output& given = {});
 
 struct LineTable {
-  std::string name;  ///< of the line
-  std::string csv;   ///< of line_csv(), on the first rank
+  std::string name;  ///< name of the line
+  std::string csv;   ///< table of line_csv(), on the first rank
 };
-/// The tables of all lines (collective).
+/// Returns the tables of all lines (collective).
 std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<computation::Line>& lines,
                                    const computation::Output& given);
 

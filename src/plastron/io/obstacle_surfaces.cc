@@ -14,7 +14,7 @@ std::string data_array(std::string_view attributes, const std::string& values) {
   return fmt::format("        <DataArray {} format=\"ascii\">\n{}        </DataArray>\n", attributes, values);
 }
 
-/// The arrays of a file, obstacle after obstacle.
+/// The arrays of a file, by obstacle.
 struct Triangles {
   std::string points{}, corners{}, ends{}, types{}, owners{};
   std::size_t point_count = 0, count = 0;

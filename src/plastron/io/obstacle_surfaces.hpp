@@ -1,4 +1,4 @@
-// The surfaces of the obstacles as triangles for ParaView, beside the shell's.
+// The surfaces of the obstacles as triangles for ParaView, beside the shell.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/io/atomic_file.hpp>
@@ -10,21 +10,22 @@
 
 namespace plastron::io {
 
-/// The box that holds the deformed shell, and half of its diagonal more on every side (collective).
+/// Returns the box around the deformed shell, extended on every side by half of its diagonal (collective).
 obstacle::Extent surroundings(const computation::Solution& solution);
 
 struct DrawnObstacle {
   std::size_t number = 0;  ///< counted from 0 as in results.json
   obstacle::TriangleMesh surface;
 };
-/// The surfaces of all obstacles where they stand, as far as they are within `extent`. Obstacles that are one body for both faces are drawn
-/// once.
+/// Returns the surfaces of all obstacles at their positions, within `extent`. Obstacles that are one body for both
+/// faces are drawn once.
 std::vector<DrawnObstacle> drawn_obstacles(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent);
 
-/// Triangles of all obstacles where they stand, as far as they are within `extent`; `obstacle` says which each belongs to.
+/// Returns triangles of all obstacles at their positions, within `extent`; `obstacle` is the number of each triangle's
+/// obstacle.
 std::string obstacle_surfaces_vtu(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent);
 
-/// Adds the file, unless there are no obstacles; says whether it did (collective). Throws std::runtime_error.
+/// Adds the file if there are obstacles; returns whether it did (collective). Throws std::runtime_error.
 bool add_obstacle_surfaces(const computation::Solution& solution, const std::filesystem::path& path,
                            AtomicFiles& files);
 

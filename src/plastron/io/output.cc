@@ -24,7 +24,7 @@ namespace plastron::io {
 
 namespace {
 
-/// A singular system leaves displacements that no viewer can show.
+/// Whether the solution can be drawn. A singular system gives displacements that no viewer can show.
 bool can_be_drawn(const computation::Solution& solution, MPI_Comm comm) {
   const auto y = solution.nodal.y.owned();
   const bool finite = std::all_of(y.begin(), y.end(), [](double value) { return std::isfinite(value); });
@@ -83,7 +83,7 @@ void Output::add_instant(const computation::HistoryEntry& entry, const computati
   if (can_be_drawn(solution, files_.comm())) add_fields(solution, entry.time, fmt::format("-{:04}", ++instants_), true);
 }
 
-/// The shell and the obstacles, as parts of the time series if they are for that.
+/// Adds the shell and the obstacles, as parts of the time series if requested.
 void Output::add_fields(const computation::Solution& solution, double time, const std::string& suffix,
                         bool is_in_series) {
   const auto keep = [&](const std::string& name, int part) {
@@ -101,7 +101,7 @@ void Output::add_fields(const computation::Solution& solution, double time, cons
             {.is_double = given_.double_precision, .units = given_.units});
 }
 
-/// Written by the first rank alone.
+/// Adds a text that only the first rank writes.
 void Output::add_text(const std::string& name, const Piece& text) {
   int rank = 0;
   MPI_Comm_rank(files_.comm(), &rank);
@@ -114,7 +114,7 @@ void Output::add_history(const computation::Result& result) {
   add_text("history.svg", [&] { return svg_text(renamed(history_plot(history_json(result)), given_.units)); });
 }
 
-/// In the format of sha256sum; made by the first rank alone.
+/// Adds checksums in the format of sha256sum; the first rank alone makes them.
 void Output::add_checksums() {
   int rank = 0;
   MPI_Comm_rank(files_.comm(), &rank);

@@ -1,4 +1,4 @@
-// All output files of a computation, in the order that makes results.json the sign of completeness.
+// All output files of a computation. In their order, results.json shows that they are complete.
 #pragma once
 #include <plastron/computation/problem.hpp>
 #include <plastron/io/results.hpp>
@@ -9,27 +9,28 @@ namespace plastron::io {
 /// SHA-256 of all other files, for `plastron verify` and `sha256sum --check`.
 inline constexpr std::string_view checksums_name = "SHA256SUMS";
 
-/// Throws std::runtime_error where a run that writes base_name.vtu and so on would meet a directory in the place of a file, or replace one of
-/// `inputs`, the files that its case is read from (collective).
+/// Throws std::runtime_error if a run that writes base_name.vtu and so on would find a directory in place of a file.
+/// Also throws if it would replace one of `inputs`, the files of its case (collective).
 void check_replaceable(const std::filesystem::path& directory, const std::string& base_name,
                        const std::vector<std::filesystem::path>& inputs, MPI_Comm comm);
 
-/// Files of a run on their way. Those of an earlier run stay until all are complete; then its results.json goes first, and the new one comes last. All functions are
-/// collective and throw std::runtime_error.
+/// Files of a running computation. Earlier files stay until all are complete. Then the earlier results.json is removed
+/// first, and the new one is named last. All functions are collective and throw std::runtime_error.
 class Output {
  public:
-  /// Makes the directory. Files of fields are base_name.vtu, obstacles.vtu, base_name.pvd that names both, and of instants
-  /// base_name-0001.vtu and so on, with solid.vtu beside them where `given` wants one. report.html is one of them unless `with_report` is false. What is
-  /// not wanted is removed where an earlier run has left it.
+  /// Makes the directory. Files of fields are base_name.vtu, obstacles.vtu, and base_name.pvd with the names of both.
+  /// Files of instants are base_name-0001.vtu and so on, with solid.vtu beside them if `given` requests it. report.html
+  /// is written unless `with_report` is false. Files of an earlier run that are not requested are removed.
   Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report = true,
          computation::Output given = {});
 
-  /// The fields of an instant of the steps (computation::Observer::instant).
+  /// Adds the fields of an instant of the steps (computation::Observer::instant).
   void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
-  /// The solution as .vtu and .plastron, unless there is none that is finite, contact-boundary.csv, .vtu and contact-forces.csv where there is contact
-  /// (those of an earlier run are removed where there is none), history.csv and history.svg where there are steps,
-  /// base_name.case.toml if provenance has the case's source, report.html, and results.json; then all files get their names. provenance.files and the
-  /// names of solution and copy are filled here. `lines` are tabulated as line-NAME.csv. Returns the names of all files.
+  /// Adds all files, then gives them their names. The solution is written as .vtu and .plastron, if a finite one
+  /// exists. With contact there are contact-boundary.csv, .vtu and contact-forces.csv (without contact, earlier ones
+  /// are removed). With steps there are history.csv and history.svg. base_name.case.toml is written if provenance has
+  /// the case's source; report.html and results.json follow. This function sets provenance.files and the names of
+  /// solution and copy. `lines` are written as line-NAME.csv. Returns the names of all files.
   std::vector<std::string> finish(const computation::Result& result, Provenance provenance,
                                   const std::vector<computation::Line>& lines = {});
 
@@ -49,7 +50,7 @@ class Output {
   std::vector<std::string> names_{};
 };
 
-/// All at once, for a computation without steps.
+/// Writes all files at once, for a computation without steps.
 void write_output(const computation::Result& result, Provenance provenance, const std::filesystem::path& directory,
                   const std::string& base_name, MPI_Comm comm);
 

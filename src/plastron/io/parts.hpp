@@ -1,4 +1,4 @@
-// The parts of results.json and what stands in each: the tables of quantities and fields, walked through without a result.
+// The parts of results.json and their contents: the tables of quantities and fields, listed without a result.
 #pragma once
 #include <plastron/io/quantities.hpp>
 
@@ -8,25 +8,25 @@
 
 namespace plastron::io {
 
-/// A row of a table, and its words about a value.
+/// A row of a table, with its description of a value.
 struct Entry {
   std::string_view path, unit, meaning;
   Form form;
-  bool can_be_absent = false;  ///< null where it has no meaning
+  bool can_be_absent = false;  ///< null if it has no meaning
 };
 
-/// A record of results.json. `place` ends in '/' or is empty; "*" stands for all of a list, after "probes" for their names:
-/// "obstacles/*/zones/*/".
+/// A record of results.json. `place` ends in '/' or is empty; "*" is every entry of a list, and after "probes" every
+/// name: "obstacles/*/zones/*/".
 struct Part {
   std::string place;
   std::string_view meaning;
   std::vector<Entry> entries;
 };
 
-/// In the order of their units in results.json.
+/// Returns the parts in the order of their units in results.json.
 const std::vector<Part>& parts();
 
-/// "obstacles[].zones[].area", "probes.NAME.u": a place and the path in it as the manual has them.
+/// Returns "obstacles[].zones[].area", "probes.NAME.u": a place and the path in it in the form of the manual.
 std::string dotted(std::string_view place, std::string_view path);
 
 }  // namespace plastron::io

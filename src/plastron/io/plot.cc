@@ -45,7 +45,7 @@ Page page_of(const study::Plot& plot, PlotLayout layout) {
           .legend_top = legend_top};
 }
 
-/// Colours that people with any colour vision can tell apart (Okabe and Ito), for light and for dark pages.
+/// A colour for light and for dark pages. People with any colour vision can distinguish these colours (Okabe and Ito).
 struct Colour {
   std::string_view on_light, on_dark;
 };
@@ -133,7 +133,7 @@ class Drawing {
     fmt::format_to(std::back_inserter(svg_), text, std::forward<Args>(args)...);
   }
 
-  /// Of all points that can be drawn.
+  /// Returns the values of all points that can be drawn.
   std::vector<double> values(std::vector<double> study::Series::*coordinate) const {
     std::vector<double> all;
     for (const auto& s : plot_.series)
@@ -169,7 +169,7 @@ class Drawing {
         (page_.top + page_.bottom) / 2, escaped(plot_.y.label));
   }
 
-  /// Triangles beside the plot that have the slopes of y ~ x^exponent on its axes. Returns the lower end.
+  /// Draws triangles beside the plot with the slopes of y ~ x^exponent on its axes. Returns the lower end.
   double slopes(double y) {
     if (!plot_.x.is_log || !plot_.y.is_log) return y;
     constexpr double largest = 56;  // px
@@ -202,7 +202,7 @@ class Drawing {
     put("{}", marks);
   }
 
-  /// Returns the lower end.
+  /// Draws the legend. Returns the lower end.
   double legend(double y) {
     for (std::size_t i = 0; i < plot_.series.size(); ++i, y += legend_line) {
       const study::Series& s = plot_.series[i];

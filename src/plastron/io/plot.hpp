@@ -6,10 +6,11 @@
 
 namespace plastron::io {
 
-/// Where the legend stands: beside the plot on a wide page, below it on a page half as wide, which stays readable on a phone.
+/// Place of the legend: beside the plot on a wide page, below it on a page half as wide, which is still readable on a
+/// phone.
 enum class PlotLayout { wide, narrow };
 
-/// A complete SVG file. Texts may hold any UTF-8; points that cannot be drawn are left out.
+/// Returns a complete SVG file. Texts may contain any UTF-8; points that cannot be drawn are omitted.
 std::string svg_text(const study::Plot& plot, PlotLayout layout = PlotLayout::wide);
 
 }  // namespace plastron::io

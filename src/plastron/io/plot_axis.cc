@@ -9,7 +9,7 @@ namespace plastron::io {
 
 namespace {
 
-/// 10 to an integer power, the exponent raised.
+/// Returns 10 to an integer power, with a superscript exponent.
 std::string power_of_ten(int exponent) {
   static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = exponent < 0 ? "10⁻" : "10";
@@ -22,7 +22,7 @@ std::string log_label(int mantissa, int exponent) {
   return mantissa == 1 ? power_of_ten(exponent) : fmt::format("{}·{}", mantissa, power_of_ten(exponent));
 }
 
-/// Sizes whose sums and quotients are doubles, too.
+/// Limits within which sums and quotients are also doubles.
 constexpr double smallest_drawn = 1e-300, largest_drawn = 1e300;
 
 }  // namespace
@@ -43,7 +43,8 @@ PlotAxis::PlotAxis(const std::vector<double>& values, bool is_log, double begin,
     make_linear_ticks();
 }
 
-/// Room beside the values. Values that differ by their rounding alone count as equal. A log axis has half a decade at least, for two ticks.
+/// Adds space beside the values. Values that differ by rounding only count as equal. A log axis has at least half a
+/// decade, for two ticks.
 void PlotAxis::widen() {
   constexpr double rounding = 1e-9, part = 0.06, least_decades = 0.5;
   const double size = std::max(std::abs(low_), std::abs(high_)), width = high_ - low_;
@@ -68,7 +69,7 @@ double PlotAxis::position(double value) const {
 
 double PlotAxis::per_unit() const { return std::abs(end_ - begin_) / (high_ - low_); }
 
-/// Decades are labelled, every second or third one if there are many; in less than two decades 2 and 5 too.
+/// Labels decades, every second or third one if there are many; in less than two decades 2 and 5 too.
 void PlotAxis::make_log_ticks() {
   const int first = static_cast<int>(std::floor(low_)), last = static_cast<int>(std::ceil(high_));
   const double decades = high_ - low_;
@@ -82,7 +83,8 @@ void PlotAxis::make_log_ticks() {
     }
 }
 
-/// About six ticks. They are counted, for a step may be lost where it is added to a large value. Labels have the digits that tell them apart.
+/// Makes about six ticks. They are counted, because a step may be lost when it is added to a large value. Labels have
+/// enough digits to distinguish them.
 void PlotAxis::make_linear_ticks() {
   const double rough = (high_ - low_) / 6, power = std::pow(10.0, std::floor(std::log10(rough)));
   const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);

@@ -1,4 +1,4 @@
-// One axis of a plot: from values to positions, with its ticks and their labels.
+// One axis of a plot: it maps values to positions, and has ticks with labels.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,10 +12,10 @@ struct Tick {
 
 class PlotAxis {
  public:
-  /// An axis that holds all `values` that can be drawn on it, from `begin` to `end` [px].
+  /// Makes an axis for all `values` that can be drawn, from `begin` to `end` [px].
   PlotAxis(const std::vector<double>& values, bool is_log, double begin, double end);
 
-  /// Finite, positive on a log axis, and of a size that leaves the axis' width finite.
+  /// Whether a value is finite, positive on a log axis, and of a size that keeps the axis' width finite.
   static bool can_draw(double value, bool is_log);
   bool can_draw(double value) const { return can_draw(value, is_log_); }
   double position(double value) const;  ///< [px]
@@ -31,7 +31,7 @@ class PlotAxis {
 
   bool is_log_;
   double begin_, end_;
-  double low_ = 0, high_ = 1;  // of the scaled values
+  double low_ = 0, high_ = 1;  // limits of the scaled values
   std::vector<Tick> ticks_;
 };
 

@@ -19,7 +19,7 @@ computation::LeftOut left_out_of(const Result& r) {
   return computation::left_out(r.summary, r.levels.empty() ? computation::Level{} : r.last_level());
 }
 
-/// How far the shell enters the obstacle between nodes; 0 if no cell is near it. Keeps a NaN.
+/// Returns the depth of the shell in the obstacle between nodes; 0 if no cell is near it. Keeps a NaN.
 double penetration(double min_gap_between) { return std::max(-min_gap_between, 0.0); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The table of every number in results.json that belongs to no point: its path, unit, meaning and where it comes from.
+// The table of all numbers in results.json that do not belong to a point: paths, units, meanings and sources.
 #pragma once
 #include <plastron/computation/result.hpp>
 
@@ -11,7 +11,7 @@ namespace plastron::io {
 
 using Json = nlohmann::ordered_json;
 
-/// What stands in the place of a quantity. Numbers that are not finite are null.
+/// Form of a quantity's value. Numbers that are not finite are null.
 enum class Form { number, integer, text, flag, pair, triple };
 
 /// A number or text of a record.
@@ -24,7 +24,7 @@ struct Quantity {
   Form form = Form::number;
 };
 
-/// JSON has no infinity and no NaN: null.
+/// Returns null for infinity and NaN, which JSON does not have.
 Json number(double value);
 
 std::span<const Quantity<computation::Result>> result_quantities();
@@ -38,11 +38,11 @@ std::span<const Quantity<certificate::CornerReaction>> corner_support_quantities
 std::span<const Quantity<certificate::PointReaction>> point_support_quantities();
 /// Paths inside "rigid_bodies[]".
 std::span<const Quantity<certificate::BodyReaction>> rigid_body_quantities();
-/// Null as a whole where there is no obstacle; paths inside "contact".
+/// Paths inside "contact". Null as a whole without obstacle.
 std::span<const Quantity<computation::Result>> contact_quantities();
-/// Null as a whole where the case wants no admissible solution; paths inside "contact.admissible".
+/// Paths inside "contact.admissible". Null as a whole if the case requests no admissible solution.
 std::span<const Quantity<computation::Result>> admissible_quantities();
-/// Null as a whole where errors were not estimated; paths inside "estimates".
+/// Paths inside "estimates". Null as a whole if errors were not estimated.
 std::span<const Quantity<computation::Result>> estimate_quantities();
 /// Paths inside "estimates.goals[]".
 std::span<const Quantity<estimation::GoalEstimate>> goal_quantities();
@@ -59,7 +59,7 @@ std::span<const Quantity<computation::Level>> level_quantities();
 /// Paths inside "levels[]/history[]".
 std::span<const Quantity<contact::Iteration>> iteration_quantities();
 
-/// The record as the table says.
+/// Returns the record in the form of the table.
 template <class Record>
 Json record_json(std::span<const Quantity<Record>> quantities, const Record& record) {
   Json json = Json::object();

@@ -16,7 +16,7 @@
 namespace plastron::io {
 
 std::optional<std::vector<fem::Cuts>> cuts_of_list(std::span<const double> list) {
-  constexpr double least_part = 1e-9;  // of a side
+  constexpr double least_part = 1e-9;  // part of a side
   std::vector<fem::Cuts> cuts;
   const auto take = [&](std::vector<double>& points) {
     if (list.empty() || !(list[0] >= 0) || !(list[0] < static_cast<double>(list.size()))) return false;
@@ -38,7 +38,7 @@ std::optional<std::vector<fem::Cuts>> cuts_of_list(std::span<const double> list)
 
 namespace {
 
-/// The size of a regular file.
+/// Returns the size of a regular file.
 std::uintmax_t size_of_file(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
@@ -48,21 +48,22 @@ std::uintmax_t size_of_file(const std::filesystem::path& path) {
   return size;
 }
 
-/// The file up to its cells.
+/// The part of the file before its cells.
 class SolutionFile {
  public:
   explicit SolutionFile(std::filesystem::path path) : path_(std::move(path)), size_(size_of_file(path_)) {
     file_.open(path_,
-               std::ios::binary);  // after size_of_file, which refuses a pipe: to open one would wait for a writer
+               std::ios::binary);  // after size_of_file, which refuses a pipe: opening a pipe would wait for a writer
     if (!file_) refuse("the file cannot be read");
     if (size_ < sizeof header_) refuse("the file is too short to hold a solution");
     read(&header_, sizeof header_);
     check_format();
   }
 
-  /// To be asked before cells are read, and after what else the header says was found to be right: that explains more.
+  /// Call it before cells are read, and after the rest of the header was found correct: that gives a better
+  /// explanation.
   void check_size() const {
-    constexpr std::int64_t most_cells = std::int64_t{1} << 40;  // keeps sizes from overflowing
+    constexpr std::int64_t most_cells = std::int64_t{1} << 40;  // prevents overflow of sizes
     const auto cells = static_cast<std::uintmax_t>(std::min(header_.cells, most_cells));
     const std::uintmax_t wanted = preamble_size(header_) + cells * record_size(header_, nodes_per_cell());
     if (size_ != wanted)
@@ -106,7 +107,7 @@ class SolutionFile {
   SolutionHeader header_{};
 };
 
-/// No solution holds a larger number, and the fourth power of this one is finite.
+/// No solution has a larger number, and the fourth power of this one is finite.
 constexpr double largest_value = 1e60;
 
 class SolutionReader {
@@ -152,7 +153,7 @@ class SolutionReader {
   [[noreturn]] void refuse(const std::string& what) const { file_.refuse(what); }
 
  private:
-  /// The mesh and the problem have to be those of the file.
+  /// Checks that the file belongs to the mesh and the problem.
   void check_problem() const {
     const auto same = [this](const char* what, std::int64_t found, std::int64_t wanted) {
       if (found != wanted) refuse(fmt::format("the file has {} {}, the case makes it {}", found, what, wanted));
@@ -194,7 +195,7 @@ class SolutionReader {
   std::vector<ObstacleRecord> obstacles_{};
 };
 
-/// The vectors that a node's values go to, in the order of the file.
+/// Returns the vectors of a node's values, in the order of the file.
 std::vector<algebra::Vector*> fields_of_file(const SolutionHeader& header, computation::StoredSolution& solution,
                                              const std::shared_ptr<const algebra::Layout>& layout) {
   std::vector<algebra::Vector*> fields;
@@ -216,7 +217,7 @@ std::vector<algebra::Vector*> fields_of_file(const SolutionHeader& header, compu
 constexpr const char* torn =
     "the values at a node differ from cell to cell: the file is damaged, or was changed by hand";
 
-/// Whether every ghost that a cell of this rank has read is its owner's value (collective).
+/// Checks that every ghost in a cell of this rank has its owner's value (collective).
 void check_ghosts(algebra::Vector& field, const std::vector<char>& is_read, const SolutionReader& reader) {
   const std::vector<double> before(field.local().begin(), field.local().end());
   field.update_ghosts();
@@ -227,7 +228,7 @@ void check_ghosts(algebra::Vector& field, const std::vector<char>& is_read, cons
   });
 }
 
-/// Of the coarse mesh, or so many that there are too many.
+/// Returns the number of coarse cells after the cuts.
 std::int64_t cells_of(const std::vector<fem::Cuts>& cuts) {
   std::int64_t cells = 0;
   for (const auto& [across_first, across_second] : cuts)

@@ -16,7 +16,7 @@ namespace plastron::io {
 
 namespace {
 
-/// With steps: which instant is drawn.
+/// Returns a text on the drawn instant, for a computation with steps.
 std::string instant_html(const Json& results) {
   const Json& history = at_path(results, "history");
   if (history.empty()) return "";
@@ -39,7 +39,7 @@ std::string view_html(const Json& results, const Json& scene, bool has_script) {
          "not.</p></noscript></div>\n";
 }
 
-/// Pictures keep their style and names for themselves.
+/// Returns the plots as pictures with separate styles and names.
 std::string plots_html(const std::vector<NamedPlot>& plots) {
   std::string html;
   for (const auto& [name, plot] : plots)

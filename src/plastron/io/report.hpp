@@ -1,5 +1,5 @@
-// report.html: a computation as one page that opens in any browser without a network: the case, the verdict, numbers, plots, and the
-// deformed shell to turn round (viewer/).
+// report.html: a computation as one page that opens in any browser without a network. It contains the case, the
+// verdict, numbers, plots, and the deformed shell in a view that can be rotated (viewer/).
 #pragma once
 #include <plastron/io/line_table.hpp>
 #include <plastron/io/results.hpp>
@@ -8,10 +8,11 @@ namespace plastron::io {
 
 inline constexpr std::string_view report_name = "report.html";
 
-/// The whole page, on the first rank; `scene` as of scene_json(), null where there is nothing to draw, `lines` the profiles to plot. Texts may hold anything.
+/// Returns the whole page, on the first rank. `scene` is the result of scene_json(), null if there is nothing to draw.
+/// `lines` are the profiles to plot. Texts may contain anything.
 std::string report_html(const Json& results, const Json& scene, const std::vector<LineTable>& lines = {});
 
-/// Adds directory/report.html; `is_drawn`: the solution is there and finite (collective). Throws std::runtime_error.
+/// Adds directory/report.html; `is_drawn`: the solution exists and is finite (collective). Throws std::runtime_error.
 void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,
                 const std::vector<LineTable>& lines, const std::filesystem::path& directory, AtomicFiles& files);
 

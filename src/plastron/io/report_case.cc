@@ -15,7 +15,7 @@ std::string term(std::string_view name, const std::string& html) {
   return html.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", html_text(name), html);
 }
 
-/// Zero in any of its shapes, nothing, or no entries: not worth a word.
+/// Whether a value needs no text: zero in any form, null, or no entries.
 bool says_nothing(const Json& value) {
   if (value.is_number()) return value.get<double>() == 0;
   if (value.is_array() && !value.empty()) {
@@ -26,7 +26,7 @@ bool says_nothing(const Json& value) {
   return value.is_null() || value.empty() || value == Json(false);
 }
 
-/// "force (0, 0, -0.002), region shell": entries in the order of the settings, those of `without` left out.
+/// Returns "force (0, 0, -0.002), region shell": entries in the order of the settings, except those in `without`.
 std::string described(const Json& table, std::initializer_list<std::string_view> without = {}) {
   std::string text;
   for (const auto& [key, value] : table.items()) {
@@ -45,7 +45,7 @@ std::string joined(const Json& list) {
   return text;
 }
 
-/// A paragraph for each table of a list.
+/// Returns a paragraph for each table of a list.
 template <class Words>
 std::string each(const Json& list, Words&& words) {
   std::string html;
@@ -70,7 +70,7 @@ std::string load_words(const Json& load) {
   return described(load, {"boundary", "region"}) + " " + where;
 }
 
-/// The shape is the entry that is a table.
+/// Describes an obstacle. Its shape is the entry that is a table.
 std::string obstacle_words(const Json& obstacle) {
   std::string shape;
   for (const auto& [key, value] : obstacle.items())

@@ -1,4 +1,4 @@
-// The case in words for report.html, from the settings in results.json.
+// Describes the case for report.html, from the settings in results.json.
 #pragma once
 #include <plastron/io/quantities.hpp>
 
@@ -6,7 +6,7 @@
 
 namespace plastron::io {
 
-/// A list of terms and descriptions as HTML; empty where a caller of the library gave no settings.
+/// Returns a list of terms and descriptions as HTML; empty if a caller of the library gave no settings.
 std::string case_html(const Json& settings);
 
 }  // namespace plastron::io

@@ -1,4 +1,4 @@
-// Pieces of HTML whose texts come from outside: titles and names may hold anything, and must stay text.
+// Pieces of HTML with texts from outside. Titles and names may contain anything, and must remain text.
 #pragma once
 #include <plastron/io/quantities.hpp>
 
@@ -11,22 +11,22 @@
 
 namespace plastron::io {
 
-/// What is no valid UTF-8 becomes U+FFFD.
+/// Returns the text with invalid UTF-8 replaced by U+FFFD.
 std::string valid_utf8(const std::string& text);
-/// For HTML text and quoted attributes: & < > " ' as entities, control characters left out.
+/// Returns HTML for text and quoted attributes: & < > " ' as entities, without control characters.
 std::string html_text(std::string_view text);
-/// JSON that no HTML parser takes for markup inside of a script element: every '<' is written \u003c.
+/// Returns JSON that no HTML parser reads as markup in a script element: every '<' is written \u003c.
 std::string script_json(const Json& json);
-/// Seven digits, or "none" for null; three digits and muted where it is rounding beside `scale`. The span carries the place in results.json and
-/// all digits for who looks: data-path, title.
+/// Returns seven digits, or "none" for null. A number that is only rounding relative to `scale` has three digits and is
+/// muted. The span has the place in results.json and all digits: data-path, title.
 std::string html_number(const Json& value, std::string_view path = "", double scale = 0);
-/// A number, word, truth or list as short plain text, not escaped: "(0, 0, -0.002)".
+/// Returns a number, word, truth value or list as short plain text, not escaped: "(0, 0, -0.002)".
 std::string plain_words(const Json& value);
 
-/// A table that scrolls sideways where it is wider than the page. Cells are HTML.
+/// A table that scrolls horizontally where it is wider than the page. Cells are HTML.
 class HtmlTable {
  public:
-  /// The first column of words is aligned left, numbers right: `columns` that begin with '<' are left.
+  /// The first column of words is aligned left, numbers are aligned right. `columns` that begin with '<' are left.
   explicit HtmlTable(std::initializer_list<std::string_view> columns);
   void row(const std::vector<std::string>& cells, std::string_view css_class = "");
   std::string text() const;
@@ -36,13 +36,14 @@ class HtmlTable {
   std::string head_{}, rows_{};
 };
 
-/// <section id=...><h2>title</h2>...; empty if the content is.
+/// Returns <section id=...><h2>title</h2>...; empty if the content is empty.
 std::string html_section(std::string_view id, std::string_view title, const std::string& content);
 
-/// The value under a path of steps separated by '/'; null where there is none.
+/// Returns the value at a path of steps separated by '/'; null if there is none.
 const Json& at_path(const Json& json, std::string_view path);
 
-/// The text with each {{name}} replaced by its value, once: what is filled in is not looked at again. Unknown names are a std::logic_error.
+/// Returns the text with each {{name}} replaced by its value, once: inserted text is not searched again. Throws
+/// std::logic_error for unknown names.
 std::string filled(std::string_view page, const std::vector<std::pair<std::string_view, std::string>>& values);
 
 }  // namespace plastron::io

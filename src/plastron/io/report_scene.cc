@@ -58,7 +58,7 @@ Json obstacle_json(const obstacle::TriangleMesh& mesh, const std::string& name) 
 
 Json obstacles_json(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent,
                     const certificate::Summary& summary) {
-  constexpr std::size_t most_triangles = 60'000;  // of all together: 1.3 MB
+  constexpr std::size_t most_triangles = 60'000;  // in total: 1.3 MB
   Json list = Json::array();
   const auto all = drawn_obstacles(obstacles, extent);
   for (const DrawnObstacle& drawn : all)
@@ -85,7 +85,8 @@ Json lines_json(const certificate::Summary& summary) {
   return list;
 }
 
-/// Sides of cells on boundaries that have supports: a polyline of nodes each, with what the boundary is called (collective).
+/// Returns sides of cells on boundaries with supports: a polyline of nodes for each, with the name of the boundary
+/// (collective).
 Json supports_json(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
   const fem::Space& space = discrete.space();
   const auto& names = space.coarse->boundaries;

@@ -1,5 +1,5 @@
-// What the three-dimensional view of report.html draws, as JSON with base64 arrays of little-endian numbers: the shell, obstacles, boundaries
-// of contact zones, supported edges. viewer/src/scene.js reads it.
+// The data of the three-dimensional view in report.html, as JSON with base64 arrays of little-endian numbers: the
+// shell, obstacles, boundaries of contact zones, supported edges. viewer/src/scene.js reads it.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/computation/unit_names.hpp>
@@ -7,11 +7,13 @@
 
 namespace plastron::io {
 
-/// Points of the shell's surface that a page may hold: the page stays below 12 MB (a field's 4 bytes are 5.3 letters, some 60 components).
+/// Largest number of points of the shell's surface on a page. The page stays below 12 MB (a field's 4 bytes are 5.3
+/// letters, some 60 components).
 inline constexpr std::int64_t most_report_points = 26'000;
 
-/// On the first rank; null on the others, and where the surface cannot be held (collective). "fields" has the entries of io/fields.hpp with
-/// "values": for each component a base64 array of floats, or one number where all are alike. Throws as sampled_surface().
+/// Returns the scene on the first rank; null on the others, and if the surface is too large (collective). "fields" has
+/// the entries of io/fields.hpp with "values": for each component a base64 array of floats, or one number if all values
+/// are equal. Throws like sampled_surface().
 Json scene_json(const computation::Solution& solution, const certificate::Summary& summary,
                 const computation::UnitNames& units = {}, std::int64_t most_points = most_report_points);
 

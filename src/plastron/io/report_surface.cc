@@ -11,17 +11,18 @@ namespace plastron::io {
 
 namespace {
 
-/// Where a point belongs: coarse cell, place of its drawn cell in that, number in the drawn cell.
+/// Identity of a point: coarse cell, place of its drawn cell in it, number in the drawn cell.
 using Key = std::array<std::int64_t, 4>;
 
 struct PointRecords {
   std::vector<Key> keys{};
-  std::vector<float> values{};  ///< as many as there are rows for each key
+  std::vector<float> values{};  ///< for each key one value per row
 };
 
 std::int64_t points_in(fem::Shape shape, int subdivisions) { return fem::nodes_per_cell(shape, subdivisions); }
 
-/// A cell's block of finest cells, 2^merged a side, or the cell itself where it is larger: in the coarse cell's coordinates, like fem::Cell.
+/// A block of finest cells, 2^merged on each side, that contains a cell, or the cell itself if it is larger. Its
+/// coordinates refer to the coarse cell, as in fem::Cell.
 struct Block {
   Key key;
   fem::Cell cell;
@@ -39,14 +40,14 @@ Block block_of(const fem::Cell& cell, fem::Shape shape, const DrawnCells& drawn)
           {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
 }
 
-/// Whether corner k of the cell is that of its block.
+/// Whether corner k of the cell is corner k of its block.
 bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape shape, int k) {
   const Eigen::Vector2d corner = fem::corner(shape, k);
   const Eigen::Vector2d distance = cell.corner + cell.size * corner - block.corner - block.size * corner;
   return distance.norm() < 0.25 * std::abs(cell.size);
 }
 
-/// The least pressure at a node, or 0: between nodes polynomials undershoot it.
+/// Returns the least pressure at a node, or 0: between nodes polynomials have lower values.
 double least_pressure(const computation::Solution& solution) {
   double least = 0;
   const auto owned = static_cast<std::size_t>(solution.discrete->space().layout->owned);
@@ -63,7 +64,7 @@ void append(recovery::PointValues point, double least_pressure, const std::vecto
   }
 }
 
-/// The points that cells of this rank contribute.
+/// Returns the points from cells of this rank.
 PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn, double least_pressure,
                         const std::vector<Field>& fields) {
   const fem::Space& space = solution.discrete->space();
@@ -89,7 +90,7 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
   return records;
 }
 
-/// All ranks' entries one after another on the first rank; empty on the others (collective).
+/// Returns all ranks' entries, ordered by rank, on the first rank; empty on the others (collective).
 template <class Entry>
 std::vector<Entry> gathered(const std::vector<Entry>& mine, MPI_Comm comm) {
   int rank = 0, ranks = 1;
@@ -106,7 +107,7 @@ std::vector<Entry> gathered(const std::vector<Entry>& mine, MPI_Comm comm) {
   return all;
 }
 
-/// Row after row, points in the order of their keys.
+/// Returns the values by rows, with points in the order of their keys.
 std::vector<std::vector<float>> in_rows(const PointRecords& records) {
   const std::size_t points = records.keys.size();
   if (points == 0) return {};
@@ -122,7 +123,7 @@ std::vector<std::vector<float>> in_rows(const PointRecords& records) {
   return result;
 }
 
-/// How many cells there are, on all ranks, that are coarse ones divided 0, 1, 2, ... times; the last ones are the finest.
+/// Returns the number of cells on all ranks from coarse cells divided 0, 1, 2, ... times; the last ones are the finest.
 std::vector<std::int64_t> cells_by_level(const fem::Space& space) {
   constexpr int most_levels = 64;
   std::vector<std::int64_t> counts(most_levels, 0);
@@ -139,7 +140,7 @@ DrawnCells drawn_cells(fem::Shape shape, int degree, std::span<const std::int64_
                        std::int64_t most_points) {
   const int levels = static_cast<int>(cells_by_level.size()) - 1;
   const auto blocks = [&](int merged) {
-    double count = 0;  // cells of several sizes make up a block together
+    double count = 0;  // cells of several sizes form a block together
     for (int level = 0; level <= levels; ++level)
       count += std::ldexp(static_cast<double>(cells_by_level[static_cast<std::size_t>(level)]),
                           -2 * std::max(0, level - levels + merged));

@@ -1,5 +1,5 @@
-// The deformed surface for a web page: all fields at points of the cells in single precision, on the first rank, no more of them than a page
-// can hold.
+// The deformed surface for a web page: all fields at points of the cells in single precision, on the first rank, with a
+// limited number of points.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/io/fields.hpp>
@@ -10,32 +10,34 @@
 
 namespace plastron::io {
 
-/// Cells that are drawn, which may be blocks of the mesh's own.
+/// Drawn cells, which may be blocks of the mesh's cells.
 struct DrawnCells {
-  int subdivisions = 1;   ///< lattice of points in each: fem::lattice
-  int merged_levels = 0;  ///< a drawn cell is a block of 2^merged_levels of the finest cells a side, or one larger cell
-  int levels = 0;         ///< how often the coarse cells were divided for the finest ones
-  std::int64_t count = 0;  ///< 0: the page cannot hold the surface
+  int subdivisions = 1;  ///< lattice of points in each: fem::lattice
+  /// A drawn cell is a block of 2^merged_levels of the finest cells on each side, or one larger cell.
+  int merged_levels = 0;
+  int levels = 0;          ///< number of divisions from the coarse cells to the finest ones
+  std::int64_t count = 0;  ///< 0: the surface has too many points for the page
 };
 
-/// The finest drawing of at most `most_points` points: subdivisions up to the degree, then one a cell, then blocks of the smallest cells as far
-/// as these come from one coarse cell. `cells_by_level`: how many were divided 0, 1, 2, ... times.
+/// Returns the finest drawing of at most `most_points` points. Subdivisions are tried from the degree down to one in
+/// each cell. Then blocks of the smallest cells are tried, within one coarse cell. `cells_by_level`: number of cells
+/// divided 0, 1, 2, ... times.
 DrawnCells drawn_cells(fem::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
                        std::int64_t most_points);
 
 struct SampledSurface {
   DrawnCells cells;
   std::int64_t points = 0;
-  std::vector<Field> fields{};  ///< those that have a meaning here
+  std::vector<Field> fields{};  ///< fields with a meaning here
   std::vector<std::vector<float>>
-      rows{};  ///< a row for each component of each field, a value for each point; on the first rank only
+      rows{};  ///< a row for each component of each field, with a value for each point; on the first rank only
 };
 
-/// Those that colours tell something of: no tangents, no directions, no places but that of the mid-surface.
+/// Returns the fields that colours can show: no tangents, no directions, no places except the mid-surface.
 std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier);
 
-/// Cells stand in an order that no number of ranks changes (collective). Throws what the chart throws at points between nodes, on all ranks
-/// together.
+/// Returns the surface with cells in an order that does not depend on the number of ranks (collective). Throws the
+/// errors of the chart at points between nodes, on all ranks together.
 SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points);
 
 }  // namespace plastron::io

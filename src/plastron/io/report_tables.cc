@@ -12,7 +12,7 @@ namespace plastron::io {
 
 namespace {
 
-/// Components of a vector under a path, as cells.
+/// Adds components of a vector under a path as cells.
 void add_vector(const Json& results, const std::string& path, double scale, std::vector<std::string>& cells) {
   for (int d = 0; d < 3; ++d) {
     const std::string place = fmt::format("{}/{}", path, d);
@@ -27,7 +27,7 @@ double largest_component(const Json& vector) {
   return largest;
 }
 
-/// Where forces and moments of one row of the balance stand in results.json.
+/// Path of the forces and moments of one row of the balance in results.json.
 struct Carrier {
   std::string name, path;
 };
@@ -58,7 +58,7 @@ double component(const Json& results, const std::string& path) {
   return value.is_number() ? value.get<double>() : std::nan("");
 }
 
-/// The most that any of them carries.
+/// Returns the largest component of all carriers.
 double scale_of(const Json& results, const std::vector<Carrier>& all, const char* what) {
   double scale = 0;
   for (const Carrier& carrier : all) scale = std::max(scale, largest_component(at_path(results, carrier.path + what)));
@@ -72,12 +72,12 @@ std::string tile(std::string_view label, const std::string& value, std::string_v
       html_text(label), value, unit == "1" ? "" : html_text(unit));
 }
 
-/// How an axis of a history or a mesh is told: a label and the place in each record.
+/// A column of a table: a label and the place in each record.
 struct Column {
   std::string_view label, path;
 };
 
-/// A row for each record of the list under `path`.
+/// Returns a row for each record of the list under `path`.
 std::string records_html(const Json& results, std::string_view path, std::initializer_list<std::string_view> labels,
                          const std::vector<std::string>& places) {
   HtmlTable table(labels);
@@ -93,7 +93,7 @@ std::string records_html(const Json& results, std::string_view path, std::initia
   return table.text();
 }
 
-/// "at most 1e-6" as a sign and a number.
+/// Returns a limit such as "at most 1e-6" as a sign and a number.
 std::string limit_html(const Json& limit, const std::string& path) {
   const bool is_least = limit.contains("at_least");
   const std::string_view key = is_least ? "at_least" : "at_most";
@@ -105,7 +105,7 @@ std::string limit_html(const Json& limit, const std::string& path) {
 
 namespace {
 
-/// What the model itself is worth here.
+/// Returns a text on the validity of the model itself.
 std::string linearity_html(const Json& results) {
   const auto value = [&](const std::string& path) { return html_number(at_path(results, path), path); };
   return "The linear model leaves out " + value("linearity/left_out") +
@@ -189,7 +189,7 @@ std::string balance_html(const Json& results) {
   const auto all = carriers(results);
   HtmlTable table({"<", "force X [N]", "Y", "Z", "moment X [N m]", "Y", "Z"});
   std::vector<std::string> sums{"sum"};
-  // Where symmetry leaves no moment at all, the forces with the largest displacement for a lever tell what is rounding.
+  // If symmetry leaves no moment at all, the forces times the largest displacement give the scale of rounding.
   const auto scale = [&](const char* what) {
     const Json& lever = at_path(results, "size/max_displacement");
     const double least = std::string_view(what) == "/moment" && lever.is_number()

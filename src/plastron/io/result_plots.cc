@@ -9,7 +9,7 @@ namespace plastron::io {
 
 namespace {
 
-/// NaN for null, which plots leave out.
+/// Returns NaN for null; plots omit it.
 double value_of(const Json& json) {
   return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
@@ -20,7 +20,7 @@ double norm_of(const Json& vector) {
   return std::sqrt(square);
 }
 
-/// A number of each mesh over the unknowns.
+/// Returns a plot of one number of each mesh over the unknowns.
 study::Plot over_meshes(const Json& levels, const std::string& key, std::string title, std::string label) {
   std::string series = key;
   std::ranges::replace(series, '_', ' ');
@@ -33,7 +33,7 @@ study::Plot over_meshes(const Json& levels, const std::string& key, std::string 
   return plot;
 }
 
-/// Distance from the finest mesh's value, over that; the finest itself has none.
+/// Returns the relative difference from the finest mesh's value; the finest mesh has none.
 study::Series change(const Json& levels, const std::string& key, std::string label) {
   study::Series series{.label = std::move(label), .x = {}, .y = {}};
   const double finest = value_of(levels.back().at(key));
@@ -54,7 +54,7 @@ study::Plot change_to_finest(const Json& levels, bool has_contact) {
   return plot;
 }
 
-/// The longest way that an obstacle has come.
+/// Returns the longest distance that an obstacle has moved.
 double longest_way(const Json& instant) {
   double way = 0;
   for (const Json& obstacle : instant.at("obstacles")) way = std::max(way, norm_of(obstacle.at("translation")));
@@ -71,7 +71,7 @@ study::Plot contact_history(const Json& history) {
   return plot;
 }
 
-/// What the supports carry over how far the shell has given way.
+/// Returns the force of the supports over the largest displacement.
 study::Plot support_history(const Json& history) {
   study::Plot plot{.title = "Force of the supports on the shell",
                    .x = {"largest displacement [m]", false},

@@ -28,7 +28,7 @@ Json probe_json(const recovery::PointValues& values, const computation::Result& 
   return json;
 }
 
-/// A record for every place where stresses have no limit.
+/// Returns a record for every place where stresses have no limit.
 Json singular_places_json(const computation::Result& result) {
   Json list = Json::array();
   for (const certificate::SingularPlace& place : result.singular_places)
@@ -36,7 +36,7 @@ Json singular_places_json(const computation::Result& result) {
   return list;
 }
 
-/// A record for every boundary that supports hold.
+/// Returns a record for every boundary with supports.
 Json supports_json(const computation::Result& result) {
   Json list = Json::array();
   for (const certificate::SupportReaction& reaction : result.summary.support_reactions)
@@ -44,7 +44,7 @@ Json supports_json(const computation::Result& result) {
   return list;
 }
 
-/// A record for every corner where supported edges meet.
+/// Returns a record for every corner where supported edges meet.
 Json corner_supports_json(const computation::Result& result) {
   Json list = Json::array();
   for (const certificate::CornerReaction& reaction : result.summary.corner_reactions)
@@ -52,7 +52,7 @@ Json corner_supports_json(const computation::Result& result) {
   return list;
 }
 
-/// A record for every point that supports hold.
+/// Returns a record for every point with supports.
 Json point_supports_json(const computation::Result& result) {
   Json list = Json::array();
   for (const certificate::PointReaction& reaction : result.summary.point_reactions)
@@ -67,7 +67,7 @@ Json rigid_bodies_json(const computation::Result& result) {
   return list;
 }
 
-/// Row -> its limit, whether it is kept, and why it is what it is.
+/// Returns row -> its limit, whether it is kept, and the reason for the limit.
 Json limits_json(const computation::Result& result) {
   Json json = Json::object();
   for (const auto& limit : result.limits)
@@ -86,7 +86,7 @@ Json obstacle_json(const certificate::ObstacleContact& contact) {
   return json;
 }
 
-/// What the obstacles do to the shell, all together.
+/// Returns the total action of the obstacles on the shell.
 Json contact_json(const computation::Result& result) {
   if (!result.has_obstacle) return nullptr;
   Json json = record_json(contact_quantities(), result);
@@ -126,7 +126,7 @@ std::string compiler() {
 
 Json versions_json() {
   std::array<char, MPI_MAX_LIBRARY_VERSION_STRING + 1> mpi{};
-  int length = 0;  // counts the closing zero in some libraries
+  int length = 0;  // in some libraries the length includes the closing zero
   MPI_Get_library_version(mpi.data(), &length);
   return Json{{"plastron", version},
               {"compiler", compiler()},
@@ -135,7 +135,7 @@ Json versions_json() {
               {"MPI", std::string(mpi.data())}};
 }
 
-/// Path -> unit of every number, so that a reader needs no manual.
+/// Returns path -> unit of every number, so that a reader needs no manual.
 Json units_json() {
   Json units = Json::object();
   for (const Part& part : parts())
@@ -144,7 +144,7 @@ Json units_json() {
   return units;
 }
 
-/// The names of units in what is written for people: under "unit", in "units", and after numbers in sentences.
+/// Renames units in texts for people: under "unit", in "units", and after numbers in sentences.
 void rename_units(Json& json, const computation::UnitNames& units, bool are_names = false) {
   for (auto& [key, value] : json.items()) {
     const bool is_name = are_names || key == "unit";
@@ -157,14 +157,14 @@ void rename_units(Json& json, const computation::UnitNames& units, bool are_name
   }
 }
 
-/// What `plastron verify` reads besides the numbers.
+/// Returns the data, besides the numbers, that `plastron verify` reads.
 Json verification_json(const Provenance& provenance) {
   const auto or_null = [](const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); };
   return {{"solution", or_null(provenance.solution)},
           {"case", provenance.source ? case_source_json(*provenance.source, provenance.case_copy) : Json(nullptr)}};
 }
 
-/// The arrays of the .vtu file.
+/// Returns the arrays of the .vtu file.
 Json fields_json(const computation::Result& result, const std::vector<double>& heights) {
   Json list = Json::array();
   for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result), heights))
@@ -232,7 +232,7 @@ void add_results(const computation::Result& result, const Provenance& provenance
   int rank = 0;
   MPI_Comm_rank(files.comm(), &rank);
   const auto text = [&] {
-    // A title that is no valid UTF-8 shall not cost the results.
+    // A title with invalid UTF-8 must not cause the loss of the results.
     return rank == 0 ? results_json(result, provenance).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                      : std::string();
   };

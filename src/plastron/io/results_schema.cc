@@ -41,7 +41,7 @@ Json statuses() {
   return words;
 }
 
-/// A property that is always there.
+/// Adds a required property.
 Json& member(Json& record, const std::string& name) {
   if (!record.contains("type")) record["type"] = "object";
   Json& required = record["required"];
@@ -50,7 +50,7 @@ Json& member(Json& record, const std::string& name) {
   return record["properties"][name];
 }
 
-/// Where the schema of the record with this place stands: made on the way, lists and tables by name included.
+/// Returns the schema of the record with this place. It is made if necessary, including lists and tables by name.
 Json& at_place(Json& schema, std::string_view place) {
   Json* node = &schema;
   while (!place.empty()) {
@@ -80,7 +80,7 @@ void add(Json& record, const Entry& entry) {
   at_place(record, entry.path) = std::move(value);
 }
 
-/// What belongs to no table.
+/// Adds entries that belong to no table.
 void add_others(Json& schema) {
   const auto add = [&](const char* name, const char* meaning, const Json& value) {
     Json described{{"description", meaning}};

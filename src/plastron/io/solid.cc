@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using recovery::PointValues;
 
-/// A point inside of the shell: values on its normal, and where on it.
+/// A point inside the shell: values on its normal, and the place on it.
 struct SolidPoint {
   const PointValues& at;
   double part;  ///< z / e, exactly -1/2 and 1/2 on the faces
@@ -27,7 +27,7 @@ struct SolidField {
 
 std::vector<double> list(const Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// XX, YY, ZZ, XY, YZ, XZ of the stress in space: sigma^ab of the layer, with the parabola of the shear stress.
+/// Returns the stress in space, XX, YY, ZZ, XY, YZ, XZ: sigma^ab of the layer, with the parabola of the shear stress.
 std::vector<double> stress_in_space(const SolidPoint& p) {
   const shell::SectionForces f = section_forces(p.at);
   const Vector3d s = shell::in_plane_stress(f, p.z());
@@ -39,7 +39,7 @@ std::vector<double> stress_in_space(const SolidPoint& p) {
   return {t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2)};
 }
 
-/// Of the face that the point lies on; 0 inside.
+/// Returns the value of the face that contains the point; 0 inside.
 double on_face(const SolidPoint& p, const Eigen::Vector2d& of_faces) {
   return p.part == -0.5 ? of_faces[0] : p.part == 0.5 ? of_faces[1] : 0;
 }
@@ -71,7 +71,7 @@ const std::vector<SolidField>& solid_fields() {
   return all;
 }
 
-/// Points of the lattice at the corners of each of its squares or triangles, anticlockwise.
+/// Returns points of the lattice at the corners of each of its squares or triangles, anticlockwise.
 std::vector<std::vector<std::int64_t>> lattice_cells(fem::Shape shape, int n) {
   const bool is_triangle = shape == fem::Shape::triangle;
   const auto at = [&](int i, int j) {  // xi_1 fastest
@@ -98,8 +98,8 @@ void add_solid_point(const SolidPoint& p, const std::vector<SolidField>& present
   }
 }
 
-/// The layers of a cell: points from the lower to the upper face, then what lies between two sheets of them. VTK wants the base of a hexahedron
-/// anticlockwise seen from above, that of a wedge clockwise.
+/// Adds the layers of a cell: points from the lower to the upper face, then the solid cells between two sheets of
+/// points. VTK requires the base of a hexahedron anticlockwise seen from above, and the base of a wedge clockwise.
 void add_solid_cell(const std::vector<PointValues>& points, const std::vector<std::vector<std::int64_t>>& bases,
                     int layers, const std::vector<SolidField>& present, GridPiece& piece) {
   const auto first = static_cast<std::int64_t>(piece.points.size() / 3),

@@ -1,4 +1,4 @@
-// The version of Plastron that results name; a test compares it with the build's.
+// The version of Plastron in results; a test compares it with the version of the build.
 #pragma once
 #include <string_view>
 

@@ -9,7 +9,8 @@ namespace plastron::io {
 
 namespace {
 
-/// Equidistant points of a Lagrange cell of degree k in VTK's order: corners, the inner points of each side, those inside.
+/// Returns equidistant points of a Lagrange cell of degree k in VTK's order: corners, inner points of each side, points
+/// inside.
 std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
   std::vector<Eigen::Vector2d> points;
   if (shape == fem::Shape::triangle) {
@@ -51,7 +52,7 @@ void add_point(const recovery::PointValues& point, const std::vector<Field>& pre
   piece.points.insert(piece.points.end(), position.begin(), position.end());
 }
 
-/// The cells that this rank owns.
+/// Returns the cells that this rank owns.
 GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& choice) {
   const fem::Space& space = solution.discrete->space();
   const auto xi = cell_points(space.shape(), space.degree);

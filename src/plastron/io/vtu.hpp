@@ -1,4 +1,5 @@
-// The deformed surface with all fields for ParaView: one .vtu file of Lagrange quadrilaterals of the elements' degree.
+// The deformed surface with all fields for ParaView: one .vtu file of Lagrange quadrilaterals or triangles of the
+// elements' degree.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/io/atomic_file.hpp>
@@ -9,16 +10,16 @@
 
 namespace plastron::io {
 
-/// What a .vtu file holds, and how exactly.
+/// Content and precision of a .vtu file.
 struct VtuChoice {
   double displacement_scale = 1;   ///< points are phi + displacement_scale u
   std::vector<double> heights{};   ///< z / e of further stresses, see fields_of()
   bool is_double = false;          ///< coordinates and values in double precision; else rounded to single
-  computation::UnitNames units{};  ///< named beside the arrays
+  computation::UnitNames units{};  ///< names beside the arrays
 };
 
-/// Adds a .vtu file (collective). Each cell has its own points, equidistant in its parameters, because resultants jump between cells. Throws
-/// std::runtime_error.
+/// Adds a .vtu file (collective). Each cell has its own points, equidistant in its parameters, because resultants jump
+/// between cells. Throws std::runtime_error.
 void add_vtu(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files,
              const VtuChoice& choice = {});
 
@@ -28,10 +29,10 @@ struct DataSet {
   std::string file_name;
   int part = 0;  ///< 0 the shell, 1 the obstacles
 };
-/// Adds a .pvd file that names them (collective). Throws std::runtime_error.
+/// Adds a .pvd file with the names of the data sets (collective). Throws std::runtime_error.
 void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path, AtomicFiles& files);
 
-/// Writes base_name.vtu and base_name.pvd alone and returns their names.
+/// Writes only base_name.vtu and base_name.pvd, and returns their names.
 std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
                                    const std::string& base_name, const VtuChoice& choice = {});
 

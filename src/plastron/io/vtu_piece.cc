@@ -16,14 +16,14 @@ namespace plastron::io {
 
 namespace {
 
-/// Whether another thread pays.
+/// Whether another thread is useful.
 bool has_many_values(const GridArray& array) {
   constexpr std::size_t many_values = 10000;
   return array.values.size() >= many_values;
 }
 
-/// One compressed block with VTK's header before it: number of blocks, bytes of a block, of the last one if that is smaller (else 0), and of
-/// the block as compressed.
+/// Returns one compressed block after VTK's header: number of blocks, bytes of a block, bytes of the last one if that
+/// is smaller (else 0), and bytes of the compressed block.
 template <class T>
 std::string compressed(const std::vector<T>& values) {
   const std::size_t size = values.size() * sizeof(T);
@@ -43,11 +43,11 @@ std::string data_array(const std::string& attributes, const std::vector<T>& valu
                      compressed(values));
 }
 
-/// ParaView shows nothing of units, but they stand beside the name for whoever reads the file.
+/// ParaView shows no units, but they are beside the name for readers of the file.
 std::string attributes_of(const GridArray& array) {
   std::string text = fmt::format("Name=\"{}\" NumberOfComponents=\"{}\"", array.name, array.components);
   if (!array.unit.empty()) text += fmt::format(" units=\"{}\"", array.unit);
-  // ParaView calls the components of a symmetric tensor so.
+  // ParaView's names of the components of a symmetric tensor.
   constexpr std::array tensor{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
   for (std::size_t c = 0; array.components == 6 && c < tensor.size(); ++c)
     text += fmt::format(" ComponentName{}=\"{}\"", c, tensor[c]);
@@ -79,7 +79,7 @@ constexpr std::string_view vtu_header =
     "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n";
 constexpr std::string_view vtu_footer = "  </UnstructuredGrid>\n</VTKFile>\n";
 
-/// To compress them is most of the work of writing fields, hence by as many threads as there may be.
+/// Compresses with as many threads as allowed, because compression is most of the work of writing fields.
 std::vector<std::string> arrays_text(const std::vector<GridArray>& arrays, bool is_double) {
   std::vector<std::string> texts(arrays.size());
   std::atomic<std::size_t> next = 0;

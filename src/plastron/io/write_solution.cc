@@ -45,8 +45,8 @@ SolutionHeader header_of(const computation::Solution& solution) {
           .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size())};
 }
 
-/// The vectors that hold a node's values, in the order of the file. Ghosts have their owners' last digit: a node has
-/// one value, whichever rank writes it (collective).
+/// The vectors of a node's values, in the order of the file. Ghosts have exactly their owners' values: a node has
+/// the same value on any rank that writes it (collective).
 struct NodeFields {
   explicit NodeFields(const computation::Solution& solution) {
     const certificate::NodalSolution& nodal = solution.nodal;
