@@ -84,11 +84,10 @@ INSTANTIATE_TEST_SUITE_P(Each, JoinedEdges,
                                          Element{fem::Shape::triangle, 1, Formulation::tangent},
                                          Element{fem::Shape::triangle, 2, Formulation::tangent}));
 
-/// A tube of radius 1 around the y axis, under inner pressure; its ends slide radially.
 struct Sizes {
   double least, most;
 };
-/// Of the cells, or of those with a side on a boundary (collective).
+/// The least and the largest size of all cells, or of the cells with a side on a boundary (collective).
 Sizes sizes_of_cells(const fem::Space& space, const std::string& boundary = "") {
   double least = 1, most = 0;
   const auto add = [&](std::size_t cell) {
@@ -123,6 +122,7 @@ TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
   EXPECT_EQ(second.most, first.most);
 }
 
+/// A tube of radius 1 around the y axis, under inner pressure; its ends slide radially.
 Problem tube() {
   Problem p;
   p.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 1}, .cells = {8, 2}};

@@ -104,7 +104,7 @@ std::vector<std::size_t> cells_along(const Space& space, const std::vector<std::
   return cells;
 }
 
-/// Marks the cells along even boundaries that are larger than others of their group. Empty if there are none
+/// Marks the cells along even boundaries that are larger than others of their group. Empty if all cells of each group have one size
 /// (collective).
 std::vector<signed char> larger_cells(const Space& space, const MeshSequence::Even& even) {
   const MPI_Comm comm = space.layout->comm;

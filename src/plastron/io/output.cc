@@ -139,16 +139,13 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
   std::vector<LineTable> tables;
   if (is_drawn) tables = line_tables(*result.solution, lines, given_);
   for (const LineTable& table : tables) add_text(fmt::format("line-{}.csv", table.name), [&] { return table.csv; });
-  const auto keep_all = [this](const std::vector<std::string>& more) {
-    names_.insert(names_.end(), more.begin(), more.end());
-  };
   if (!series_.empty()) {
     names_.push_back(base_name_ + ".pvd");
     add_pvd(series_, directory_ / names_.back(), files_);
   }
   std::vector<std::string> boundary;
   if (is_drawn) boundary = add_contact_report(result.summary, *result.solution, directory_, files_);
-  keep_all(boundary);
+  names_.insert(names_.end(), boundary.begin(), boundary.end());
   if (!result.history.empty()) add_history(result);
   if (provenance.source) {
     provenance.case_copy = base_name_ + ".case.toml";

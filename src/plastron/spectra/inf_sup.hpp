@@ -17,12 +17,12 @@ struct ContactInfSup {
   std::int64_t multipliers = 0;  ///< nodes with a multiplier
 };
 
-/// Of b. The discrete shell is of a relaxed formulation. Nothing where no support holds a rotation, since b sees gradients
-/// only. `length` is L [m]. (collective) Throws std::runtime_error if the eigenvalue is not found.
+/// The inf-sup constant of b for a relaxed formulation. Empty if no support fixes a rotation, because b contains only
+/// gradients. `length` is L [m]. (collective) Throws std::runtime_error if the eigenvalue is not found.
 std::optional<double> tangency_inf_sup(const assembly::DiscreteShell& discrete, double length);
 
-/// Of c, in the space of the shell's formulation. A multiplier sits at every node where the obstacle's normal has a part
-/// among the free displacements. Nothing without such nodes. (collective) Throws like tangency_inf_sup().
+/// The inf-sup constant of c in the space of the shell's formulation. Each node has a multiplier if the obstacle's normal
+/// has a part in the free displacements. Empty without such nodes. (collective) Throws like tangency_inf_sup().
 ///
 /// At these nodes w = n . (v + z s) is a coordinate of V (nodal_coordinates.hpp), so with S w the forces that hold w when
 /// the rest of V makes |V|_X smallest,

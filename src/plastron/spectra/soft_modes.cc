@@ -19,7 +19,7 @@ using algebra::Vector;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of the largest stiffness found, or of E e^3: less is rounding.
+// A stiffness below this part of the largest stiffness, or of E e^3, is rounding.
 constexpr double negligible = 1e-14;
 
 /// The smallest E e^3 of a node: what bending stiffness is made of.

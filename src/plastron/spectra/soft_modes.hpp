@@ -12,7 +12,7 @@ namespace plastron::spectra {
 
 using geometry::Vector3d;
 
-/// What a mode is for the most part.
+/// The kind of motion that dominates a mode.
 enum class ModeKind {
   translation,      ///< u = c
   rotation,         ///< u = w x (phi - c), r = w x a_3, less its part among the translations

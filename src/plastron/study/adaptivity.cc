@@ -137,7 +137,7 @@ void add(const Meshes& graded, const Meshes& uniform, const Reference& reference
   }
 }
 
-/// Of the first mesh, one in the middle of the sequence and the last one.
+/// Chooses the pictures of the first mesh, one in the middle of the sequence and the last.
 std::vector<MeshPicture> first_middle_last(std::vector<MeshPicture> all,
                                            const std::vector<computation::Level>& levels) {
   const std::size_t count = std::min(all.size(), levels.size());

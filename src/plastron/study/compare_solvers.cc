@@ -15,7 +15,7 @@ using contact::Solver;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// What one solver did on all meshes.
+/// The results of one solver on all meshes.
 struct Run {
   std::string name;
   contact::Status status = contact::Status::solved;

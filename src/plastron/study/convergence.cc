@@ -56,7 +56,7 @@ double right_side(const FalkTerms& f) { return positive_root(f.interpolation + 2
 double right_over_left(const FalkTerms& f) { return right_side(f) / positive_root(f.error); }
 double right_side_in_l2(const FalkTerms& f) { return positive_root(f.interpolation + 2 * f.l2_reaction); }
 
-/// Of every mesh; NaN where the estimate cannot be evaluated.
+/// One side of the estimate on every mesh; NaN where the estimate cannot be evaluated.
 std::vector<double> of_estimate(const Sequence& s, Side side) {
   std::vector<double> values(s.errors.size(), NAN);
   for (std::size_t l = 0; l < s.falk.size(); ++l) values[l] = side(s.falk[l]);
@@ -140,7 +140,7 @@ Claim reaches(const Sequence& s, const std::vector<double>& errors, const std::s
                 rate >= order - slack);
 }
 
-/// Of every mesh whose error says something. What forms and spaces of two meshes differ by may come on top.
+/// Compares the errors of all meshes that are above rounding. Differences of forms and spaces between meshes may be added.
 Claim is_below_right_side(const Sequence& s, const std::vector<double>& errors, const std::string& statement) {
   if (!s.why_without_falk.empty()) return not_judged(statement, s.why_without_falk);
   constexpr double rounding = 1e-6;

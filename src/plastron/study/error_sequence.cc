@@ -78,7 +78,7 @@ Norms field_norms(const assembly::ShellOperator& shell, double length, const alg
           .l2_r = std::sqrt(s.r)};
 }
 
-/// Of level l against the last one, relative to the last one's norms.
+/// The error of level l against the last level, relative to the norms of the last level.
 Norms relative_error(const computation::Solution& reference, const CarriedSolutions& carried, std::size_t l,
                      double length, const Norms& scale) {
   const assembly::ShellOperator& shell = reference.discrete->shell;

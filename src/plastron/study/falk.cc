@@ -44,7 +44,7 @@ double residual_work(const DiscreteShell& discrete, const algebra::Vector& y, co
   return algebra::dot(f, V);
 }
 
-/// Of two fields by the nodal quadrature: what the reaction does on the change of the gaps, and the changes' norm.
+/// The work of the reaction on the change of the gaps between two fields, and the norm of the change, by nodal quadrature.
 struct GapChange {
   double work = 0;     ///< <eta, g(to) - g(from)> [J]
   double squared = 0;  ///< |g(to) - g(from)|_0^2 [m^4]

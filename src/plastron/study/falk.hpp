@@ -18,7 +18,7 @@
 
 namespace plastron::study {
 
-/// Of one mesh all that its discretisation and solution can be had from again.
+/// A solution on one mesh, with the data that restore its discretisation.
 struct CoarseSolution {
   std::shared_ptr<const fem::Space> space;
   assembly::State state;
@@ -37,15 +37,15 @@ struct FalkTerms {
   double interpolation = 0;  ///< |U - W_h|_a^2, likewise
   double reaction = 0;       ///< <eta, g(W_h) - g(U)> + <eta, g(W) - g(U_h)> by the nodal quadrature
   double l2_reaction = 0;    ///< |eta|_0 (|g(W_h) - g(U)|_0 + |g(W) - g(U_h)|_0), nodal quadrature
-  /// What forms, loads and spaces of the two meshes differ by (tying, quadrature, tangency at nodes: Strang's lemmas): signed, to be added
-  /// to the reaction
+  /// Differences of forms, loads and spaces between the two meshes (tying, quadrature, tangency at nodes: Strang's lemmas),
+  /// with sign; added to the reaction.
   double consistency = 0;
 };
 
 /// Why the estimate cannot be evaluated for the problem; empty if it can.
 std::string why_without_falk(const computation::Problem& problem);
 
-/// Of every coarse solution, coarsest first, on the meshes of the problem. Precondition: why_without_falk() is empty. (collective)
+/// The terms of every coarse solution, coarsest first, on the meshes of the problem. Precondition: why_without_falk() is empty. (collective)
 std::vector<FalkTerms> falk_terms(const computation::Problem& problem, const computation::Solution& reference,
                                   const ReferenceStrains& reference_strains, const SeenSolution& seen_reference,
                                   std::span<const CoarseSolution> coarse, std::span<const SeenSolution> seen,

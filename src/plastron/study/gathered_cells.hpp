@@ -21,7 +21,7 @@ GatheredCells gathered_cells(const fem::Space& space);
 /// Finds the cells that hold others, of one mesh and a nested finer one.
 class HoldingCells {
  public:
-  /// Of the first `count` of the cells, which must outlive this.
+  /// Searches the first `count` cells. `cells` must outlive this object.
   HoldingCells(fem::Shape shape, const std::vector<fem::Cell>& cells, std::size_t count);
 
   /// The number of the cell that `fine` lies in; nothing if there is none.

@@ -1,5 +1,5 @@
-// What the studies are called, what they ask and what they may be told. The command line needs no more of them, and answers without
-// what they compute with.
+// Names, questions and options of the studies. The command line needs only these, and does not load the libraries that
+// the studies compute with.
 #pragma once
 #include <span>
 #include <string>

@@ -24,7 +24,7 @@ struct StudyObserver {
   computation::Observer solve{};                       ///< of each computation
 };
 
-/// What a study found. With a status other than solved the table ends at the computation that failed.
+/// The result of a study. With a status other than solved the table ends at the computation that failed.
 struct Report {
   contact::Status status = contact::Status::solved;
   Table table;
@@ -43,7 +43,7 @@ struct Kind {
   Report (*run)(const computation::Problem&, const StudyOptions&, MPI_Comm, const StudyObserver&);  ///< collective
   /// Members of StudyOptions it looks at, as the command line calls them ("steps" are "factors" in other words).
   std::span<const std::string_view> options{};
-  /// What it computes beside the case and cannot do without; null if nothing of its own could be refused.
+  /// Problems that the study must compute besides the case. Null if the study needs only problems that cannot be refused.
   std::vector<Variant> (*variants)(const computation::Problem&, const StudyOptions&) = nullptr;
   bool grades_meshes = false;  ///< meshes follow from the case's accuracy; others compare uniform ones
 };
@@ -52,9 +52,9 @@ struct Kind {
 std::span<const Kind> kinds();
 /// Null if there is no study of this name.
 const Kind* find_kind(std::string_view name);
-/// What `plastron compare` runs: a report like a study's.
+/// The comparison of formulations that `plastron compare` runs.
 const Kind& comparison();
-/// What `plastron compare --solvers` runs.
+/// The comparison of solvers that `plastron compare --solvers` runs.
 const Kind& solver_comparison();
 
 /// The findings of the case, as for `run`, and the errors of what the study computes beside it: with errors the study is

@@ -23,7 +23,7 @@ struct MeshPicture {
 /// Around outlines.
 Eigen::AlignedBox2d box(const std::vector<Outline>& outlines);
 
-/// Of all ranks on every rank, in an order that depends on them; without caption (collective).
+/// The outlines of the cells of all ranks, on every rank, without caption. Their order depends on the ranks (collective).
 MeshPicture mesh_picture(const computation::Solution& solution);
 
 }  // namespace plastron::study

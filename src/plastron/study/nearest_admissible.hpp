@@ -9,7 +9,7 @@ namespace plastron::study {
 /// ghosts; y is not read where nodes are tied. Precondition: no rigid bodies, and no relaxed formulation. (collective)
 algebra::Vector nearest_admissible(const assembly::DiscreteShell& discrete, const algebra::Vector& y);
 
-/// Of a difference of fields the part in V_h: zero at supports, r tangent. Same precondition. (collective)
+/// The part in V_h of a difference of fields: zero at supports, r tangent. Same precondition. (collective)
 algebra::Vector virtual_part(const assembly::DiscreteShell& discrete, const algebra::Vector& difference);
 
 }  // namespace plastron::study

@@ -92,7 +92,7 @@ class Descent {
 /// r . a_3 takes no part: flat shells, and such as do not move.
 bool is_idle(const Sample& s) { return s.tangency_energy <= 1e-20 * s.finest.energy; }
 
-/// What the rows say, from p = 1 downwards.
+/// The values of the rows in the order of falling p, from p = 1.
 struct Followed {
   std::vector<double> p{}, normal_rotation{};
   std::vector<double> to_tangent{};   ///< |U_p - U|_a on the finest mesh, relative

@@ -65,7 +65,7 @@ Samples with(const Samples& samples, Value value) {
   return those(samples, [&](const Sample& s) { return std::isfinite(s.*value); });
 }
 
-/// What differs among the samples, in words; empty for one sample.
+/// Names the parameters that differ among the samples; empty for one sample.
 std::string varied(const Samples& samples) {
   const auto differs = [&](const auto& member) {
     return std::ranges::any_of(samples, [&](const Sample& s) { return s.*member != samples.front().*member; });

@@ -10,7 +10,7 @@ Report stability(const computation::Problem& problem, const StudyOptions& option
 /// The thicknesses it computes.
 std::vector<Variant> stability_variants(const computation::Problem& problem, const StudyOptions& options);
 
-/// What costs nothing once all supports are removed, in every formulation, over the mesh size. (collective)
+/// Finds the softest modes of the shell without supports, in every formulation, over the mesh size. (collective)
 Report soft_modes(const computation::Problem& problem, const StudyOptions& options, MPI_Comm comm,
                   const StudyObserver& observer);
 

@@ -78,7 +78,8 @@ class Stability {
     return sample;
   }
 
-  /// Of each obstacle alone, the least: gaps of several may be one coordinate, and their multipliers are never in contact together then.
+  /// Takes the least constant over the obstacles, each by itself. Gaps of several obstacles may share a coordinate, and then
+  /// their multipliers never act together.
   void measure_contact(const SpacePointer& space, const computation::Problem& thin, StabilitySample& sample) {
     const auto least = [](double& known, double value) { known = std::isnan(known) ? value : std::min(known, value); };
     const assembly::ShellDescription all = without_loads(thin, true);

@@ -1,4 +1,4 @@
-// What a study may be told on the command line.
+// The options of studies on the command line.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace plastron::study {
 
-/// What a study may be told. Each looks only at what concerns it.
+/// The options of all studies. Each study reads only its own.
 struct StudyOptions {
   int reference = 2;  ///< convergence: levels between the finest mesh and the reference
   std::vector<double>

@@ -46,7 +46,7 @@ class Frame {
   Eigen::Vector2d least_, scale_;
 };
 
-/// Of a closed polygon; points on the straight way between their neighbours are left out.
+/// The SVG path of a closed polygon without points on the straight line between their neighbours.
 std::string path_of(const study::Outline& outline, const Frame& frame) {
   constexpr double visible = 0.05;  // px
   std::vector<Eigen::Vector2d> points;

@@ -1,4 +1,4 @@
-// What a study found, as text for people, as KIND.json for programs, and with its plot as KIND.svg and pictures of meshes as KIND-meshes.svg.
+// Writes the results of a study: text for the terminal, KIND.json, the plot KIND.svg and the meshes KIND-meshes.svg.
 #pragma once
 #include <plastron/io/results.hpp>
 #include <plastron/study/kinds.hpp>
