@@ -8,7 +8,8 @@ namespace plastron::app {
 ExitCode check(const Options& options) {
   const config::Case c = read_case(options.case_file, options.settings);
   const std::string case_file = options.case_file.string();
-  print("{}: {}\n", case_file, c.title.empty() ? "untitled" : shortened_title(c.title));
+  print("{}: ", case_file);
+  print_title(c.title, "untitled");
   const auto findings = examine_together([&] { return examination::examine(c.problem); });
   print_findings(findings, case_file, true);
   if (examination::has_errors(findings)) return bad_input;

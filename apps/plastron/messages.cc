@@ -8,7 +8,10 @@
 
 namespace plastron::app {
 
-std::string shortened_title(const std::string& title) { return geometry::shortened(title, 100); }
+void print_title(const std::string& title, const std::string& without) {
+  if (!is_first_rank()) return;
+  print_raw(stdout, config::printable(title.empty() ? without : geometry::shortened(title, 100)) + "\n");
+}
 
 void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes) {
   using examination::Severity;

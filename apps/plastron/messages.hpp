@@ -9,8 +9,8 @@
 
 namespace plastron::app {
 
-/// Returns a title for output; long ones are shortened.
-std::string shortened_title(const std::string& title);
+/// Prints a line with the title of a case, shortened, or `without` if it has no title. Units in a title are not renamed.
+void print_title(const std::string& title, const std::string& without);
 
 /// Prints the findings of an examination, with notes if requested.
 void print_findings(const std::vector<examination::Finding>& findings, const std::string& case_file, bool with_notes);

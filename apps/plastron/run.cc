@@ -67,7 +67,10 @@ ExitCode run(const Options& options) {
     return bad_input;
   }
 
-  if (!options.quiet) print("{}\n\n", c.title.empty() ? case_file : shortened_title(c.title));
+  if (!options.quiet) {
+    print_title(c.title, case_file);
+    print("\n");
+  }
   io::CaseSource source = source_of(c, options);
   Progress progress(c.problem, options.quiet);
   computation::Observer observer = progress.observer();

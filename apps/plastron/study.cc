@@ -40,7 +40,7 @@ void log_report(const study::Report& report, const StudyCommand& command) {
 }
 
 void print_report(const study::Report& report, const config::Case& c, const StudyCommand& command) {
-  print("{}\n", c.title.empty() ? command.case_file.string() : shortened_title(c.title));
+  print_title(c.title, command.case_file.string());
   if (is_first_rank()) print_text(stdout, study_io::table_text(report.table));
   if (command.output.empty()) return;
   print("\nresults           {}\n", (command.output / (report.table.name + ".json")).string());

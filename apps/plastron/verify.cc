@@ -134,7 +134,10 @@ ExitCode verify(const Options& options) {
   check_names(c, claims);
   const io::StoredChecksums files = io::compare_checksums(options.results, claims.results, MPI_COMM_WORLD);
   print_versions(claims.results, options.quiet);
-  if (!options.quiet) print("{}\n\n", c.title.empty() ? claims.case_copy.string() : shortened_title(c.title));
+  if (!options.quiet) {
+    print_title(c.title, claims.case_copy.string());
+    print("\n");
+  }
 
   const auto cells = c.problem.accuracy ? io::stored_cells(claims.solution, MPI_COMM_WORLD) : computation::MeshCells{};
   const computation::FinestMesh mesh = computation::finest_mesh(c.problem, MPI_COMM_WORLD, cells);

@@ -137,6 +137,23 @@ TEST(GoodCase, prints_its_levels_and_writes_its_results) {
   EXPECT_EQ(results.at("levels").size(), 2u);
 }
 
+TEST(GoodCase, may_name_its_units_which_does_not_change_its_title) {
+  const Scratch scratch;
+  const std::string given = "title = \"Pressed strip", named = "title = \"Strip of 5 m";
+  std::string text = case_with(1, "[units]\nlength = \"mm\"\n");
+  text.replace(text.find(given), given.size(), named);
+  scratch.write("case.toml", text);
+  const Outcome check = plastron({"check", "case.toml"}, scratch.path);
+  EXPECT_THAT(check.output, AllOf(HasSubstr("case.toml: Strip of 5 m\n"), HasSubstr("mm^2"), Not(HasSubstr(" m^2"))));
+  const Outcome run = plastron({"run", "case.toml", "--output", "out"}, scratch.path);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, AllOf(HasSubstr("Strip of 5 m\n"), HasSubstr("min gap [mm]"), HasSubstr(" MPa"),
+                                HasSubstr(" mJ"), Not(HasSubstr(" Pa"))));
+  const Outcome verify = plastron({"verify", "out"}, scratch.path);
+  EXPECT_EQ(verify.exit_code, 0) << verify.output;
+  EXPECT_THAT(verify.output, AllOf(HasSubstr("Strip of 5 m\n"), HasSubstr("PASSED")));
+}
+
 TEST(GoodCase, may_name_its_contact_solver) {
   const Scratch scratch;
   scratch.write("case.toml", case_with(1) + "[contact]\nsolver = \"mprgp\"\n");
