@@ -29,7 +29,7 @@ struct KnownGoal {
 /// A problem with goals that are known, as the program computes them.
 struct Known {
   std::string name;
-  computation::Problem problem;
+  problem::Problem problem;
   std::vector<KnownGoal> goals;
   double least_tolerance = 0;  ///< that it is asked for, unless that is said
 };
@@ -67,7 +67,7 @@ std::vector<Known> problems(int degree) {
   return all;
 }
 
-void print_goals(const Known& known, const std::vector<computation::GoalRecord>& goals) {
+void print_goals(const Known& known, const std::vector<estimation::GoalRecord>& goals) {
   for (std::size_t g = 0; g < goals.size(); ++g) {
     const double exact = known.goals[g].exact, error = exact - goals[g].value;
     fmt::print("  {:>9.2e} {:>9.2e} {:>6.2f}", error / exact, goals[g].error / std::abs(exact),
@@ -77,10 +77,10 @@ void print_goals(const Known& known, const std::vector<computation::GoalRecord>&
 
 /// Whether a run ended below its tolerance, in truth.
 bool report(Known known, double tolerance) {
-  computation::Accuracy accuracy;
+  problem::Accuracy accuracy;
   for (const KnownGoal& goal : known.goals) accuracy.goals.push_back({goal.name, tolerance});
   known.problem.accuracy = accuracy;
-  if (!std::getenv("ACCURACY_WITHOUT_LAYERS")) known.problem.discretisation.layers = computation::Layers::automatic;
+  if (!std::getenv("ACCURACY_WITHOUT_LAYERS")) known.problem.discretisation.layers = problem::Layers::automatic;
   const computation::Stopwatch watch;
   const computation::Result result = computation::solve(known.problem, MPI_COMM_WORLD);
   const double seconds = watch.seconds();

@@ -14,7 +14,7 @@
 namespace plastron::benchmarks {
 namespace {
 
-int report(const char* name, double e, const computation::Problem& problem) {
+int report(const char* name, double e, const problem::Problem& problem) {
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   fmt::print("{:<6} e = {:<6g} {:<8} up to {:>7} unknowns, contact area {:.4f}: iterations", name, e,
              contact::to_string(result.status), result.levels.back().unknowns, result.summary.contact_area);

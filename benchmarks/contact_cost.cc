@@ -22,7 +22,7 @@
 namespace plastron::benchmarks {
 namespace {
 
-computation::Problem problem_of(const std::string& name, int degree, int size) {
+problem::Problem problem_of(const std::string& name, int degree, int size) {
   const int less =
       degree == 4 ? 1 : 0;  // refinements: cells of degree 4 have four times as many nodes as those of degree 2
   if (name == "barrel") return barrel(degree, 2 + size - less);

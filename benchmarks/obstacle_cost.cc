@@ -5,9 +5,9 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/session.hpp>
 #include <plastron/assembly/discrete_shell.hpp>
-#include <plastron/computation/gap.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/obstacle/surface_mesh.hpp>
+#include <plastron/problem/gap.hpp>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -62,7 +62,7 @@ obstacle::TriangleMesh sphere(int rows) {
 }
 
 double factorisation(int refinements, std::int64_t& nodes) {
-  const computation::Problem problem = cap(0.02, 2, refinements);
+  const problem::Problem problem = cap(0.02, 2, refinements);
   fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, problem.discretisation.cells), 2, MPI_COMM_WORLD);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   for (int i = 0; i < refinements; ++i) meshes.refine({});

@@ -1,6 +1,6 @@
 // The problems of the benchmarks, pressed on a table: a spherical cap, a clamped strip, a barrel panel between two walls.
 #pragma once
-#include <plastron/computation/problem.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <array>
 #include <cmath>
@@ -20,8 +20,8 @@ inline assembly::Support clamped(const std::string& boundary) {
   return support;
 }
 
-inline computation::Problem pressed(double load) {
-  computation::Problem problem;
+inline problem::Problem pressed(double load) {
+  problem::Problem problem;
   problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   assembly::AreaLoad weight;
   weight.force[2] = geometry::Expression(-load);
@@ -32,9 +32,9 @@ inline computation::Problem pressed(double load) {
 
 /// Radius 1, half angle 0.5, rim clamped, bottom 0.01 above the table. The load grows like e^1.4, which keeps the patch's
 /// size about the same from thick to thin; e = 0.1 and 0.02 have the loads of the references R4cap.
-inline computation::Problem cap(double e, int degree, int refinements) {
+inline problem::Problem cap(double e, int degree, int refinements) {
   const double load = 0.02 * std::pow(e / 0.1, std::log(10.0) / std::log(5.0));
-  computation::Problem problem = pressed(load);
+  problem::Problem problem = pressed(load);
   problem.domain = fem::Disk{.radius = std::sin(0.5)};
   const geometry::Constants constants{{"z0", 1 + e / 2 + 0.01}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0 - sqrt(1 - x^2 - y^2)"}, constants));
@@ -51,9 +51,9 @@ inline assembly::Support mirrored(const std::string& boundary, assembly::Directi
 }
 
 /// A quarter of radius 1, arc and length 0.5, e = 0.02: two edges of symmetry, one in the wall, one free; 0.01 above the table (cases/barrel-panel).
-inline computation::Problem barrel(int degree, int refinements) {
+inline problem::Problem barrel(int degree, int refinements) {
   constexpr double e = 0.02;
-  computation::Problem problem = pressed(8e-4);
+  problem::Problem problem = pressed(8e-4);
   problem.domain = fem::Rectangle{.to = {0.5, 0.5}, .cells = {9, 9}};
   problem.charts.emplace("", geometry::Chart({"sin(x)", "y", "z0 - cos(x)"}, {{"z0", 1 + e / 2 + 0.01}}));
   problem.sections.common.thickness = geometry::Expression(e);
@@ -64,8 +64,8 @@ inline computation::Problem barrel(int degree, int refinements) {
 }
 
 /// Length 1, both ends clamped, 0.01 above the table; load 3 e^3 as in the references R1.
-inline computation::Problem strip(double e, int degree, int refinements, std::array<int, 2> cells = {4, 1}) {
-  computation::Problem problem = pressed(3 * e * e * e);
+inline problem::Problem strip(double e, int degree, int refinements, std::array<int, 2> cells = {4, 1}) {
+  problem::Problem problem = pressed(3 * e * e * e);
   problem.domain = fem::Rectangle{.to = {1, 0.25}, .cells = cells};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", e / 2 + 0.01}}));
   problem.sections.common.thickness = geometry::Expression(e);

@@ -6,10 +6,10 @@
 #include "terminal.hpp"
 
 #include <plastron/computation/doubts.hpp>
-#include <plastron/computation/goal_names.hpp>
-#include <plastron/computation/instants.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/io/quantities.hpp>
+#include <plastron/problem/goal_names.hpp>
+#include <plastron/problem/instants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,13 @@
 
 namespace plastron::app {
 
-Progress::Progress(const computation::Problem& problem, bool quiet)
+Progress::Progress(const problem::Problem& problem, bool quiet)
     : has_obstacle_(!problem.obstacles.empty()),
       quiet_(quiet),
       is_by_accuracy_(problem.accuracy.has_value()),
       status_(quiet),
       meshes_(problem.discretisation.refinements + 1),
-      number_of_parts_(static_cast<int>(computation::instants(problem).size())),
+      number_of_parts_(static_cast<int>(problem::instants(problem).size())),
       meshes_left_(meshes_) {
   if (!quiet_) print_header(problem);
 }
@@ -35,7 +35,7 @@ std::size_t width_of(const std::string& name) { return std::max<std::size_t>(9, 
 
 }  // namespace
 
-void Progress::print_header(const computation::Problem& problem) const {
+void Progress::print_header(const problem::Problem& problem) const {
   if (!is_by_accuracy_) {
     print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>12} {:>16} {:>9}\n", "level", "cells", "unknowns", "contact", "steps",
           with_unit_names("min gap [m]"), with_unit_names("energy [J]"), "time [s]");
@@ -44,7 +44,7 @@ void Progress::print_header(const computation::Problem& problem) const {
   print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>9}  estimated errors, relative\n", "mesh", "cells", "unknowns", "contact",
         "steps", "time [s]");
   std::string names, asked;
-  for (const estimation::Goal& goal : computation::estimated_goals(problem)) {
+  for (const estimation::Goal& goal : problem::estimated_goals(problem)) {
     names += fmt::format("  {:>{}}", geometry::shortened(goal.name, 24), width_of(goal.name));
     asked += fmt::format("  {:>{}.1e}", goal.tolerance.value_or(0), width_of(goal.name));
   }
@@ -54,7 +54,7 @@ void Progress::print_header(const computation::Problem& problem) const {
 void Progress::print_goals(int level, const computation::Level& r) const {
   print("{:>5} {:>9} {:>10} {:>8} {:>6} {:>9.2f}", level, r.cells, r.unknowns, r.active, r.iterations,
         r.seconds.total());
-  for (const computation::GoalRecord& goal : r.goals)
+  for (const estimation::GoalRecord& goal : r.goals)
     print("  {:>{}}", goal.has_estimate ? fmt::format("{:.1e}", goal.relative_estimate()) : "-", width_of(goal.name));
   print("{}\n", r.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(r.status)));
 }
@@ -98,7 +98,7 @@ void Progress::level(int level, const computation::Level& r) {
   status_.clear();
   log_level(level, r);
   most_missed_ = 0;
-  for (const computation::GoalRecord& goal : r.goals) most_missed_ = std::max(most_missed_, goal.excess());
+  for (const estimation::GoalRecord& goal : r.goals) most_missed_ = std::max(most_missed_, goal.excess());
   if (!is_by_accuracy_) meshes_left_.done(status_.seconds());
   if (!is_by_accuracy_ && level == meshes_ - 1 && number_of_parts_ > 1)
     parts_.emplace(number_of_parts_ - 1, status_.seconds());
@@ -149,7 +149,7 @@ namespace {
 std::string vector_text(const Eigen::Vector3d& v) { return fmt::format("({:.6e}, {:.6e}, {:.6e})", v[0], v[1], v[2]); }
 
 /// Prints one line for each contact zone if there are several, but not many.
-void print_zones(const std::vector<certificate::ObstacleContact>& obstacles) {
+void print_zones(const std::vector<solution::ObstacleContact>& obstacles) {
   constexpr std::size_t most = 10;
   std::size_t all = 0, printed = 0;
   for (const auto& o : obstacles) all += o.zones.size();
@@ -179,8 +179,7 @@ void print_estimates(const computation::Result& result) {
   if (!result.estimates) return;
   const double rest = result.summary.obstacles.size() > 1 ? 1e-2 : 1e-6;
   double forces = 0;
-  for (const certificate::ObstacleContact& obstacle : result.summary.obstacles)
-    forces += obstacle.reaction.force.norm();
+  for (const solution::ObstacleContact& obstacle : result.summary.obstacles) forces += obstacle.reaction.force.norm();
   for (const estimation::GoalEstimate& g : result.estimates->goals)
     if (std::abs(g.value) > (g.name == "reaction" ? rest * forces : 0))
       print("estimated error   of {} {:.2g} % of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value), g.value,
@@ -209,7 +208,7 @@ void print_stress(const computation::Result& result) {
   if (result.singular_places.empty()) return;
   print("                  away from places where stresses have no limit:\n");
   for (std::size_t i = 0; i < std::min(most, result.singular_places.size()); ++i) {
-    const certificate::SingularPlace& place = result.singular_places[i];
+    const recovery::SingularPlace& place = result.singular_places[i];
     print("                    {} at ({:.4g}, {:.4g}, {:.4g}) m\n", place.what, place.position[0], place.position[1],
           place.position[2]);
   }

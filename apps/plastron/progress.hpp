@@ -14,7 +14,7 @@ namespace plastron::app {
 /// the remaining time. It logs events if requested.
 class Progress {
  public:
-  Progress(const computation::Problem& problem, bool quiet);
+  Progress(const problem::Problem& problem, bool quiet);
   computation::Observer observer();
   /// Prints a line of the table of instants.
   void instant(const computation::HistoryEntry& entry);
@@ -29,7 +29,7 @@ class Progress {
   std::string place(int level) const;
   std::optional<double> end() const { return parts_ ? parts_->end() : meshes_left_.end(); }
 
-  void print_header(const computation::Problem& problem) const;
+  void print_header(const problem::Problem& problem) const;
   void print_goals(int level, const computation::Level& record) const;
 
   bool has_obstacle_, quiet_, is_by_accuracy_;

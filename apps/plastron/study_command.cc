@@ -2,7 +2,7 @@
 
 #include "command_line.hpp"
 
-#include <plastron/study/kind_names.hpp>
+#include <research/names/kind_names.hpp>
 
 #include <fmt/format.h>
 

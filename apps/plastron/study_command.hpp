@@ -1,6 +1,6 @@
 // The arguments of `plastron study`: one table of kinds, and options for some of them.
 #pragma once
-#include <plastron/study/study_options.hpp>
+#include <research/names/study_options.hpp>
 
 #include <CLI/CLI.hpp>
 

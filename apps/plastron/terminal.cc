@@ -18,7 +18,7 @@ namespace plastron::app {
 namespace {
 
 std::optional<int> known_rank;
-computation::UnitNames unit_names;
+problem::UnitNames unit_names;
 
 /// The rank that the launcher of a parallel job gave this process; 0 if there is none.
 int rank_in_environment() {
@@ -64,7 +64,7 @@ bool is_first_rank() {
 
 void set_rank(int rank) { known_rank = rank; }
 
-void set_unit_names(computation::UnitNames units) { unit_names = std::move(units); }
+void set_unit_names(problem::UnitNames units) { unit_names = std::move(units); }
 std::string with_unit_names(std::string_view text) { return unit_names.renamed(text); }
 
 void secure_standard_streams() {

@@ -1,8 +1,8 @@
 // Printing: one process only, results on standard output, errors on standard error. Text from files
 // and arguments is made printable here. A print that fails (a closed pipe, a full disk) never ends a computation.
 #pragma once
-#include <plastron/computation/unit_names.hpp>
 #include <plastron/config/printable.hpp>
+#include <plastron/problem/unit_names.hpp>
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ void set_rank(int rank);
 void secure_standard_streams();
 
 /// Sets the names of the case's units. Text printed afterwards uses them.
-void set_unit_names(computation::UnitNames units);
+void set_unit_names(problem::UnitNames units);
 std::string with_unit_names(std::string_view text);
 
 /// Prints our own text without change.

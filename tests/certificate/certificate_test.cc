@@ -67,7 +67,7 @@ Sample bowl(element::Formulation formulation) {
 struct Solved {
   test::MeshedSurface mesh;
   std::unique_ptr<assembly::DiscreteShell> discrete;
-  NodalSolution nodal;
+  solution::NodalSolution nodal;
 
   Certificate certificate() const { return certify(*discrete, nodal).certificate; }
   /// The rows beyond their limits.
@@ -100,7 +100,7 @@ Solved solve(const Sample& sample) {
   const contact::BoxProblem box = assembly::box_problem(*s.discrete, A);
   const contact::BoxSolution solution = contact::solve_primal_dual_active_set(box, {}, F);
   EXPECT_EQ(solution.status, contact::Status::solved);
-  s.nodal = nodal_solution(*s.discrete, solution);
+  s.nodal = solution::nodal_solution(*s.discrete, solution);
   return s;
 }
 
@@ -135,7 +135,7 @@ class Rows : public testing::TestWithParam<Sample> {
   }
 
   Solved& solved = solved_once(GetParam());
-  const NodalSolution nodal_before = solved.nodal;
+  const solution::NodalSolution nodal_before = solved.nodal;
   const algebra::Vector load_before = solved.discrete->load;
   const Certificate rest = solved.certificate();
 

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/certificate/certificate.hpp>
-#include <plastron/certificate/contact_zones.hpp>
-#include <plastron/certificate/gap_opening.hpp>
 #include <plastron/fem/join.hpp>
 #include <plastron/fem/ties.hpp>
+#include <plastron/zones/contact_zones.hpp>
+#include <plastron/zones/gap_opening.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,28 +26,29 @@ using Pattern = std::function<double(const Vector3d&)>;  ///< of phi: negative w
 constexpr double thickness = 0.1, opening = 0.7;  // gap = opening times s^2 (3 delta + s) [1/m^2]
 
 /// A zone within a circle.
-ContactZone round_zone(double radius) {
+solution::ContactZone round_zone(double radius) {
   constexpr int parts = 200;
-  ContactLine line{.is_closed = true};
+  solution::ContactLine line{.is_closed = true};
   for (int i = 0; i <= parts; ++i) {
     const double angle = 2 * std::numbers::pi * i / parts;
     line.points.push_back({.place = {radius * std::cos(angle), radius * std::sin(angle), 1}});
   }
   line.length = 2 * std::numbers::pi * radius;
-  ContactZone zone;
+  solution::ContactZone zone;
   zone.area = std::numbers::pi * radius * radius;
   zone.lines = {line};
   return zone;
 }
 
 /// A zone between two straight lines at these x, of length 1, with the rim at their ends.
-ContactZone strip_zone(double from, double to) {
+solution::ContactZone strip_zone(double from, double to) {
   const auto line = [](double x, double y, const Vector3d& way, bool is_rim) {
     const Vector3d begin(x, y, 0);
-    return ContactLine{.is_rim = is_rim, .length = way.norm(), .points = {{.place = begin}, {.place = begin + way}}};
+    return solution::ContactLine{
+        .is_rim = is_rim, .length = way.norm(), .points = {{.place = begin}, {.place = begin + way}}};
   };
   const Vector3d along(0, 1, 0), across(to - from, 0, 0);
-  ContactZone zone;
+  solution::ContactZone zone;
   zone.area = to - from;
   zone.lines = {line(from, 0, along, false), line(to, 0, along, false), line(from, 0, across, true),
                 line(from, 1, across, true)};
@@ -55,14 +56,14 @@ ContactZone strip_zone(double from, double to) {
 }
 
 TEST(RelativeDistance, IsThatOfEdgesOverTheRadiusOrHalfTheWidth) {
-  const std::vector<ContactZone> disk{round_zone(2)}, larger{round_zone(2.02)}, none{};
-  EXPECT_NEAR(relative_distance(disk, larger), 0.01, 2e-4);
-  EXPECT_NEAR(relative_distance(disk, disk), 0, 1e-15);
-  const std::vector<ContactZone> strip{strip_zone(0, 2)}, wider{strip_zone(-0.01, 2.03)};
-  EXPECT_NEAR(relative_distance(strip, wider), 0.02, 1e-12);  // the mean of 0.01 and 0.03, over 1
-  EXPECT_EQ(relative_distance(none, none), 0);
-  EXPECT_EQ(relative_distance(disk, none), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(relative_distance(none, disk), std::numeric_limits<double>::infinity());
+  const std::vector<solution::ContactZone> disk{round_zone(2)}, larger{round_zone(2.02)}, none{};
+  EXPECT_NEAR(solution::relative_distance(disk, larger), 0.01, 2e-4);
+  EXPECT_NEAR(solution::relative_distance(disk, disk), 0, 1e-15);
+  const std::vector<solution::ContactZone> strip{strip_zone(0, 2)}, wider{strip_zone(-0.01, 2.03)};
+  EXPECT_NEAR(solution::relative_distance(strip, wider), 0.02, 1e-12);  // the mean of 0.01 and 0.03, over 1
+  EXPECT_EQ(solution::relative_distance(none, none), 0);
+  EXPECT_EQ(solution::relative_distance(disk, none), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(solution::relative_distance(none, disk), std::numeric_limits<double>::infinity());
 }
 
 struct Scene {
@@ -88,11 +89,11 @@ void PrintTo(const Element& e, std::ostream* out) {
 /// A shell and the solution that the scene gives it.
 struct Given {
   std::unique_ptr<assembly::DiscreteShell> discrete;
-  NodalSolution nodal;
+  solution::NodalSolution nodal;
 };
 
 double opened(double distance, const shell::Material& material) {
-  return opening * distance * distance * (3 * shear_length(material, thickness) + distance);
+  return opening * distance * distance * (3 * zones::shear_length(material, thickness) + distance);
 }
 
 assembly::CrossSections sections_of(const Scene& scene) {
@@ -150,12 +151,12 @@ Given given(const Scene& scene, const Element& element, MPI_Comm comm) {
   return g;
 }
 
-void expect_sums(const Given& g, const std::vector<std::vector<ContactZone>>& zones) {
-  const Summary summary = certify(*g.discrete, g.nodal).summary;
+void expect_sums(const Given& g, const std::vector<std::vector<solution::ContactZone>>& zones) {
+  const solution::Summary summary = certify(*g.discrete, g.nodal).summary;
   ASSERT_EQ(zones.size(), summary.obstacles.size());
   for (std::size_t k = 0; k < zones.size(); ++k) {
-    ContactZone sum;
-    for (const ContactZone& zone : zones[k]) {
+    solution::ContactZone sum;
+    for (const solution::ContactZone& zone : zones[k]) {
       sum.area += zone.area;
       sum.nodes += zone.nodes;
       sum.reaction.force += zone.reaction.force;
@@ -164,7 +165,7 @@ void expect_sums(const Given& g, const std::vector<std::vector<ContactZone>>& zo
       EXPECT_LT((zone.centre.cross(zone.reaction.force) - zone.reaction.moment).norm(),
                 1e-12 * zone.reaction.moment.norm());  // forces are parallel: one force in the centre
     }
-    const ObstacleContact& whole = summary.obstacles[k];
+    const solution::ObstacleContact& whole = summary.obstacles[k];
     EXPECT_EQ(sum.nodes, whole.nodes);
     EXPECT_NEAR(sum.area, whole.area, 1e-13 * whole.area);
     EXPECT_LE((sum.reaction.force - whole.reaction.force).norm(), 1e-13 * whole.reaction.force.norm());
@@ -172,7 +173,7 @@ void expect_sums(const Given& g, const std::vector<std::vector<ContactZone>>& zo
   }
 }
 
-void expect_same_lines(const ContactLine& a, const ContactLine& b) {
+void expect_same_lines(const solution::ContactLine& a, const solution::ContactLine& b) {
   EXPECT_EQ(a.is_closed, b.is_closed);
   EXPECT_EQ(a.is_rim, b.is_rim);
   EXPECT_NEAR(a.length, b.length, 1e-9);
@@ -185,7 +186,7 @@ void expect_same_lines(const ContactLine& a, const ContactLine& b) {
   EXPECT_LT(difference, 1e-9);
 }
 
-void expect_same_zones(const ContactZone& a, const ContactZone& b) {
+void expect_same_zones(const solution::ContactZone& a, const solution::ContactZone& b) {
   EXPECT_NEAR(a.area, b.area, 1e-12);
   EXPECT_EQ(a.nodes, b.nodes);
   EXPECT_LT((a.reaction.force - b.reaction.force).norm(), 1e-12);
@@ -198,10 +199,10 @@ void expect_same_zones(const ContactZone& a, const ContactZone& b) {
 }
 
 /// Of all obstacles, the same on all ranks together and on each alone.
-std::vector<std::vector<ContactZone>> zones_of(const Scene& scene, const Element& element) {
+std::vector<std::vector<solution::ContactZone>> zones_of(const Scene& scene, const Element& element) {
   const Given together = given(scene, element, MPI_COMM_WORLD), alone = given(scene, element, MPI_COMM_SELF);
-  auto zones = contact_zones(*together.discrete, together.nodal);
-  const auto expected = contact_zones(*alone.discrete, alone.nodal);
+  auto zones = zones::contact_zones(*together.discrete, together.nodal);
+  const auto expected = zones::contact_zones(*alone.discrete, alone.nodal);
   expect_sums(together, zones);
   EXPECT_EQ(zones.size(), expected.size());
   for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -212,7 +213,7 @@ std::vector<std::vector<ContactZone>> zones_of(const Scene& scene, const Element
   return zones;
 }
 
-std::vector<ContactZone> zones_of(const Pattern& pattern, const Element& element) {
+std::vector<solution::ContactZone> zones_of(const Pattern& pattern, const Element& element) {
   Scene scene;
   scene.patterns = {pattern};
   return zones_of(scene, element).front();
@@ -229,9 +230,9 @@ Pattern either(const Pattern& a, const Pattern& b) {
 double node_distance(const Element& element) { return 0.125 / std::max(1, element.degree - 1); }
 
 /// Largest distance of a line's points from where the pattern changes sign.
-double distance_from(const Pattern& pattern, const ContactLine& line) {
+double distance_from(const Pattern& pattern, const solution::ContactLine& line) {
   double worst = 0;
-  for (const BoundaryPoint& p : line.points) worst = test::larger(worst, std::abs(pattern(p.place)));
+  for (const solution::BoundaryPoint& p : line.points) worst = test::larger(worst, std::abs(pattern(p.place)));
   return worst;
 }
 
@@ -249,7 +250,7 @@ TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
   for (std::size_t k = 0; k < 2; ++k) {
     const double radius = k == 0 ? 0.31 : 0.21;
     ASSERT_EQ(zones[k].lines.size(), 1U);
-    const ContactLine& line = zones[k].lines.front();
+    const solution::ContactLine& line = zones[k].lines.front();
     EXPECT_TRUE(line.is_closed);
     EXPECT_FALSE(line.is_rim);
     EXPECT_LT((line.points.front().place - line.points.back().place).norm(), 1e-12);
@@ -257,7 +258,7 @@ TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
     EXPECT_LT(distance_from(discs[k], line), coarse * 0.15 * node_distance(GetParam()));
     EXPECT_NEAR(line.length, 2 * std::numbers::pi * radius, coarse * 0.3 * radius);
     EXPECT_NEAR(zones[k].area, std::numbers::pi * radius * radius, coarse * 0.5 * node_distance(GetParam()) * radius);
-    for (const BoundaryPoint& p : line.points) EXPECT_NEAR(p.place[2], 0.3 - thickness / 2, 1e-14);
+    for (const solution::BoundaryPoint& p : line.points) EXPECT_NEAR(p.place[2], 0.3 - thickness / 2, 1e-14);
     // The pressure grows with x: so does the place of the peak, to the end of the disc.
     EXPECT_NEAR(zones[k].peak_pressure, 2 + zones[k].peak_x[0], 1e-12);
     EXPECT_NEAR(zones[k].peak_x[0], 0.5 + static_cast<double>(k) + radius, node_distance(GetParam()));
@@ -314,10 +315,11 @@ TEST_P(ContactZones, ThatReachTheRimHaveALineAcrossTheShellAndOneAlongTheRim) {
   const auto zones = zones_of([=](const Vector3d& phi) { return phi[0] - edge; }, GetParam());
   ASSERT_EQ(zones.size(), 1U);
   ASSERT_EQ(zones[0].lines.size(), 2U);
-  const ContactLine &across = zones[0].lines[0], &rim = zones[0].lines[1];
+  const solution::ContactLine &across = zones[0].lines[0], &rim = zones[0].lines[1];
   EXPECT_FALSE(across.is_rim || across.is_closed || rim.is_closed);
   EXPECT_TRUE(rim.is_rim);
-  for (const BoundaryPoint& p : across.points) EXPECT_NEAR(p.x[0], edge, 1e-10);  // a straight edge is found exactly
+  for (const solution::BoundaryPoint& p : across.points)
+    EXPECT_NEAR(p.x[0], edge, 1e-10);  // a straight edge is found exactly
   EXPECT_NEAR(across.length, 1, 1e-10);
   EXPECT_NEAR(rim.length, 1 + 2 * edge, 1e-10);
   EXPECT_LT((across.points.front().x - rim.points.front().x).norm(), 1e-10);
@@ -333,7 +335,7 @@ TEST_P(ContactZones, OfASingleNodeHasALineAroundIt) {
   ASSERT_EQ(zones[0].lines.size(), 1U);
   EXPECT_TRUE(zones[0].lines[0].is_closed);
   EXPECT_LT((zones[0].centre - (node - Vector3d(0, 0, thickness / 2))).norm(), 1e-12);
-  for (const BoundaryPoint& p : zones[0].lines[0].points)
+  for (const solution::BoundaryPoint& p : zones[0].lines[0].points)
     EXPECT_LT((p.place - zones[0].centre).norm(), 2 * node_distance(GetParam()));
 }
 
@@ -370,7 +372,7 @@ TEST_P(ContactZones, GoOnAcrossAJoinedEdge) {
   const auto zones = zones_of(tube(arc), GetParam()).front();
   ASSERT_EQ(zones.size(), 1U);
   ASSERT_EQ(zones[0].lines.size(), 1U);
-  const ContactLine& line = zones[0].lines[0];
+  const solution::ContactLine& line = zones[0].lines[0];
   EXPECT_TRUE(line.is_closed);
   EXPECT_NEAR(zones[0].centre[1], 1, 1e-2);
   EXPECT_LT(distance_from(arc, line), 0.25 * node_distance(GetParam()));
@@ -394,14 +396,15 @@ TEST_P(ContactZones, MeetACurvedRimOnIt) {
   const auto zones = zones_of(scene, GetParam()).front();
   ASSERT_EQ(zones.size(), 1U);
   ASSERT_EQ(zones[0].lines.size(), 2U);
-  const ContactLine &across = zones[0].lines[0], &rim = zones[0].lines[1];
+  const solution::ContactLine &across = zones[0].lines[0], &rim = zones[0].lines[1];
   EXPECT_FALSE(across.is_rim || across.is_closed);
   EXPECT_TRUE(rim.is_rim);
   EXPECT_LT(distance_from(scene.patterns[0], across), 0.003 * node_distance(GetParam()));
   EXPECT_NEAR(across.length, 2 * std::sqrt(1 - edge * edge), 1e-3);
   const double rounding = fem::corner_count(GetParam().shape) == 4 ? 1e-12 : 1e-9;
-  for (const ContactLine& line : zones[0].lines)
-    for (const BoundaryPoint& p : {line.points.front(), line.points.back()}) EXPECT_NEAR(p.x.norm(), 1, rounding);
+  for (const solution::ContactLine& line : zones[0].lines)
+    for (const solution::BoundaryPoint& p : {line.points.front(), line.points.back()})
+      EXPECT_NEAR(p.x.norm(), 1, rounding);
 }
 
 /// Zones open otherwise where the shell is softer in shear: an edge across the border of two materials is found on both sides, exactly where no node
@@ -415,9 +418,9 @@ TEST_P(ContactZones, GoOnAcrossTheBorderOfTwoMaterials) {
   const auto zones = zones_of(scene, GetParam()).front();
   ASSERT_EQ(zones.size(), 1U);
   ASSERT_EQ(zones[0].lines.size(), 2U);
-  const ContactLine& across = zones[0].lines[0];
+  const solution::ContactLine& across = zones[0].lines[0];
   EXPECT_NEAR(across.length, 2, 0.1);
-  for (const BoundaryPoint& p : across.points) {
+  for (const solution::BoundaryPoint& p : across.points) {
     const bool is_far = std::abs(p.x[0] - 1) > 5 * node_distance(GetParam());
     EXPECT_NEAR(p.x[1], edge, is_far ? 1e-10 : 0.15 * node_distance(GetParam())) << p.x[0];
   }

@@ -139,7 +139,7 @@ TEST_P(SeveralObstacles, AtOneNodeAreSolvedAsByBruteForce) {
   const contact::BoxProblem box = assembly::box_problem(*shell, A);
   const contact::BoxSolution found = contact::solve_primal_dual_active_set(box, {}, F);
   ASSERT_EQ(found.status, contact::Status::solved);
-  const NodalSolution nodal = nodal_solution(*shell, found);
+  const solution::NodalSolution nodal = solution::nodal_solution(*shell, found);
   const Eigen::Map<const VectorXd> y(nodal.y.local().data(), expected.y.size());
   EXPECT_LT((y - expected.y).norm(), 1e-9 * expected.y.norm());
 

@@ -1,14 +1,15 @@
 // Meshes that follow from an accuracy: what is divided, when it ends, and that the numbers are as accurate as asked for.
 #include <gtest/gtest.h>
 #include <plastron/computation/adaptivity.hpp>
-#include <plastron/computation/chord_cuts.hpp>
-#include <plastron/computation/description.hpp>
-#include <plastron/computation/goal_names.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/memory.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/stopwatch.hpp>
 #include <plastron/computation/verify.hpp>
+#include <plastron/meshing/chord_cuts.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/problem/description.hpp>
+#include <plastron/problem/goal_names.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -24,10 +25,10 @@ namespace {
 
 using namespace test;
 
-Problem accurate_bowl(double tolerance) {
-  Problem p = pressed_bowl();
-  p.discretisation = {.degree = 3, .layers = Layers::automatic, .refinements = 0};
-  p.accuracy = Accuracy{.goals = {{"energy", tolerance}, {"reaction", tolerance}}};
+problem::Problem accurate_bowl(double tolerance) {
+  problem::Problem p = pressed_bowl();
+  p.discretisation = {.degree = 3, .layers = problem::Layers::automatic, .refinements = 0};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", tolerance}, {"reaction", tolerance}}};
   return p;
 }
 
@@ -36,7 +37,7 @@ constexpr double bowl_energy = 1.48023e-5, bowl_reaction = 1.84828e-4, known_to 
 
 double value_of(const Result& result, const std::string& name) {
   const auto& goals = result.levels.back().goals;
-  const auto found = std::ranges::find(goals, name, &GoalRecord::name);
+  const auto found = std::ranges::find(goals, name, &estimation::GoalRecord::name);
   EXPECT_NE(found, goals.end());
   return found == goals.end() ? NAN : found->value;
 }
@@ -65,7 +66,7 @@ TEST(Accuracy, IsTheSameOnAnyNumberOfRanks) {
   for (std::size_t l = 0; l < alone.levels.size(); ++l) {
     EXPECT_EQ(together.levels[l].unknowns, alone.levels[l].unknowns);
     for (std::size_t g = 0; g < alone.levels[l].goals.size(); ++g) {
-      const GoalRecord &a = together.levels[l].goals[g], &b = alone.levels[l].goals[g];
+      const estimation::GoalRecord &a = together.levels[l].goals[g], &b = alone.levels[l].goals[g];
       EXPECT_NEAR(a.value, b.value, 1e-9 * b.scale);
       EXPECT_NEAR(a.error, b.error, 1e-6 * b.error + 1e-12 * b.scale);
     }
@@ -85,7 +86,7 @@ TEST(Accuracy, IsConfirmedByOneDegreeMore) {
     const double exact = goal.name == "energy" ? bowl_energy : bowl_reaction;
     EXPECT_LT(std::abs(goal.value + goal.difference() - exact), std::abs(goal.value - exact) + known_to * exact);
   }
-  Problem higher = accurate_bowl(1e-3);  // a run by itself on the same cells
+  problem::Problem higher = accurate_bowl(1e-3);  // a run by itself on the same cells
   const auto& space = result.solution->discrete->space();
   higher.accuracy.reset();
   higher.discretisation.degree += 1;
@@ -99,13 +100,13 @@ TEST(Accuracy, IsConfirmedByOneDegreeMore) {
   }
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, higher.charts);
   const LevelResult alone =
-      solve_level({}, assembly::discretise(meshes.space(), surface, shell_description(higher), {}), {});
+      solve_level({}, assembly::discretise(meshes.space(), surface, problem::shell_description(higher), {}), {});
   EXPECT_NEAR(alone.record.energy, *result.estimates->goals[0].at_higher_degree, 1e-9 * bowl_energy);
 }
 
 /// No mesh whose witness would be too large is accepted, however small its estimates are.
 TEST(Accuracy, IsNotReachedWhereNothingLargerCanConfirmIt) {
-  Problem p = accurate_bowl(1e-2);
+  problem::Problem p = accurate_bowl(1e-2);
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   p.accuracy->max_unknowns = 1.5 * static_cast<double>(result.levels.back().unknowns);
@@ -117,7 +118,7 @@ TEST(Accuracy, IsNotReachedWhereNothingLargerCanConfirmIt) {
 
 /// An energy within 1e-2 says little of where the bowl lifts off; within 1e-4 the edge of the zone belongs to the answer.
 TEST(Accuracy, OfTheEnergyIsThatOfContactEdgesToo) {
-  Problem p = accurate_bowl(1e-4);
+  problem::Problem p = accurate_bowl(1e-4);
   p.accuracy->goals.pop_back();  // the reaction
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
@@ -135,14 +136,14 @@ TEST(Accuracy, OfTheEnergyIsThatOfContactEdgesToo) {
 }
 
 TEST(Accuracy, HasAWitnessThatKeepsPointsWhereTheyAreHeld) {
-  Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   EXPECT_EQ(degrees_of_witness(p), 1);
   p.supports.push_back({.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(0, 0)});
   EXPECT_EQ(degrees_of_witness(p), 2);
 }
 
 TEST(Accuracy, EndsWhereALimitStands) {
-  Problem p = accurate_bowl(1e-5);
+  problem::Problem p = accurate_bowl(1e-5);
   p.accuracy->max_unknowns = 4000;
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
@@ -160,7 +161,7 @@ TEST(Accuracy, EndsWhereALimitStands) {
 
 /// A strip that a roller presses touches with one row of nodes, which lies beside the true line of contact.
 TEST(Accuracy, OfALineOfContactBetweenNodesIsEstimated) {
-  Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   p.charts.clear();
   p.charts.emplace("", Chart({"x", "y", "0"}, {}));
   p.domain = fem::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
@@ -184,7 +185,7 @@ TEST(Accuracy, OfALineOfContactBetweenNodesIsEstimated) {
 
 /// A dome under a ball touches along a circle. One degree more has the same row of nodes there and confirms nothing.
 TEST(Accuracy, OfACircleOfContactIsReachedInTruth) {
-  Problem p = with_chart(accurate_bowl(1e-3), {"x", "y", "-1.01 + sqrt(1 - x^2 - y^2)"});
+  problem::Problem p = with_chart(accurate_bowl(1e-3), {"x", "y", "-1.01 + sqrt(1 - x^2 - y^2)"});
   p.discretisation.degree = 4;
   p.area_loads.clear();
   p.obstacles = {{.shape = obstacle::Ball{.centre = {0, 0, 0.4}, .radius = 0.5}, .face = obstacle::Face::upper}};
@@ -198,7 +199,7 @@ TEST(Accuracy, OfACircleOfContactIsReachedInTruth) {
 
 /// A dome that stands on its rim: nodal reactions over areas, which double with each mesh, are no pressures there.
 TEST(Accuracy, OfALineReactionOnTheRimIsEstimatedAsThatOfTheEnergy) {
-  Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   p.charts.clear();
   p.charts.emplace("", Chart({"x", "y", "-0.8556429978431134 + sqrt(1 - x^2 - y^2)"}, {}));
   p.sections.common.thickness = Expression(0.05);
@@ -218,7 +219,7 @@ TEST(Accuracy, OfALineReactionOnTheRimIsEstimatedAsThatOfTheEnergy) {
 
 /// Floor and ceiling: the disk touches the ceiling along a circle, in a ring much narrower than the layer at its edges.
 TEST(Accuracy, AsksForNoEdgesOfZonesThatAreLines) {
-  Problem p = with_chart(free_plate(), {"x", "y", "0"});
+  problem::Problem p = with_chart(free_plate(), {"x", "y", "0"});
   p.domain = fem::Disk{.radius = 1};
   p.sections.common.thickness = Expression(0.02);
   p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
@@ -227,15 +228,15 @@ TEST(Accuracy, AsksForNoEdgesOfZonesThatAreLines) {
   p.area_loads[0].force[2] = Expression("-50*0.02^3*cos(2*pi*sqrt(x^2 + y^2))", {});
   p.obstacles = {{.name = "floor", .shape = obstacle::HalfSpace{.point = {0, 0, -0.02}}},
                  {.name = "ceiling", .shape = obstacle::HalfSpace{.point = {0, 0, 0.015}, .normal = {0, 0, -1}}}};
-  p.discretisation = {.degree = 4, .layers = Layers::automatic, .refinements = 0};
-  p.accuracy = Accuracy{.goals = {{"energy", 1e-2}, {"reaction", 1e-2}}, .max_unknowns = 30000};
+  p.discretisation = {.degree = 4, .layers = problem::Layers::automatic, .refinements = 0};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-2}, {"reaction", 1e-2}}, .max_unknowns = 30000};
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
 }
 
 /// A mesh that takes longer than foreseen is stopped, and the one before is the result.
 TEST(Accuracy, StopsAMeshWhoseTimeIsOver) {
-  Problem p = accurate_bowl(1e-5);
+  problem::Problem p = accurate_bowl(1e-5);
   p.accuracy->max_seconds = 1e-6;
   const Stopwatch first_mesh;
   solve(p, MPI_COMM_WORLD);
@@ -256,7 +257,7 @@ TEST(Accuracy, StopsAMeshWhoseTimeIsOver) {
 
 /// Instants on the finest mesh take time, too, and are not computed beyond it.
 TEST(Accuracy, EndsBetweenInstantsWhenTimeIsOver) {
-  Problem p = accurate_bowl(0.3);
+  problem::Problem p = accurate_bowl(0.3);
   p.steps = {{.name = "down", .load_factor = 1, .parts = 5}};
   p.accuracy->max_seconds = 1e-6;
   const Result result = solve(p, MPI_COMM_WORLD);
@@ -280,12 +281,12 @@ TEST(Memory, OfTheNextMeshIsForeseen) {
 
 /// What misses its accuracy tells where: nearly all of the error is in the cells at the corner.
 TEST(Accuracy, TellsWhereTheErrorIsThatStays) {
-  Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
   p.supports = {clamped(fem::boundary_names(p.domain).front())};
   p.discretisation = {.degree = 3, .refinements = 1};
   p.probes = {{"corner", {1, 1}}};
-  p.accuracy = Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}, .max_unknowns = 6000};
+  p.accuracy = problem::Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}, .max_unknowns = 6000};
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
   EXPECT_NE(result.missed_limits.find("half of the estimated error of probe.corner.M.11 lies in "), std::string::npos)
@@ -294,12 +295,12 @@ TEST(Accuracy, TellsWhereTheErrorIsThatStays) {
 
 /// The moment at a re-entrant corner grows with each division of the cells there.
 TEST(Accuracy, IsGivenUpForWhatHasNoLimit) {
-  Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
   p.supports = {clamped(fem::boundary_names(p.domain).front())};
   p.discretisation = {.degree = 3, .refinements = 0};
   p.probes = {{"corner", {1, 1}}};
-  p.accuracy = Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}};
+  p.accuracy = problem::Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}};
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
   EXPECT_NE(result.missed_limits.find("may have no limit"), std::string::npos) << result.missed_limits;
@@ -309,7 +310,7 @@ TEST(Accuracy, IsGivenUpForWhatHasNoLimit) {
 
 /// A component that vanishes by symmetry is accurate when it is small beside the others.
 TEST(Accuracy, TakesNumbersThatVanish) {
-  Problem p = accurate_bowl(1e-2);
+  problem::Problem p = accurate_bowl(1e-2);
   p.probes = {{"centre", {0, 0}}};
   p.accuracy->goals = {{"probe.centre.u.x", 1e-2},
                        {"probe.centre.u.z", 1e-3},
@@ -322,11 +323,11 @@ TEST(Accuracy, TakesNumbersThatVanish) {
 
 /// Of every name that can be asked for, the value is that of the results.
 TEST(Accuracy, MeansTheNumbersOfTheResults) {
-  Problem p = accurate_bowl(0.3);
+  problem::Problem p = accurate_bowl(0.3);
   p.obstacles[0].name = "table";
   p.probes = {{"halfway", {0.2, 0.1}}};
   p.accuracy->goals.clear();
-  for (const std::string& name : goal_names(p)) p.accuracy->goals.push_back({name, 0.4});
+  for (const std::string& name : problem::goal_names(p)) p.accuracy->goals.push_back({name, 0.4});
   p.accuracy->max_unknowns = 3000;
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_TRUE(result.solution);
@@ -342,13 +343,13 @@ TEST(Accuracy, MeansTheNumbersOfTheResults) {
 }
 
 TEST(Accuracy, HoldsForTrianglesAndJoinedEdgesOnEvenMeshes) {
-  Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   p.discretisation = {.cells = fem::Shape::triangle, .degree = 2, .tying = false, .refinements = 0};
   p.sections.common.thickness = Expression(0.1);
   p.charts.clear();
   p.charts.emplace("", Chart({"x", "y", "0.06 + 1 - sqrt(1 - x^2 - y^2)"}, {}));
   p.area_loads = {force(0, 0, -2e-2)};
-  p.accuracy = Accuracy{.goals = {{"energy", 0.05}}};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 0.05}}};
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   ASSERT_GE(result.levels.size(), 2U);
@@ -359,7 +360,7 @@ TEST(Accuracy, HoldsForTrianglesAndJoinedEdgesOnEvenMeshes) {
 /// Nearly nothing touches at the first instant: its mesh would not do for the last one.
 TEST(Accuracy, IsReachedAtTheLastInstant) {
   constexpr double tolerance = 1e-2;
-  Problem p = accurate_bowl(tolerance);
+  problem::Problem p = accurate_bowl(tolerance);
   p.steps = {{.name = "a little", .load_factor = 0.3}, {.name = "all", .load_factor = 1}};
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
@@ -373,7 +374,7 @@ TEST(Accuracy, IsReachedAtTheLastInstant) {
 /// A tube between a floor and a plate that a force presses on it: the sum of what they bear has no digits.
 TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
   const double pi = 3.141592653589793, width = 0.25, pressing = 0.01;
-  Problem p = with_chart(free_plate(), {"sin(x)", "y", "1.01 - cos(x)"});
+  problem::Problem p = with_chart(free_plate(), {"sin(x)", "y", "1.01 - cos(x)"});
   p.domain = fem::Rectangle{.from = {-pi, 0}, .to = {pi, width}, .cells = {16, 1}};
   p.joins = {{{"left", "right"}}};
   p.sections.common.thickness = Expression(0.02);
@@ -387,7 +388,7 @@ TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
                   .force = {0, 0, -pressing}},
                  {.name = "floor"}};
   p.discretisation = {.degree = 4, .refinements = 0};
-  p.accuracy = Accuracy{.goals = {{"energy", 1e-3}, {"reaction", 1e-3}}};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-3}, {"reaction", 1e-3}}};
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   EXPECT_LE(result.levels.size(), 4U);
@@ -395,7 +396,7 @@ TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
   ASSERT_EQ(goals.size(), 4U);
   EXPECT_NEAR(goals[1].scale, 2 * pressing, 1e-6 * pressing);
   for (const std::string name : {"plate", "floor"}) {
-    const auto own = std::ranges::find(goals, "obstacle." + name + ".force", &GoalRecord::name);
+    const auto own = std::ranges::find(goals, "obstacle." + name + ".force", &estimation::GoalRecord::name);
     ASSERT_NE(own, goals.end()) << name;
     EXPECT_NEAR(own->scale, pressing, 1e-6 * pressing) << name;
     EXPECT_EQ(own->tolerance, 1e-3) << name;
@@ -409,7 +410,7 @@ MeshCells cells_of(const fem::Space& space) {
   return cells;
 }
 
-void expect_to_be_made_again(const Problem& p, const fem::Space& space) {
+void expect_to_be_made_again(const problem::Problem& p, const fem::Space& space) {
   MeshCells cells = cells_of(space);
   const FinestMesh again = finest_mesh(p, MPI_COMM_WORLD, cells);
   EXPECT_EQ(again.space->global_cells, space.global_cells);
@@ -425,8 +426,8 @@ void expect_to_be_made_again(const Problem& p, const fem::Space& space) {
 }
 
 TEST(FinestMesh, IsMadeFromItsCells) {
-  const Problem p = accurate_bowl(3e-3);
-  fem::MeshSequence meshes = mesh_sequence(p, MPI_COMM_SELF);
+  const problem::Problem p = accurate_bowl(3e-3);
+  fem::MeshSequence meshes = meshing::mesh_sequence(p, MPI_COMM_SELF);
   for (int round = 0; round < 3; ++round) {
     std::vector<signed char> marks(meshes.space()->owned_cells, 0);
     marks.front() = marks[marks.size() / 2] = 1;
@@ -437,16 +438,16 @@ TEST(FinestMesh, IsMadeFromItsCells) {
 }
 
 TEST(FinestMesh, IsMadeFromItsCuts) {
-  const Problem p = accurate_bowl(1e-3);
+  const problem::Problem p = accurate_bowl(1e-3);
   const Result result = solve(p, MPI_COMM_SELF);
   EXPECT_FALSE(result.solution->discrete->space().coarse->cuts.empty());
   expect_to_be_made_again(p, result.solution->discrete->space());
 }
 
 TEST(FinestMesh, RefusesCutsOfAnotherMesh) {
-  const Problem p = accurate_bowl(1e-3);
+  const problem::Problem p = accurate_bowl(1e-3);
   EXPECT_THROW(finest_mesh(p, MPI_COMM_WORLD, {.cuts = std::vector<fem::Cuts>(1), .places = {}}), fem::DomainError);
-  std::vector<fem::Cuts> torn(mesh_sequence(p, MPI_COMM_SELF).space()->coarse->cells.size());
+  std::vector<fem::Cuts> torn(meshing::mesh_sequence(p, MPI_COMM_SELF).space()->coarse->cells.size());
   torn.front()[0] = {0.5};
   EXPECT_THROW(finest_mesh(p, MPI_COMM_WORLD, {.cuts = torn, .places = {}}), fem::DomainError);
 }
@@ -461,7 +462,7 @@ TEST(Accuracy, CutsRowsWhereLayersAndContactEdgesRunAlongThem) {
 
 /// A point that is held must stay a node, which the middle of a cell does where its chords are halved.
 TEST(ChordCuts, AreInTheMiddleWherePointsAreHeld) {
-  fem::MeshSequence meshes = mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
   const fem::Space& space = *meshes.space();
   const fem::Surface surface(space.coarse, pressed_strip().charts);
   estimation::Estimates estimates;
@@ -471,8 +472,8 @@ TEST(ChordCuts, AreInTheMiddleWherePointsAreHeld) {
   first.front() = 1;  // all at one side
   estimates.profiles.assign(space.owned_cells, {first, none});
   for (const bool halves : {false, true}) {
-    const auto cuts =
-        chord_cuts(space, surface, {.shares = shares, .estimates = estimates, .share = 0.5, .halves_only = halves});
+    const auto cuts = meshing::chord_cuts(
+        space, surface, {.shares = shares, .estimates = estimates, .share = 0.5, .halves_only = halves});
     ASSERT_EQ(cuts.size(), space.owned_cells);
     for (const fem::Cuts& of_cell : cuts) {
       ASSERT_EQ(of_cell[0].size(), 1U);
@@ -484,7 +485,7 @@ TEST(ChordCuts, AreInTheMiddleWherePointsAreHeld) {
 
 /// What one cell has is no reason to cut a row.
 TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
-  fem::MeshSequence meshes = mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
   const fem::Space& space = *meshes.space();
   const fem::Surface surface(space.coarse, pressed_strip().charts);
   estimation::Estimates estimates;
@@ -493,10 +494,11 @@ TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
   const std::vector<double> slices(static_cast<std::size_t>(space.degree) + 1, 0.5 / (space.degree + 1));
   estimates.profiles.assign(space.owned_cells, {slices, slices});
   EXPECT_TRUE(
-      chord_cuts(space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 1}).empty());
+      meshing::chord_cuts(space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 1})
+          .empty());
   // Where only edges of contact zones are wanted, the row that one crosses is cut all the same.
   for (std::size_t c = 0; c < space.owned_cells; ++c) estimates.crossed.push_back({c, 1});
-  const auto cuts = chord_cuts(
+  const auto cuts = meshing::chord_cuts(
       space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 10, .at_edges = true});
   ASSERT_EQ(cuts.size(), space.owned_cells);
   for (const fem::Cuts& of_cell : cuts) {
@@ -527,8 +529,8 @@ TEST(ChordCuts, LeaveNoCellsThatAreLongAndBentAtOnce) {
           shares[c] = 1;
         }
     }
-    const auto cuts =
-        chord_cuts(space, fem::Surface(space.coarse, charts), {.shares = shares, .estimates = estimates, .share = 0.5});
+    const auto cuts = meshing::chord_cuts(space, fem::Surface(space.coarse, charts),
+                                          {.shares = shares, .estimates = estimates, .share = 0.5});
     if (cuts.empty()) {
       EXPECT_GE(cuts_made, 1);
       EXPECT_LE(cuts_made, 4);
@@ -541,20 +543,20 @@ TEST(ChordCuts, LeaveNoCellsThatAreLongAndBentAtOnce) {
 
 /// Of one goal: shares 16, 8, 4, 2, 1, 0 ... of the whole.
 TEST(Marks, TakeTheLargestSharesUntilTheyMakeUpEnough) {
-  fem::MeshSequence meshes = mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
   const fem::Space& space = *meshes.space();
   ASSERT_EQ(space.owned_cells, 8U);
   estimation::Estimates estimates;
   estimates.goals.emplace_back().cells = {1, -16, 0, 4, 2, -8, 0, 0};
-  const std::vector<GoalRecord> goals{{.name = "a", .value = 1, .error = 31, .tolerance = 0.1, .scale = 1}};
+  const std::vector<estimation::GoalRecord> goals{{.name = "a", .value = 1, .error = 31, .tolerance = 0.1, .scale = 1}};
   const auto divided = [&](double share) {
-    const auto all = marks(space, goals, estimates, share);
+    const auto all = meshing::marks(space, goals, estimates, share);
     return std::ranges::count(all, 1);
   };
   EXPECT_EQ(divided(0.5), 1);
   EXPECT_EQ(divided(0.75), 2);
   EXPECT_EQ(divided(0.9), 3);
-  const auto some = marks(space, goals, estimates, 0.5);
+  const auto some = meshing::marks(space, goals, estimates, 0.5);
   EXPECT_EQ(some[1], 1);
   EXPECT_EQ(some[2], -1);
   EXPECT_EQ(some[0], 0);
@@ -562,13 +564,14 @@ TEST(Marks, TakeTheLargestSharesUntilTheyMakeUpEnough) {
 
 /// What counts is a share over what its goal allows.
 TEST(Marks, WeighGoalsByTheirTolerances) {
-  fem::MeshSequence meshes = mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
   estimation::Estimates estimates;
   estimates.goals.emplace_back().cells = {1, 0, 0, 0, 0, 0, 0, 0};
   estimates.goals.emplace_back().cells = {0, 0, 0, 0, 0, 0, 0, 0.1};
-  const std::vector<GoalRecord> goals{{.name = "loose", .value = 1, .error = 1, .tolerance = 0.1, .scale = 1},
-                                      {.name = "tight", .value = 1, .error = 1, .tolerance = 1e-3, .scale = 1}};
-  const auto all = marks(*meshes.space(), goals, estimates, 0.5);
+  const std::vector<estimation::GoalRecord> goals{
+      {.name = "loose", .value = 1, .error = 1, .tolerance = 0.1, .scale = 1},
+      {.name = "tight", .value = 1, .error = 1, .tolerance = 1e-3, .scale = 1}};
+  const auto all = meshing::marks(*meshes.space(), goals, estimates, 0.5);
   EXPECT_EQ(all[7], 1);
   EXPECT_EQ(all[0], 0);
 }

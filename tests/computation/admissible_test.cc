@@ -26,35 +26,35 @@ obstacle::Obstacle waves(const std::string& height) {
   return {.shape = obstacle::HeightField(std::make_shared<const geometry::SpaceFunction>(height, Constants()))};
 }
 
-Problem with(Problem p, int degree, int refinements, fem::Shape shape = fem::Shape::quadrilateral) {
+problem::Problem with(problem::Problem p, int degree, int refinements, fem::Shape shape = fem::Shape::quadrilateral) {
   p.discretisation.degree = degree;
   p.discretisation.refinements = refinements;
   p.discretisation.cells = shape;
   return p;
 }
 
-Problem bowl(element::Formulation formulation) {
-  Problem p = with(pressed_bowl(), 2, 1);
+problem::Problem bowl(element::Formulation formulation) {
+  problem::Problem p = with(pressed_bowl(), 2, 1);
   p.discretisation.tangency.formulation = formulation;
   return p;
 }
 
 /// A strip that is pressed on waves, or on a ball under its middle: gaps are linearised again.
-Problem on_waves() {
-  Problem p = pressed_strip();
+problem::Problem on_waves() {
+  problem::Problem p = pressed_strip();
   p.obstacles = {waves("0.004 * sin(9 * X) * cos(4 * Y) - 0.004")};
   return p;
 }
 
-Problem on_ball() {
-  Problem p = pressed_strip();
+problem::Problem on_ball() {
+  problem::Problem p = pressed_strip();
   p.obstacles = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {0.5, 0.0625, -1}, .radius = 1}}};
   return p;
 }
 
 /// A wavy strip whose lower face lies on a floor and whose upper one on a ceiling.
-Problem between_planes() {
-  Problem p = with_chart(pressed_strip(), {"x", "y", "0.09 + 0.03*sin(2*pi*x)"});
+problem::Problem between_planes() {
+  problem::Problem p = with_chart(pressed_strip(), {"x", "y", "0.09 + 0.03*sin(2*pi*x)"});
   p.sections.common.thickness = Expression(0.1);
   p.area_loads = {assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression("0.05*sin(2*pi*x)", {})}}};
   p.obstacles = {{.name = "floor"},
@@ -65,8 +65,8 @@ Problem between_planes() {
 }
 
 /// A force presses a ball on the strip, which nothing else loads.
-Problem under_pressed_ball() {
-  Problem p = pressed_strip();
+problem::Problem under_pressed_ball() {
+  problem::Problem p = pressed_strip();
   p.area_loads.clear();
   p.obstacles = {obstacle::Obstacle{
       .name = "ball", .shape = obstacle::Ball{.centre = {0.5, 0.0625, 0.37}, .radius = 0.3}, .force = {0, 0, -2e-5}}};
@@ -74,8 +74,8 @@ Problem under_pressed_ball() {
 }
 
 /// The ball comes down in two parts of a step.
-Problem in_steps() {
-  Problem p = on_ball();
+problem::Problem in_steps() {
+  problem::Problem p = on_ball();
   p.obstacles[0].motions = {obstacle::Motion{.translation = {0, 0, 0.002}}};
   p.steps = {{.name = "lift", .load_factor = 1, .parts = 2}};
   return p;
@@ -83,7 +83,7 @@ Problem in_steps() {
 
 struct Named {
   const char* name;
-  Problem problem;
+  problem::Problem problem;
 };
 
 std::vector<Named> problems() {
@@ -107,7 +107,7 @@ std::vector<Named> problems() {
           {"in steps", with(in_steps(), 2, 1)}};
 }
 
-Result solved(Problem p, bool admissible, MPI_Comm comm = MPI_COMM_WORLD) {
+Result solved(problem::Problem p, bool admissible, MPI_Comm comm = MPI_COMM_WORLD) {
   p.admissible = admissible;
   return solve(p, comm);
 }
@@ -138,7 +138,7 @@ StoredSolution stored(const Result& r) {
 }
 
 /// Rows beyond their limits.
-std::vector<std::string> failing(Problem problem, StoredSolution solution) {
+std::vector<std::string> failing(problem::Problem problem, StoredSolution solution) {
   problem.admissible = true;
   const Verification v = verify(problem, finest_mesh(problem, MPI_COMM_WORLD), std::move(solution));
   std::vector<std::string> rows;
@@ -167,8 +167,8 @@ TEST(AdmissibleSolution, IsOutOfTheObstaclesBetweenItsNodesAndIsVerified) {
 }
 
 TEST(AdmissibleSolution, CostsNoMoreThanTheLiftWorkSays) {
-  for (const Problem& problem : {with(pressed_bowl(), 1, 2), with(pressed_bowl(), 2, 2), with(between_planes(), 2, 1),
-                                 bowl(element::Formulation::mixed)}) {
+  for (const problem::Problem& problem : {with(pressed_bowl(), 1, 2), with(pressed_bowl(), 2, 2),
+                                          with(between_planes(), 2, 1), bowl(element::Formulation::mixed)}) {
     const Result without = solved(problem, false), lifted = solved(problem, true);
     const double cost = potential(lifted) - potential(without);
     EXPECT_GT(cost, 0);
@@ -183,7 +183,7 @@ TEST(AdmissibleSolution, CostsNoMoreThanTheLiftWorkSays) {
 std::vector<double> rates(int degree, fem::Shape shape) {
   std::vector<double> costs, all;
   for (const int refinements : {1, 2, 3}) {
-    const Problem p = with(pressed_bowl(), degree, refinements, shape);
+    const problem::Problem p = with(pressed_bowl(), degree, refinements, shape);
     const Result without = solved(p, false), lifted = solved(p, true);
     costs.push_back((potential(lifted) - potential(without)) / without.summary.energy.total());
     fmt::print("degree {}, {} refinements: cost {:.3e}, lift {:.3e}, lift work {:.3e}, rounds {}\n", degree,
@@ -202,7 +202,7 @@ TEST(AdmissibleSolution, CostsOfTheOrderOfTheElements) {
 }
 
 TEST(AdmissibleSolution, IsTheSameToTheLastDigitWhereTheShellIsOutAnyway) {
-  const Problem flat = with(pressed_strip(), 1, 2);
+  const problem::Problem flat = with(pressed_strip(), 1, 2);
   const Result without = solved(flat, false), lifted = solved(flat, true);
   EXPECT_GT(without.summary.touching_nodes, 0);
   EXPECT_EQ(lifted.levels.back().lift_rounds, 0);
@@ -225,7 +225,7 @@ TEST(AdmissibleSolution, IsTheSameOnEveryNumberOfRanks) {
 }
 
 TEST(AdmissibleSolution, IsNotClaimedWhereASupportHoldsTheShellInsideBetweenNodes) {
-  Problem p = with(pressed_strip(), 1, 1);  // nodes of the clamped end at y = 0, 1/16, 1/8
+  problem::Problem p = with(pressed_strip(), 1, 1);  // nodes of the clamped end at y = 0, 1/16, 1/8
   p.obstacles = {waves("0.014 * exp(-(X^2 + (Y - 1/32)^2) / 0.0002)")};
   const Result without = solved(p, false), lifted = solved(p, true);
   EXPECT_EQ(without.status, contact::Status::solved) << status_text(without);
@@ -234,7 +234,7 @@ TEST(AdmissibleSolution, IsNotClaimedWhereASupportHoldsTheShellInsideBetweenNode
 }
 
 TEST(AdmissibleSolution, WithOtherLiftsIsNotVerified) {
-  const Problem p = with(pressed_bowl(), 2, 1);
+  const problem::Problem p = with(pressed_bowl(), 2, 1);
   const Result lifted = solved(p, true);
   const auto changed = [&](double factor) {
     StoredSolution solution = stored(lifted);

@@ -11,7 +11,7 @@
 namespace plastron::test {
 namespace {
 
-using computation::Problem;
+using problem::Problem;
 
 bool is_last() {
   int rank = 0, ranks = 1;

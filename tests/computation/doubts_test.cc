@@ -25,8 +25,8 @@ using testing::IsEmpty;
 using testing::Not;
 
 /// A plate with a bump `depth` deep in its middle, whose edge lies 0.02 above the table.
-Problem bumpy_plate(int cells, double depth) {
-  Problem p = with_chart(free_plate(), {"x", "y", "0.07 - depth*(sin(pi*x)*sin(pi*y))^2"}, {{"depth", depth}});
+problem::Problem bumpy_plate(int cells, double depth) {
+  problem::Problem p = with_chart(free_plate(), {"x", "y", "0.07 - depth*(sin(pi*x)*sin(pi*y))^2"}, {{"depth", depth}});
   p.domain = fem::Rectangle{.cells = {cells, cells}};
   for (const char* side : {"left", "right", "bottom", "top"}) p.supports.push_back(clamped(side));
   p.area_loads = {force(0, 0, -1e-6)};
@@ -39,7 +39,8 @@ TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
     // Cut crosswise, the square has a vertex in its middle, and the bumps lie around it.
     const double bumps = shape == fem::Shape::triangle ? 2 : 1;
-    Problem p = with_chart(bumpy_plate(1, 0), {"x", "y", "0.07 - 0.06*(sin(n*pi*x)*sin(n*pi*y))^2"}, {{"n", bumps}});
+    problem::Problem p =
+        with_chart(bumpy_plate(1, 0), {"x", "y", "0.07 - 0.06*(sin(n*pi*x)*sin(n*pi*y))^2"}, {{"n", bumps}});
     p.discretisation.cells = shape;
     p.discretisation.tying = shape == fem::Shape::quadrilateral;
     const Result missed = solve(p, MPI_COMM_SELF);
@@ -55,8 +56,8 @@ TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
 }
 
 /// A dome under a box with sharp edges whose lowest side lies `depth` below the apex.
-Problem dome_under_box(double depth) {
-  Problem p = with_chart(free_plate(), {"x", "y", "-1.025 + sqrt(1 - x^2 - y^2)"}, {});
+problem::Problem dome_under_box(double depth) {
+  problem::Problem p = with_chart(free_plate(), {"x", "y", "-1.025 + sqrt(1 - x^2 - y^2)"}, {});
   p.domain = fem::Disk{.radius = std::sin(0.5)};
   p.sections.common.thickness = Expression(0.05);
   p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
@@ -70,7 +71,7 @@ Problem dome_under_box(double depth) {
 
 TEST(ABoxThatBeginsInside, PushesTheShellOutAlongItsFibresAsItDoesStepByStep) {
   for (const double depth : {0.03, 0.05}) {
-    Problem slowly = dome_under_box(0);
+    problem::Problem slowly = dome_under_box(0);
     slowly.steps = {{.name = "down", .parts = 6}};
     slowly.obstacles[0].motions = {{.translation = {0, 0, -depth}}};
     const Result at_once = solve(dome_under_box(depth), MPI_COMM_SELF), r = solve(slowly, MPI_COMM_SELF);
@@ -88,7 +89,7 @@ TEST(Penetration, between_nodes_is_told_where_the_mesh_is_too_coarse) {
   const Result coarse = solve(bumpy_plate(2, 0.12), MPI_COMM_SELF);
   EXPECT_THAT(coarse.warnings, Contains(HasSubstr("between its nodes")));
   EXPECT_THAT(coarse.warnings, Not(Contains(HasSubstr("loosened"))));
-  Problem fine = bumpy_plate(2, 0.12);
+  problem::Problem fine = bumpy_plate(2, 0.12);
   fine.discretisation.refinements = 4;
   EXPECT_THAT(solve(fine, MPI_COMM_SELF).warnings, Not(Contains(HasSubstr("between its nodes"))));
 }
@@ -97,7 +98,7 @@ LeftOut left_out_of(const Result& r) { return left_out(r.summary, r.last_level()
 
 /// A strip from the left, that bends freely: no length changes although the rotations would stretch it.
 TEST(LinearModel, of_a_plate_that_bends_freely_is_left_with_its_rotations_and_not_with_its_stretch) {
-  Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.sections.common.thickness = Expression(0.01);
   p.area_loads = {force(0, 0, -0.0005)};
   const Result bent = solve(p, MPI_COMM_SELF);
@@ -116,8 +117,8 @@ TEST(LinearModel, of_a_plate_that_bends_freely_is_left_with_its_rotations_and_no
 }
 
 /// A clamped disk, e = 0.02, under a pressure that bends it by `thicknesses` in the linear model.
-Problem bent_disk(double thicknesses) {
-  Problem p = free_plate();
+problem::Problem bent_disk(double thicknesses) {
+  problem::Problem p = free_plate();
   const double e = 0.02, stiffness = e * e * e / (12 * (1 - 0.09));
   p.domain = fem::Disk{.radius = 1};
   p.sections.common.thickness = Expression(e);
@@ -144,7 +145,7 @@ TEST(LinearModel, does_not_depend_on_units_or_on_the_turn_of_the_scene) {
   const LeftOut metres = left_out_of(solve(pressed_bowl(), MPI_COMM_SELF));
   EXPECT_GT(metres.work, 0.05);
   for (const double s : {1e-6, 1e3}) {
-    Problem p = with_chart(pressed_bowl(), {"y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)", "x"}, {{"s", s}});
+    problem::Problem p = with_chart(pressed_bowl(), {"y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)", "x"}, {{"s", s}});
     p.domain = fem::Disk{.radius = 0.479425538604203 * s};
     p.sections.common.thickness = Expression(0.02 * s);
     p.area_loads = {force(0, -2e-3, 0)};
@@ -157,7 +158,7 @@ TEST(LinearModel, does_not_depend_on_units_or_on_the_turn_of_the_scene) {
 }
 
 TEST(LinearModel, of_a_rigid_rotation_is_left_and_at_rest_it_is_not) {
-  Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.supports = {clamped("left")};
   EXPECT_EQ(left_out_of(solve(p, MPI_COMM_SELF)).largest(), 0);
   Support turned = held("left", {Direction::x, Direction::y, Direction::z});
@@ -172,8 +173,8 @@ TEST(LinearModel, of_a_rigid_rotation_is_left_and_at_rest_it_is_not) {
 }
 
 /// A strip in plane strain between hinges, pushed by `force` [N/m].
-Problem pushed_strip(double force) {
-  Problem p = pressed_strip();
+problem::Problem pushed_strip(double force) {
+  problem::Problem p = pressed_strip();
   p.obstacles.clear();
   p.area_loads.clear();
   p.sections.common.thickness = Expression(0.1);
@@ -196,7 +197,7 @@ TEST(Buckling, is_seen_at_the_force_of_the_pinned_strip) {
 
 TEST(Strain, beyond_what_a_linear_law_knows_is_told_with_its_stress) {
   for (const double strain : {0.01, 0.03}) {
-    Problem p = pushed_strip(-strain * 0.1 / (1 - 0.09));
+    problem::Problem p = pushed_strip(-strain * 0.1 / (1 - 0.09));
     const Result r = solve(p, MPI_COMM_SELF);
     EXPECT_NEAR(r.summary.second_order.largest_strain, strain, 1e-9);
     if (strain > 0.02)
@@ -207,8 +208,8 @@ TEST(Strain, beyond_what_a_linear_law_knows_is_told_with_its_stress) {
 }
 
 /// A dome that stands on the table with its free rim.
-Problem standing_dome(int refinements) {
-  Problem p =
+problem::Problem standing_dome(int refinements) {
+  problem::Problem p =
       with_chart(free_plate(), {"x", "y", "sqrt(1 - x^2 - y^2) - cos(a) + e/2*cos(a)"}, {{"a", 0.5}, {"e", 0.05}});
   p.domain = fem::Disk{.radius = std::sin(0.5)};
   p.sections.common.thickness = Expression(0.05);
@@ -247,7 +248,7 @@ TEST(LineReaction, is_none_where_contact_lies_inside) {
 TEST(ContactSet, does_not_depend_on_the_unit_of_length) {
   const Result metres = solve(pressed_bowl(), MPI_COMM_SELF);
   for (const double s : {1e-12, 1e-9, 1e-6, 1e6}) {
-    Problem p = with_chart(pressed_bowl(), {"x", "y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)"}, {{"s", s}});
+    problem::Problem p = with_chart(pressed_bowl(), {"x", "y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)"}, {{"s", s}});
     p.domain = fem::Disk{.radius = 0.479425538604203 * s};
     p.sections.common.thickness = Expression(0.02 * s);
     const Result r = solve(p, MPI_COMM_SELF);
@@ -258,7 +259,7 @@ TEST(ContactSet, does_not_depend_on_the_unit_of_length) {
 }
 
 TEST(Certificate, of_a_shell_too_thin_for_double_precision_does_not_pass) {
-  Problem p = with_chart(pressed_strip(), {"x", "y", "0.01 + 0.3*x"});
+  problem::Problem p = with_chart(pressed_strip(), {"x", "y", "0.01 + 0.3*x"});
   p.sections.common.thickness = Expression(1e-7);
   p.supports = {clamped("left"), in_plane("bottom"), in_plane("top")};
   p.area_loads = {force(0, 0, -4e-21)};
@@ -270,7 +271,7 @@ TEST(Certificate, of_a_shell_too_thin_for_double_precision_does_not_pass) {
 }
 
 TEST(Certificate, of_a_rigid_motion_that_supports_prescribe_passes) {
-  Problem p = free_plate();
+  problem::Problem p = free_plate();
   Support all{.boundary = "left", .components = {}};
   for (const Direction d : {Direction::x, Direction::y, Direction::z})
     all.components.push_back(fixed(Unknown::displacement, d, Expression(0.1)));
@@ -281,8 +282,8 @@ TEST(Certificate, of_a_rigid_motion_that_supports_prescribe_passes) {
 }
 
 /// A strip that its weight presses on a thin roller across its middle.
-Problem strip_on_roller(int refinements) {
-  Problem p = pressed_strip();
+problem::Problem strip_on_roller(int refinements) {
+  problem::Problem p = pressed_strip();
   p.obstacles[0].shape = obstacle::Cylinder{.point = {0.5, 0, -0.02}, .axis = {0, 1, 0}, .radius = 0.02};
   p.obstacles[0].name = "roller";
   p.discretisation = {.degree = 2, .refinements = refinements};
@@ -304,7 +305,7 @@ TEST(Contact, along_a_line_inside_the_shell_has_a_reaction_by_length_and_no_pres
   }
   EXPECT_NEAR(line_reactions[0], line_reactions[1], 0.02 * line_reactions[1]);
   EXPECT_GT(pressures[1], 1.5 * pressures[0]);
-  Problem pressed = pressed_strip();
+  problem::Problem pressed = pressed_strip();
   pressed.discretisation.refinements = 2;
   const Result r = solve(pressed, MPI_COMM_SELF);
   EXPECT_DOUBLE_EQ(r.max_pressure(), r.summary.max_pressure);
@@ -312,7 +313,7 @@ TEST(Contact, along_a_line_inside_the_shell_has_a_reaction_by_length_and_no_pres
 }
 
 TEST(TheLargestStress, leaves_out_places_where_stresses_have_no_limit_and_names_them) {
-  Problem cantilever = cantilever_plate(), square = free_plate(), ell = free_plate();
+  problem::Problem cantilever = cantilever_plate(), square = free_plate(), ell = free_plate();
   square.area_loads = ell.area_loads = cantilever.area_loads;
   for (const char* side : {"left", "right", "bottom", "top"}) square.supports.push_back(clamped(side));
   ell.domain = fem::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
@@ -335,13 +336,14 @@ TEST(TheLargestStress, leaves_out_places_where_stresses_have_no_limit_and_names_
 // Clamped, nu = 0.3, thin: M = 0.0513 q a^2 in the middle of an edge (Timoshenko and Woinowsky-Krieger, table 35), where the largest stress is sigma =
 // 6 M/e^2 with the other principal one nu sigma.
 TEST(TheLargestStress, of_a_run_to_an_accuracy_is_as_accurate_as_it_says_and_is_that_of_probes) {
-  Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.sections.common.thickness = Expression(0.02);
   for (const char* side : {"left", "right", "bottom", "top"}) p.supports.push_back(clamped(side));
   p.area_loads = {force(0, 0, -1)};
   p.probes = {{"edge", {0, 0.5}}};
-  p.discretisation = {.degree = 4, .layers = Layers::automatic, .refinements = 0};
-  p.accuracy = Accuracy{.goals = {{"stress", 0.02}, {"probe.edge.M.11", 0.02}, {"probe.edge.von_mises", 0.02}}};
+  p.discretisation = {.degree = 4, .layers = problem::Layers::automatic, .refinements = 0};
+  p.accuracy =
+      problem::Accuracy{.goals = {{"stress", 0.02}, {"probe.edge.M.11", 0.02}, {"probe.edge.von_mises", 0.02}}};
   const Result r = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(r.status, Status::solved) << r.missed_limits;
   const double M = 0.0513, von_mises = 6 * M / (0.02 * 0.02) * std::sqrt(1 - 0.3 + 0.09);

@@ -2,12 +2,13 @@
 // supports on curves that hanging nodes lie on, contact zones across them, and all that is recovered of them.
 #include <gtest/gtest.h>
 #include <plastron/algebra/hash.hpp>
-#include <plastron/certificate/contact_zones.hpp>
-#include <plastron/computation/description.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/solve.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/problem/description.hpp>
 #include <plastron/recovery/recovery.hpp>
+#include <plastron/zones/contact_zones.hpp>
 
 #include <cmath>
 #include <functional>
@@ -35,8 +36,9 @@ bool is_scattered(const Place& at, int round) {
   return algebra::hash(number + static_cast<std::uint64_t>(round)) % 3 == 0;
 }
 
-LevelResult solve_graded(const Problem& problem, const Rule& rule, int rounds, MPI_Comm comm = MPI_COMM_WORLD) {
-  fem::MeshSequence meshes = mesh_sequence(problem, comm);
+LevelResult solve_graded(const problem::Problem& problem, const Rule& rule, int rounds,
+                         MPI_Comm comm = MPI_COMM_WORLD) {
+  fem::MeshSequence meshes = meshing::mesh_sequence(problem, comm);
   for (int i = 0; i < problem.discretisation.refinements; ++i) meshes.refine({});
   for (int round = 0; round < rounds; ++round) {
     std::vector<signed char> marks;
@@ -47,7 +49,7 @@ LevelResult solve_graded(const Problem& problem, const Rule& rule, int rounds, M
   EXPECT_TRUE(meshes.space()->has_ties);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   const LevelTask task{.settings = problem.contact, .linearisation = problem.linearisation};
-  return solve_level(task, assembly::discretise(meshes.space(), surface, shell_description(problem)), {});
+  return solve_level(task, assembly::discretise(meshes.space(), surface, problem::shell_description(problem)), {});
 }
 
 /// Covariant interpolation holds translations on curved shells only up to its order: `balance`.
@@ -66,13 +68,13 @@ bool at_zone_edge(const Place& at, int) { return std::abs(at.norm() - 0.2) < 0.0
 class GradedShell : public testing::TestWithParam<element::Formulation> {};
 
 TEST_P(GradedShell, IsAsGoodAsAUniformOne) {
-  Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   p.discretisation = {.degree = 2, .tangency = {.formulation = GetParam()}, .refinements = 2};
   for (const Rule& rule : {Rule(at_zone_edge), Rule(is_scattered)}) {
     const LevelResult graded = solve_graded(p, rule, 2);
     expect_certified(graded, GetParam() == element::Formulation::classical ? 1e-5 : 1e-9);
     EXPECT_GT(graded.record.active, 0);
-    Problem finer = p;
+    problem::Problem finer = p;
     finer.discretisation.refinements = 4;
     const Result uniform = solve(finer, MPI_COMM_WORLD);
     EXPECT_LT(graded.record.unknowns, uniform.levels.back().unknowns);
@@ -82,7 +84,7 @@ TEST_P(GradedShell, IsAsGoodAsAUniformOne) {
 }
 
 TEST_P(GradedShell, IsTheSameOnAnyNumberOfRanks) {
-  Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   p.discretisation = {.degree = 3, .tangency = {.formulation = GetParam()}, .refinements = 1};
   const LevelResult together = solve_graded(p, is_scattered, 2);
   const LevelResult alone = solve_graded(p, is_scattered, 2, MPI_COMM_SELF);
@@ -99,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(Formulations, GradedShell,
 
 /// The inner curve of the file has cells of either region on its sides; whichever is divided, all of its nodes are held.
 TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
-  Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.domain = fem::MeshFile{PLASTRON_TESTS_DIR "/fem/data/two-regions-4.1.msh"};
   const fem::CoarseMesh coarse = fem::coarse_mesh(p.domain, fem::Shape::quadrilateral);
   p.charts.clear();
@@ -131,7 +133,7 @@ TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
 
 /// A plate bent to constant curvature has constant moments, on whatever mesh.
 TEST(GradedMesh, GivesConstantResultantsExactly) {
-  Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.supports = {clamped("left")};
   assembly::EdgeLoad bending{.boundary = "right"};
   bending.couple = vector(1, 0, 0);
@@ -154,13 +156,13 @@ TEST(GradedMesh, GivesConstantResultantsExactly) {
 
 /// One zone whose boundary is closed, though it runs across sides that hanging nodes lie on.
 TEST(GradedMesh, HasContactZonesWithClosedBoundaries) {
-  Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   p.discretisation = {.degree = 2, .refinements = 3};
   for (const Rule& rule : {Rule(at_zone_edge), Rule(is_scattered)}) {
     const LevelResult level = solve_graded(p, rule, 2);
-    const auto zones = certificate::contact_zones(*level.solution.discrete, level.solution.nodal).at(0);
+    const auto zones = zones::contact_zones(*level.solution.discrete, level.solution.nodal).at(0);
     ASSERT_EQ(zones.size(), 1U);
-    for (const certificate::ContactLine& line : zones[0].lines) EXPECT_TRUE(line.is_closed) << line.points.size();
+    for (const solution::ContactLine& line : zones[0].lines) EXPECT_TRUE(line.is_closed) << line.points.size();
     EXPECT_NEAR(zones[0].lines[0].length, 2 * std::numbers::pi * 0.195, 0.03);
   }
 }

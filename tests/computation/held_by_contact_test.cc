@@ -17,8 +17,8 @@ using contact::Status;
 constexpr double e = 0.05, side = 1, weight = 1e-5;
 
 /// A square panel whose lower face is z = 0 in the middle; point supports take sliding and spinning alone.
-Problem panel(const std::string& height) {
-  Problem p;
+problem::Problem panel(const std::string& height) {
+  problem::Problem p;
   p.domain = fem::Rectangle{.from = {-side / 2, -side / 2}, .to = {side / 2, side / 2}, .cells = {4, 4}};
   p.charts = {{"", Chart({"x", "y", height}, {})}};
   p.sections.common.thickness = Expression(e);
@@ -49,7 +49,7 @@ Eigen::Vector3d shares() {
 class PanelOnThreeBalls : public testing::TestWithParam<const char*> {};
 
 TEST_P(PanelOnThreeBalls, ComesToRestWithEachBallAtItsShare) {
-  Problem p = panel(GetParam());
+  problem::Problem p = panel(GetParam());
   for (const auto& [x, y] : places) p.obstacles.push_back(ball_at(x, y));
   const Result r = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(r.status, Status::solved) << r.missed_limits;
@@ -69,15 +69,15 @@ INSTANTIATE_TEST_SUITE_P(Curved, PanelOnThreeBalls, testing::Values("0.025 + 0.0
 
 // The middle of the weight is beyond the line between two balls.
 TEST(APanelOnTwoBallsAndOneFarAway, TipsOff) {
-  Problem p = panel("0.025");
+  problem::Problem p = panel("0.025");
   p.obstacles = {ball_at(0.2, 0.2), ball_at(0.3, -0.2), ball_at(0.45, 0)};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::not_held);
 }
 
 /// A strip in plane strain, its middle at the height of its mid-surface there.
-Problem strip_pressed_by(double force, const fem::Rectangle& domain, const std::array<std::string, 3>& chart) {
-  Problem p;
+problem::Problem strip_pressed_by(double force, const fem::Rectangle& domain, const std::array<std::string, 3>& chart) {
+  problem::Problem p;
   p.domain = domain;
   p.charts = {{"", Chart(chart, {})}};
   p.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
@@ -99,8 +99,8 @@ void expect_few_steps(const Result& r, int on_the_coarsest) {
 
 TEST(ATubeBetweenPlates, StartsWhereItTouches) {
   const double pi = 3.141592653589793, length = 0.25;
-  Problem p = strip_pressed_by(0.01, {.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}},
-                               {"sin(x)", "y", "1.01 - cos(x)"});
+  problem::Problem p = strip_pressed_by(0.01, {.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}},
+                                        {"sin(x)", "y", "1.01 - cos(x)"});
   p.joins = {{{"left", "right"}}};
   p.sections.common.thickness = Expression(0.02);
   p.supports.push_back(kept_from_sliding(0, length / 2));
@@ -112,7 +112,8 @@ TEST(ATubeBetweenPlates, StartsWhereItTouches) {
 
 TEST(APanelOnTwoRollersPressedByAThird, StartsWhereItTouches) {
   const double width = 0.2, radius = 0.05;
-  Problem p = strip_pressed_by(0.1, {.from = {-0.6, 0}, .to = {0.6, width}, .cells = {12, 1}}, {"x", "y", "0"});
+  problem::Problem p =
+      strip_pressed_by(0.1, {.from = {-0.6, 0}, .to = {0.6, width}, .cells = {12, 1}}, {"x", "y", "0"});
   p.sections.common.thickness = Expression(e);
   p.supports.push_back(kept_from_sliding(0, width / 2));
   const auto roller = [&](double x, double z) {

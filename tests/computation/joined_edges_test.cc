@@ -14,8 +14,8 @@ using namespace test;
 using element::Formulation;
 
 /// x = 0 to 2, pressed on a table; curved, clamped at one end, a load that varies.
-Problem of_chart(const std::string& x) {
-  Problem p;
+problem::Problem of_chart(const std::string& x) {
+  problem::Problem p;
   p.sections.common.thickness = Expression("0.1", {});
   p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 5.0 / 6);
   p.charts = {{"", Chart({x, "y", "0.051 + 0.1*" + x + "^2"}, {})}};
@@ -24,8 +24,8 @@ Problem of_chart(const std::string& x) {
   return p;
 }
 
-Problem in_one_piece(fem::Shape cells, int degree, Formulation formulation) {
-  Problem p = of_chart("x");
+problem::Problem in_one_piece(fem::Shape cells, int degree, Formulation formulation) {
+  problem::Problem p = of_chart("x");
   p.domain = fem::Rectangle{.to = {2, 1}, .cells = {4, 2}};
   p.supports = {clamped("left"), clamped("right")};
   p.discretisation = {.cells = cells, .degree = degree, .tangency = {.formulation = formulation}, .refinements = 1};
@@ -33,8 +33,8 @@ Problem in_one_piece(fem::Shape cells, int degree, Formulation formulation) {
   return p;
 }
 
-Problem in_two_pieces(fem::Shape cells, int degree, Formulation formulation) {
-  Problem p = of_chart("x");
+problem::Problem in_two_pieces(fem::Shape cells, int degree, Formulation formulation) {
+  problem::Problem p = of_chart("x");
   p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/two-squares.msh"};
   p.charts = {{"first", p.charts.at("")}, {"second", of_chart("(x - 1)").charts.at("")}};
   p.joins = {{{"seam_a", "seam_b"}}};
@@ -54,7 +54,7 @@ class JoinedEdges : public testing::TestWithParam<Element> {};
 
 TEST_P(JoinedEdges, OfTwoRectanglesGiveTheNumbersOfOne) {
   const auto [cells, degree, formulation] = GetParam();
-  const Problem problem = in_two_pieces(cells, degree, formulation);
+  const problem::Problem problem = in_two_pieces(cells, degree, formulation);
   for (const auto& finding : examination::examine(problem))
     EXPECT_EQ(finding.text.find("not joined"), std::string::npos) << finding.text;
   const Result one = solve(in_one_piece(cells, degree, formulation), MPI_COMM_WORLD),
@@ -103,12 +103,12 @@ Sizes sizes_of_cells(const fem::Space& space, const std::string& boundary = "") 
 }
 
 TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
-  Problem one = in_one_piece(fem::Shape::quadrilateral, 3, Formulation::tangent),
-          two = in_two_pieces(fem::Shape::quadrilateral, 3, Formulation::tangent);
-  for (Problem* p : {&one, &two}) {
+  problem::Problem one = in_one_piece(fem::Shape::quadrilateral, 3, Formulation::tangent),
+                   two = in_two_pieces(fem::Shape::quadrilateral, 3, Formulation::tangent);
+  for (problem::Problem* p : {&one, &two}) {
     p->obstacles.clear();
     p->discretisation.refinements = 0;
-    p->accuracy = Accuracy{.goals = {{"energy", 1e-4}}};
+    p->accuracy = problem::Accuracy{.goals = {{"energy", 1e-4}}};
   }
   const Result in_one = solve(one, MPI_COMM_WORLD), in_two = solve(two, MPI_COMM_WORLD);
   ASSERT_EQ(in_two.status, contact::Status::solved) << in_two.missed_limits;
@@ -123,8 +123,8 @@ TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
 }
 
 /// A tube of radius 1 around the y axis, under inner pressure; its ends slide radially.
-Problem tube() {
-  Problem p;
+problem::Problem tube() {
+  problem::Problem p;
   p.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 1}, .cells = {8, 2}};
   p.charts = {{"", Chart({"sin(x)", "y", "cos(x)"}, {})}};
   p.sections.common.thickness = Expression("0.01", {});
@@ -146,7 +146,7 @@ TEST(JoinedEdges, MakeATubeWhoseOnlyFreeMotionsAreThoseOfATube) {
 }
 
 TEST(JoinedEdges, MakeATubeThatCarriesPressureAsAMembrane) {
-  Problem p = tube();
+  problem::Problem p = tube();
   // Nothing moves along the ends or out of them.
   p.supports.push_back(
       {.boundary = "top",
@@ -160,7 +160,7 @@ TEST(JoinedEdges, MakeATubeThatCarriesPressureAsAMembrane) {
 }
 
 TEST(JoinedEdges, ThatDoNotMeetAreRefused) {
-  Problem p = tube();
+  problem::Problem p = tube();
   p.charts = {{"", Chart({"sin(0.9*x)", "y", "cos(0.9*x)"}, {})}};
   EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
   p = tube();

@@ -2,10 +2,11 @@
 // way, and bend as frames do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <plastron/computation/description.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
-#include <plastron/spectra/soft_modes.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/problem/description.hpp>
+#include <research/spectra/soft_modes.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -22,8 +23,8 @@ using element::Formulation;
 constexpr double young = 1e4, thickness = 0.05, bending_stiffness = young * thickness * thickness * thickness / 12;
 
 /// Unit squares with x = 2k + s, y = t each.
-Problem of_squares(const std::string& mesh, const std::map<std::string, std::array<std::string, 3>>& charts) {
-  Problem p;
+problem::Problem of_squares(const std::string& mesh, const std::map<std::string, std::array<std::string, 3>>& charts) {
+  problem::Problem p;
   p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/" + mesh};
   for (const auto& [region, chart] : charts) p.charts.emplace(region, Chart(chart, {}));
   p.sections.common.thickness = Expression(thickness);
@@ -32,8 +33,8 @@ Problem of_squares(const std::string& mesh, const std::map<std::string, std::arr
   return p;
 }
 
-Problem folded(double angle) {
-  Problem p = of_squares(
+problem::Problem folded(double angle) {
+  problem::Problem p = of_squares(
       "two-squares.msh",
       {{"first", {"x", "y", "0"}},
        {"second",
@@ -43,26 +44,26 @@ Problem folded(double angle) {
 }
 
 /// Three sheets at 120 degrees along y; the joins named.
-Problem star(const std::vector<fem::Join>& joins) {
+problem::Problem star(const std::vector<fem::Join>& joins) {
   const std::string c = "(-0.5)", s = "0.86602540378443865";
-  Problem p = of_squares("three-squares.msh", {{"a", {"x", "y", "0"}},
-                                               {"b", {"(x - 2)*" + c, "y", "(x - 2)*" + s}},
-                                               {"c", {"(x - 4)*" + c, "y", "-(x - 4)*" + s}}});
+  problem::Problem p = of_squares("three-squares.msh", {{"a", {"x", "y", "0"}},
+                                                        {"b", {"(x - 2)*" + c, "y", "(x - 2)*" + s}},
+                                                        {"c", {"(x - 4)*" + c, "y", "-(x - 4)*" + s}}});
   p.joins = joins;
   return p;
 }
 
-Problem box_corner() {
-  Problem p =
+problem::Problem box_corner() {
+  problem::Problem p =
       of_squares("three-squares.msh", {{"a", {"x", "y", "0"}}, {"b", {"x - 2", "0", "y"}}, {"c", {"0", "x - 4", "y"}}});
   p.joins = {{{"a_south", "b_south"}}, {{"a_west", "c_south"}}, {{"b_west", "c_west"}}};
   return p;
 }
 
-int motions_without_strain(const Problem& p) {
-  const auto meshes = mesh_sequence(p, MPI_COMM_WORLD);
+int motions_without_strain(const problem::Problem& p) {
+  const auto meshes = meshing::mesh_sequence(p, MPI_COMM_WORLD);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, p.charts);
-  const auto discrete = assembly::discretise(meshes.space(), surface, shell_description(p), {});
+  const auto discrete = assembly::discretise(meshes.space(), surface, problem::shell_description(p), {});
   int count = 0;
   for (const spectra::Mode& mode : spectra::softest_modes(*discrete, 8, 1)) count += mode.stiffness == 0;
   return count;
@@ -73,7 +74,7 @@ TEST(KinkedJoins, LeaveSixMotionsFreeOfStrain) {
   EXPECT_EQ(motions_without_strain(folded(-0.1)), 6);
   EXPECT_EQ(motions_without_strain(star({{{"a_west", "b_west"}}, {{"b_west", "c_west"}}})), 6);
   EXPECT_EQ(motions_without_strain(box_corner()), 6);
-  Problem triangles = box_corner();
+  problem::Problem triangles = box_corner();
   triangles.discretisation.cells = fem::Shape::triangle;
   triangles.discretisation.tying = false;
   EXPECT_EQ(motions_without_strain(triangles), 6);
@@ -83,7 +84,7 @@ TEST(KinkedJoins, LeaveSixMotionsFreeOfStrain) {
 TEST(KinkedJoins, CarryTheMomentOfAFoldedCantilever) {
   for (const Formulation formulation : {Formulation::tangent, Formulation::penalised, Formulation::mixed})
     for (const double angle : {0.5, 1.5707963, -2.0}) {
-      Problem p = folded(angle);
+      problem::Problem p = folded(angle);
       p.discretisation.tangency.formulation = formulation;
       p.supports = {clamped("west")};
       const double c = std::stod(std::to_string(std::cos(angle))), s = std::stod(std::to_string(std::sin(angle)));
@@ -108,7 +109,7 @@ TEST(KinkedJoins, CarryTheMomentOfAFoldedCantilever) {
 /// Three clamped sheets that meet: which pairs are named makes no difference, nor do ranks.
 TEST(KinkedJoins, OfThreeSheetsAreOneWhateverPairsAreNamed) {
   const auto energy = [](const std::vector<fem::Join>& joins, MPI_Comm comm) {
-    Problem p = star(joins);
+    problem::Problem p = star(joins);
     p.supports = {clamped("a_east"), clamped("b_east")};
     p.area_loads = {force(1e-3, 3e-4, -2e-3)};
     const Result result = solve(p, comm);
@@ -128,7 +129,7 @@ TEST(KinkedJoins, OfThreeSheetsAreOneWhateverPairsAreNamed) {
 /// Supports say of the second sheet's node what they say of the joint.
 TEST(KinkedJoins, AreHeldThroughEitherSheet) {
   const auto energy = [](const std::string& seam) {
-    Problem p = folded(1);
+    problem::Problem p = folded(1);
     p.supports = {clamped(seam)};
     p.area_loads = {force(1e-4, 2e-4, -1e-3)};
     const Result result = solve(p, MPI_COMM_WORLD);
@@ -136,7 +137,7 @@ TEST(KinkedJoins, AreHeldThroughEitherSheet) {
     EXPECT_LT(result.certificate.moment_balance, 1e-9);
     return result.summary.energy.total();
   };
-  Problem both = folded(1);
+  problem::Problem both = folded(1);
   both.supports = {clamped("seam_a"), clamped("seam_b")};
   both.area_loads = {force(1e-4, 2e-4, -1e-3)};
   const double of_both = solve(both, MPI_COMM_WORLD).summary.energy.total(), a = energy("seam_a"), b = energy("seam_b");
@@ -147,7 +148,7 @@ TEST(KinkedJoins, AreHeldThroughEitherSheet) {
 }
 
 TEST(KinkedJoins, PressTheirEdgeOnATable) {
-  Problem p = folded(-1);
+  problem::Problem p = folded(-1);
   p.supports = {clamped("west"), clamped("east")};
   p.charts.clear();
   p.charts.emplace("first", Chart({"x", "y", "0.03 + 0.5*(1 - x)"}, {}));
@@ -164,7 +165,7 @@ TEST(KinkedJoins, PressTheirEdgeOnATable) {
 }
 
 TEST(KinkedJoins, OfOppositeNormalsAreRefused) {
-  Problem p = folded(0);
+  problem::Problem p = folded(0);
   p.charts.clear();
   p.charts.emplace("first", Chart({"1", "y", "x"}, {}));
   p.charts.emplace("second", Chart({"1", "y", "3 - x"}, {}));  // the seam is at z = 1 on both, and each goes down

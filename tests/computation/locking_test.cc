@@ -17,8 +17,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A cantilever of side 1 with 2^(refinements + 1) cells along it.
-Problem cantilever(fem::Shape cells, int degree, double thickness, int refinements, bool tying = false) {
-  Problem p = cantilever_plate();
+problem::Problem cantilever(fem::Shape cells, int degree, double thickness, int refinements, bool tying = false) {
+  problem::Problem p = cantilever_plate();
   p.sections.common.thickness = Expression(thickness);
   p.discretisation = {.cells = cells, .degree = degree, .tying = tying, .refinements = refinements};
   return p;
@@ -47,7 +47,7 @@ TEST(LockingWarning, is_not_given_for_tied_thick_or_high_order_elements) {
 }
 
 TEST(LockingWarning, comes_with_the_result_and_with_the_examination) {
-  const Problem p = cantilever(triangle, 1, 0.01, 1);
+  const problem::Problem p = cantilever(triangle, 1, 0.01, 1);
   const auto expected = locking_warnings(p);
   ASSERT_EQ(expected.size(), 1u);
   EXPECT_THAT(solve(p, MPI_COMM_SELF).warnings, testing::Contains(expected.front()));

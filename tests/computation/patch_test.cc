@@ -44,8 +44,8 @@ Support prescribed(const std::string& boundary, const State& state) {
   return s;
 }
 
-Problem patch(const fem::Domain& domain, const State& state, int degree, bool tying, int refinements = 1) {
-  Problem p = free_plate();
+problem::Problem patch(const fem::Domain& domain, const State& state, int degree, bool tying, int refinements = 1) {
+  problem::Problem p = free_plate();
   p.domain = domain;
   p.discretisation = {.degree = degree, .tying = tying, .refinements = refinements};
   p.area_loads.resize(1);
@@ -55,7 +55,7 @@ Problem patch(const fem::Domain& domain, const State& state, int degree, bool ty
 }
 
 /// Largest error of u and r at the nodes.
-double nodal_error(const Problem& problem, const State& state) {
+double nodal_error(const problem::Problem& problem, const State& state) {
   const Result result = solve(problem, MPI_COMM_SELF);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   const auto& points = result.solution->discrete->points;
@@ -108,7 +108,7 @@ TEST_P(Patch, of_any_quadrilaterals_keeps_every_constant_state_up_to_what_tying_
 
 TEST_P(Patch, of_constant_strain_has_constant_resultants) {
   const State state = stretched();
-  Problem p = patch(parallelogram, state, degree, tying);
+  problem::Problem p = patch(parallelogram, state, degree, tying);
   p.probes = {{.name = "a", .at = {0.6, 0.5}}, {.name = "b", .at = {1.25, 0.85}}, {.name = "c", .at = {2, 0.9}}};
   const Result result = solve(p, MPI_COMM_SELF);
   const double E = 1e4, nu = 0.3, e = 0.1, stiffness = E * e / (1 - nu * nu);
@@ -125,7 +125,7 @@ TEST_P(Patch, of_constant_strain_has_constant_resultants) {
 
 TEST_P(Patch, of_constant_curvature_has_constant_moments) {
   if (degree == 1 && !tying) return;
-  Problem p = patch(parallelogram, bent(), degree, tying);
+  problem::Problem p = patch(parallelogram, bent(), degree, tying);
   p.probes = {{.name = "a", .at = {0.6, 0.5}}, {.name = "b", .at = {1.25, 0.85}}, {.name = "c", .at = {2, 0.9}}};
   const Result result = solve(p, MPI_COMM_SELF);
   const double E = 1e4, nu = 0.3, e = 0.1, D = E * e * e * e / 12 / (1 - nu * nu);
@@ -146,7 +146,7 @@ TEST(TrianglePatch, keeps_every_constant_state_of_its_degree) {
       for (const State& state : {rigid(), stretched(), sheared(), bent()}) {
         if (k == 1 && state.name == "bent") continue;
         SCOPED_TRACE(state.name);
-        Problem p = patch(domain, state, k, false);
+        problem::Problem p = patch(domain, state, k, false);
         p.discretisation.cells = fem::Shape::triangle;
         EXPECT_LT(nodal_error(p, state), 1e-12) << "degree " << k;
       }

@@ -24,7 +24,7 @@ Support at_point(double x, double y, const std::vector<Direction>& directions) {
 constexpr auto X = Direction::x, Y = Direction::y, Z = Direction::z;
 
 /// 3-2-1 at corners of the square that lie in no line in space.
-Problem held_in_three_points(Problem p) {
+problem::Problem held_in_three_points(problem::Problem p) {
   p.supports = {at_point(0, 0, {X, Y, Z}), at_point(1, 0, {Y, Z}), at_point(0, 1, {Z})};
   return p;
 }
@@ -39,7 +39,7 @@ assembly::AreaLoad balanced() {
 /// Lengths of a rectangle in space, turned by a rotation about an axis askew.
 Eigen::Matrix3d turned() { return Eigen::AngleAxisd(0.9, Vector3d(1, 2, -0.5).normalized()).toRotationMatrix(); }
 
-Problem free_panel(const Eigen::Matrix3d& R = Eigen::Matrix3d::Identity()) {
+problem::Problem free_panel(const Eigen::Matrix3d& R = Eigen::Matrix3d::Identity()) {
   std::array<std::string, 3> chart;
   assembly::AreaLoad load = balanced();
   const auto f = balanced().force;
@@ -49,7 +49,7 @@ Problem free_panel(const Eigen::Matrix3d& R = Eigen::Matrix3d::Identity()) {
     load.force[k] =
         Expression(fmt::format("{:.17g}*({}) + {:.17g}*({})", R(i, 0), f[0].text(), R(i, 2), f[2].text()), {});
   }
-  Problem p = held_in_three_points(with_chart(free_plate(), chart));
+  problem::Problem p = held_in_three_points(with_chart(free_plate(), chart));
   p.area_loads = {load};
   return p;
 }
@@ -65,7 +65,7 @@ void expect_no_reaction(const Result& result, double tolerance = 1e-10) {
 TEST(FreePanel, under_loads_in_equilibrium_needs_no_reaction) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle})
     for (const auto formulation : {element::Formulation::tangent, element::Formulation::classical}) {
-      Problem p = free_panel();
+      problem::Problem p = free_panel();
       p.discretisation = {.cells = shape, .degree = 2, .tying = shape == fem::Shape::quadrilateral, .refinements = 2};
       p.discretisation.tangency.formulation = formulation;
       const Result result = solve(p, MPI_COMM_WORLD);
@@ -78,7 +78,7 @@ TEST(FreePanel, under_loads_in_equilibrium_needs_no_reaction) {
 // These see gradients of r . a_3 alone, so a boundary must say that it vanishes; that costs no force either.
 TEST(FreePanel, of_relaxed_formulations_needs_r_a3_on_a_boundary) {
   for (const auto formulation : {element::Formulation::penalised, element::Formulation::mixed}) {
-    Problem p = free_panel();
+    problem::Problem p = free_panel();
     p.discretisation.tangency.formulation = formulation;
     EXPECT_TRUE(has_errors(examination::examine(p)));
     p.supports.push_back({.boundary = "left", .components = {fixed(Unknown::rotation, Direction::normal)}});
@@ -98,7 +98,7 @@ TEST(FreePanel, that_is_turned_has_the_same_strains) {
 }
 
 TEST(FreePanel, has_the_same_strains_whichever_points_hold_it) {
-  Problem p = free_panel();
+  problem::Problem p = free_panel();
   const double energy = solve(p, MPI_COMM_WORLD).summary.energy.total();
   // Middles of sides and of the square: corners of cells. And prescribed motions, as long as they are rigid.
   p.supports = {at_point(0.5, 0.5, {X, Y, Z}), at_point(0.5, 1, {X, Z}), at_point(0, 0.5, {Z})};
@@ -110,8 +110,8 @@ TEST(FreePanel, has_the_same_strains_whichever_points_hold_it) {
 }
 
 /// A cylinder of radius 1 over the square, under a load that nothing need hold.
-Problem curved_panel(int degree) {
-  Problem p = held_in_three_points(with_chart(free_plate(), {"sin(x - 0.5)", "y", "cos(x - 0.5)"}));
+problem::Problem curved_panel(int degree) {
+  problem::Problem p = held_in_three_points(with_chart(free_plate(), {"sin(x - 0.5)", "y", "cos(x - 0.5)"}));
   // Along y, with resultant and moments zero as the surface element is one and the section symmetric.
   assembly::AreaLoad load;
   load.force[1] = Expression("cos(2*(x - 0.5)) * (2*y - 1)", {});
@@ -131,7 +131,7 @@ TEST(CurvedPanel, needs_reactions_no_larger_than_what_its_mesh_misses) {
 
 // Statics: the weight 0.1 in the middle is carried by the two ends of the diagonal.
 TEST(Points, under_a_weight_carry_it_and_say_that_this_is_singular) {
-  Problem p = held_in_three_points(free_plate());
+  problem::Problem p = held_in_three_points(free_plate());
   p.area_loads = {force(0, 0, -0.1)};
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.summary.point_reactions.size(), 3u);
@@ -146,7 +146,7 @@ TEST(Points, under_a_weight_carry_it_and_say_that_this_is_singular) {
 }
 
 TEST(Points, that_move_a_shell_rigidly_are_nothing_to_warn_of) {
-  Problem p = held_in_three_points(free_plate());
+  problem::Problem p = held_in_three_points(free_plate());
   p.supports[2].components[0].value = Expression(0.01);
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
@@ -156,13 +156,13 @@ TEST(Points, that_move_a_shell_rigidly_are_nothing_to_warn_of) {
 }
 
 TEST(Points, must_be_nodes_that_all_meshes_have) {
-  const auto error = [](Problem p, double x, double y) {
+  const auto error = [](problem::Problem p, double x, double y) {
     p.supports.push_back(at_point(x, y, {Z}));
     for (const auto& finding : examination::examine(p))
       if (finding.severity == examination::Severity::error) return finding.text;
     return std::string();
   };
-  Problem p = free_panel();  // 2 x 2 cells of degree 2: the middles of their sides are nodes
+  problem::Problem p = free_panel();  // 2 x 2 cells of degree 2: the middles of their sides are nodes
   EXPECT_EQ(error(p, 0.25, 0.75), "");
   EXPECT_NE(error(p, 0.25, 0.7).find("the nearest one is (0.25, 0.75)"), std::string::npos);
   p.discretisation.degree = 3;

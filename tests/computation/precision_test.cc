@@ -17,9 +17,10 @@ using testing::IsEmpty;
 
 /// The strip of cases/inclined-strip, all displacements of one size whatever the thickness; lengths in metres times
 /// `unit`.
-Problem bent_strip(double e, double unit = 1) {
-  Problem p = with_chart(pressed_strip(), {"unit*x*cos(0.3)", "unit*y", "unit*(0.01 + x*sin(0.3) + e/2*cos(0.3))"},
-                         {{"unit", unit}, {"e", e}});
+problem::Problem bent_strip(double e, double unit = 1) {
+  problem::Problem p =
+      with_chart(pressed_strip(), {"unit*x*cos(0.3)", "unit*y", "unit*(0.01 + x*sin(0.3) + e/2*cos(0.3))"},
+                 {{"unit", unit}, {"e", e}});
   p.sections.common.thickness = Expression(e * unit);
   p.area_loads = {force(0, 0, -20 * e * e * e)};
   p.discretisation.degree = 3;
@@ -27,7 +28,7 @@ Problem bent_strip(double e, double unit = 1) {
   return p;
 }
 
-std::vector<std::string> warnings(const Problem& problem) {
+std::vector<std::string> warnings(const problem::Problem& problem) {
   std::vector<std::string> all;
   for (const examination::Finding& f : examination::examine(problem))
     if (f.severity == examination::Severity::warning) all.push_back(f.text);
@@ -36,7 +37,7 @@ std::vector<std::string> warnings(const Problem& problem) {
 
 TEST(RoundingResidual, is_what_the_certificate_finds_within_an_order) {
   for (const double e : {1e-5, 1e-6}) {
-    const Problem p = bent_strip(e);
+    const problem::Problem p = bent_strip(e);
     const double ratio = solve(p, MPI_COMM_SELF).certificate.energy_identity / examination::rounding_residual(p);
     EXPECT_GT(ratio, 0.1) << e;
     EXPECT_LT(ratio, 10) << e;

@@ -1,6 +1,6 @@
 // Small problems to build others from.
 #pragma once
-#include <plastron/computation/problem.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@ using assembly::Direction;
 using assembly::PrescribedComponent;
 using assembly::Support;
 using assembly::Unknown;
-using computation::Problem;
 using geometry::Chart;
 using geometry::Constants;
 using geometry::Expression;
+using problem::Problem;
 
 inline PrescribedComponent fixed(Unknown unknown, Direction direction, const Expression& value = {}) {
   return {unknown, direction, value};

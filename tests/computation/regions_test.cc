@@ -1,8 +1,8 @@
 // Thickness, material and loads by region: cantilevers of two spans, whose answers are those of beams.
 #include <gtest/gtest.h>
-#include <plastron/computation/description.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
+#include <plastron/meshing/sequence.hpp>
 
 #include <cmath>
 
@@ -26,8 +26,8 @@ struct Span {
 };
 constexpr Span stiff{2e4, 0.12}, soft{5e3, 0.1};
 
-Problem two_spans() {
-  Problem p = free_plate();
+problem::Problem two_spans() {
+  problem::Problem p = free_plate();
   p.domain =
       fem::Rectangle{.to = {first + second, width}, .cells = {5, 1}, .breaks = {first}, .regions = {"stiff", "soft"}};
   p.sections.common = soft.section();
@@ -53,20 +53,20 @@ double deflection_under_load_on_the_second() {
          b * a / stiff.shear();
 }
 
-double tip(const Problem& p) {
+double tip(const problem::Problem& p) {
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   return result.probes.at(0).values.u[2];
 }
 
-Problem with_end_force() {
-  Problem p = two_spans();
+problem::Problem with_end_force() {
+  problem::Problem p = two_spans();
   p.edge_loads = {{.boundary = "right", .force = vector(0, 0, 1)}};
   return p;
 }
 
 TEST(TwoSpans, bend_under_an_end_force_as_a_beam_in_every_formulation) {
-  Problem p = with_end_force();
+  problem::Problem p = with_end_force();
   const double exact = deflection_under_end_force();
   for (const auto formulation : {element::Formulation::tangent, element::Formulation::penalised,
                                  element::Formulation::mixed, element::Formulation::classical}) {
@@ -76,7 +76,7 @@ TEST(TwoSpans, bend_under_an_end_force_as_a_beam_in_every_formulation) {
 }
 
 TEST(TwoSpans, under_a_load_on_one_of_them_bend_as_a_beam) {
-  Problem p = two_spans();
+  problem::Problem p = two_spans();
   p.discretisation.degree = 4;
   p.area_loads = {force(0, 0, 1)};
   p.area_loads.front().regions = {"soft"};
@@ -88,7 +88,7 @@ TEST(TwoSpans, under_a_load_on_one_of_them_bend_as_a_beam) {
 }
 
 TEST(TwoSpans, of_triangles_converge_to_the_beam) {
-  Problem p = with_end_force();
+  problem::Problem p = with_end_force();
   p.discretisation = {.cells = fem::Shape::triangle, .degree = 2, .tying = false};
   const auto error = [&](int refinements) {
     p.discretisation.refinements = refinements;
@@ -100,7 +100,7 @@ TEST(TwoSpans, of_triangles_converge_to_the_beam) {
 }
 
 TEST(TwoSpans, have_resultants_and_energy_of_their_own_material) {
-  Problem p = with_end_force();
+  problem::Problem p = with_end_force();
   p.probes.push_back({.name = "in the first", .at = {0.3, 0.2}});
   p.probes.push_back({.name = "in the second", .at = {1.5, 0.2}});
   const Result result = solve(p, MPI_COMM_WORLD);
@@ -113,7 +113,7 @@ TEST(TwoSpans, have_resultants_and_energy_of_their_own_material) {
 }
 
 TEST(TwoSpans, that_a_region_makes_one_are_one) {
-  Problem p = with_end_force(), uniform = p;
+  problem::Problem p = with_end_force(), uniform = p;
   p.sections.regions = {{"stiff", soft.section()}};
   uniform.sections.regions.clear();
   EXPECT_EQ(tip(p), tip(uniform));
@@ -122,13 +122,13 @@ TEST(TwoSpans, that_a_region_makes_one_are_one) {
 /// The largest thickness at nodes of the joint, and elsewhere that of the region.
 TEST(NodalThickness, is_the_largest_where_regions_meet) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
-    Problem p = two_spans();
+    problem::Problem p = two_spans();
     p.discretisation = {.cells = shape, .degree = 2, .tying = false, .refinements = 1};
     for (const bool is_first_thicker : {true, false}) {
       if (!is_first_thicker) p.sections = {.common = stiff.section(), .regions = {{"stiff", soft.section()}}};
       const double at_first = is_first_thicker ? stiff.thickness : soft.thickness,
                    at_second = is_first_thicker ? soft.thickness : stiff.thickness;
-      fem::MeshSequence meshes = mesh_sequence(p, MPI_COMM_WORLD);
+      fem::MeshSequence meshes = meshing::mesh_sequence(p, MPI_COMM_WORLD);
       meshes.refine({});
       const fem::Surface surface(meshes.space()->coarse, p.charts);
       const auto tables = element::element_tables(shape, 2, false);
@@ -144,7 +144,7 @@ TEST(NodalThickness, is_the_largest_where_regions_meet) {
 }
 
 TEST(Contact, of_regions_of_different_thickness_begins_at_the_thicker_one) {
-  Problem p = with_chart(two_spans(), {"x", "y", "0.07"});  // the faces lie 0.01 and 0.02 above the table
+  problem::Problem p = with_chart(two_spans(), {"x", "y", "0.07"});  // the faces lie 0.01 and 0.02 above the table
   p.obstacles = {obstacle::Obstacle{}};
   p.area_loads = {force(0, 0, -1e-3)};
   const Result free = solve(p, MPI_COMM_WORLD);
@@ -159,13 +159,13 @@ TEST(Contact, of_regions_of_different_thickness_begins_at_the_thicker_one) {
 }
 
 TEST(Examination, sees_the_thickness_and_loads_of_each_region) {
-  const auto texts = [](const Problem& p) {
+  const auto texts = [](const problem::Problem& p) {
     std::string all;
     for (const auto& finding : examination::examine(p))
       if (finding.severity != examination::Severity::note) all += finding.text + "\n";
     return all;
   };
-  Problem p = with_end_force();
+  problem::Problem p = with_end_force();
   EXPECT_EQ(texts(p), "");
   p.sections.regions["stiff"].thickness = Expression("x < 0.33 ? 0.1 : 0.2", {});
   EXPECT_NE(texts(p).find("jumps inside of a cell near x = 0.33"), std::string::npos) << texts(p);

@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/assembly/stiffness.hpp>
-#include <plastron/computation/description.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
 #include <plastron/fem/carried_nodes.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/problem/description.hpp>
 
 #include <Eigen/Dense>
 
@@ -27,8 +28,8 @@ constexpr double young = 1e4, thickness = 0.05, width = 0.25, length = 1;
 constexpr double bending_stiffness = young * width * thickness * thickness * thickness / 12;
 
 /// A strip along x without lateral contraction, clamped at x = 0, its other end on a body with the reference at its middle.
-Problem beam(const fem::RigidBody& body) {
-  Problem p = free_plate();
+problem::Problem beam(const fem::RigidBody& body) {
+  problem::Problem p = free_plate();
   p.domain = fem::Rectangle{.to = {length, width}, .cells = {4, 1}};
   p.sections.common.thickness = Expression(thickness);
   p.sections.common.material = shell::Material::from_young_poisson(young, 0, 1);
@@ -40,11 +41,11 @@ Problem beam(const fem::RigidBody& body) {
 
 fem::RigidBody end_plate() { return {.name = "plate", .boundaries = {"right"}, .reference = {length, width / 2, 0}}; }
 
-std::unique_ptr<assembly::DiscreteShell> discretised(const Problem& p, MPI_Comm comm = MPI_COMM_WORLD) {
-  fem::MeshSequence meshes = mesh_sequence(p, comm);
+std::unique_ptr<assembly::DiscreteShell> discretised(const problem::Problem& p, MPI_Comm comm = MPI_COMM_WORLD) {
+  fem::MeshSequence meshes = meshing::mesh_sequence(p, comm);
   for (int i = 0; i < p.discretisation.refinements; ++i) meshes.refine({});
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, p.charts);
-  return assembly::discretise(meshes.space(), surface, shell_description(p), {});
+  return assembly::discretise(meshes.space(), surface, problem::shell_description(p), {});
 }
 
 void expect_sound(const Result& result) {
@@ -64,7 +65,7 @@ struct Element {
 
 class RigidBody : public testing::TestWithParam<Element> {
  protected:
-  static Problem on_cells(Problem p) {
+  static problem::Problem on_cells(problem::Problem p) {
     const auto [cells, degree, formulation] = GetParam();
     p.discretisation.cells = cells;
     p.discretisation.degree = degree;
@@ -98,7 +99,7 @@ TEST_P(RigidBody, TurnsTheTipOfACantileverByMLOverEI) {
 }
 
 /// Curved, so that normals and levers differ from node to node.
-Problem curved(Problem p) {
+problem::Problem curved(problem::Problem p) {
   p.charts = {{"", Chart({"x", "y", "0.4*x*(1 - x) + 0.3*y^2"}, {})}};
   return p;
 }
@@ -129,7 +130,7 @@ algebra::Vector coordinates_of_motion(const assembly::DiscreteShell& shell, cons
 
 TEST_P(RigidBody, LeavesAllRigidMotionsFreeOfStrain) {
   for (const bool is_flat : {true, false}) {
-    Problem p = on_cells(is_flat ? beam(end_plate()) : curved(beam(end_plate())));
+    problem::Problem p = on_cells(is_flat ? beam(end_plate()) : curved(beam(end_plate())));
     p.supports.clear();
     p.rigid_bodies.push_back(
         {.name = "hinge", .boundaries = {"left"}, .reference = {-0.3, 0, 0.2}, .turns_normals = false});
@@ -160,7 +161,7 @@ TEST_P(RigidBody, LeavesAllRigidMotionsFreeOfStrain) {
 }
 
 TEST_P(RigidBody, LeavesTheFormSymmetricAndPositiveAndTheMatrixTheOperator) {
-  Problem p = on_cells(curved(beam(end_plate())));
+  problem::Problem p = on_cells(curved(beam(end_plate())));
   p.rigid_bodies.push_back({.name = "hinge",
                             .boundaries = {"top"},
                             .reference = {0.5, 1, 1},
@@ -222,7 +223,7 @@ TEST(RigidBodies, MayBeHingesThatTakeNoMoment) {
 /// Cross-sections of a tube turn as a whole, psi R / 2 = gamma_sy and psi = chi_sy: T = psi G 2 pi R e (R^2 + e^2 / 3).
 TEST(RigidBodies, TwistATubeWhoseSeamIsJoined) {
   constexpr double wall = 0.05, pi = std::numbers::pi, moment = 1e-4;
-  Problem p;
+  problem::Problem p;
   p.domain = fem::Rectangle{.to = {2 * pi, 2}, .cells = {8, 2}};
   p.charts = {{"", Chart({"sin(x)", "y", "cos(x)"}, {})}};
   p.sections.common.thickness = Expression(wall);
@@ -258,10 +259,10 @@ TEST(RigidBodies, OfAnotherReferencePointMoveAlike) {
 }
 
 /// A plate at the tip presses the strip on a table that lies below its middle only.
-Problem pressed_by_its_tip() {
+problem::Problem pressed_by_its_tip() {
   fem::RigidBody body = end_plate();
   body.fixed = {open, open, -0.06, open, open, open};
-  Problem p = beam(body);
+  problem::Problem p = beam(body);
   p.discretisation.degree = 2;
   p.discretisation.refinements = 2;
   p.sections.common.material = shell::Material::from_young_poisson(young, 0.3, 1);
@@ -270,7 +271,7 @@ Problem pressed_by_its_tip() {
 }
 
 TEST(RigidBodies, PressAShellOnAnObstacleAlikeOnAnyNumberOfRanks) {
-  const Problem p = pressed_by_its_tip();
+  const problem::Problem p = pressed_by_its_tip();
   const Result here = solve(p, MPI_COMM_SELF), all = solve(p, MPI_COMM_WORLD);
   expect_sound(all);
   EXPECT_GT(all.summary.touching_nodes, 2);
@@ -289,7 +290,7 @@ TEST(RigidBodies, MayBeHeldBySymmetryWhereTheyAreFixedAlike) {
   body.force /= 2;
   body.reference[1] = 0;
   body.fixed = {open, 0.0, open, 0.0, open, 0.0};
-  Problem p = beam(body);
+  problem::Problem p = beam(body);
   p.domain = fem::Rectangle{.to = {length, width / 2}, .cells = {4, 1}};
   p.supports.push_back(symmetry("bottom"));
   const Result half = solve(p, MPI_COMM_WORLD);
@@ -299,7 +300,7 @@ TEST(RigidBodies, MayBeHeldBySymmetryWhereTheyAreFixedAlike) {
 
 TEST(RigidBodies, ThatEnterAnObstacleAreWarnedOf) {
   const auto warnings = [](double sink) {
-    Problem p = pressed_by_its_tip();
+    problem::Problem p = pressed_by_its_tip();
     p.rigid_bodies[0].fixed[2] = sink;
     return solve(p, MPI_COMM_WORLD).warnings;
   };
@@ -307,7 +308,7 @@ TEST(RigidBodies, ThatEnterAnObstacleAreWarnedOf) {
   EXPECT_THAT(warnings(-0.06), testing::Contains(testing::HasSubstr("\"plate\" takes the shell")));
 }
 
-std::string refusal(const Problem& p) {
+std::string refusal(const problem::Problem& p) {
   try {
     solve(p, MPI_COMM_WORLD);
   } catch (const std::invalid_argument& error) {
@@ -322,7 +323,7 @@ TEST(RigidBodies, AreRefusedWhereTheyMakeNoSense) {
   fem::RigidBody body = end_plate();
   body.boundaries = {"west"};
   EXPECT_THAT(refusal(beam(body)), HasSubstr("rigid body \"plate\" is not there: there is no boundary \"west\""));
-  Problem p = beam(end_plate());
+  problem::Problem p = beam(end_plate());
   p.rigid_bodies.push_back({.name = "rail", .boundaries = {"top"}});
   EXPECT_THAT(refusal(p), HasSubstr("\"plate\" and \"rail\" both carry the node at (1, 0.25, 0)"));
   body = end_plate();
@@ -334,7 +335,7 @@ TEST(RigidBodies, AreRefusedWhereTheyMakeNoSense) {
 }
 
 TEST(RigidBodies, AreNotHeldBySupportsOfTheirNodes) {
-  Problem p = beam(end_plate());
+  problem::Problem p = beam(end_plate());
   p.supports.push_back(held("right", {Direction::z}));
   EXPECT_THAT(refusal(p), HasSubstr("where the rigid body \"plate\" carries it"));
   p.rigid_bodies[0].fixed = {open, open, -0.01, 0.0, 0.0, open};
@@ -344,7 +345,7 @@ TEST(RigidBodies, AreNotHeldBySupportsOfTheirNodes) {
 }
 
 TEST(RigidBodies, HoldTheShellAgainstRigidMotions) {
-  Problem p = beam(end_plate());
+  problem::Problem p = beam(end_plate());
   p.supports.clear();
   const auto errors = [&] {
     int count = 0;

@@ -20,8 +20,8 @@ using Eigen::Vector3d;
 using obstacle::Face;
 
 /// A clamped shallow bowl pressed on bodies below it, all turned by R: of the chart, of the loads, of the bodies.
-Problem bowl(const Matrix3d& R, const std::vector<obstacle::Obstacle>& bodies) {
-  Problem p;
+problem::Problem bowl(const Matrix3d& R, const std::vector<obstacle::Obstacle>& bodies) {
+  problem::Problem p;
   p.domain = fem::Disk{.radius = std::sin(0.5)};
   const std::array<std::string, 3> own{"x", "y", "(1.03 - sqrt(1 - x^2 - y^2))"};
   std::array<std::string, 3> turned;
@@ -81,7 +81,7 @@ TEST(ASceneUpsideDown, HasTheSameEnergyWhicheverWayItsFaceIsNamed) {
     for (const Face face : {Face::upper, Face::nearer}) {
       obstacle::Obstacle named = body;
       named.face = face;
-      Problem p = bowl(Matrix3d::Identity(), {named});
+      problem::Problem p = bowl(Matrix3d::Identity(), {named});
       p.charts = {{"", Chart({"y", "x", "1.03 - sqrt(1 - x^2 - y^2)"}, {})}};
       const Result exchanged = solve(p, MPI_COMM_SELF);
       // Another mesh of the same disk: as good as the mesh is.
@@ -119,11 +119,12 @@ Matrix3d membrane_forces(const recovery::PointValues& p) {
 }
 
 TEST(ASceneTurnedInSpace, HasTheSameInvariantsOfResultantsAndStressesInAnyAxes) {
-  const std::vector<Probe> places{{"middle", {0.01, 0.02}}, {"inside", {0.2, 0.1}}, {"near the rim", {-0.1, 0.4}}};
+  const std::vector<problem::Probe> places{
+      {"middle", {0.01, 0.02}}, {"inside", {0.2, 0.1}}, {"near the rim", {-0.1, 0.4}}};
   const Matrix3d R = Eigen::AngleAxisd(0.9, Vector3d(1, -2, 2) / 3).toRotationMatrix();
   std::vector<ProbeValue> first;
   for (const Matrix3d& turn : {Matrix3d(Matrix3d::Identity()), R}) {
-    Problem p = bowl(turn, {bodies()[1]});
+    problem::Problem p = bowl(turn, {bodies()[1]});
     Result result = solve(p, MPI_COMM_SELF);
     ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
     for (const std::optional<Vector3d>& axis :
@@ -150,7 +151,7 @@ TEST(ASceneTurnedInSpace, HasTheSameInvariantsOfResultantsAndStressesInAnyAxes) 
 // Moments of a scene about a point are those about the origin of the scene moved there.
 TEST(AMomentPoint, IsAsGoodAsMovingTheScene) {
   const Vector3d point(0.3, -0.2, 1.5);
-  Problem p = bowl(Matrix3d::Identity(), {bodies()[1]});
+  problem::Problem p = bowl(Matrix3d::Identity(), {bodies()[1]});
   const Result origin = solve(p, MPI_COMM_SELF);
   p.output.moment_point = point;
   const Result a = solve(p, MPI_COMM_SELF);
@@ -159,7 +160,7 @@ TEST(AMomentPoint, IsAsGoodAsMovingTheScene) {
   p.obstacles[0].placement = {Matrix3d::Identity(), -point};
   const Result b = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(b.status, contact::Status::solved) << b.missed_limits;
-  const auto expect_equal = [](const certificate::Wrench& found, const certificate::Wrench& wanted) {
+  const auto expect_equal = [](const solution::Wrench& found, const solution::Wrench& wanted) {
     EXPECT_GT(wanted.force.norm(), 0);
     EXPECT_LT((found.force - wanted.force).norm(), 1e-8 * wanted.force.norm());
     EXPECT_LT((found.moment - wanted.moment).norm(), 1e-8 * wanted.force.norm());
@@ -177,7 +178,7 @@ TEST(AMomentPoint, IsAsGoodAsMovingTheScene) {
 }
 
 TEST(APanelSqueezedBetweenTwoPlates, HasMirrorEqualReactions) {
-  Problem p;
+  problem::Problem p;
   p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
   p.charts = {{"", Chart({"x", "y", "0.02*cos(2*pi*x)"}, {})}};
   p.sections.common.thickness = Expression(0.04);

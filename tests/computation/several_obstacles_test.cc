@@ -12,8 +12,8 @@ using namespace test;
 constexpr double width = 0.125, thick = 0.1;
 
 /// A strip of length 1 in plane strain, clamped at both ends, between the floor z = 0 and a ceiling; load in the z direction.
-Problem strip(const std::string& height, const std::string& load, double ceiling) {
-  Problem p;
+problem::Problem strip(const std::string& height, const std::string& load, double ceiling) {
+  problem::Problem p;
   p.domain = fem::Rectangle{.to = {1, width}, .cells = {8, 1}};
   p.charts = {{"", Chart({"x", "y", height}, {})}};
   p.sections.common.thickness = Expression(thick);
@@ -34,7 +34,7 @@ Problem strip(const std::string& height, const std::string& load, double ceiling
 
 struct Reference {
   const char* name;
-  Problem problem;
+  problem::Problem problem;
   double energy, floor, ceiling;  ///< per unit width
 };
 
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& reference) { return std::string(reference.param.name); });
 
 TEST(Between, PlatesThatAreMirrorImagesTheReactionsAreToo) {
-  Problem p = strip("0.06", "0.05*sin(2*pi*x)", 0.12);
+  problem::Problem p = strip("0.06", "0.05*sin(2*pi*x)", 0.12);
   const Result result = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(result.status, contact::Status::solved);
   const auto& obstacles = result.summary.obstacles;
@@ -77,8 +77,8 @@ TEST(Between, PlatesThatAreMirrorImagesTheReactionsAreToo) {
 }
 
 /// A plate on rollers along y; its load presses it on them.
-Problem plate_on_rollers(const std::vector<double>& places, double radius) {
-  Problem p;
+problem::Problem plate_on_rollers(const std::vector<double>& places, double radius) {
+  problem::Problem p;
   p.domain = fem::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
   p.charts = {{"", Chart({"x", "y", "0"}, {})}};
   p.sections.common.thickness = Expression(thick);
@@ -94,7 +94,7 @@ Problem plate_on_rollers(const std::vector<double>& places, double radius) {
 }
 
 TEST(ThreeRollers, WhoseNormalsLieInOnePlaneCarryAPlateAtThreePlaces) {
-  const Problem p = plate_on_rollers({-0.75, 0, 0.75}, 0.05);
+  const problem::Problem p = plate_on_rollers({-0.75, 0, 0.75}, 0.05);
   const Result r = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
   const auto force = [&](std::size_t k) { return r.summary.obstacles.at(k).reaction.force[2]; };
@@ -106,7 +106,7 @@ TEST(ThreeRollers, WhoseNormalsLieInOnePlaneCarryAPlateAtThreePlaces) {
 
 TEST(AFarRoller, ChangesNothing) {
   const Result two = solve(plate_on_rollers({-0.75, 0.75}, 0.05), MPI_COMM_SELF);
-  Problem p = plate_on_rollers({-0.75, 0.75}, 0.05);
+  problem::Problem p = plate_on_rollers({-0.75, 0.75}, 0.05);
   p.obstacles.push_back(
       {.name = "far", .shape = obstacle::Cylinder{.point = {0.1, 0, -3}, .axis = {0, 1, 0}, .radius = 0.5}});
   const Result three = solve(p, MPI_COMM_SELF);
@@ -118,7 +118,7 @@ TEST(AFarRoller, ChangesNothing) {
 
 TEST(ATubeBetweenPlates, GetsShorterAsARingDoes) {
   const double pi = 3.141592653589793, length = 0.25, thickness = 0.02, force = 0.01;
-  Problem p;
+  problem::Problem p;
   p.domain = fem::Rectangle{.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}};
   p.joins = {{{"left", "right"}}};
   p.charts = {{"", Chart({"sin(x)", "y", "1.01 - cos(x)"}, {})}};

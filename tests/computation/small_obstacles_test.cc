@@ -1,9 +1,9 @@
 // Obstacles thinner than the shell, smaller than a cell, or that go farther in a step than they are thick: met from the side that they come
 // from, or not called solved.
-#include <plastron/computation/instants.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/verify.hpp>
 #include <plastron/obstacle/surface_mesh.hpp>
+#include <plastron/problem/instants.hpp>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -25,8 +25,8 @@ using testing::HasSubstr;
 constexpr double e = 0.05;
 
 /// A strip along x in the plane z = 0, clamped at both ends and kept in the plane of its length, without a load.
-Problem strip(double length = 1, double modulus = 1) {
-  Problem p = with_chart(free_plate(), {"x", "y", "0"}, {});
+problem::Problem strip(double length = 1, double modulus = 1) {
+  problem::Problem p = with_chart(free_plate(), {"x", "y", "0"}, {});
   p.domain = fem::Rectangle{.to = {length, 0.125 * length}, .cells = {8, 1}};
   p.sections.common.thickness = Expression(e * length);
   p.sections.common.material = shell::Material::from_young_poisson(modulus, 0.3, 1);
@@ -46,7 +46,7 @@ Obstacle box(double width, double height, double depth) {
           .shape = obstacle::Box{.centre = {0.5, 0.0625, -e / 2 + depth - height / 2}, .size = {width, 1, height}}};
 }
 
-Result solved(Problem p, const Obstacle& obstacle) {
+Result solved(problem::Problem p, const Obstacle& obstacle) {
   p.obstacles = {obstacle};
   return solve(p, MPI_COMM_WORLD);
 }
@@ -78,8 +78,8 @@ TEST(AThinBox, DoesNotPushNodesOutOfItsFarSide) {
 TEST(ABlade, NarrowerThanTheShellIsMetAtItsTip) { expect_like_a_roller(solved(strip(), box(0.02, 0.2, 0.015)), 0.015); }
 
 /// Wider than the distance of nodes: those near its walls have their way out of them.
-Problem fine_strip() {
-  Problem p = strip();
+problem::Problem fine_strip() {
+  problem::Problem p = strip();
   p.domain = fem::Rectangle{.to = {1, 0.125}, .cells = {32, 1}};
   return p;
 }
@@ -108,7 +108,7 @@ TEST(AWire, FromAboveIsTheMirrorImage) {
 }
 
 TEST(AWire, IsMetOnTrianglesToo) {
-  Problem p = strip();
+  problem::Problem p = strip();
   p.discretisation.cells = fem::Shape::triangle;
   p.discretisation.tying = false;
   const Result r = solved(p, wire(0.01, 0.015)), thick = solved(p, wire(0.2, 0.015));
@@ -132,7 +132,7 @@ TEST(AWire, IsMetInAnyUnits) {
 TEST(AWire, IsMetByACurvedShellThatIsTurnedInSpace) {
   // A quarter of a tube with its axis along y, and the same turned by 90 degrees about x.
   const auto tube = [](bool is_turned) {
-    Problem p = strip();
+    problem::Problem p = strip();
     const std::string x = "R*sin(x)", y = "y", z = "R*cos(x) - R";
     p = with_chart(p,
                    is_turned ? std::array<std::string, 3>{x, "R - R*cos(x)", y} : std::array<std::string, 3>{x, y, z},
@@ -175,7 +175,7 @@ TEST(ASheetOfTriangles, ThinnerThanTheShellIsMetFromBelow) {
 constexpr double between_nodes = 0.5 + 1.0 / 64;
 
 TEST(AWire, ThatAllNodesMissIsNamedWithItsPlace) {
-  Problem p = strip();
+  problem::Problem p = strip();
   p.discretisation.refinements = 0;
   const Result r = solved(p, wire(0.004, 0.015, between_nodes));
   EXPECT_EQ(r.status, Status::inaccurate);
@@ -188,9 +188,9 @@ TEST(AWire, ThatAllNodesMissIsNamedWithItsPlace) {
 }
 
 TEST(AWire, ThatNodesMissIsRefinedTowards) {
-  Problem p = strip();
+  problem::Problem p = strip();
   p.discretisation.refinements = 0;
-  p.accuracy = Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 4e4};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 4e4};
   const Result r = solved(p, wire(0.004, 0.015, between_nodes));
   ASSERT_EQ(r.status, Status::solved) << status_text(r);
   EXPECT_GT(r.summary.touching_nodes, 0);
@@ -199,7 +199,7 @@ TEST(AWire, ThatNodesMissIsRefinedTowards) {
 
 // Pressed down by its load the strip would hang on both sides of a wire that no node sees, or go past it.
 TEST(AWire, ThatALoadMovesTheShellPastIsNotCalledSolved) {
-  Problem p = strip();
+  problem::Problem p = strip();
   p.discretisation.refinements = 0;
   p.area_loads = {force(0, 0, -3e-4)};
   Obstacle below = wire(0.004, -0.004, between_nodes);
@@ -213,7 +213,7 @@ TEST(AWire, ThatALoadMovesTheShellPastIsNotCalledSolved) {
 TEST(ABall, ThatGoesFartherThanItIsThickIsFollowed) {
   for (const int parts : {1, 2}) {
     SCOPED_TRACE(fmt::format("{} parts", parts));
-    Problem p = strip();
+    problem::Problem p = strip();
     p.obstacles = {wire(0.02, 0)};
     p.obstacles[0].motions = {{.translation = {0, 0, 0.1}}};
     p.steps = {{.name = "up", .parts = parts}};
@@ -225,9 +225,9 @@ TEST(ABall, ThatGoesFartherThanItIsThickIsFollowed) {
 }
 
 TEST(ABall, IsFollowedWhereAccuracyIsAskedFor) {
-  Problem p = strip();
+  problem::Problem p = strip();
   p.discretisation.refinements = 0;
-  p.accuracy = Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 4e4};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 4e4};
   p.obstacles = {wire(0.02, 0)};
   p.obstacles[0].motions = {{.translation = {0, 0, 0.1}}};
   p.steps = {{.name = "up", .parts = 2}};

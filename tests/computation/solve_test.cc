@@ -22,8 +22,8 @@ constexpr double bending_stiffness = E * thickness * thickness * thickness / 12;
 constexpr double shear_stiffness = E / 2 * thickness;  // k_s e mu with nu = 0, k_s = 1
 
 /// A cantilever without Poisson's effect, so that it is a beam.
-Problem beam() {
-  Problem p = free_plate();
+problem::Problem beam() {
+  problem::Problem p = free_plate();
   p.domain = fem::Rectangle{.to = {length, width}, .cells = {3, 1}};
   p.sections.common.material = shell::Material::from_young_poisson(E, 0, 1);
   p.supports = {clamped("left")};
@@ -35,7 +35,7 @@ Problem beam() {
 }
 
 TEST(Beam, under_an_end_couple_bends_to_a_parabola) {
-  Problem p = beam();
+  problem::Problem p = beam();
   const double couple = 0.2;
   p.edge_loads = {{.boundary = "right", .force = {}, .couple = vector(couple, 0, 0)}};
   for (const int degree : {2, 3, 4}) {
@@ -51,7 +51,7 @@ TEST(Beam, under_an_end_couple_bends_to_a_parabola) {
 }
 
 TEST(Beam, under_an_end_force_bends_and_shears) {
-  Problem p = beam();
+  problem::Problem p = beam();
   const double F = 0.3;
   p.edge_loads = {{.boundary = "right", .force = vector(0, 0, F), .couple = {}}};
   for (const ProbeValue& v : solve(p, MPI_COMM_SELF).probes) {
@@ -65,7 +65,7 @@ TEST(Beam, under_an_end_force_bends_and_shears) {
 }
 
 TEST(Beam, under_an_end_pull_stretches) {
-  Problem p = beam();
+  problem::Problem p = beam();
   p.edge_loads = {{.boundary = "right", .force = vector(5, 0, 0), .couple = {}}};
   for (const ProbeValue& v : solve(p, MPI_COMM_SELF).probes) {
     EXPECT_NEAR(v.values.u[0], 5 * v.values.x[0] / (E * thickness), 1e-12);
@@ -74,7 +74,7 @@ TEST(Beam, under_an_end_pull_stretches) {
 }
 
 TEST(Beam, that_is_turned_in_space_deflects_alike) {
-  Problem flat = beam(), turned = with_chart(beam(), {"c*x", "s*x", "y"}, {{"c", 0.6}, {"s", 0.8}});
+  problem::Problem flat = beam(), turned = with_chart(beam(), {"c*x", "s*x", "y"}, {{"c", 0.6}, {"s", 0.8}});
   flat.edge_loads = {{.boundary = "right", .force = vector(0.1, 0.2, 0.3), .couple = {}}};
   // x -> (c, s, 0), y -> e_z, a_3 = (s, -c, 0)
   turned.edge_loads = {
@@ -86,15 +86,16 @@ TEST(Beam, that_is_turned_in_space_deflects_alike) {
 
 // ---- balance and certificate ---------------------------------------------------------------------------------------
 
-std::vector<Problem> shells() {
-  std::vector<Problem> all{cantilever_plate(), with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"}),
-                           with_chart(cantilever_plate(), {"x", "y", "x^2 - y^2"}), pressed_strip(), pressed_bowl()};
-  for (Problem& p : all) p.discretisation.refinements = 1;
+std::vector<problem::Problem> shells() {
+  std::vector<problem::Problem> all{cantilever_plate(), with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"}),
+                                    with_chart(cantilever_plate(), {"x", "y", "x^2 - y^2"}), pressed_strip(),
+                                    pressed_bowl()};
+  for (problem::Problem& p : all) p.discretisation.refinements = 1;
   return all;
 }
 
 TEST(Solution, balances_loads_with_supports_and_obstacle) {
-  for (const Problem& p : shells()) {
+  for (const problem::Problem& p : shells()) {
     const Result r = solve(p, MPI_COMM_SELF);
     ASSERT_EQ(r.status, Status::solved);
     const Vector3d sum = r.summary.loads.force + r.summary.support_reaction.force + r.summary.reaction.force;
@@ -110,7 +111,7 @@ TEST(Solution, on_a_flat_plate_balances_moments_too) {
 }
 
 TEST(Solution, satisfies_the_energy_identity) {
-  for (const Problem& p : shells()) {
+  for (const problem::Problem& p : shells()) {
     const Result r = solve(p, MPI_COMM_SELF);
     EXPECT_LT(r.certificate.energy_identity, 1e-8);
     EXPECT_LT(r.certificate.stationarity, 1e-8);
@@ -121,7 +122,7 @@ TEST(Solution, satisfies_the_energy_identity) {
 }
 
 TEST(Solution, is_linear_in_the_load_where_there_is_no_obstacle) {
-  Problem once = cantilever_plate(), twice = cantilever_plate();
+  problem::Problem once = cantilever_plate(), twice = cantilever_plate();
   once.probes = twice.probes = {{.name = "tip", .at = {1, 0.5}}};
   twice.area_loads.push_back(twice.area_loads[0]);
   const Result a = solve(once, MPI_COMM_SELF), b = solve(twice, MPI_COMM_SELF);
@@ -130,7 +131,7 @@ TEST(Solution, is_linear_in_the_load_where_there_is_no_obstacle) {
 }
 
 TEST(Contact, obeys_its_conditions_at_every_node) {  // g >= 0, eta >= 0, g eta = 0
-  for (const Problem& p : {pressed_strip(), pressed_bowl()}) {
+  for (const problem::Problem& p : {pressed_strip(), pressed_bowl()}) {
     const Result r = solve(p, MPI_COMM_SELF);
     ASSERT_EQ(r.status, Status::solved);
     EXPECT_GT(r.summary.touching_nodes, 0);
@@ -152,7 +153,7 @@ TEST(Contact, obeys_its_conditions_at_every_node) {  // g >= 0, eta >= 0, g eta 
 }
 
 TEST(Contact, does_not_occur_under_a_load_that_lifts) {
-  Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   p.area_loads = {force(0, 0, 4e-3)};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::solved);
@@ -163,7 +164,8 @@ TEST(Contact, does_not_occur_under_a_load_that_lifts) {
 }
 
 TEST(Contact, on_the_upper_face_under_a_ceiling_mirrors_that_on_the_lower_face_over_a_table) {
-  Problem below = pressed_strip(), above = with_chart(pressed_strip(), {"x", "y", "-0.01 - e/2"}, {{"e", 0.05}});
+  problem::Problem below = pressed_strip(),
+                   above = with_chart(pressed_strip(), {"x", "y", "-0.01 - e/2"}, {{"e", 0.05}});
   above.area_loads = {force(0, 0, 4e-3)};
   above.obstacles = {obstacle::Obstacle{.shape = obstacle::HalfSpace{.point = {0, 0, 0}, .normal = {0, 0, -1}},
                                         .face = obstacle::Face::upper}};
@@ -176,7 +178,7 @@ TEST(Contact, on_the_upper_face_under_a_ceiling_mirrors_that_on_the_lower_face_o
 // ---- outcomes ------------------------------------------------------------------------------------------------------
 
 TEST(Outcome, of_a_plate_that_nothing_holds_is_singular) {
-  Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.area_loads = {force(0, 0, -1)};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::singular);
@@ -186,7 +188,7 @@ TEST(Outcome, of_a_plate_that_nothing_holds_is_singular) {
 }
 
 TEST(Outcome, of_a_plate_that_only_the_obstacle_holds_is_a_solution) {
-  Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   p.supports = {held("left", {Direction::x, Direction::y}), held("bottom", {Direction::y})};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::solved);
@@ -194,7 +196,7 @@ TEST(Outcome, of_a_plate_that_only_the_obstacle_holds_is_a_solution) {
 }
 
 TEST(Outcome, of_an_edge_held_inside_of_the_obstacle_is_infeasible) {
-  Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point[2] = 0.02;
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::infeasible);
@@ -202,13 +204,13 @@ TEST(Outcome, of_an_edge_held_inside_of_the_obstacle_is_infeasible) {
 }
 
 TEST(Outcome, of_too_few_iterations_says_so) {
-  Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   p.contact.max_iterations = 1;
   EXPECT_EQ(solve(p, MPI_COMM_SELF).status, Status::iteration_limit);
 }
 
 TEST(Outcome, of_wrong_input_is_an_exception) {
-  Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.supports.push_back(clamped("rim"));
   EXPECT_THROW(solve(p, MPI_COMM_SELF), assembly::SupportError);
   p = cantilever_plate();
@@ -226,7 +228,7 @@ TEST(Outcome, of_wrong_input_is_an_exception) {
 // ---- probes and observers ------------------------------------------------------------------------------------------
 
 TEST(Probe, holds_the_place_and_its_frame) {
-  Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"});
+  problem::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "cos(x)"});
   p.probes = {{.name = "first", .at = {0.3, 0.7}}, {.name = "corner", .at = {1, 1}}};
   const Result r = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(r.probes.size(), 2u);
@@ -246,7 +248,7 @@ TEST(Probe, holds_the_place_and_its_frame) {
 
 TEST(Observer, hears_the_phases_of_each_level_in_order) {
   std::vector<std::string> heard;
-  Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   const Result r =
       solve(p, MPI_COMM_SELF,
             {.phase = [&](int level,
@@ -283,15 +285,15 @@ TEST(Observer, hears_every_iteration_that_the_levels_record) {
 }
 
 /// Several active-set steps on each of four meshes.
-Problem pressed_in_several_steps() {
-  Problem p = pressed_strip();
+problem::Problem pressed_in_several_steps() {
+  problem::Problem p = pressed_strip();
   p.discretisation.refinements = 3;
   p.probes = {{.name = "middle", .at = {0.5, 0.0625}}};
   return p;
 }
 
 TEST(Interruption, leaves_the_result_of_the_last_mesh_that_was_finished) {
-  const Problem p = pressed_in_several_steps();
+  const problem::Problem p = pressed_in_several_steps();
   const Result whole = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(whole.levels.size(), 4U);
   bool stop = false;
@@ -307,7 +309,7 @@ TEST(Interruption, leaves_the_result_of_the_last_mesh_that_was_finished) {
 }
 
 TEST(Interruption, inside_of_a_mesh_drops_what_that_mesh_had) {
-  Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   p.discretisation.refinements = 3;
   std::size_t on = 0;  // the first finer mesh that takes several sets
   Observer observer{.iteration =

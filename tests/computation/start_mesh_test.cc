@@ -1,6 +1,6 @@
 // Start meshes: widths of layers follow the shell's thickness and curvature, and the mesh does not depend on units.
-#include <plastron/computation/description.hpp>
-#include <plastron/computation/start_mesh.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/meshing/start_mesh.hpp>
 
 #include <gtest/gtest.h>
 
@@ -15,32 +15,34 @@ using test::clamped;
 using test::symmetry;
 using test::with_chart;
 
-Problem layered(const fem::Domain& domain, const std::array<std::string, 3>& chart, double thickness, double unit = 1) {
-  Problem p = with_chart(test::free_plate(), chart, {{"L", unit}});
+problem::Problem layered(const fem::Domain& domain, const std::array<std::string, 3>& chart, double thickness,
+                         double unit = 1) {
+  problem::Problem p = with_chart(test::free_plate(), chart, {{"L", unit}});
   p.domain = domain;
   p.sections.common.thickness = geometry::Expression(thickness);
-  p.discretisation = {.degree = 4, .layers = Layers::automatic, .refinements = 0};
+  p.discretisation = {.degree = 4, .layers = problem::Layers::automatic, .refinements = 0};
   return p;
 }
 
-Problem saddle(double e, double unit = 1) {
+problem::Problem saddle(double e, double unit = 1) {
   const fem::Rectangle square{.from = {-0.5 * unit, -0.5 * unit}, .to = {0.5 * unit, 0.5 * unit}};
   return layered(square, {"x", "y", "(x^2 - y^2)/L"}, e * unit, unit);
 }
 
 TEST(LayerWidth, IsTheRootThirdRootOrFourthRootOfTheThickness) {
   const double e = 1e-4, R = 2, L = 3;
-  EXPECT_NEAR(layer_width(e, {.along = 1 / R}, L), std::sqrt(e * R), 1e-9);
-  EXPECT_NEAR(layer_width(e, {.twist = 1 / R}, L), std::cbrt(e * R * L / 2), 1e-9);
-  EXPECT_NEAR(layer_width(e, {.across = 1 / R}, L), std::pow(e * R * L * L, 0.25), 1e-9);
-  EXPECT_EQ(layer_width(e, {}, L), INFINITY);
+  EXPECT_NEAR(meshing::layer_width(e, {.along = 1 / R}, L), std::sqrt(e * R), 1e-9);
+  EXPECT_NEAR(meshing::layer_width(e, {.twist = 1 / R}, L), std::cbrt(e * R * L / 2), 1e-9);
+  EXPECT_NEAR(meshing::layer_width(e, {.across = 1 / R}, L), std::pow(e * R * L * L, 0.25), 1e-9);
+  EXPECT_EQ(meshing::layer_width(e, {}, L), INFINITY);
 }
 
 TEST(EdgeLayers, OfACylinderAreThoseOfItsRingsAndOfItsGenerators) {
   const double e = 1e-4, R = 1, length = 2, angle = 0.8;
-  const auto layers = edge_layers(layered(fem::Rectangle{.to = {angle, length}}, {"sin(x)", "y", "cos(x)"}, e));
+  const auto layers =
+      meshing::edge_layers(layered(fem::Rectangle{.to = {angle, length}}, {"sin(x)", "y", "cos(x)"}, e));
   ASSERT_EQ(layers.size(), 4u);
-  for (const EdgeLayer& layer : layers) {
+  for (const meshing::EdgeLayer& layer : layers) {
     const bool is_ring = layer.boundary >= 2;
     const double expected = is_ring ? std::sqrt(e * R) : std::pow(e * length * length * R, 0.25);
     EXPECT_NEAR(layer.width, expected, 1e-6) << layer.boundary;
@@ -49,7 +51,7 @@ TEST(EdgeLayers, OfACylinderAreThoseOfItsRingsAndOfItsGenerators) {
 
 TEST(EdgeLayers, AreMeasuredAcrossTheEdgeInOmega) {
   // x is stretched by 5, so a step in x is five times as long on the shell.
-  const auto layers = edge_layers(layered(fem::Rectangle{.to = {0.2, 1}}, {"5*x", "sin(y)", "cos(y)"}, 1e-4));
+  const auto layers = meshing::edge_layers(layered(fem::Rectangle{.to = {0.2, 1}}, {"5*x", "sin(y)", "cos(y)"}, 1e-4));
   ASSERT_EQ(layers.size(), 4u);
   EXPECT_NEAR(layers[0].width, 0.01, 1e-8);
   EXPECT_NEAR(layers[0].width_in_omega, 0.002, 1e-9);
@@ -57,12 +59,12 @@ TEST(EdgeLayers, AreMeasuredAcrossTheEdgeInOmega) {
 
 TEST(StartMesh, HasNarrowRowsWhereMoreIsAskedForThanCornersWithOneRowGive) {
   const auto has = [](double e, double tolerance, int degree = 4) {
-    Problem p = saddle(e);
+    problem::Problem p = saddle(e);
     p.discretisation.degree = degree;
-    p.accuracy = Accuracy{.goals = {{"energy", tolerance}}};
-    return start_mesh(p).has_narrow_rows;
+    p.accuracy = problem::Accuracy{.goals = {{"energy", tolerance}}};
+    return meshing::start_mesh(p).has_narrow_rows;
   };
-  EXPECT_FALSE(start_mesh(saddle(1e-3)).has_narrow_rows);
+  EXPECT_FALSE(meshing::start_mesh(saddle(1e-3)).has_narrow_rows);
   EXPECT_TRUE(has(1e-2, 1e-3));
   EXPECT_FALSE(has(1e-3, 1e-3));
   EXPECT_TRUE(has(1e-3, 1e-4));
@@ -72,38 +74,38 @@ TEST(StartMesh, HasNarrowRowsWhereMoreIsAskedForThanCornersWithOneRowGive) {
 }
 
 TEST(StartMesh, HasRowsAlongEveryEdgeOfAThinShellAndNoneOfAPlate) {
-  EXPECT_EQ(start_mesh(saddle(1e-3)).rows.size(), 4u);
-  EXPECT_TRUE(start_mesh(layered(fem::Rectangle{}, {"x", "y", "0"}, 1e-3)).rows.empty());
-  EXPECT_TRUE(start_mesh(saddle(0.1)).rows.empty()) << "rows would take more than a quarter of the shell";
+  EXPECT_EQ(meshing::start_mesh(saddle(1e-3)).rows.size(), 4u);
+  EXPECT_TRUE(meshing::start_mesh(layered(fem::Rectangle{}, {"x", "y", "0"}, 1e-3)).rows.empty());
+  EXPECT_TRUE(meshing::start_mesh(saddle(0.1)).rows.empty()) << "rows would take more than a quarter of the shell";
 }
 
 TEST(StartMesh, HasNoRowsWhereTheShellGoesOn) {
-  Problem p = saddle(1e-3);
+  problem::Problem p = saddle(1e-3);
   p.supports = {clamped("left"), symmetry("bottom")};
-  const auto rows = start_mesh(p).rows;
+  const auto rows = meshing::start_mesh(p).rows;
   ASSERT_EQ(rows.size(), 3u);
-  for (const EdgeLayer& row : rows) EXPECT_NE(row.boundary, 2);
+  for (const meshing::EdgeLayer& row : rows) EXPECT_NE(row.boundary, 2);
 }
 
 TEST(StartMesh, OfRegionsHasRowsThatFollowTheirThickness) {
-  Problem p = layered(fem::Rectangle{.to = {2, 1}, .breaks = {1}, .regions = {"thin", "thick"}},
-                      {"x", "sin(y)", "cos(y)"}, 1e-4);
+  problem::Problem p = layered(fem::Rectangle{.to = {2, 1}, .breaks = {1}, .regions = {"thin", "thick"}},
+                               {"x", "sin(y)", "cos(y)"}, 1e-4);
   const auto chart = p.charts.begin()->second;
   p.charts.clear();
   for (const char* name : {"thin", "thick"}) p.charts.emplace(name, chart);
   p.sections.regions["thick"] = p.sections.common;
   p.sections.regions["thick"].thickness = geometry::Expression(4e-4);
-  const auto layers = edge_layers(p);
+  const auto layers = meshing::edge_layers(p);
   ASSERT_EQ(layers.size(), 6u);
   EXPECT_NEAR(layers[1].width / layers[0].width, 2, 1e-6);
-  EXPECT_EQ(start_mesh(p).coarse.regions.size(), 2u);
+  EXPECT_EQ(meshing::start_mesh(p).coarse.regions.size(), 2u);
 }
 
 TEST(StartMesh, IsTheSameInAllUnits) {
   for (const double e : {1e-2, 1e-3, 1e-4}) {
-    const StartMesh mesh = start_mesh(saddle(e));
+    const meshing::StartMesh mesh = meshing::start_mesh(saddle(e));
     for (const double unit : {1e-6, 1e6}) {
-      const StartMesh other = start_mesh(saddle(e, unit));
+      const meshing::StartMesh other = meshing::start_mesh(saddle(e, unit));
       ASSERT_EQ(other.coarse.vertices.size(), mesh.coarse.vertices.size());
       for (std::size_t i = 0; i < mesh.coarse.vertices.size(); ++i)
         EXPECT_LT((other.coarse.vertices[i] / unit - mesh.coarse.vertices[i]).norm(), 1e-9);
@@ -112,41 +114,41 @@ TEST(StartMesh, IsTheSameInAllUnits) {
 }
 
 TEST(StartMesh, IsFinerInsideForThinnerShellsAndCoarserWhereItWillBeRefined) {
-  Problem p = saddle(1e-4);
-  const auto fine = start_mesh(p).coarse.cells.size();
-  EXPECT_GT(fine, start_mesh(saddle(1e-3)).coarse.cells.size());
+  problem::Problem p = saddle(1e-4);
+  const auto fine = meshing::start_mesh(p).coarse.cells.size();
+  EXPECT_GT(fine, meshing::start_mesh(saddle(1e-3)).coarse.cells.size());
   p.discretisation.refinements = 2;
-  EXPECT_LT(start_mesh(p).coarse.cells.size(), fine);
+  EXPECT_LT(meshing::start_mesh(p).coarse.cells.size(), fine);
 }
 
 TEST(StartMesh, KeepsPointsThatAreHeldAmongItsNodes) {
-  Problem p = saddle(1e-3);
+  problem::Problem p = saddle(1e-3);
   p.supports = {{.components = {test::fixed(assembly::Unknown::displacement, assembly::Direction::z)},
                  .point = Eigen::Vector2d(0.123, 0)}};
-  EXPECT_FALSE(start_mesh(p).no_rows.empty());
+  EXPECT_FALSE(meshing::start_mesh(p).no_rows.empty());
 }
 
 TEST(StartMesh, CountsTheNodesThatTheSequenceHas) {
   for (const fem::Shape shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
-    Problem p = saddle(1e-2);
+    problem::Problem p = saddle(1e-2);
     p.discretisation.cells = shape;
     p.discretisation.degree = 2;
-    auto meshes = mesh_sequence(p, MPI_COMM_SELF);
-    const StartMesh mesh = start_mesh(p);
-    EXPECT_EQ(node_count(mesh.coarse, 2, 0), meshes.space()->layout->global_size);
+    auto meshes = meshing::mesh_sequence(p, MPI_COMM_SELF);
+    const meshing::StartMesh mesh = meshing::start_mesh(p);
+    EXPECT_EQ(meshing::node_count(mesh.coarse, 2, 0), meshes.space()->layout->global_size);
     meshes.refine({});
-    EXPECT_EQ(node_count(mesh.coarse, 2, 1), meshes.space()->layout->global_size);
+    EXPECT_EQ(meshing::node_count(mesh.coarse, 2, 1), meshes.space()->layout->global_size);
   }
 }
 
 TEST(StartMesh, IsDescribedWithItsRowsAndItsSize) {
-  const Problem p = saddle(1e-3);
-  const std::string text = describe(start_mesh(p), p);
+  const problem::Problem p = saddle(1e-3);
+  const std::string text = meshing::describe(meshing::start_mesh(p), p);
   EXPECT_NE(text.find("rows along left"), std::string::npos) << text;
   EXPECT_NE(text.find("unknowns of degree 4"), std::string::npos) << text;
-  Problem plain = p;
-  plain.discretisation.layers = Layers::none;
-  EXPECT_EQ(describe(start_mesh(plain), plain), "");
+  problem::Problem plain = p;
+  plain.discretisation.layers = problem::Layers::none;
+  EXPECT_EQ(meshing::describe(meshing::start_mesh(plain), plain), "");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Steps: loads and obstacles that change, each instant from the one before.
 #include <gtest/gtest.h>
-#include <plastron/computation/instants.hpp>
 #include <plastron/computation/solve.hpp>
+#include <plastron/problem/instants.hpp>
 
 #include "computation/problems.hpp"
 
@@ -11,8 +11,8 @@ namespace {
 using namespace test;
 
 /// A clamped square plate, 0.007 above a table that its load presses it on, and beside its middle a ball 0.005 above it.
-Problem plate() {
-  Problem p;
+problem::Problem plate() {
+  problem::Problem p;
   p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
   p.charts = {{"", Chart({"x", "y", "0"}, {})}};
   p.sections.common.thickness = Expression(0.05);
@@ -28,12 +28,12 @@ Problem plate() {
 obstacle::Motion down(double way) { return {.translation = {0, 0, -way}}; }
 
 TEST(Instants, GoInEqualPartsFromWhatWasToWhatTheStepSays) {
-  Problem p = plate();
-  EXPECT_EQ(instants(p).size(), 1U);
-  EXPECT_EQ(instants(p)[0].time, 0);
-  EXPECT_EQ(instants(p)[0].load_factor, 1);
+  problem::Problem p = plate();
+  EXPECT_EQ(problem::instants(p).size(), 1U);
+  EXPECT_EQ(problem::instants(p)[0].time, 0);
+  EXPECT_EQ(problem::instants(p)[0].load_factor, 1);
   p.steps = {{.name = "a", .load_factor = 1, .parts = 2}, {.name = "b", .load_factor = 4, .parts = 3}};
-  const auto all = instants(p);
+  const auto all = problem::instants(p);
   ASSERT_EQ(all.size(), 5U);
   const std::vector<double> times{0.5, 1, 1 + 1.0 / 3, 1 + 2.0 / 3, 2}, factors{0.5, 1, 2, 3, 4};
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -43,7 +43,7 @@ TEST(Instants, GoInEqualPartsFromWhatWasToWhatTheStepSays) {
 }
 
 TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
-  Problem many = plate(), one = plate();
+  problem::Problem many = plate(), one = plate();
   many.steps = {{.name = "weight", .load_factor = 1, .parts = 2}, {.name = "press", .load_factor = 1, .parts = 3}};
   many.obstacles[0].motions = {obstacle::Motion{}, obstacle::Motion{}};
   many.obstacles[1].motions = {obstacle::Motion{}, down(0.0115)};
@@ -68,7 +68,7 @@ TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
 }
 
 TEST(ForceOverWay, IsMonotoneAndComesBackTheSameWay) {
-  Problem p = plate();
+  problem::Problem p = plate();
   p.area_loads.clear();
   p.obstacles.erase(p.obstacles.begin());
   p.steps = {{.name = "press", .parts = 4}, {.name = "release", .parts = 4}};
@@ -85,7 +85,7 @@ TEST(ForceOverWay, IsMonotoneAndComesBackTheSameWay) {
 // The zone grows by several rows of nodes in each part; roots of gaps that go on as they went foretell all but a few of them, and what they
 // leave open needs no other factor.
 TEST(AStep, TakesOneFactorisationForEachOfItsPartsAndFewActiveSets) {
-  Problem p = plate();
+  problem::Problem p = plate();
   p.obstacles.erase(p.obstacles.begin() + 1);
   p.discretisation = {.degree = 2, .refinements = 4};
   p.steps = {{.name = "press", .load_factor = 4, .parts = 12}};
@@ -105,7 +105,7 @@ TEST(AStep, TakesOneFactorisationForEachOfItsPartsAndFewActiveSets) {
 }
 
 TEST(TheObserver, HearsOfEveryInstantWithItsSolution) {
-  Problem p = plate();
+  problem::Problem p = plate();
   p.steps = {{.name = "press", .parts = 3}};
   std::vector<double> times;
   const Result r = solve(p, MPI_COMM_WORLD, {.instant = [&](const HistoryEntry& entry, const Solution& solution) {
@@ -117,7 +117,7 @@ TEST(TheObserver, HearsOfEveryInstantWithItsSolution) {
 }
 
 TEST(Steps, EndWhereOneIsNotSolved) {
-  Problem p = plate();
+  problem::Problem p = plate();
   p.steps = {{.name = "press", .parts = 1}, {.name = "through the rim", .parts = 2}};
   p.obstacles[0].motions = {obstacle::Motion{}, down(-0.01)};  // the table enters the clamped edge
   const Result r = solve(p, MPI_COMM_WORLD);

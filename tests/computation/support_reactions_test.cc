@@ -16,8 +16,9 @@ using Eigen::Vector3d;
 
 /// A plate of thickness 0.02 under its weight of 1 per area, simply supported (u.z alone) on all edges in this order, and held in its plane in the
 /// middle of nothing that carries.
-Problem supported_plate(const fem::Domain& domain, const std::vector<std::string>& edges, int refinements = 1) {
-  Problem p = free_plate();
+problem::Problem supported_plate(const fem::Domain& domain, const std::vector<std::string>& edges,
+                                 int refinements = 1) {
+  problem::Problem p = free_plate();
   p.domain = domain;
   p.sections.common.thickness = Expression(0.02);
   for (const std::string& edge : edges) p.supports.push_back(held(edge, {Direction::z}));
@@ -37,7 +38,7 @@ std::map<std::string, Vector3d> edge_forces(const Result& result) {
 
 /// All parts make the whole, forces and moments.
 void expect_sum(const Result& result) {
-  certificate::Wrench sum = result.summary.support_reaction;
+  solution::Wrench sum = result.summary.support_reaction;
   const double force = sum.force.norm();
   for (const auto& reaction : result.summary.support_reactions) {
     sum.force -= reaction.reaction.force;
@@ -87,7 +88,7 @@ TEST(SupportReactions, of_equal_edges_are_equal_whatever_their_order_and_angle) 
 }
 
 TEST(SupportReactions, have_the_directions_that_are_fixed) {
-  Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.supports = {held("bottom", {Direction::y}), clamped("left")};
   p.area_loads = {force(0.1, 0.2, -1)};
   const Result result = solve(p, MPI_COMM_WORLD);
@@ -99,7 +100,7 @@ TEST(SupportReactions, have_the_directions_that_are_fixed) {
 }
 
 TEST(SupportReactions, share_at_a_corner_what_both_edges_fix) {
-  Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.supports = {clamped("left"), held("left", {Direction::z}), held("bottom", {Direction::y})};
   p.area_loads = {force(0, 0, -1)};
   const Result result = solve(p, MPI_COMM_WORLD);
@@ -110,7 +111,7 @@ TEST(SupportReactions, share_at_a_corner_what_both_edges_fix) {
 }
 
 TEST(SupportReactions, leave_a_point_on_an_edge_what_the_edge_does_not_hold) {
-  Problem p = supported_plate(fem::Rectangle{.cells = {2, 2}}, sides);
+  problem::Problem p = supported_plate(fem::Rectangle{.cells = {2, 2}}, sides);
   p.supports.pop_back();
   Support pin = held("", {Direction::x, Direction::y, Direction::z}), guide = held("", {Direction::y});
   pin.point = Eigen::Vector2d(0, 0.5);
@@ -125,8 +126,8 @@ TEST(SupportReactions, leave_a_point_on_an_edge_what_the_edge_does_not_hold) {
 }
 
 TEST(SupportReactions, as_goals_are_those_that_are_reported) {
-  Problem p = supported_plate(fem::Rectangle{.cells = {2, 2}}, sides);
-  p.accuracy = Accuracy{.goals = {{"support.left.force.z", 0.5}, {"support.top.force.z", 0.5}}};
+  problem::Problem p = supported_plate(fem::Rectangle{.cells = {2, 2}}, sides);
+  p.accuracy = problem::Accuracy{.goals = {{"support.left.force.z", 0.5}, {"support.top.force.z", 0.5}}};
   const Result result = solve(p, MPI_COMM_WORLD);
   const auto forces = edge_forces(result);
   ASSERT_TRUE(result.estimates);

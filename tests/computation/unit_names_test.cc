@@ -1,11 +1,11 @@
 // Names of units in labels and sentences.
 #include <gtest/gtest.h>
-#include <plastron/computation/unit_names.hpp>
+#include <plastron/problem/unit_names.hpp>
 
 namespace plastron::computation {
 namespace {
 
-const UnitNames millimetres{"mm", "N"}, inches{"in", "lbf"}, feet{"ft", "kN"};
+const problem::UnitNames millimetres{"mm", "N"}, inches{"in", "lbf"}, feet{"ft", "kN"};
 
 TEST(UnitNames, compose_those_of_length_and_force) {
   EXPECT_EQ(millimetres.label("m^2"), "mm^2");
@@ -43,7 +43,7 @@ TEST(UnitNames, leave_what_is_no_unit) {
 }
 
 TEST(UnitNames, are_replaced_once) {
-  for (const UnitNames& units : {millimetres, inches, feet}) {
+  for (const problem::UnitNames& units : {millimetres, inches, feet}) {
     const std::string once = units.renamed("2 m, 3 N/m, 4 Pa, 5 J, 6 N m, [m], [Pa]");
     EXPECT_EQ(units.renamed(once), once);
   }

@@ -28,7 +28,7 @@ std::vector<std::string> failing(const Verification& v) {
 using Change = std::function<void(StoredSolution&, const assembly::DiscreteShell&)>;
 
 /// What is verified of the problem's solution after a change.
-Verification verified(const Problem& problem, const Change& change = {}) {
+Verification verified(const problem::Problem& problem, const Change& change = {}) {
   Result result = solve(problem, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << status_text(result);
   StoredSolution solution{.state = result.solution->discrete->state, .nodal = result.solution->nodal};
@@ -36,16 +36,16 @@ Verification verified(const Problem& problem, const Change& change = {}) {
   return verify(problem, finest_mesh(problem, MPI_COMM_WORLD), std::move(solution));
 }
 
-Problem with_formulation(element::Formulation formulation) {
-  Problem p = pressed_bowl();
+problem::Problem with_formulation(element::Formulation formulation) {
+  problem::Problem p = pressed_bowl();
   p.discretisation.refinements = 1;
   p.discretisation.tangency.formulation = formulation;
   return p;
 }
 
 /// A ball under the middle of a strip: the gap is linearised again.
-Problem strip_on_ball() {
-  Problem p = pressed_strip();
+problem::Problem strip_on_ball() {
+  problem::Problem p = pressed_strip();
   p.discretisation.refinements = 1;
   p.obstacles = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {0.5, 0.0625, -1}, .radius = 1}}};
   return p;
@@ -63,7 +63,7 @@ void nudge(algebra::Vector& field, std::size_t component, double by) {
 TEST(Verification, PassesWhatWasSolved) {
   using element::Formulation;
   for (const Formulation f : {Formulation::tangent, Formulation::penalised, Formulation::mixed}) {
-    const Problem p = with_formulation(f);
+    const problem::Problem p = with_formulation(f);
     const Result result = solve(p, MPI_COMM_WORLD);
     const Verification v = verified(p);
     EXPECT_THAT(failing(v), IsEmpty()) << element::to_string(f);
@@ -75,16 +75,16 @@ TEST(Verification, PassesWhatWasSolved) {
 }
 
 TEST(Verification, PassesTrianglesCovariantComponentsTwoFacesAndCurvedObstacles) {
-  Problem triangles = pressed_strip(), covariant = pressed_strip(), between = pressed_strip();
+  problem::Problem triangles = pressed_strip(), covariant = pressed_strip(), between = pressed_strip();
   triangles.discretisation.cells = fem::Shape::triangle;
   covariant.discretisation.tangency.formulation = element::Formulation::classical;
   between.obstacles = {obstacle::Obstacle{.name = "lower", .face = obstacle::Face::lower},
                        obstacle::Obstacle{.name = "upper",
                                           .shape = obstacle::HalfSpace{.point = {0, 0, 0.0601}, .normal = {0, 0, -1}},
                                           .face = obstacle::Face::upper}};
-  Problem once = strip_on_ball();
+  problem::Problem once = strip_on_ball();
   once.linearisation.once = true;
-  for (const Problem& p : {triangles, covariant, between, strip_on_ball(), once}) {
+  for (const problem::Problem& p : {triangles, covariant, between, strip_on_ball(), once}) {
     const Verification v = verified(p);
     EXPECT_THAT(failing(v), IsEmpty());
     EXPECT_GT(v.result.levels.back().active, 0);
@@ -114,7 +114,7 @@ TEST(Verification, FailsWhereAnotherLoadWasCarried) {
   const auto tenfold = [](algebra::Vector& field) {
     for (double& value : field.local()) value *= 10;
   };
-  Problem p = cantilever_plate();  // linear: ten times the load has ten times the displacement
+  problem::Problem p = cantilever_plate();  // linear: ten times the load has ten times the displacement
   const Verification v = verified(p, [&](StoredSolution& s, const assembly::DiscreteShell&) {
     tenfold(s.nodal.y);
     s.state.load_factor = 10;
@@ -128,16 +128,16 @@ TEST(Verification, FailsWhereGapsAreLinearisedElsewhere) {
     for (std::size_t i = 0; i < s.state.displacement.local().size(); i += 6) s.state.displacement.local()[i] += 1e-3;
   };
   EXPECT_THAT(failing(verified(strip_on_ball(), shifted)), Contains("linearisation_error"));
-  Problem once = strip_on_ball();
+  problem::Problem once = strip_on_ball();
   once.linearisation.once = true;
   EXPECT_THAT(failing(verified(once, shifted)), Contains("linearisation_error"));
 }
 
 TEST(Verification, FailsWhereTheMixedFormulationWasLeftWithoutItsConstraint) {
   // With p = rho = 1 the penalised solution solves the mixed equations with lambda = 0, but for b(U, q) = 0.
-  Problem penalised = with_formulation(element::Formulation::penalised);
+  problem::Problem penalised = with_formulation(element::Formulation::penalised);
   penalised.discretisation.tangency.penalty = penalised.discretisation.tangency.stabilisation = 1;
-  Problem mixed = penalised;
+  problem::Problem mixed = penalised;
   mixed.discretisation.tangency.formulation = element::Formulation::mixed;
   Result result = solve(penalised, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
@@ -148,22 +148,22 @@ TEST(Verification, FailsWhereTheMixedFormulationWasLeftWithoutItsConstraint) {
 }
 
 TEST(Verification, FailsWhereAnotherProblemIsSolved) {
-  const Problem solved = pressed_strip();
-  const std::vector<std::pair<const char*, std::function<void(Problem&)>>> others{
-      {"load", [](Problem& p) { p.area_loads = {force(0, 0, -4.01e-3)}; }},
-      {"thickness", [](Problem& p) { p.sections.common.thickness = Expression(0.0501); }},
+  const problem::Problem solved = pressed_strip();
+  const std::vector<std::pair<const char*, std::function<void(problem::Problem&)>>> others{
+      {"load", [](problem::Problem& p) { p.area_loads = {force(0, 0, -4.01e-3)}; }},
+      {"thickness", [](problem::Problem& p) { p.sections.common.thickness = Expression(0.0501); }},
       {"supports",
-       [](Problem& p) {
+       [](problem::Problem& p) {
          p.supports.pop_back();
          p.supports.push_back(clamped("top"));
        }},
-      {"obstacle", [](Problem& p) {
+      {"obstacle", [](problem::Problem& p) {
          p.obstacles.front() =
              obstacle::Obstacle{.shape = obstacle::HalfSpace{.point = {0, 0, 1e-4}, .normal = {0, 0, 1}}};
        }}};
   Result result = solve(solved, MPI_COMM_WORLD);
   for (const auto& [what, change] : others) {
-    Problem other = solved;
+    problem::Problem other = solved;
     change(other);
     const Verification v = verify(other, finest_mesh(other, MPI_COMM_WORLD),
                                   {.state = result.solution->discrete->state, .nodal = result.solution->nodal});

@@ -14,8 +14,8 @@ using namespace test;
 using Eigen::Vector3d;
 
 /// A saddle of two regions, one of varying thickness, clamped at one side.
-Problem saddle(fem::Shape shape) {
-  Problem p = with_chart(free_plate(), {"x", "y", "0.3*x*y"});
+problem::Problem saddle(fem::Shape shape) {
+  problem::Problem p = with_chart(free_plate(), {"x", "y", "0.3*x*y"});
   p.domain = fem::Rectangle{.to = {1, 1}, .cells = {2, 2}, .breaks = {0.5}, .regions = {"heavy", "light"}};
   p.sections.common.density = 20;
   p.sections.regions["heavy"] = {.thickness = Expression("0.1 + 0.05*y", {}),
@@ -30,7 +30,7 @@ TEST(Weight, is_the_load_that_one_writes_by_hand) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle})
     for (const auto formulation : {element::Formulation::tangent, element::Formulation::penalised,
                                    element::Formulation::mixed, element::Formulation::classical}) {
-      Problem p = saddle(shape), by_hand = p;
+      problem::Problem p = saddle(shape), by_hand = p;
       p.gravity = {0.5, 0, -9.81};
       by_hand.area_loads = {{.force = {Expression("70 * 0.5 * (0.1 + 0.05*y)", {}), Expression(0.0),
                                        Expression("-70 * 9.81 * (0.1 + 0.05*y)", {})},
@@ -47,7 +47,7 @@ TEST(Weight, is_the_load_that_one_writes_by_hand) {
 }
 
 TEST(Weight, of_a_flat_plate_is_its_mass_times_gravity) {
-  Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.area_loads.clear();
   p.sections.common.density = 30;
   p.gravity = {1, 2, -3};
@@ -56,12 +56,12 @@ TEST(Weight, of_a_flat_plate_is_its_mass_times_gravity) {
 }
 
 TEST(Weight, without_gravity_is_nothing) {
-  Problem p = saddle(fem::Shape::quadrilateral);
+  problem::Problem p = saddle(fem::Shape::quadrilateral);
   EXPECT_EQ(solve(p, MPI_COMM_WORLD).summary.loads.force, Vector3d(0, 0, 0));
 }
 
 TEST(Weight, presses_a_shell_onto_the_obstacle_that_alone_holds_it) {
-  Problem p = with_chart(free_plate(), {"x", "y", "0.06"});
+  problem::Problem p = with_chart(free_plate(), {"x", "y", "0.06"});
   p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
   p.obstacles = {obstacle::Obstacle{}};
   p.sections.common.density = 1;

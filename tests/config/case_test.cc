@@ -176,7 +176,7 @@ TEST(Case, WantsAReportUnlessItRefusesIt) {
 }
 
 TEST(Case, HasWhatFilesOfFieldsAndMomentsAreToBe) {
-  const computation::Output plain = parsed().problem.output;
+  const problem::Output plain = parsed().problem.output;
   EXPECT_EQ(plain.solid_layers, 0);
   EXPECT_FALSE(plain.double_precision);
   EXPECT_TRUE(plain.heights.empty());

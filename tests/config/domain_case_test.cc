@@ -8,8 +8,8 @@
 namespace plastron::config {
 namespace {
 
-computation::Problem with_domain(const std::string& domain, const std::string& chart = "[\"x\", \"y\", \"0\"]",
-                                 const std::string& file = "case.toml") {
+problem::Problem with_domain(const std::string& domain, const std::string& chart = "[\"x\", \"y\", \"0\"]",
+                             const std::string& file = "case.toml") {
   return parse_case(
              "[shell]\nE = 1\nnu = 0\nthickness = 1\n[geometry]\ndomain = " + domain + "\nchart = " + chart + "\n",
              file)

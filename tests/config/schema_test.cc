@@ -45,7 +45,7 @@ TEST(Defaults, OfTheFileAreThoseOfTheProgram) {
       "0]\n[mesh]\n"
       "[[obstacle]]\nhalf_space = {}\n",
       "case.toml");
-  const computation::Problem fresh;
+  const problem::Problem fresh;
   EXPECT_EQ(c.problem.discretisation.degree, fresh.discretisation.degree);
   EXPECT_EQ(c.problem.discretisation.tying, fresh.discretisation.tying);
   EXPECT_EQ(c.problem.discretisation.refinements, fresh.discretisation.refinements);

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-computation::Problem problem_with(const std::string& lines) {
+problem::Problem problem_with(const std::string& lines) {
   return parse_case(
              "[shell]\nE = 1\nnu = 0\nthickness = 1\n[geometry]\ndomain = { disk = { radius = 1 } }\n"
              "chart = [\"x\", \"y\", 0]\n[[obstacle]]\nname = \"floor\"\nhalf_space = {}\nface = \"both\"\n"

@@ -52,7 +52,7 @@ class SolvedSaddle {
     box_.emplace(assembly::box_problem(*discrete_, *matrix_));
     z_ = contact::solve(*box_, {}, *pins_);
     EXPECT_EQ(z_.status, contact::Status::solved);
-    nodal_ = certificate::nodal_solution(*discrete_, z_);
+    nodal_ = solution::nodal_solution(*discrete_, z_);
     pins_->keep();
   }
   GoalEstimate estimate(const Functional& functional) { return all({{"goal", functional}}).goals.front(); }
@@ -77,7 +77,7 @@ class SolvedSaddle {
   std::optional<KeptPins> pins_;
   std::optional<contact::BoxProblem> box_;
   contact::BoxSolution z_;
-  certificate::NodalSolution nodal_;
+  solution::NodalSolution nodal_;
 };
 
 const std::vector<Choice> elements{{.degree = 2},

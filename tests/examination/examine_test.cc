@@ -18,8 +18,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-computation::Problem two_regions(const std::array<std::string, 3>& second) {
-  computation::Problem p = cantilever_plate();
+problem::Problem two_regions(const std::array<std::string, 3>& second) {
+  problem::Problem p = cantilever_plate();
   p.domain = fem::Rectangle{.to = {2, 1}, .cells = {2, 1}, .breaks = {1}, .regions = {"flat", "other"}};
   p.charts.clear();
   p.charts.emplace("flat", Chart({"x", "y", "0"}, {}));
@@ -29,21 +29,21 @@ computation::Problem two_regions(const std::array<std::string, 3>& second) {
 
 // ---- good problems -------------------------------------------------------------------------------------------------
 
-std::vector<computation::Problem> good_problems() {
-  std::vector<computation::Problem> all{cantilever_plate(), pressed_strip(), pressed_bowl(),
-                                        two_regions({"1 + sin(x - 1)", "y", "1 - cos(x - 1)"})};
+std::vector<problem::Problem> good_problems() {
+  std::vector<problem::Problem> all{cantilever_plate(), pressed_strip(), pressed_bowl(),
+                                    two_regions({"1 + sin(x - 1)", "y", "1 - cos(x - 1)"})};
   all.push_back(with_chart(cantilever_plate(), {"2*sin(x/2)", "y", "2*cos(x/2)"}));
   all.push_back(with_chart(cantilever_plate(), {"x", "y", "x^2 - y^2"}));
-  computation::Problem quarter = free_plate();
+  problem::Problem quarter = free_plate();
   quarter.supports = {symmetry("left"), symmetry("bottom"), held("right", {Direction::z})};
   all.push_back(quarter);
-  computation::Problem quarter_cylinder = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
+  problem::Problem quarter_cylinder = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
   quarter_cylinder.supports = {symmetry("left"), symmetry("bottom"), clamped("top")};
   all.push_back(quarter_cylinder);
-  computation::Problem probed = cantilever_plate();
+  problem::Problem probed = cantilever_plate();
   probed.probes = {{.name = "corner", .at = {1, 1}}, {.name = "middle", .at = {0.5, 0.5}}};
   all.push_back(probed);
-  computation::Problem polygon = cantilever_plate();
+  problem::Problem polygon = cantilever_plate();
   polygon.domain = fem::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
   polygon.supports = {clamped("edge6")};
   all.push_back(polygon);
@@ -51,7 +51,7 @@ std::vector<computation::Problem> good_problems() {
 }
 
 TEST(GoodProblem, is_only_described) {
-  for (const computation::Problem& p : good_problems()) {
+  for (const problem::Problem& p : good_problems()) {
     const auto findings = examine(p);
     EXPECT_FALSE(has_errors(findings));
     EXPECT_FALSE(findings.empty());
@@ -75,13 +75,13 @@ TEST(Examination, finds_a_chart_with_parallel_tangents) {
 }
 
 TEST(Examination, finds_a_chart_that_is_degenerate_at_an_edge_only) {
-  computation::Problem polar = with_chart(cantilever_plate(), {"x*cos(y)", "x*sin(y)", "0"});
+  problem::Problem polar = with_chart(cantilever_plate(), {"x*cos(y)", "x*sin(y)", "0"});
   polar.supports = {clamped("right")};
   EXPECT_THAT(errors(polar), ElementsAre(AllOf(HasSubstr("degenerate"), HasSubstr("x = 0,"))));
 }
 
 TEST(Examination, finds_a_pole_whose_tangent_is_zero_up_to_rounding) {
-  computation::Problem dome =
+  problem::Problem dome =
       with_chart(cantilever_plate(), {"cos(t*y)*cos(x)", "cos(t*y)*sin(x)", "sin(t*y)"}, {{"t", M_PI / 2}});
   ASSERT_NE(std::cos(M_PI / 2), 0);
   EXPECT_THAT(errors(dome), ElementsAre(AllOf(HasSubstr("degenerate"), HasSubstr("y = 1"))));
@@ -89,7 +89,7 @@ TEST(Examination, finds_a_pole_whose_tangent_is_zero_up_to_rounding) {
 }
 
 TEST(Examination, finds_a_plate_that_is_thicker_than_a_shell_may_be) {
-  computation::Problem p = with_chart(cantilever_plate(), {"500*x", "500*y", "0"});
+  problem::Problem p = with_chart(cantilever_plate(), {"500*x", "500*y", "0"});
   p.sections.common.thickness = Expression(600.0);
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("600 m thick"), HasSubstr("707"), HasSubstr("units"))));
   p.sections.common.thickness = Expression(200.0);
@@ -110,7 +110,7 @@ TEST(Examination, finds_where_the_chart_is_finite_but_its_derivatives_are_not) {
 }
 
 TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
-  computation::Problem p = with_chart(cantilever_plate(), {"sin(x)", "8*y", "cos(x)"});
+  problem::Problem p = with_chart(cantilever_plate(), {"sin(x)", "8*y", "cos(x)"});
   p.sections.common.thickness = Expression(2.0);
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("too thick for its curvature"), HasSubstr("thickness 2"),
                                            HasSubstr("curvature 1"))));
@@ -121,7 +121,7 @@ TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
 
 TEST(Examination, finds_where_the_thickness_is_not_positive) {
   for (const std::string thickness : {"0.1 - 0.2*x", "0", "-1", "sqrt(0.5 - x)", "0.1*x"}) {
-    computation::Problem p = cantilever_plate();
+    problem::Problem p = cantilever_plate();
     p.sections.common.thickness = Expression(thickness, {});
     EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the thickness is "), HasSubstr("must be positive"))))
         << thickness;
@@ -144,7 +144,7 @@ TEST(Examination, finds_a_chart_with_its_normal_on_the_other_side) {
 }
 
 TEST(Examination, finds_a_region_without_a_chart) {
-  computation::Problem p = two_regions({"x", "y", "0"});
+  problem::Problem p = two_regions({"x", "y", "0"});
   p.charts.erase("other");
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("\"other\" has no chart")));
 }
@@ -152,7 +152,7 @@ TEST(Examination, finds_a_region_without_a_chart) {
 // ---- names and places ----------------------------------------------------------------------------------------------
 
 TEST(Examination, finds_boundaries_that_are_not_there) {
-  computation::Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.supports.push_back(clamped("lfet"));
   p.edge_loads.push_back({.boundary = "rim"});
   EXPECT_THAT(errors(p),
@@ -161,26 +161,26 @@ TEST(Examination, finds_boundaries_that_are_not_there) {
 }
 
 TEST(Examination, finds_probes_outside_of_the_domain) {
-  computation::Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.probes = {{.name = "in", .at = {1, 0}}, {.name = "out", .at = {1.2, 0}}};
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("\"out\""), HasSubstr("(1.2, 0)"), HasSubstr("outside"))));
 }
 
 TEST(Examination, finds_a_mesh_file_that_is_not_there) {
-  computation::Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.domain = fem::MeshFile{"/no/such.msh"};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("/no/such.msh")));
 }
 
 TEST(Examination, finds_a_clamped_edge_inside_of_the_obstacle) {
-  computation::Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point[2] = 0.02;
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the boundary \"left\""),
                                            HasSubstr("inside of the obstacle at x = 0"), HasSubstr("0.01 m deep"))));
 }
 
 TEST(Examination, only_warns_of_a_free_part_inside_of_the_obstacle) {
-  computation::Problem p = with_chart(pressed_strip(), {"x", "y", "0.04 - 0.1*x*(1 - x)"});
+  problem::Problem p = with_chart(pressed_strip(), {"x", "y", "0.04 - 0.1*x*(1 - x)"});
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(warnings(p), ElementsAre(AllOf(HasSubstr("initial gap: -0.01 m (at x = 0.5"), HasSubstr("pushed out"))));
 }
@@ -189,7 +189,7 @@ TEST(Examination, only_warns_of_a_free_part_inside_of_the_obstacle) {
 TEST(Examination, warns_where_the_free_side_of_an_obstacle_changes_within_the_shell) {
   const auto slab = std::make_shared<const geometry::SpaceFunction>("abs(Z) - 0.1", geometry::Constants{});
   const auto at_height = [&](const std::string& z) {
-    computation::Problem p = with_chart(pressed_strip(), {"x", "y", z});
+    problem::Problem p = with_chart(pressed_strip(), {"x", "y", z});
     p.obstacles.at(0).shape = obstacle::DistanceField(slab);
     p.obstacles.at(0).face = obstacle::Face::nearer;
     p.supports = {clamped("left")};
@@ -203,7 +203,7 @@ TEST(Examination, warns_where_the_free_side_of_an_obstacle_changes_within_the_sh
 }
 
 TEST(Examination, says_that_corners_of_a_surface_were_joined) {
-  computation::Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   p.obstacles.at(0).shape = obstacle::TriangleSurface({.points = {{0, 0, -9}, {9, 0, -9}, {0, 9, -9}, {0, 0, -1}},
                                                        .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
                                                        .joined = 2,
@@ -213,14 +213,14 @@ TEST(Examination, says_that_corners_of_a_surface_were_joined) {
 }
 
 TEST(Examination, finds_supports_that_contradict_each_other) {
-  computation::Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.supports.push_back(
       {.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("contradict"), HasSubstr("x = 0, y = 0"))));
 }
 
 TEST(Examination, finds_symmetry_on_an_edge_that_lies_in_no_plane) {
-  computation::Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   p.supports = {symmetry("rim"), held("rim", {Direction::z})};
   EXPECT_THAT(errors(p), testing::Contains(AllOf(HasSubstr("\"rim\" is no symmetry plane"), HasSubstr("turns"))));
 }
@@ -234,13 +234,13 @@ TEST(FreeRigidMotions, are_all_six_without_a_support) {
 }
 
 TEST(FreeRigidMotions, about_a_hinge_is_the_rotation_about_it) {
-  computation::Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (0, 1, 0)")));
 }
 
 TEST(FreeRigidMotions, on_a_knife_edge_are_four) {  // u.z = 0 along x = 0
-  computation::Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.supports = {held("left", {Direction::z})};
   EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"),
                                                        HasSubstr("translation along (0, 1, 0)"),
@@ -249,7 +249,7 @@ TEST(FreeRigidMotions, on_a_knife_edge_are_four) {  // u.z = 0 along x = 0
 }
 
 TEST(FreeRigidMotions, in_the_plane_are_three) {
-  computation::Problem p = free_plate();
+  problem::Problem p = free_plate();
   for (const char* b : {"left", "right", "bottom", "top"}) p.supports.push_back(held(b, {Direction::z}));
   EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"),
                                                        HasSubstr("translation along (0, 1, 0)"),
@@ -257,22 +257,22 @@ TEST(FreeRigidMotions, in_the_plane_are_three) {
 }
 
 TEST(FreeRigidMotions, of_a_quarter_with_two_symmetries_is_the_translation_along_both_planes) {
-  computation::Problem p = free_plate();
+  problem::Problem p = free_plate();
   p.supports = {symmetry("left"), symmetry("bottom")};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("translation along (0, 0, 1)")));
 }
 
 TEST(FreeRigidMotions, of_a_bowl_whose_rim_may_turn_is_the_rotation_about_its_axis) {
-  computation::Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   p.obstacles.clear();
   p.supports = {held("rim", {Direction::z, Direction::conormal})};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (0, 0, 1)")));
 }
 
 TEST(FreeRigidMotions, that_only_the_obstacle_can_stop_are_named) {
-  computation::Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   p.supports = {held("left", {Direction::x, Direction::y})};
-  const auto only_held = [](const computation::Problem& problem) {
+  const auto only_held = [](const problem::Problem& problem) {
     auto notes = texts(problem, Severity::note);
     std::erase_if(notes, [](const std::string& text) { return !text.starts_with("only the obstacle holds"); });
     return notes;
@@ -287,7 +287,7 @@ TEST(FreeRigidMotions, that_only_the_obstacle_can_stop_are_named) {
 TEST(FreeRigidMotions, do_not_depend_on_units_of_length) {
   for (const char* scale : {"1e-4", "1e4"}) {
     const std::string s = scale;
-    computation::Problem p = with_chart(free_plate(), {s + "*x", s + "*y", "0"});
+    problem::Problem p = with_chart(free_plate(), {s + "*x", s + "*y", "0"});
     p.sections.common.thickness = Expression("0.1*" + s, {});
     p.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
     EXPECT_THAT(errors(p), SizeIs(1)) << scale;
@@ -299,8 +299,8 @@ TEST(FreeRigidMotions, do_not_depend_on_units_of_length) {
 // ---- loads on free motions -----------------------------------------------------------------------------------------
 
 /// The bowl, held against sliding alone: it may lift and tilt.
-computation::Problem loose_bowl(const std::string& load) {
-  computation::Problem p = pressed_bowl();
+problem::Problem loose_bowl(const std::string& load) {
+  problem::Problem p = pressed_bowl();
   p.supports = {held("rim", {Direction::x, Direction::y})};
   p.area_loads = {force(0, 0, 0)};
   p.area_loads[0].force[2] = Expression(load, {});
@@ -328,7 +328,7 @@ TEST(LooseShell, is_refused_where_the_loads_lift_it) {
 
 // The limit: the moment of -1e-3 (1 + k x) about the rim, I k = A R.
 TEST(LooseShell, is_judged_up_to_the_load_that_just_tips_it) {
-  computation::Problem flat = with_chart(free_plate(), {"x", "y", "0.1"});
+  problem::Problem flat = with_chart(free_plate(), {"x", "y", "0.1"});
   flat.domain = fem::Rectangle{.from = {-1, -1}, .to = {1, 1}, .cells = {2, 2}};
   flat.supports = {held("left", {Direction::x, Direction::y})};
   flat.obstacles = {obstacle::Obstacle{}};
@@ -346,14 +346,14 @@ TEST(LooseShell, is_judged_up_to_the_load_that_just_tips_it) {
 }
 
 TEST(LooseShell, is_warned_of_where_the_loads_do_no_work) {
-  for (computation::Problem p : {loose_bowl("0"), loose_bowl("x^2-y^2")}) {
+  for (problem::Problem p : {loose_bowl("0"), loose_bowl("x^2-y^2")}) {
     EXPECT_THAT(errors(p), IsEmpty());
     EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("do not press")));
   }
 }
 
 TEST(LooseShell, may_be_pressed_by_its_edges_and_by_couples) {
-  computation::Problem p = loose_bowl("0");
+  problem::Problem p = loose_bowl("0");
   p.edge_loads = {{.boundary = "rim", .force = vector(0, 0, -1), .couple = {}}};
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(warnings(p), IsEmpty());
@@ -365,7 +365,7 @@ TEST(LooseShell, is_judged_alike_in_every_formulation_and_on_triangles) {
   for (const auto formulation :
        {element::Formulation::penalised, element::Formulation::mixed, element::Formulation::classical})
     for (const char* load : {"-1e-3", "-1e-3-1e-2*x"}) {
-      computation::Problem p = loose_bowl(load);
+      problem::Problem p = loose_bowl(load);
       p.supports[0].components.push_back(fixed(Unknown::rotation, Direction::normal));
       p.discretisation.tangency.formulation = formulation;
       EXPECT_THAT(errors(p), SizeIs(load == std::string("-1e-3") ? 0 : 1));
@@ -377,28 +377,28 @@ TEST(LooseShell, is_judged_alike_in_every_formulation_and_on_triangles) {
 // ---- faces ---------------------------------------------------------------------------------------------------------
 
 /// The chart with its parameters exchanged: the same surface, a_3 turned round.
-computation::Problem turned(computation::Problem p) {
+problem::Problem turned(problem::Problem p) {
   auto [x, y, z] = p.charts.at("").components();
   return with_chart(std::move(p), {y, x, z}, {{"R", 1}, {"e", p.sections.common.thickness(0, 0)}, {"clearance", 0.01}});
 }
 
 TEST(Face, that_is_the_far_one_is_an_error_that_says_where_a3_points) {
-  for (computation::Problem p : {turned(pressed_bowl()), turned(pressed_strip())}) {
+  for (problem::Problem p : {turned(pressed_bowl()), turned(pressed_strip())}) {
     EXPECT_THAT(errors(p), IsEmpty());  // the nearer face, unless one is named
     p.obstacles.at(0).face = obstacle::Face::lower;
     EXPECT_THAT(errors(p), testing::Contains(AllOf(HasSubstr("the lower face is to touch"), HasSubstr("the far one"),
                                                    HasSubstr("a_3 = (0, 0, -1)"), HasSubstr("face = \"upper\""))));
-    computation::Problem mended = p;
+    problem::Problem mended = p;
     mended.obstacles.at(0).face = obstacle::Face::upper;
     EXPECT_THAT(errors(mended), IsEmpty());
   }
-  computation::Problem wrong = pressed_bowl();
+  problem::Problem wrong = pressed_bowl();
   wrong.obstacles.at(0).face = obstacle::Face::upper;
   EXPECT_THAT(errors(wrong), ElementsAre(AllOf(HasSubstr("face = \"lower\""), HasSubstr("away from"))));
 }
 
 TEST(Face, that_is_near_is_described) {
-  computation::Problem p = pressed_bowl();
+  problem::Problem p = pressed_bowl();
   EXPECT_THAT(texts(p, Severity::note), testing::Contains(HasSubstr("the lower face looks at the obstacle")));
   EXPECT_THAT(texts(turned(p), Severity::note), testing::Contains(HasSubstr("the upper face looks at the obstacle")));
   p.obstacles.at(0).face = obstacle::Face::lower;
@@ -407,7 +407,7 @@ TEST(Face, that_is_near_is_described) {
 }
 
 TEST(Face, is_judged_only_where_the_obstacle_is_near) {  // the upper half of a tube is farther than its thickness
-  computation::Problem tube = with_chart(free_plate(), {"sin(x)", "-y", "1.1 - cos(x)"});
+  problem::Problem tube = with_chart(free_plate(), {"sin(x)", "-y", "1.1 - cos(x)"});
   tube.domain = fem::Rectangle{.from = {-3, 0}, .to = {3, 1}, .cells = {12, 2}};
   tube.supports = {clamped("left"), clamped("right")};
   tube.obstacles = {obstacle::Obstacle{.face = obstacle::Face::upper}};
@@ -417,7 +417,7 @@ TEST(Face, is_judged_only_where_the_obstacle_is_near) {  // the upper half of a 
 }
 
 TEST(Face, of_an_upright_shell_may_be_either) {
-  computation::Problem wall = with_chart(free_plate(), {"x", "0", "y + 0.01"});
+  problem::Problem wall = with_chart(free_plate(), {"x", "0", "y + 0.01"});
   wall.supports = {clamped("top")};
   for (const auto face : {obstacle::Face::lower, obstacle::Face::upper}) {
     wall.obstacles = {obstacle::Obstacle{.face = face}};
@@ -428,7 +428,7 @@ TEST(Face, of_an_upright_shell_may_be_either) {
 
 TEST(Face, of_an_inclined_strip_is_the_lower_one) {
   for (const double slope : {0.3, 1.0, 1.4}) {
-    computation::Problem strip = with_chart(pressed_strip(), {"x*cos(s)", "y", "0.05 + x*sin(s)"}, {{"s", slope}});
+    problem::Problem strip = with_chart(pressed_strip(), {"x*cos(s)", "y", "0.05 + x*sin(s)"}, {{"s", slope}});
     EXPECT_THAT(errors(strip), IsEmpty()) << slope;
     strip.obstacles.at(0).face = obstacle::Face::upper;
     EXPECT_THAT(errors(strip), SizeIs(1)) << slope;
@@ -436,11 +436,11 @@ TEST(Face, of_an_inclined_strip_is_the_lower_one) {
 }
 
 TEST(InitialGap, that_is_negative_everywhere_asks_for_a_reversed_normal) {
-  computation::Problem p = pressed_strip();
+  problem::Problem p = pressed_strip();
   std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).normal = {0, 0, -1};
   p.obstacles.at(0).face = obstacle::Face::upper;
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("inside of the obstacle"), HasSubstr("is a normal reversed"))));
-  computation::Problem lifted = pressed_strip();  // by its supports, out of the obstacle
+  problem::Problem lifted = pressed_strip();  // by its supports, out of the obstacle
   std::get<obstacle::HalfSpace>(lifted.obstacles.at(0).shape).point[2] = 0.02;
   for (Support& s : lifted.supports)
     for (auto& c : s.components)
@@ -450,7 +450,7 @@ TEST(InitialGap, that_is_negative_everywhere_asks_for_a_reversed_normal) {
 }
 
 TEST(Examination, warns_where_nodes_may_miss_a_small_obstacle) {
-  computation::Problem p = pressed_strip();  // nodes are 1/32 apart
+  problem::Problem p = pressed_strip();  // nodes are 1/32 apart
   const auto roller = [](double radius) {
     return obstacle::Obstacle{
         .name = "roller",
@@ -461,7 +461,7 @@ TEST(Examination, warns_where_nodes_may_miss_a_small_obstacle) {
   p.obstacles = {roller(0.02)};
   EXPECT_THAT(warnings(p), IsEmpty());
   p.obstacles = {roller(0.01)};
-  p.accuracy = computation::Accuracy{.goals = {{"energy", 1e-3}}};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-3}}};
   EXPECT_THAT(warnings(p), IsEmpty());
 }
 
@@ -470,16 +470,16 @@ TEST(Examination, warns_where_nodes_may_miss_a_small_obstacle) {
 std::string times(const std::string& scale, const std::string& text) { return scale + "*(" + text + ")"; }
 
 /// All lengths in space in another unit; the parameters too if they are lengths.
-computation::Problem in_units(const computation::Problem& p, const std::string& scale,
-                              const std::array<std::string, 3>& chart) {
-  computation::Problem q = with_chart(p, {times(scale, chart[0]), times(scale, chart[1]), times(scale, chart[2])});
+problem::Problem in_units(const problem::Problem& p, const std::string& scale,
+                          const std::array<std::string, 3>& chart) {
+  problem::Problem q = with_chart(p, {times(scale, chart[0]), times(scale, chart[1]), times(scale, chart[2])});
   const double s = std::stod(scale);
   q.sections.common.thickness = Expression(s * p.sections.common.thickness(0, 0));
   if (!q.obstacles.empty()) std::get<obstacle::HalfSpace>(q.obstacles.at(0).shape).point *= s;
   return q;
 }
 
-std::vector<Severity> severities(const computation::Problem& p) {
+std::vector<Severity> severities(const problem::Problem& p) {
   std::vector<Severity> all;
   for (const Finding& f : examine(p)) all.push_back(f.severity);
   return all;
@@ -489,16 +489,16 @@ TEST(Units, of_length_change_no_finding) {
   const std::array<std::string, 3> bowl{"x", "y", "0.02 + 1 - sqrt(1 - x^2 - y^2)"}, strip{"x", "y", "0.035"};
   const std::array<std::string, 3> inside{"x", "y", "0.035 - 1e-4*x*(1-x)"};
   const std::array<std::string, 3> deep{"x", "y", "0.02"};
-  computation::Problem loose = pressed_strip();
+  problem::Problem loose = pressed_strip();
   loose.supports = {held("left", {Direction::x, Direction::y})};
   for (const char* scale : {"1e-12", "1e-6", "1e6"}) {
     for (const auto& [problem, chart] :
-         std::vector<std::pair<computation::Problem, std::array<std::string, 3>>>{{pressed_bowl(), bowl},
-                                                                                  {turned(pressed_bowl()), bowl},
-                                                                                  {pressed_strip(), strip},
-                                                                                  {pressed_strip(), inside},
-                                                                                  {pressed_strip(), deep},
-                                                                                  {loose, strip}})
+         std::vector<std::pair<problem::Problem, std::array<std::string, 3>>>{{pressed_bowl(), bowl},
+                                                                              {turned(pressed_bowl()), bowl},
+                                                                              {pressed_strip(), strip},
+                                                                              {pressed_strip(), inside},
+                                                                              {pressed_strip(), deep},
+                                                                              {loose, strip}})
       EXPECT_EQ(severities(in_units(problem, scale, chart)), severities(in_units(problem, "1", chart)))
           << scale << " " << chart[2];
   }
@@ -506,7 +506,7 @@ TEST(Units, of_length_change_no_finding) {
 
 TEST(Units, of_length_hide_no_jump_between_regions) {
   for (const std::string s : {"1e-9", "1e9"}) {
-    computation::Problem p = two_regions({s + "*x", s + "*y", s + "*1e-4"});
+    problem::Problem p = two_regions({s + "*x", s + "*y", s + "*1e-4"});
     p.charts.erase("flat");
     p.charts.emplace("flat", Chart({s + "*x", s + "*y", "0*x"}, {}));
     p.sections.common.thickness = Expression(0.1 * std::stod(s));
@@ -516,7 +516,7 @@ TEST(Units, of_length_hide_no_jump_between_regions) {
 
 TEST(Units, of_length_hide_no_support_inside_of_the_obstacle) {
   for (const double s : {1e-12, 1e-6, 1e6}) {
-    computation::Problem p = in_units(pressed_strip(), std::to_string(1), {"x", "y", "0.035"});
+    problem::Problem p = in_units(pressed_strip(), std::to_string(1), {"x", "y", "0.035"});
     p = with_chart(p, {fmt::format("{}*x", s), fmt::format("{}*y", s), fmt::format("{}*(0.025 - 1e-9)", s)});
     p.sections.common.thickness = Expression(0.05 * s);
     EXPECT_THAT(errors(p), ElementsAre(HasSubstr("inside of the obstacle"))) << s;
@@ -526,8 +526,8 @@ TEST(Units, of_length_hide_no_support_inside_of_the_obstacle) {
 }
 
 /// A part of a tube of radius 1 on a floor under its weight, held along its axis and at its lowest point: `half` 3.14159... is all of it.
-computation::Problem tube_on_floor(double half) {
-  computation::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "1 + e/2 - cos(x)"}, {{"e", 0.02}});
+problem::Problem tube_on_floor(double half) {
+  problem::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "1 + e/2 - cos(x)"}, {{"e", 0.02}});
   p.domain = fem::Rectangle{.from = {-half, 0}, .to = {half, 1}, .cells = {8, 2}};
   p.sections.common.thickness = Expression(0.02);
   if (half > 3) p.joins = {{{"left", "right"}}};

@@ -7,15 +7,13 @@
 
 namespace plastron::examination {
 
-inline std::vector<std::string> texts(const computation::Problem& problem, Severity severity) {
+inline std::vector<std::string> texts(const problem::Problem& problem, Severity severity) {
   std::vector<std::string> all;
   for (const Finding& f : examine(problem))
     if (f.severity == severity) all.push_back(f.text);
   return all;
 }
-inline std::vector<std::string> errors(const computation::Problem& problem) { return texts(problem, Severity::error); }
-inline std::vector<std::string> warnings(const computation::Problem& problem) {
-  return texts(problem, Severity::warning);
-}
+inline std::vector<std::string> errors(const problem::Problem& problem) { return texts(problem, Severity::error); }
+inline std::vector<std::string> warnings(const problem::Problem& problem) { return texts(problem, Severity::warning); }
 
 }  // namespace plastron::examination

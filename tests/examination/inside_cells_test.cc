@@ -16,19 +16,19 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-computation::Problem on(fem::Shape shape, computation::Problem p) {
+problem::Problem on(fem::Shape shape, problem::Problem p) {
   p.discretisation.cells = shape;
   return p;
 }
 constexpr auto both_shapes = {fem::Shape::quadrilateral, fem::Shape::triangle};
 
-computation::Problem with_thickness(const std::string& e) {
-  computation::Problem p = cantilever_plate();
+problem::Problem with_thickness(const std::string& e) {
+  problem::Problem p = cantilever_plate();
   p.sections.common.thickness = Expression(e, {});
   return p;
 }
-computation::Problem with_pressure(const std::string& pressure) {
-  computation::Problem p = cantilever_plate();
+problem::Problem with_pressure(const std::string& pressure) {
+  problem::Problem p = cantilever_plate();
   p.area_loads[0].pressure = Expression(pressure, {});
   return p;
 }
@@ -52,14 +52,14 @@ TEST(InsideACell, a_kink_on_a_mesh_line_is_an_error_too) {
 }
 
 TEST(InsideACell, a_kink_on_a_line_of_meshes_finer_than_the_sample_is_an_error_too) {
-  computation::Problem p = with_chart(cantilever_plate(), {"x", "y", "abs(x - 33/128)"});
+  problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "abs(x - 33/128)"});
   p.discretisation.refinements = 6;
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("has a kink")));
 }
 
 TEST(InsideACell, a_jump_of_the_curvature_is_a_warning_with_a_remedy) {
   for (const fem::Shape shape : both_shapes) {
-    const computation::Problem p = on(shape, with_chart(cantilever_plate(), {"x", "y", "(x - 0.3)*abs(x - 0.3)/2"}));
+    const problem::Problem p = on(shape, with_chart(cantilever_plate(), {"x", "y", "(x - 0.3)*abs(x - 0.3)/2"}));
     EXPECT_THAT(errors(p), IsEmpty());
     EXPECT_THAT(warnings(p), ElementsAre(AllOf(HasSubstr("curvature"), HasSubstr("near x = 0.3, "),
                                                HasSubstr("by 2 1/m"), HasSubstr("breaks"))));
@@ -67,7 +67,7 @@ TEST(InsideACell, a_jump_of_the_curvature_is_a_warning_with_a_remedy) {
 }
 
 TEST(InsideACell, a_jump_of_the_curvature_on_a_mesh_line_is_nothing) {
-  computation::Problem p = with_chart(cantilever_plate(), {"x", "y", "(x - 0.3)*abs(x - 0.3)/2"});
+  problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "(x - 0.3)*abs(x - 0.3)/2"});
   p.domain = fem::Rectangle{.cells = {2, 2}, .breaks = {0.3}, .regions = {"left", "right"}};
   p.charts = {{"left", p.charts.at("")}, {"right", p.charts.at("")}};
   EXPECT_THAT(errors(p), IsEmpty());
@@ -77,7 +77,7 @@ TEST(InsideACell, a_jump_of_the_curvature_on_a_mesh_line_is_nothing) {
 TEST(InsideACell, a_fold_that_is_rounded_off_is_no_kink) {
   for (const char* z :
        {"sqrt((x - 0.3)^2 + 1e-2)", "0.05*tanh(50*(x - 0.3))", "sin(20*x)*0.1", "exp(-200*(x-0.4)^2)"}) {
-    computation::Problem p = with_chart(cantilever_plate(), {"x", "y", z});
+    problem::Problem p = with_chart(cantilever_plate(), {"x", "y", z});
     p.sections.common.thickness = Expression(1e-3);
     EXPECT_THAT(errors(p), IsEmpty()) << z;
     EXPECT_THAT(warnings(p), IsEmpty()) << z;
@@ -100,7 +100,7 @@ TEST(InsideACell, a_slit_of_another_thickness_is_an_error_however_narrow_beside_
 }
 
 TEST(InsideACell, a_jump_of_the_thickness_on_a_line_of_the_finest_mesh_is_nothing) {
-  computation::Problem p = with_thickness("x < 0.25 ? 0.1 : 0.12");  // two cells along x, refined once
+  problem::Problem p = with_thickness("x < 0.25 ? 0.1 : 0.12");  // two cells along x, refined once
   EXPECT_THAT(errors(p), IsEmpty());
   p.discretisation.refinements = 0;
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("jumps inside of a cell")));
@@ -117,7 +117,7 @@ TEST(InsideACell, a_jump_of_a_load_is_noted) {
   EXPECT_THAT(
       texts(with_pressure("x < 0.3 ? 1 : 0"), Severity::note),
       testing::Contains(AllOf(HasSubstr("a load's pressure"), HasSubstr("near x = 0.3, "), HasSubstr("divided"))));
-  computation::Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.edge_loads = {{.boundary = "right"}};
   p.edge_loads[0].force[2] = Expression("sign(y - 0.7)", {});
   EXPECT_THAT(texts(p, Severity::note),
@@ -131,7 +131,7 @@ TEST(Load, that_is_not_finite_is_an_error_with_its_place_and_its_key) {
               ElementsAre(AllOf(HasSubstr("a load's pressure, \"1/x\", is inf"), HasSubstr("at x = 0, y = "),
                                 HasSubstr("must be finite"))));
   EXPECT_THAT(errors(with_pressure("log(x - 0.5)")), ElementsAre(HasSubstr("nan at x = ")));
-  computation::Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.area_loads[0].couple[1] = Expression("sqrt(y - 0.99)", {});
   p.edge_loads = {{.boundary = "right"}};
   p.edge_loads[0].force[0] = Expression("log(-y)", {});
@@ -140,7 +140,7 @@ TEST(Load, that_is_not_finite_is_an_error_with_its_place_and_its_key) {
 }
 
 TEST(Support, that_prescribes_no_finite_value_is_an_error_with_its_place_and_its_key) {
-  computation::Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.supports.push_back(held("right", {Direction::z}));
   p.supports[1].components[0].value = Expression("1/y", {});
   EXPECT_THAT(errors(p),

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::vector<std::string> seams(const computation::Problem& problem) {
+std::vector<std::string> seams(const problem::Problem& problem) {
   std::vector<std::string> all;
   for (const std::string& text : warnings(problem))
     if (text.find("seam") != std::string::npos) all.push_back(text);
@@ -24,9 +24,9 @@ std::vector<std::string> seams(const computation::Problem& problem) {
 }
 
 /// A sheet of `turns` turns of a cylinder of radius `radius`, its lower end clamped.
-computation::Problem rolled(double turns, double radius, fem::Shape cells = fem::Shape::quadrilateral) {
+problem::Problem rolled(double turns, double radius, fem::Shape cells = fem::Shape::quadrilateral) {
   const Constants constants{{"R", radius}, {"w", 2 * 3.14159265358979323846}};
-  computation::Problem p = cantilever_plate();
+  problem::Problem p = cantilever_plate();
   p.domain = fem::Rectangle{.to = {turns, 1}};
   p.charts.clear();
   p.charts.emplace("", Chart({"R*sin(w*x)", "R*y", "R*cos(w*x)"}, constants));

@@ -1,10 +1,10 @@
 // Chords of coarse meshes, and meshes that are cut along them.
 #include <gtest/gtest.h>
 #include <plastron/algebra/vector.hpp>
-#include <plastron/fem/chords.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/grid_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/meshing/chords.hpp>
 
 #include <cmath>
 #include <set>
@@ -34,7 +34,7 @@ double area_of(const CoarseMesh& mesh) {
 }
 
 TEST(Chords, OfAGridAreItsRowsAndColumns) {
-  const Chords all = chords(grid(3, 2));
+  const meshing::Chords all = meshing::chords(grid(3, 2));
   EXPECT_EQ(all.count, 5);
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -45,7 +45,7 @@ TEST(Chords, OfAGridAreItsRowsAndColumns) {
 
 /// One ring round the square in the middle, and one from rim to rim through it each way.
 TEST(Chords, OfADiskAreARingAndACross) {
-  const Chords all = chords(disk_mesh({{0, 0}, 1}));
+  const meshing::Chords all = meshing::chords(disk_mesh({{0, 0}, 1}));
   EXPECT_EQ(all.count, 3);
   for (std::size_t c = 1; c < 5; ++c) EXPECT_EQ(all.of_cell[c][0], all.of_cell[1][0]);
   EXPECT_EQ(all.of_cell[1][1], all.of_cell[3][1]);
@@ -57,7 +57,7 @@ TEST(CutMesh, CoversTheSameWithMoreCells) {
   std::vector<Cuts> cuts(6);
   // The first column and the second row, whatever way the cells were turned: all cells of a chord.
   const CoarseMesh& coarse = *meshes.space()->coarse;
-  const Chords all = chords(coarse);
+  const meshing::Chords all = meshing::chords(coarse);
   for (std::size_t c = 0; c < 6; ++c)
     for (std::size_t d = 0; d < 2; ++d)
       if (all.of_cell[c][d] == all.of_cell[0][0] || all.of_cell[c][d] == all.of_cell[5][1]) cuts[c][d] = {0.25};
@@ -124,7 +124,7 @@ TEST(CutMesh, KeepsPolynomials) {
   std::vector<algebra::Vector> fields{sampled(*meshes.space(), quartic)};
   for (const double at : {0.2, 0.7, 0.4}) {
     const CoarseMesh& coarse = *meshes.space()->coarse;
-    const Chords all = chords(coarse);
+    const meshing::Chords all = meshing::chords(coarse);
     std::vector<Cuts> cuts(coarse.cells.size());
     const std::set<int> cut{all.of_cell[1][0], all.of_cell[coarse.cells.size() - 1][1]};
     for (std::size_t c = 0; c < cuts.size(); ++c)
@@ -167,7 +167,7 @@ TEST(CutMesh, KeepsFieldsOnBentCells) {
   };
   std::vector<algebra::Vector> fields{at_nodes(1), at_nodes(2)};
   for (const double at : {0.3, 0.6}) {
-    const Chords all = chords(*meshes.space()->coarse);
+    const meshing::Chords all = meshing::chords(*meshes.space()->coarse);
     std::vector<Cuts> cuts(meshes.space()->coarse->cells.size());
     for (std::size_t c = 0; c < cuts.size(); ++c)
       for (std::size_t d = 0; d < 2; ++d)
@@ -183,7 +183,7 @@ TEST(CutMesh, KeepsFieldsOnBentCells) {
 
 TEST(CutMesh, DividesAfterwardsAsAnyOther) {
   MeshSequence meshes(disk_mesh({{0, 0}, 1}), 2, MPI_COMM_WORLD);
-  const Chords all = chords(*meshes.space()->coarse);
+  const meshing::Chords all = meshing::chords(*meshes.space()->coarse);
   std::vector<Cuts> cuts(5);
   for (std::size_t c = 0; c < 5; ++c)
     for (std::size_t d = 0; d < 2; ++d)

@@ -1,6 +1,6 @@
 // Rows of thin cells along boundaries: they are as wide as asked for, and the mesh still is one of the whole domain.
-#include <plastron/fem/layered_mesh.hpp>
 #include <plastron/fem/polygon.hpp>
+#include <plastron/meshing/layered_mesh.hpp>
 
 #include <gtest/gtest.h>
 
@@ -36,8 +36,8 @@ std::map<std::string, std::pair<int, double>> edges_by_name(const CoarseMesh& me
 
 TEST(LayeredRectangle, HasLinesAtTheDistancesOfItsRowsFromEverySide) {
   const Rectangle r{.from = {-1, 2}, .to = {2, 4}};
-  const Rows rows{.distances = Distances{{{0.1, 0.3}}, {{0.2}}, {{0.05}}, {{}}}, .inner = {3, 2}};
-  const CoarseMesh mesh = layered_mesh(r, Shape::quadrilateral, rows);
+  const meshing::Rows rows{.distances = Distances{{{0.1, 0.3}}, {{0.2}}, {{0.05}}, {{}}}, .inner = {3, 2}};
+  const CoarseMesh mesh = meshing::layered_mesh(r, Shape::quadrilateral, rows);
   expect_cells_fit(mesh);
   EXPECT_NEAR(area(mesh), 6, 1e-13);
   EXPECT_EQ(mesh.cells.size(), static_cast<std::size_t>((2 + 3 + 1) * (1 + 2)));
@@ -57,8 +57,8 @@ TEST(LayeredRectangle, HasLinesAtTheDistancesOfItsRowsFromEverySide) {
 
 TEST(LayeredRectangle, HasRowsOfTheirOwnWidthInEveryRegion) {
   const Rectangle r{.to = {3, 1}, .breaks = {1}, .regions = {"thin", "thick"}};
-  const Rows rows{.distances = Distances{{{0.1}}, {{0.2}}, {{0.1}, {0.2}}, {{0.1}, {0.2}}}, .inner = {6, 1}};
-  const CoarseMesh mesh = layered_mesh(r, Shape::quadrilateral, rows);
+  const meshing::Rows rows{.distances = Distances{{{0.1}}, {{0.2}}, {{0.1}, {0.2}}, {{0.1}, {0.2}}}, .inner = {6, 1}};
+  const CoarseMesh mesh = meshing::layered_mesh(r, Shape::quadrilateral, rows);
   expect_cells_fit(mesh);
   EXPECT_NEAR(area(mesh), 3, 1e-13);
   bool has_thin = false, has_thick = false;
@@ -74,15 +74,15 @@ TEST(LayeredRectangle, HasRowsOfTheirOwnWidthInEveryRegion) {
 }
 
 TEST(LayeredRectangle, RefusesRowsThatMeet) {
-  const Rows rows{.distances = Distances{{{0.6}}, {{0.5}}, {{}}, {{}}}};
-  EXPECT_THROW(layered_mesh(Rectangle{}, Shape::quadrilateral, rows), DomainError);
+  const meshing::Rows rows{.distances = Distances{{{0.6}}, {{0.5}}, {{}}, {{}}}};
+  EXPECT_THROW(meshing::layered_mesh(Rectangle{}, Shape::quadrilateral, rows), DomainError);
 }
 
 TEST(LayeredDisk, HasRingsAlongTheRim) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     const Disk disk{.centre = {3 * scale, 0}, .radius = 2 * scale};
-    const Rows rows{.distances = Distances{{{0.1 * scale, 0.4 * scale}}}, .inner = {2, 3}};
-    const CoarseMesh mesh = layered_mesh(disk, Shape::quadrilateral, rows);
+    const meshing::Rows rows{.distances = Distances{{{0.1 * scale, 0.4 * scale}}}, .inner = {2, 3}};
+    const CoarseMesh mesh = meshing::layered_mesh(disk, Shape::quadrilateral, rows);
     expect_cells_fit(mesh);
     EXPECT_NEAR(area(mesh) / (scale * scale), 4 * pi, 1e-6);
     EXPECT_EQ(mesh.cells.size(), 4u + 4 * 2 * 3 + 2 * 8);
@@ -98,8 +98,8 @@ TEST(LayeredDisk, HasRingsAlongTheRim) {
 
 TEST(LayeredAnnulus, HasRingsAlongBothRims) {
   const Annulus annulus{.centre = {1, 1}, .inner = 0.5, .outer = 2};
-  const Rows rows{.distances = Distances{{{0.1}}, {{0.2, 0.3}}}, .inner = {6, 2}};
-  const CoarseMesh mesh = layered_mesh(annulus, Shape::quadrilateral, rows);
+  const meshing::Rows rows{.distances = Distances{{{0.1}}, {{0.2, 0.3}}}, .inner = {6, 2}};
+  const CoarseMesh mesh = meshing::layered_mesh(annulus, Shape::quadrilateral, rows);
   expect_cells_fit(mesh);
   EXPECT_NEAR(area(mesh), pi * 3.75, 1e-6);
   EXPECT_EQ(mesh.cells.size(), 6u * (1 + 2 + 2));
@@ -131,8 +131,8 @@ TEST(LayeredPolygon, CoversItWithRowsOfTheirDepthAlongEverySide) {
         if (reversed) std::ranges::reverse(scaled);
         const Polygon polygon{scaled};
         const std::size_t n = scaled.size();
-        const Rows rows{.distances = Distances(n, {{depth * scale}}), .inner = {6, 6}};
-        const CoarseMesh mesh = layered_mesh(polygon, Shape::quadrilateral, rows);
+        const meshing::Rows rows{.distances = Distances(n, {{depth * scale}}), .inner = {6, 6}};
+        const CoarseMesh mesh = meshing::layered_mesh(polygon, Shape::quadrilateral, rows);
         expect_cells_fit(mesh);
         EXPECT_NEAR(area(mesh) / std::abs(signed_area(polygon)), 1, 1e-9);
         auto edges = edges_by_name(mesh);
@@ -150,12 +150,13 @@ TEST(LayeredPolygon, CoversItWithRowsOfTheirDepthAlongEverySide) {
 
 TEST(LayeredPolygon, RefusesRowsThatMeet) {
   const Polygon bar{{{0, 0}, {1, 0}, {2, 0}, {2, 0.1}, {0, 0.1}}};
-  EXPECT_THROW(layered_mesh(bar, Shape::quadrilateral, Rows{.distances = Distances(5, {{0.06}})}), DomainError);
+  EXPECT_THROW(meshing::layered_mesh(bar, Shape::quadrilateral, meshing::Rows{.distances = Distances(5, {{0.06}})}),
+               DomainError);
 }
 
 TEST(LayeredMesh, OfTrianglesIsItsQuadrilateralsCutCrosswise) {
-  const Rows rows{.distances = Distances{{{0.1}}, {{0.1}}, {{}}, {{}}}, .inner = {2, 2}};
-  const CoarseMesh mesh = layered_mesh(Rectangle{}, Shape::triangle, rows);
+  const meshing::Rows rows{.distances = Distances{{{0.1}}, {{0.1}}, {{}}, {{}}}, .inner = {2, 2}};
+  const CoarseMesh mesh = meshing::layered_mesh(Rectangle{}, Shape::triangle, rows);
   expect_cells_fit(mesh);
   EXPECT_EQ(mesh.cells.size(), 4u * 8);
   EXPECT_NEAR(area(mesh), 1, 1e-13);

@@ -70,7 +70,7 @@ TEST(ContactBoundary, files_hold_the_lines_of_the_result) {
   EXPECT_EQ(array_of(vtu, R"(type="Int64" Name="zone")"), std::vector<double>(lines.size(), 0));
   std::size_t at = 0;
   for (std::size_t l = 0; l < zones[0].lines.size(); ++l) {
-    const certificate::ContactLine& line = zones[0].lines[l];
+    const solution::ContactLine& line = zones[0].lines[l];
     const auto& rows = lines.at({0, 0, static_cast<int>(l)});
     ASSERT_EQ(rows.size(), line.points.size());
     for (std::size_t i = 0; i < rows.size(); ++i, ++at) {
@@ -124,7 +124,7 @@ TEST(ContactForces, add_up_to_the_reaction) {
     EXPECT_NEAR(f.norm(), v[12] * v[13], 1e-13 * v[12]);
     EXPECT_NEAR(v[5] + v[8], 0, 1e-13);  // the lower face stands on the plane
   }
-  const certificate::ObstacleContact& whole = result.summary.obstacles.at(0);
+  const solution::ObstacleContact& whole = result.summary.obstacles.at(0);
   EXPECT_EQ(rows, whole.nodes);
   EXPECT_NEAR(area, whole.area, 0.15 * whole.area);  // nodes count whole here
   EXPECT_LT((force - whole.reaction.force).norm(), 1e-11 * force.norm());

@@ -20,7 +20,7 @@ namespace plastron::io {
 
 namespace {
 
-using computation::Problem;
+using problem::Problem;
 
 class Damage {
  public:

@@ -22,7 +22,7 @@ std::vector<std::string> cells_of(const std::string& row) {
 
 TEST(LineTable, has_a_row_a_point_with_every_field) {
   const ScratchDirectory scratch("line");
-  computation::Problem problem = pressed_plate({.degree = 2, .refinements = 2});
+  problem::Problem problem = pressed_plate({.degree = 2, .refinements = 2});
   problem.probes = {{"half", {0.5, 0.5}}};
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   Output output(scratch.path, "solution", MPI_COMM_WORLD, false, {.heights = {-0.375}});

@@ -48,7 +48,7 @@ TEST(Output, of_a_solved_problem_is_files_that_agree) {
 
 TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
   const ScratchDirectory scratch("steps");
-  computation::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
+  problem::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
   problem.steps = {{.name = "press, slowly", .parts = 3}};
   Output output(scratch.path, "solution", MPI_COMM_WORLD);
   const computation::Result result = computation::solve(

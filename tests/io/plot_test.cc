@@ -27,7 +27,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-study::Plot two_series() {
+io::Plot two_series() {
   return {.title = "Error < 1 & falling",
           .x = {"h [m]", true},
           .y = {"error", true},
@@ -83,7 +83,7 @@ TEST(PlotAxis, has_few_ticks_with_labels_of_their_own_however_near_or_far_its_va
 }
 
 TEST(Plot, of_many_points_is_a_line_without_marks) {
-  study::Plot plot{.title = "many", .x = {"x"}, .y = {"y"}, .series = {{"y", {}, {}}}};
+  io::Plot plot{.title = "many", .x = {"x"}, .y = {"y"}, .series = {{"y", {}, {}}}};
   for (int k = 0; k < 5000; ++k) plot.series[0].x.push_back(k), plot.series[0].y.push_back(k % 7);
   EXPECT_EQ(count(svg_text(plot), "<circle"), 1u);  // the legend's
 }

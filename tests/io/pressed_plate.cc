@@ -2,10 +2,10 @@
 
 namespace plastron::io {
 
-computation::Problem pressed_plate(const PressedPlate& options) {
+problem::Problem pressed_plate(const PressedPlate& options) {
   using assembly::Direction;
   using assembly::Unknown;
-  computation::Problem problem;
+  problem::Problem problem;
   problem.domain = fem::Rectangle{.cells = {options.cells, options.cells}};
   problem.charts.emplace("", geometry::Chart({"2 * x", "y", "0.012"}, {}));
   problem.sections.common.thickness = geometry::Expression(0.02);

@@ -13,6 +13,6 @@ struct PressedPlate {
 };
 
 /// phi = (2x, y, 0.012) on the unit square, thickness 0.02: the lower face hangs 0.002 over the plane z = 0.
-computation::Problem pressed_plate(const PressedPlate& options);
+problem::Problem pressed_plate(const PressedPlate& options);
 
 }  // namespace plastron::io

@@ -199,7 +199,7 @@ TEST(Report, stays_below_twelve_megabytes_for_a_hundred_thousand_points) {
 
 TEST(Report, of_texts_that_look_like_markup_shows_them_as_text) {
   const std::string evil = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\" ' & {{script}} <!-- \xff";
-  computation::Problem problem = pressed_plate({.degree = 1, .refinements = 1});
+  problem::Problem problem = pressed_plate({.degree = 1, .refinements = 1});
   problem.obstacles.front().name = evil;
   problem.probes.front().name = evil;
   const ScratchDirectory scratch("evil");
@@ -218,7 +218,7 @@ TEST(Report, of_texts_that_look_like_markup_shows_them_as_text) {
 }
 
 TEST(Report, of_steps_has_their_history) {
-  computation::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
+  problem::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
   problem.steps = {{.name = "press <slowly>", .parts = 2}};
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   const std::string page = report_html(results_json(result, {}), nullptr);

@@ -35,7 +35,7 @@ computation::Result some_result(bool has_obstacle) {
                                .reaction = result.summary.reaction,
                                .area = 2,
                                .nodes = 7,
-                               .zones = std::vector<certificate::ContactZone>(1)}};
+                               .zones = std::vector<solution::ContactZone>(1)}};
   result.certificate.min_gap_between = -1e-5;
   result.summary.is_admissible_wanted = true;
   result.summary.support_reactions = {{.boundary = "rim", .reaction = {.force = {0, 0, 2}}, .nodes = 3}};

@@ -17,9 +17,9 @@ namespace plastron::io {
 
 namespace {
 
-using computation::Problem;
 using computation::Solution;
 using computation::StoredSolution;
+using problem::Problem;
 using testing::HasSubstr;
 
 constexpr std::size_t header_bytes = 72 + 16, head_bytes = 64;  // one obstacle

@@ -93,8 +93,8 @@ const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsH
 /// As a case without [mesh] is solved whose [accuracy] asks for the energy to 1e-4.
 ContactReference to_energy(const std::string& name) {
   ContactReference reference = contact_reference(name, 4, 0);
-  reference.problem.discretisation.layers = computation::Layers::automatic;
-  reference.problem.accuracy = computation::Accuracy{.goals = {{"energy", 1e-4}}};
+  reference.problem.discretisation.layers = problem::Layers::automatic;
+  reference.problem.accuracy = problem::Accuracy{.goals = {{"energy", 1e-4}}};
   return reference;
 }
 
@@ -103,8 +103,8 @@ struct FoundEdge {
   double length = 0, mean = 0, least = 0, most = 0;
 };
 
-FoundEdge found_edge(const certificate::ContactLine& line, bool axisymmetric) {
-  const auto at = [&](const certificate::BoundaryPoint& p) { return axisymmetric ? p.x.norm() : p.x[0]; };
+FoundEdge found_edge(const solution::ContactLine& line, bool axisymmetric) {
+  const auto at = [&](const solution::BoundaryPoint& p) { return axisymmetric ? p.x.norm() : p.x[0]; };
   FoundEdge edge{.least = std::numeric_limits<double>::infinity()};
   for (const auto& point : line.points) {
     edge.least = std::min(edge.least, at(point));

@@ -50,8 +50,8 @@ struct Indented {
   bool once;  ///< linearised at the undeformed shell
 };
 
-computation::Problem problem_of(const Indented& p) {
-  computation::Problem problem;
+problem::Problem problem_of(const Indented& p) {
+  problem::Problem problem;
   const Constants constants{{"e", p.thickness}};
   problem.domain = fem::Disk{.radius = p.dome ? std::sin(0.5) : 1.0};
   problem.charts.emplace("", p.dome ? geometry::Chart({"x", "y", "-1 - e/2 + sqrt(1 - x^2 - y^2)"}, constants)
@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(PlaneProblem, HasTheEnergyAndTheReactionOfTheReference) {
   const Strip& p = GetParam();
-  computation::Problem problem;
+  problem::Problem problem;
   const double width = 0.1;
   problem.domain = fem::Rectangle{.from = {p.from, 0}, .to = {1, width}, .cells = {32, 1}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", p.height}}));
@@ -200,8 +200,8 @@ TEST_P(PlaneProblem, HasTheEnergyAndTheReactionOfTheReference) {
 
 // ---- one obstacle in several forms ---------------------------------------------------------------------------------------
 
-computation::Problem cap_over_the_table() {
-  computation::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
+problem::Problem cap_over_the_table() {
+  problem::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
   problem.linearisation = {};
   return problem;
 }
@@ -218,7 +218,7 @@ obstacle::TriangleMesh slab() {
 
 // The table as a half-space, and as bodies that have its plane for a part of their surface.
 TEST(Table, in_every_form_gives_the_same_numbers) {
-  const computation::Problem table = cap_over_the_table();
+  const problem::Problem table = cap_over_the_table();
   const computation::Result expected = computation::solve(table, MPI_COMM_WORLD);
   ASSERT_EQ(expected.status, contact::Status::solved);
   ASSERT_GT(expected.summary.touching_nodes, 0);
@@ -230,7 +230,7 @@ TEST(Table, in_every_form_gives_the_same_numbers) {
       {"triangles", obstacle::TriangleSurface(slab())}};
   for (const auto& [name, shape] : forms) {
     SCOPED_TRACE(name);
-    computation::Problem other = table;
+    problem::Problem other = table;
     other.obstacles.at(0).shape = shape;
     const computation::Result r = computation::solve(other, MPI_COMM_WORLD);
     ASSERT_EQ(r.status, contact::Status::solved);
@@ -242,11 +242,11 @@ TEST(Table, in_every_form_gives_the_same_numbers) {
 
 // A ball of radius R under the cap differs from the table by r^2 / 2R.
 TEST(Table, is_the_limit_of_balls_that_grow) {
-  const computation::Problem table = cap_over_the_table();
+  const problem::Problem table = cap_over_the_table();
   const double expected = computation::solve(table, MPI_COMM_WORLD).summary.energy.total();
   double last = 0;
   for (const double radius : {1e3, 1e4, 1e5}) {
-    computation::Problem other = table;
+    problem::Problem other = table;
     other.obstacles.at(0).shape = obstacle::Ball{.centre = {0, 0, -radius}, .radius = radius};
     const computation::Result r = computation::solve(other, MPI_COMM_WORLD);
     ASSERT_EQ(r.status, contact::Status::solved);
@@ -269,8 +269,8 @@ assembly::Support at_point(const Eigen::Vector2d& x, std::vector<assembly::Direc
 }
 
 /// Nothing but sliding and spin is held.
-computation::Problem resting(const std::string& height, double load) {
-  computation::Problem problem;
+problem::Problem resting(const std::string& height, double load) {
+  problem::Problem problem;
   problem.domain = fem::Disk{.radius = std::sin(0.5)};
   problem.charts.emplace("", geometry::Chart({"x", "y", height}, {}));
   problem.sections.common.thickness = Expression(0.05);

@@ -108,10 +108,10 @@ TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmallOrTooLarge) {
 }
 
 /// Of the energy, relative, on meshes that follow from it.
-void expect_accuracy(computation::Problem problem, double exact, std::int64_t most_unknowns) {
+void expect_accuracy(problem::Problem problem, double exact, std::int64_t most_unknowns) {
   constexpr double tolerance = 1e-3;
-  problem.discretisation.layers = computation::Layers::automatic;
-  problem.accuracy = computation::Accuracy{.goals = {{"energy", tolerance}}, .max_unknowns = 1e5};
+  problem.discretisation.layers = problem::Layers::automatic;
+  problem.accuracy = problem::Accuracy{.goals = {{"energy", tolerance}}, .max_unknowns = 1e5};
   if (!problem.obstacles.empty()) problem.accuracy->goals.push_back({"reaction", tolerance});
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;

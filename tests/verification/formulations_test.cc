@@ -34,7 +34,7 @@ std::vector<double> energy_errors(const Manufactured& exact, Formulation formula
                                   int first, int last) {
   std::vector<double> errors;
   for (int refinements = first; refinements <= last; ++refinements) {
-    computation::Problem problem = manufactured_problem(exact, degree, refinements);
+    problem::Problem problem = manufactured_problem(exact, degree, refinements);
     problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
     problem.discretisation.tangency.formulation = formulation;
     problem.discretisation.cells = shape;
@@ -183,7 +183,7 @@ TEST(Multiplier, EtaIntegratesToTheTotalReaction) {
 // once the zone is known, solved here densely: the same (u, r), and eta is that residual.
 TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidualIsEta) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 1);
-  computation::Problem& problem = reference.problem;
+  problem::Problem& problem = reference.problem;
   problem.discretisation.tangency.formulation = Formulation::mixed;
   const computation::Result reduced = computation::solve(problem, MPI_COMM_SELF);
   ASSERT_EQ(reduced.status, contact::Status::solved);
@@ -261,7 +261,7 @@ TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) 
     double normal_rotation, penetration;
   };
   const auto solve_with = [](bool whole, double penalty) {
-    computation::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
+    problem::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
     problem.discretisation.tangency = {.formulation = Formulation::penalised, .penalty = penalty};
     const computation::Result start = computation::solve(problem, MPI_COMM_WORLD);
     auto& discrete = *start.solution->discrete;

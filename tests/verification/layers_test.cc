@@ -2,7 +2,7 @@
 #include "verification/reference_problems.hpp"
 
 #include <plastron/computation/solve.hpp>
-#include <plastron/computation/start_mesh.hpp>
+#include <plastron/meshing/start_mesh.hpp>
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,13 @@ namespace plastron::verification::layers_test {
 namespace {
 
 /// The saddle clamped on one edge, on its start mesh of the recommended degree.
-computation::Problem saddle(double thickness) {
-  computation::Problem p = hyperbolic_paraboloid(1e-3, ShearCorrection::one, false, 8, 0).problem;
+problem::Problem saddle(double thickness) {
+  problem::Problem p = hyperbolic_paraboloid(1e-3, ShearCorrection::one, false, 8, 0).problem;
   p.sections.common.thickness = geometry::Expression(thickness);
   p.area_loads.front().force[2] = geometry::Expression(-8000 * thickness);
   p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}};
-  p.discretisation.layers = computation::Layers::automatic;
-  p.discretisation.degree = computation::recommended_degree(p);
+  p.discretisation.layers = problem::Layers::automatic;
+  p.discretisation.degree = meshing::recommended_degree(p);
   return p;
 }
 
@@ -44,9 +44,9 @@ TEST_P(SaddleOfThickness, IsWithinOneThousandthOnItsStartMesh) {
 
 /// 59 230 unknowns with one row along each edge.
 TEST(StartMeshWithNarrowRows, TakesASaddleToOneTenThousandthWithFortyThousandUnknowns) {
-  computation::Problem p = saddle(1e-3);
+  problem::Problem p = saddle(1e-3);
   p.discretisation.degree = 4;
-  p.accuracy = computation::Accuracy{.goals = {{"probe.free end.u.z", 1e-4}}};
+  p.accuracy = problem::Accuracy{.goals = {{"probe.free end.u.z", 1e-4}}};
   const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   EXPECT_NEAR(-result.probes.front().values.u[2] / 6.39917e-3, 1, 1e-4);
@@ -55,22 +55,22 @@ TEST(StartMeshWithNarrowRows, TakesASaddleToOneTenThousandthWithFortyThousandUnk
 
 /// Cells that joined brought their errors back, which were divided again, and so on without end: meshes of 137 000 and 206 000 unknowns in turn.
 TEST(AccuracyOfASaddle, IsReachedAtDegreeTwoAlthoughCellsThatJoinBringErrorsBack) {
-  computation::Problem p = saddle(1e-2);
+  problem::Problem p = saddle(1e-2);
   p.discretisation.degree = 2;
-  p.accuracy = computation::Accuracy{.goals = {{"energy", 1e-2}}, .max_unknowns = 190'000};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-2}}, .max_unknowns = 190'000};
   const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved);
   EXPECT_NEAR(result.summary.energy.total() / 1.68167e-3, 1, 1e-2);
 }
 
 TEST(StartMeshOfDegreeTwo, HasLessThanAThirdOfTheErrorOfEvenCells) {
-  computation::Problem rows = saddle(1e-3);
+  problem::Problem rows = saddle(1e-3);
   rows.discretisation.degree = 2;
   rows.discretisation.refinements = 3;
-  computation::Problem plain = rows;
-  plain.discretisation.layers = computation::Layers::none;
+  problem::Problem plain = rows;
+  plain.discretisation.layers = problem::Layers::none;
   plain.discretisation.refinements = 5;  // 33 x 33 nodes a side of the square make 21 125 unknowns
-  const auto error = [](const computation::Problem& p, std::int64_t& unknowns) {
+  const auto error = [](const problem::Problem& p, std::int64_t& unknowns) {
     const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
     unknowns = result.levels.back().unknowns;
     return std::abs(result.summary.energy.total() / 1.102284e-2 - 1);
@@ -84,8 +84,8 @@ TEST(StartMeshOfDegreeTwo, HasLessThanAThirdOfTheErrorOfEvenCells) {
 TEST(StartMeshInContact, IsWithinOneThousandthOnACapAndAPlateWithFewerThanFourThousandUnknowns) {
   for (const char* name : {"R4cap_e0.02_p0.002", "R3_e0.01_P0.5"}) {
     ContactReference reference = contact_reference(name, 3, 0);
-    reference.problem.discretisation.layers = computation::Layers::automatic;
-    reference.problem.discretisation.degree = computation::recommended_degree(reference.problem);
+    reference.problem.discretisation.layers = problem::Layers::automatic;
+    reference.problem.discretisation.degree = meshing::recommended_degree(reference.problem);
     const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
     ASSERT_EQ(result.status, contact::Status::solved) << name;
     EXPECT_NEAR(result.levels.back().energy / reference.energy, 1, 1e-3) << name;

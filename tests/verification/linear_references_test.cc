@@ -160,7 +160,7 @@ TEST(RoundOff, ResidualsThroughStrainsKeepTheEnergyIdentityAtDegreeEightAndThick
   F.solve(load, z);
   z.update_ghosts();
   const contact::BoxSolution solution{.z = std::move(z), .activity = std::vector<contact::Activity>(pinned.size())};
-  const auto verdict = certificate::certify(discrete, certificate::nodal_solution(discrete, solution));
+  const auto verdict = certificate::certify(discrete, solution::nodal_solution(discrete, solution));
   expect_figure("round-off", "one direct solve", "energy identity", verdict.certificate.energy_identity);
   EXPECT_GT(verdict.certificate.energy_identity, 10 * result.certificate.energy_identity);
 }

@@ -24,7 +24,7 @@ Errors errors(const Manufactured& exact, int degree, bool tying, int first, int 
               fem::Shape cells = fem::Shape::quadrilateral) {
   Errors e;
   for (int refinements = first; refinements <= last; ++refinements) {
-    computation::Problem problem = manufactured_problem(exact, degree, refinements);
+    problem::Problem problem = manufactured_problem(exact, degree, refinements);
     problem.discretisation.tying = tying;
     problem.discretisation.cells = cells;
     problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};

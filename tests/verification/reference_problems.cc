@@ -84,8 +84,8 @@ double radius_at(const ordered_json& entry, double t) {
   return entry["profile"] == "bowl" ? entry["params"]["geometry"]["R"].get<double>() * std::sin(t) : t;
 }
 
-computation::Problem pressed_shell(const ordered_json& params) {
-  computation::Problem problem;
+problem::Problem pressed_shell(const ordered_json& params) {
+  problem::Problem problem;
   problem.sections.common.thickness = Expression(params["e"].get<double>());
   problem.sections.common.material = shell::Material::from_young_poisson(params["E"], params["nu"], params["ks"]);
   problem.area_loads = {downward(params["p"])};
@@ -97,7 +97,7 @@ void make_strip(const ordered_json& entry, ContactReference& reference) {
   const auto& params = entry["params"];
   const double from = params["t0"], to = params["t1"];
   const double width = (to - from) / 8;
-  computation::Problem& problem = reference.problem;
+  problem::Problem& problem = reference.problem;
   problem.domain = fem::Rectangle{.from = {from, 0}, .to = {to, width}, .cells = {8, 1}};
   problem.charts.emplace("", strip_chart(entry["profile"], constants_of(params["geometry"])));
   problem.supports = {params["bc0"] == "sym" ? symmetry("left") : clamped("left"), clamped("right"), in_plane("bottom"),
@@ -106,7 +106,7 @@ void make_strip(const ordered_json& entry, ContactReference& reference) {
 }
 
 void make_disk(const ordered_json& entry, ContactReference& reference) {
-  computation::Problem& problem = reference.problem;
+  problem::Problem& problem = reference.problem;
   problem.domain = fem::Disk{.radius = radius_at(entry, entry["params"]["t1"])};
   problem.charts.emplace("", disk_chart(entry["profile"], constants_of(entry["params"]["geometry"])));
   problem.supports = {clamped("rim")};
@@ -167,8 +167,8 @@ std::vector<ReferenceRow> rows_of(const ordered_json& entry, bool axisymmetric) 
 double factor_of(ShearCorrection k) { return k == ShearCorrection::one ? 1 : 5.0 / 6; }
 double pick(ShearCorrection k, double five_sixths, double one) { return k == ShearCorrection::one ? one : five_sixths; }
 
-computation::Problem free_shell(double E, double nu, ShearCorrection k, double thickness, int degree, int refinements) {
-  computation::Problem problem;
+problem::Problem free_shell(double E, double nu, ShearCorrection k, double thickness, int degree, int refinements) {
+  problem::Problem problem;
   problem.sections.common.thickness = Expression(thickness);
   problem.sections.common.material = shell::Material::from_young_poisson(E, nu, factor_of(k));
   problem.discretisation = {.degree = degree, .refinements = refinements};
@@ -286,9 +286,9 @@ ContactReference pressed_strip(double thickness, int degree, int refinements) {
   return reference;
 }
 
-computation::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements) {
+problem::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements) {
   const auto& [E, nu, e, k_s] = exact.shell();
-  computation::Problem problem;
+  problem::Problem problem;
   problem.domain = fem::Rectangle{.cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart(Manufactured::chart(), {}));
   problem.sections.common.thickness = Expression(e);
@@ -307,7 +307,7 @@ LinearReference hyperbolic_paraboloid(double thickness, ShearCorrection k, bool 
   LinearReference reference{.name = fmt::format("hyperbolic paraboloid, e = {}", thickness),
                             .problem = free_shell(2e11, 0.3, k, thickness, degree, refinements),
                             .direction = -Eigen::Vector3d::UnitZ()};
-  computation::Problem& problem = reference.problem;
+  problem::Problem& problem = reference.problem;
   problem.domain = fem::Rectangle{.from = {-0.5, half ? 0 : -0.5}, .to = {0.5, 0.5}, .cells = {2, half ? 1 : 2}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "x^2 - y^2"}, {}));
   problem.supports = {clamped("left")};
@@ -324,7 +324,7 @@ LinearReference free_hyperboloid(double thickness, ShearCorrection k, int degree
   LinearReference reference{.name = fmt::format("free hyperboloid, e = {}", thickness),
                             .problem = free_shell(2.85e4, 0.3, k, thickness, degree, refinements),
                             .direction = Eigen::Vector3d::UnitX()};
-  computation::Problem& problem = reference.problem;
+  problem::Problem& problem = reference.problem;
   problem.domain = fem::Rectangle{.from = {0, 0}, .to = {std::numbers::pi / 2, 1}, .cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart({"sqrt(1 + y^2)*cos(x)", "sqrt(1 + y^2)*sin(x)", "y"}, {}));
   problem.supports = {symmetry("left"), symmetry("right"), symmetry("bottom")};  // y = 0, x = 0, z = 0
@@ -342,7 +342,7 @@ LinearReference scordelis_lo(ShearCorrection k, bool hard_diaphragm, int degree,
       .name = hard_diaphragm ? "Scordelis-Lo roof, hard diaphragm" : "Scordelis-Lo roof, soft diaphragm",
       .problem = free_shell(4.32e8, 0, k, 0.25, degree, refinements),
       .direction = -Eigen::Vector3d::UnitZ()};
-  computation::Problem& problem = reference.problem;
+  problem::Problem& problem = reference.problem;
   const double R = 25, half_arc = R * 40 * std::numbers::pi / 180;  // x is the arc length from the crown, y the axis
   problem.domain = fem::Rectangle{.from = {0, 0}, .to = {half_arc, 25}, .cells = {2, 3}};
   problem.charts.emplace("", geometry::Chart({"R*sin(x/R)", "y", "R*cos(x/R)"}, {{"R", R}}));
@@ -362,7 +362,7 @@ LinearReference clamped_plate(double thickness, ShearCorrection k, int degree, i
   LinearReference reference{.name = fmt::format("clamped plate, e = {}", thickness),
                             .problem = free_shell(E, nu, k, thickness, degree, refinements),
                             .direction = -Eigen::Vector3d::UnitZ()};
-  computation::Problem& problem = reference.problem;
+  problem::Problem& problem = reference.problem;
   problem.domain = fem::Rectangle{.from = {0, 0}, .to = {0.5, 0.5}, .cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "0"}, {}));
   problem.supports = {clamped("left"), clamped("bottom"), symmetry("right"), symmetry("top")};
@@ -377,7 +377,7 @@ LinearReference clamped_saddle(int degree, int refinements) {
   LinearReference reference{.name = "clamped saddle over a diamond",
                             .problem = free_shell(2.85e4, 0.4, ShearCorrection::one, 0.8, degree, refinements),
                             .direction = -Eigen::Vector3d::UnitZ()};
-  computation::Problem& problem = reference.problem;
+  problem::Problem& problem = reference.problem;
   const double corner = 50 * std::numbers::sqrt2;
   problem.domain = fem::Polygon{{{corner, 0}, {0, corner}, {-corner, 0}, {0, -corner}}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "c*(x^2 - y^2)/(2*b^2)"}, {{"b", 50}, {"c", 10}}));

@@ -4,7 +4,7 @@
 #pragma once
 #include "verification/manufactured.hpp"
 
-#include <plastron/computation/problem.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <optional>
 #include <string>
@@ -24,7 +24,7 @@ struct ReferenceRow {
 
 struct ContactReference {
   std::string name;
-  computation::Problem problem;
+  problem::Problem problem;
   bool axisymmetric = false;  ///< a disk; otherwise a strip along x
   /// Multiplies what is computed (energies, work, reaction) to give the numbers below: 1 / width for a strip, whose
   /// numbers are per unit width of the modelled part, and 1 for a disk.
@@ -52,12 +52,12 @@ ContactReference pressed_strip(double thickness, int degree, int refinements);
 
 /// The problem a manufactured solution solves: clamped all round, with its loads, and the plane x3 = 0 for the contact
 /// solution.
-computation::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements);
+problem::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements);
 
 /// A linear shell with one point whose displacement is known.
 struct LinearReference {
   std::string name;
-  computation::Problem problem;    ///< its only probe is the reference point
+  problem::Problem problem;        ///< its only probe is the reference point
   Eigen::Vector3d direction;       ///< the displacement is u(probe) . direction
   double displacement = 0;         ///< [m]
   std::optional<double> energy{};  ///< of the part that is modelled [J]

@@ -10,7 +10,7 @@ namespace plastron::verification {
 
 namespace {
 
-obstacle::Gap gap_of(const computation::Problem& problem, double x, double y) {
+obstacle::Gap gap_of(const problem::Problem& problem, double x, double y) {
   const geometry::SurfaceJet phi = problem.charts.at("")(x, y);
   return obstacle::gap_at(problem.obstacles.at(0),
                           {phi.value, geometry::unit_normal(phi), problem.sections.common.thickness(x, y)});
@@ -62,13 +62,13 @@ TEST(ReferenceProblems, HaveTheStripInClosedFormAsTheyHaveItFromTheirSolver) {
     EXPECT_NEAR(strip.boundaries.front(), stored.boundaries.front(), 1e-11) << e;
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     EXPECT_NEAR(gap_of(strip.problem, 0, 0)(none, none), gap_of(stored.problem, 0, 0)(none, none), 1e-15) << e;
-    const auto load = [](const computation::Problem& problem) { return problem.area_loads.front().force[2](0, 0); };
+    const auto load = [](const problem::Problem& problem) { return problem.area_loads.front().force[2](0, 0); };
     EXPECT_NEAR(load(strip.problem) / load(stored.problem), 1, 1e-14) << e;
   }
 }
 
 TEST(ReferenceProblems, NameBoundariesOfTheirDomains) {
-  std::vector<computation::Problem> problems;
+  std::vector<problem::Problem> problems;
   for (const auto& name : contact_reference_names()) problems.push_back(contact_reference(name, 2, 3).problem);
   for (const auto k : {ShearCorrection::one, ShearCorrection::five_sixths}) {
     for (const bool half : {false, true}) problems.push_back(hyperbolic_paraboloid(0.01, k, half, 2, 3).problem);
@@ -84,7 +84,7 @@ TEST(ReferenceProblems, NameBoundariesOfTheirDomains) {
 
 TEST(ReferenceProblems, ManufacturedProblemsHaveTheirExactGapsAndLoads) {
   const Manufactured exact(ManufacturedSolution::contact, {.thickness = 0.3});
-  const computation::Problem problem = manufactured_problem(exact, 2, 3);
+  const problem::Problem problem = manufactured_problem(exact, 2, 3);
   const double x = 0.2, y = 0.3;
   EXPECT_NEAR(gap_of(problem, x, y)(exact.u(x, y).value, exact.r(x, y).value), exact.gap(x, y), 1e-15);
   EXPECT_EQ(problem.area_loads.at(0).force_function(x, y), exact.force(x, y));

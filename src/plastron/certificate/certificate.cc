@@ -3,16 +3,15 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/multiplier.hpp>
-#include <plastron/certificate/contact_zones.hpp>
 #include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
 #include <plastron/obstacle/error.hpp>
+#include <plastron/solution/pushed_sideways.hpp>
+#include <plastron/zones/contact_zones.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 
 namespace plastron::certificate {
 
@@ -22,21 +21,6 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 Vector6 block6(const algebra::Vector& v, std::size_t node) {
   return Eigen::Map<const Vector6>(v.local().data() + 6 * node);
-}
-
-/// Returns A y + B' lambda - l per owned node, computed from strains. The entries of tied and carried nodes are added
-/// to their masters.
-algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
-  algebra::Vector r(discrete.space().layout, 6);
-  discrete.residual(solution.y, r);
-  if (solution.lambda.layout()) {
-    algebra::Vector lambda = solution.lambda, f(discrete.space().layout, 6);
-    apply_coupling_transposed(discrete.shell, lambda, f);
-    algebra::axpy(1, f, r);
-  }
-  fem::collect(discrete.space(), r);
-  fem::hand_back(discrete.space(), r);
-  return r;
 }
 
 /// Forces, moments and energies of strains as large as the displacements relative to the shell's size.
@@ -74,8 +58,8 @@ double load_norms(const assembly::DiscreteShell& discrete, double size) {
 
 /// Sums over the owned nodes of one rank.
 struct Sums {
-  Wrench loads, supports;
-  std::vector<ObstacleContact> obstacles{};
+  solution::Wrench loads, supports;
+  std::vector<solution::ObstacleContact> obstacles{};
   double force_scale = 0, moment_scale = 0;  // sums of the norms of all nodal contributions
   double load_work = 0, contact_work = 0, support_work = 0, lift_work = 0;
   double free_residual = 0, all_forces = 0;
@@ -85,11 +69,11 @@ struct Sums {
   StrainScale strain_scale;
   double min_pressure = std::numeric_limits<double>::infinity(), min_gap = std::numeric_limits<double>::infinity();
   std::int64_t touching = 0;
-  std::vector<NodalSupportForce> at_supports{};
+  std::vector<solution::NodalSupportForce> at_supports{};
 };
 
-void add(Wrench& wrench, const assembly::NodalPoint& p, const Vector6& f, Sums& sums) {
-  wrench += nodal_wrench(p.phi, p.a3, f);
+void add(solution::Wrench& wrench, const assembly::NodalPoint& p, const Vector6& f, Sums& sums) {
+  wrench += solution::nodal_wrench(p.phi, p.a3, f);
   sums.force_scale += f.head<3>().norm() + f.tail<3>().norm() / p.thickness;
   sums.moment_scale += p.phi.cross(f.head<3>()).norm() + f.tail<3>().norm();
 }
@@ -116,7 +100,7 @@ void note_size(const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
 }
 
 /// Adds one obstacle at one node. Returns its generalised force.
-Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+Vector6 add_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                     const assembly::ContactRow& row, const Vector6& y, Sums& sums) {
   const auto k = static_cast<std::size_t>(row.obstacle);
   const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
@@ -126,7 +110,7 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution
   const std::size_t at = row.node * discrete.coordinates.gaps.size() + k;
   if (solution.touching.local()[at] == 0) return Vector6::Zero();
   const double pressure = solution.pressure.local()[at];
-  ObstacleContact& contact = sums.obstacles[k];
+  solution::ObstacleContact& contact = sums.obstacles[k];
   contact.nodes += 1;
   sums.max_pressure = std::max(sums.max_pressure, pressure);
   sums.min_pressure = std::min(sums.min_pressure, pressure);
@@ -140,17 +124,17 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const NodalSolution
 }
 
 /// Adds all obstacles at one node. Returns their generalised force.
-Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i,
+Vector6 add_contacts(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, std::size_t i,
                      const Vector6& y, Sums& sums) {
   Vector6 force = Vector6::Zero();
   for (const assembly::ContactRow& row : discrete.coordinates.rows_of(i))
     force += add_contact(discrete, solution, row, y, sums);
-  if (touches(solution, i)) sums.touching += 1;
+  if (solution::touches(solution, i)) sums.touching += 1;
   return force;
 }
 
-void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& r,
-              Sums& sums) {
+void add_node(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, std::size_t i,
+              const Vector6& r, Sums& sums) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   const Vector6 y = block6(solution.y, i), load = block6(discrete.load, i);
   add(sums.loads, discrete.points[i], load, sums);
@@ -183,7 +167,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
 }
 
 /// Adds the unknowns of rigid bodies. Only the first rank adds the values that all ranks share.
-void add_bodies(const BodyBalance& balance, MPI_Comm comm, Sums& sums) {
+void add_bodies(const solution::BodyBalance& balance, MPI_Comm comm, Sums& sums) {
   sums.free_residual += balance.free_residual;
   sums.all_forces += balance.all_forces;
   sums.support_error = std::max(sums.support_error, balance.support_error);
@@ -213,31 +197,32 @@ double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebr
 /// A ratio of squares. Smaller strains relative to displacements are rounding: double precision leaves 1e-32 (L/h)^2.
 constexpr double rounding_of_energy = 1e-22;
 
-Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Sums& sums) {
+solution::Summary summary_of(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                             const Sums& sums) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  Summary s;
+  solution::Summary s;
   s.energy = discrete.shell.energies(solution.y);
   s.second_order = assembly::second_order(discrete.shell, solution.y);
   s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
-  s.loads = over_ranks(sums.loads, comm);
-  const std::vector<double> areas = contact_areas(discrete, solution);
-  for (const ObstacleContact& contact : sums.obstacles) {
+  s.loads = solution::over_ranks(sums.loads, comm);
+  const std::vector<double> areas = zones::contact_areas(discrete, solution);
+  for (const solution::ObstacleContact& contact : sums.obstacles) {
     s.obstacles.push_back(contact);
-    s.obstacles.back().reaction = over_ranks(contact.reaction, comm);
+    s.obstacles.back().reaction = solution::over_ranks(contact.reaction, comm);
     s.obstacles.back().area = areas[s.obstacles.size() - 1];
     s.contact_area += s.obstacles.back().area;
     s.obstacles.back().nodes = algebra::sum_over_ranks(contact.nodes, comm);
     s.reaction.force += s.obstacles.back().reaction.force;
     s.reaction.moment += s.obstacles.back().reaction.moment;
   }
-  s.support_reaction = over_ranks(sums.supports, comm);
+  s.support_reaction = solution::over_ranks(sums.supports, comm);
   s.touching_nodes = algebra::sum_over_ranks(sums.touching, comm);
   s.max_pressure = algebra::max_over_ranks(sums.max_pressure, comm);
   s.max_displacement = algebra::max_over_ranks(sums.displacement, comm);
   s.max_relative_displacement = algebra::max_over_ranks(sums.relative_displacement, comm);
   s.max_rotation = algebra::max_over_ranks(sums.rotation, comm);
   s.least_thickness = algebra::min_over_ranks(sums.thickness, comm);
-  s.edge = edge_contact(discrete, solution);
+  s.edge = solution::edge_contact(discrete, solution);
   s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
   s.max_normal_rotation = max_normal_rotation(discrete, solution.y);
   s.is_admissible_wanted = discrete.state.is_admissible();
@@ -250,7 +235,7 @@ Summary summary_of(const assembly::DiscreteShell& discrete, const NodalSolution&
 double ratio(double part, double whole) { return whole > 0 ? part / whole : part; }
 
 /// `least` are the scales below which forces and energies are rounding.
-Certificate certificate_of(const assembly::DiscreteShell& discrete, const Sums& sums, const Summary& s,
+Certificate certificate_of(const assembly::DiscreteShell& discrete, const Sums& sums, const solution::Summary& s,
                            const StrainScale& least) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const auto sum = [comm](double value) { return algebra::sum_over_ranks(value, comm); };
@@ -259,7 +244,7 @@ Certificate certificate_of(const assembly::DiscreteShell& discrete, const Sums& 
       ratio(std::sqrt(sum(sums.free_residual)), std::sqrt(std::max(sum(sums.all_forces), least.squared_force)));
   c.min_pressure = s.touching_nodes > 0 ? algebra::min_over_ranks(sums.min_pressure, comm) : 0;
   c.min_gap_nodes = algebra::min_over_ranks(sums.min_gap, comm);
-  for (const ObstacleContact& obstacle : s.obstacles)
+  for (const solution::ObstacleContact& obstacle : s.obstacles)
     c.min_gap_between = std::min(c.min_gap_between, obstacle.least_gap);
   c.support_error = algebra::max_over_ranks(sums.support_error, comm);
   c.complementarity = algebra::max_over_ranks(sums.complementarity, comm);
@@ -273,117 +258,12 @@ Certificate certificate_of(const assembly::DiscreteShell& discrete, const Sums& 
   return c;
 }
 
-}  // namespace
-
-double total_pressure(const NodalSolution& solution, std::size_t node) {
-  const auto block = static_cast<std::size_t>(solution.pressure.block());
-  const auto all = solution.pressure.local().subspan(node * block, block);
-  return std::accumulate(all.begin() + 1, all.end(), all[0]);
-}
-
-bool touches(const NodalSolution& solution, std::size_t node) {
-  const auto block = static_cast<std::size_t>(solution.touching.block());
-  return std::ranges::any_of(solution.touching.local().subspan(node * block, block), [](double t) { return t != 0; });
-}
-
-NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& box) {
-  const auto& layout = discrete.space().layout;
-  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  const int obstacles = std::max(1, static_cast<int>(coordinates.gaps.size()));
-  NodalSolution solution{.y = algebra::Vector(layout, 6),
-                         .pressure = algebra::Vector(layout, obstacles),
-                         .touching = algebra::Vector(layout, obstacles),
-                         .lambda = box.equation_multiplier};
-  coordinates.to_cartesian(box.z, solution.y);
-  if (solution.lambda.layout()) {
-    solution.lambda.update_ghosts();
-    fem::spread(discrete.space(), solution.lambda);
-  }
-  const algebra::Vector r = residual(discrete, solution);
-  for (const assembly::ContactRow& row : coordinates.rows) {
-    if (!row.binds) continue;
-    const auto bound = row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
-    if (box.activity[coordinates.at(row.node, row.coordinate)] != bound) continue;
-    const std::size_t at = row.node * static_cast<std::size_t>(obstacles) + static_cast<std::size_t>(row.obstacle);
-    solution.touching.local()[at] = 1;
-    solution.pressure.local()[at] = coordinates.basis[row.node].col(row.coordinate).dot(block6(r, row.node)) /
-                                    (row.scale * discrete.points[row.node].weight);
-  }
-  for (algebra::Vector* field : {&solution.touching, &solution.pressure}) {
-    field->update_ghosts();
-    fem::spread(discrete.space(), *field);
-  }
-  // Interpolation between touching and free masters gives a fraction: a tied node either touches or does not.
-  for (const fem::Tie& tie : discrete.space().ties)
-    for (std::size_t k = 0; k < static_cast<std::size_t>(obstacles); ++k) {
-      double& touches =
-          solution.touching.local()[static_cast<std::size_t>(tie.node) * static_cast<std::size_t>(obstacles) + k];
-      touches = touches > 0.5 ? 1 : 0;
-    }
-  return solution;
-}
-
-namespace {
-
 /// The obstacle's place, with no contact.
-ObstacleContact untouched(const obstacle::Obstacle& at_start, const obstacle::Obstacle& now) {
+solution::ObstacleContact untouched(const obstacle::Obstacle& at_start, const obstacle::Obstacle& now) {
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.placement.rotation * at_start.placement.rotation.transpose()));
   return {.name = now.name,
           .translation = now.placement.translation - at_start.placement.translation,
           .rotation = turn.angle() * turn.axis()};
-}
-
-}  // namespace
-
-namespace {
-
-/// Marks the nodes on the boundary of the domain.
-std::vector<char> nodes_on_edges(const fem::Space& space) {
-  std::vector<char> marks(static_cast<std::size_t>(space.layout->local_size()));
-  for (const fem::BoundarySide& side : space.sides)
-    if (!side.is_inner)
-      for (const int i : fem::side_nodes(space.shape(), space.degree, side.side))
-        marks[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
-  return marks;
-}
-
-/// Owned nodes pushed by an obstacle along the shell out of a place deep inside it.
-struct PushedSideways {
-  std::int64_t nodes = 0;
-  double force = 0, all_forces = 0;  ///< at touching nodes inside the shell; at all touching nodes [N]
-};
-PushedSideways pushed_sideways(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t k,
-                               const std::vector<char>& on_edges) {
-  constexpr double sideways = 0.5;      // cosine between the obstacle's normal and the shell's: 60 degrees
-  constexpr double deep_inside = 0.25;  // part of the thickness
-  const obstacle::Obstacle obstacle = discrete.obstacles.now(k);
-  PushedSideways pushed;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-    const std::size_t at = i * discrete.obstacles.all.size() + k;
-    if (solution.touching.local()[at] == 0) continue;
-    const obstacle::Gap& gap = discrete.coordinates.gaps[k][i];
-    const assembly::NodalPoint& point = discrete.points[i];
-    const double force = solution.pressure.local()[at] * point.weight;
-    pushed.all_forces += force;
-    if (!(std::abs(gap.normal.dot(point.a3)) < sideways) ||
-        !(obstacle.nearest(gap.contact_point).distance < -deep_inside * point.thickness))
-      continue;
-    pushed.nodes += 1;
-    if (!on_edges[i]) pushed.force += force;
-  }
-  return pushed;
-}
-
-void add_pushed_sideways(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Summary& summary) {
-  const MPI_Comm comm = discrete.space().layout->comm;
-  const std::vector<char> on_edges = nodes_on_edges(discrete.space());
-  for (std::size_t k = 0; k < summary.obstacles.size(); ++k) {
-    const auto pushed = algebra::in_agreement<obstacle::ObstacleError>(
-        comm, [&] { return pushed_sideways(discrete, solution, k, on_edges); });
-    summary.obstacles[k].sideways_nodes = algebra::sum_over_ranks(pushed.nodes, comm);
-    summary.obstacles[k].sideways_part =
-        ratio(algebra::sum_over_ranks(pushed.force, comm), algebra::sum_over_ranks(pushed.all_forces, comm));
-  }
 }
 
 /// Removes the cells at rigid bodies: no bound keeps a body's nodes out of obstacles. BodyReaction contains their
@@ -402,7 +282,8 @@ void leave_out_bodies(const fem::Space& space, std::vector<CellGap>& cells) {
 }
 
 /// Adds the searched gaps, and for each obstacle the least gap of all ranks with its place.
-void add_least_gaps(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Verdict& verdict) {
+void add_least_gaps(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                    Verdict& verdict) {
   if (discrete.obstacles.empty()) return;
   const MPI_Comm comm = discrete.space().layout->comm;
   constexpr double nowhere = std::numeric_limits<double>::infinity();
@@ -410,7 +291,7 @@ void add_least_gaps(const assembly::DiscreteShell& discrete, const NodalSolution
       algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return searched_gaps(discrete, solution.y); });
   leave_out_bodies(discrete.space(), cells);
   for (std::size_t k = 0; k < verdict.summary.obstacles.size(); ++k) {
-    ObstacleContact& contact = verdict.summary.obstacles[k];
+    solution::ObstacleContact& contact = verdict.summary.obstacles[k];
     Eigen::Vector2d at(nowhere, nowhere);
     double least = nowhere;
     for (const CellGap& cell : cells)
@@ -429,9 +310,9 @@ void add_least_gaps(const assembly::DiscreteShell& discrete, const NodalSolution
 
 }  // namespace
 
-Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
+Verdict certify(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  const algebra::Vector r = residual(discrete, solution);
+  const algebra::Vector r = solution::residual(discrete, solution);
   const double size = size_of(discrete);
   Sums sums;
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
@@ -440,13 +321,13 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
     add_node(discrete, solution, i, block6(r, i), sums);
     sums.strain_scale.add(discrete.points[i], block6(solution.y, i), size);
   }
-  BodyBalance bodies = body_balance(discrete, solution.y, r);
+  solution::BodyBalance bodies = solution::body_balance(discrete, solution.y, r);
   add_bodies(bodies, comm, sums);
 
   Verdict verdict{.summary = summary_of(discrete, solution, sums), .certificate = {}};
   verdict.summary.size = size;
   add_least_gaps(discrete, solution, verdict);
-  add_pushed_sideways(discrete, solution, verdict.summary);
+  solution::add_pushed_sideways(discrete, solution, verdict.summary);
   const double a = 2 * (verdict.summary.energy.total() + verdict.summary.tangency_energy);
   const StrainScale scale = sums.strain_scale.over_ranks(comm);
   const bool is_unstrained = a < rounding_of_energy * scale.energy;
@@ -454,7 +335,7 @@ Verdict certify(const assembly::DiscreteShell& discrete, const NodalSolution& so
   verdict.summary.rounding_energy = rounding_of_energy * scale.energy;
   if (is_unstrained) verdict.summary.second_order.work = 0;  // membrane forces are only rounding
   verdict.summary.load_norms = load_norms(discrete, size);
-  SupportReactions supports = support_reactions(discrete, sums.at_supports);
+  solution::SupportReactions supports = solution::support_reactions(discrete, sums.at_supports);
   verdict.summary.support_reactions = std::move(supports.boundaries);
   verdict.summary.corner_reactions = std::move(supports.corners);
   verdict.summary.point_reactions = std::move(supports.points);

@@ -27,7 +27,7 @@ constexpr double passing_depth = 0.25;
 /// Part of an obstacle's reaction.
 constexpr double sideways_part = 1e-2;
 
-const char* missed_reason(const ObstacleContact& obstacle) {
+const char* missed_reason(const solution::ObstacleContact& obstacle) {
   return obstacle.nodes == 0 ? "a hundredth of the thickness where no node touches the obstacle: deeper, the nodes "
                                "have missed the contact; refine the "
                                "mesh there, or ask for an accuracy in place of the mesh"
@@ -36,19 +36,19 @@ const char* missed_reason(const ObstacleContact& obstacle) {
                                "for an accuracy in place of the mesh";
 }
 
-std::string place_of(const ObstacleContact& obstacle) {
+std::string place_of(const solution::ObstacleContact& obstacle) {
   return fmt::format("{}{} at x = {:.4g}, y = {:.4g}", obstacle.name.empty() ? "the obstacle" : "the obstacle ",
                      obstacle.name.empty() ? "" : fmt::format("\"{}\"", obstacle.name), obstacle.least_gap_at[0],
                      obstacle.least_gap_at[1]);
 }
 
 /// Adds the row of the obstacle that exceeds its limit most.
-void add_gap_between(const Summary& s, double admissible, std::vector<CertificateLimit>& limits) {
-  const auto allowed = [&](const ObstacleContact& obstacle) {
+void add_gap_between(const solution::Summary& s, double admissible, std::vector<CertificateLimit>& limits) {
+  const auto allowed = [&](const solution::ObstacleContact& obstacle) {
     return s.is_admissible_wanted ? admissible : least_gap_allowed(s, obstacle);
   };
-  const ObstacleContact* worst = nullptr;
-  for (const ObstacleContact& obstacle : s.obstacles)
+  const solution::ObstacleContact* worst = nullptr;
+  for (const solution::ObstacleContact& obstacle : s.obstacles)
     if (std::isfinite(obstacle.least_gap) &&
         (!worst || obstacle.least_gap - allowed(obstacle) < worst->least_gap - allowed(*worst)))
       worst = &obstacle;
@@ -61,8 +61,8 @@ void add_gap_between(const Summary& s, double admissible, std::vector<Certificat
   limits.push_back({"min_gap_between", "m", worst->least_gap, allowed(*worst), true, reason, place_of(*worst)});
 }
 
-void add_pushed_sideways(const Summary& s, std::vector<CertificateLimit>& limits) {
-  const auto worst = std::ranges::max_element(s.obstacles, {}, &ObstacleContact::sideways_part);
+void add_pushed_sideways(const solution::Summary& s, std::vector<CertificateLimit>& limits) {
+  const auto worst = std::ranges::max_element(s.obstacles, {}, &solution::ObstacleContact::sideways_part);
   if (worst == s.obstacles.end() || worst->sideways_part == 0) return;
   limits.push_back({"pushed_sideways", "1", worst->sideways_part, sideways_part, false,
                     "an obstacle presses on the shell's face: where more of the shell than its thickness lies in an "
@@ -72,7 +72,7 @@ void add_pushed_sideways(const Summary& s, std::vector<CertificateLimit>& limits
 }
 
 void add_contact_limits(const Verdict& v, double length, std::vector<CertificateLimit>& limits) {
-  const Summary& s = v.summary;
+  const solution::Summary& s = v.summary;
   const Certificate& c = v.certificate;
   if (std::isfinite(c.min_gap_nodes))
     limits.push_back({"min_gap_nodes", "m", c.min_gap_nodes, -algebraic * length, true,
@@ -96,7 +96,7 @@ std::string CertificateLimit::text() const {
   return fmt::format("{} is {:.2g}{}{}{}, its limit {:.2g}{}{}", row, value, space, shown, where, limit, space, shown);
 }
 
-double least_gap_allowed(const Summary& summary, const ObstacleContact& obstacle) {
+double least_gap_allowed(const solution::Summary& summary, const solution::ObstacleContact& obstacle) {
   return -(obstacle.nodes == 0 ? missed_depth : passing_depth) * summary.least_thickness;
 }
 

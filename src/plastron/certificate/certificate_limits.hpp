@@ -25,7 +25,7 @@ struct CertificateLimit {
 };
 
 /// The smallest accepted gap to an obstacle between nodes where the solution need not be admissible there [m].
-double least_gap_allowed(const Summary& summary, const ObstacleContact& obstacle);
+double least_gap_allowed(const solution::Summary& summary, const solution::ObstacleContact& obstacle);
 
 /// Returns every row with its limit. Rows without meaning (no contact, no cell near the obstacle) are left out.
 std::vector<CertificateLimit> certificate_limits(const Verdict& verdict, element::Formulation formulation);

@@ -1,10 +1,12 @@
 #include <plastron/computation/adaptivity.hpp>
 
 #include <plastron/algebra/vector.hpp>
-#include <plastron/computation/chord_cuts.hpp>
-#include <plastron/computation/goal_names.hpp>
 #include <plastron/computation/memory.hpp>
+#include <plastron/estimation/goal_record.hpp>
 #include <plastron/fem/surface.hpp>
+#include <plastron/meshing/chord_cuts.hpp>
+#include <plastron/meshing/marks.hpp>
+#include <plastron/problem/goal_names.hpp>
 
 #include <fmt/format.h>
 
@@ -19,141 +21,24 @@ namespace plastron::computation {
 
 namespace {
 
-/// Returns for each owned cell the largest error that any goal has in it, relative to the allowed error.
-std::vector<double> indicators(const fem::Space& space, const std::vector<GoalRecord>& records,
-                               const estimation::Estimates& estimates) {
-  std::vector<double> all(space.owned_cells, 0.0);
-  for (std::size_t g = 0; g < records.size(); ++g) {
-    const std::vector<double>& cells = estimates.goals[g].cells;
-    for (std::size_t c = 0; c < cells.size(); ++c) all[c] = std::max(all[c], std::abs(cells[c]) / records[g].allowed());
-  }
-  return all;
-}
-
-/// Returns the largest threshold above which cells contain `share` of the whole, to within a hundredth. The tolerance
-/// ensures that rounding does not separate cells that are equal by symmetry (collective).
-double threshold(const std::vector<double>& indicators, double share, MPI_Comm comm) {
-  double sum = 0, most = 0;
-  for (const double x : indicators) {
-    sum += x;
-    most = std::max(most, x);
-  }
-  const double whole = algebra::sum_over_ranks(sum, comm);
-  double at = algebra::max_over_ranks(most, comm);
-  if (!(whole > 0)) return std::numeric_limits<double>::infinity();
-  constexpr double step = 0.97;
-  for (double part = 0; part < share * whole;) {
-    at *= step;
-    double mine = 0;
-    for (const double x : indicators)
-      if (x > at) mine += x;
-    part = algebra::sum_over_ranks(mine, comm);
-  }
-  return at;
-}
-
-/// Returns the sum of the norms of the obstacles' forces [N].
-double obstacle_forces(const certificate::Summary& summary) {
-  double sum = 0;
-  for (const certificate::ObstacleContact& obstacle : summary.obstacles) sum += obstacle.reaction.force.norm();
-  return sum;
-}
-
-/// Returns the scale of relative errors where the value itself is smaller. Components that vanish by symmetry have no
-/// correct digits. The same is true for the sum of obstacles that press against each other.
-double least_scale(const estimation::Functional& functional, const certificate::Summary& summary) {
-  using namespace estimation;
-  constexpr double as_good_as_zero = 1e-3;  // part of the largest value of its kind
-  const double forces = std::max(summary.load_norms, obstacle_forces(summary));
-  if (const auto* force = std::get_if<ObstacleForce>(&functional))
-    return force->obstacle || force->component ? as_good_as_zero * forces : obstacle_forces(summary);
-  if (std::holds_alternative<SupportForce>(functional)) return as_good_as_zero * forces;
-  if (const auto* point = std::get_if<PointDisplacement>(&functional))
-    return as_good_as_zero * (point->component < 3 ? summary.max_displacement : summary.max_rotation);
-  return std::holds_alternative<ObstaclePosition>(functional) ? as_good_as_zero * summary.max_displacement : 0;
-}
-
-/// Returns a scale below which values are only rounding. By Cauchy and Schwarz, a linear quantity of a solution with
-/// this energy is at most 2 sqrt(E E_z), with E_z the energy of its dual. A value below 1e-5 of this bound vanishes,
-/// usually by symmetry. For point resultants the bound grows as cells shrink, and the limit is a thousandth of usual
-/// values. The whole energy of an unstrained shell vanishes.
-double rounding_scale(const estimation::Functional& functional, const estimation::GoalEstimate& found,
-                      const certificate::Summary& summary) {
-  constexpr double vanishing = 1e-5;
-  if (std::holds_alternative<estimation::Energy>(functional))
-    return summary.is_unstrained ? (summary.load_norms + obstacle_forces(summary)) * summary.max_displacement : 0;
-  return vanishing * 2 * std::sqrt(summary.energy.total() * found.dual_energy);
-}
-
 /// Ratio of the witness's unknowns to the unknowns of a space.
-double growth_to_witness(const Problem& problem, const fem::Space& space) {
+double growth_to_witness(const problem::Problem& problem, const fem::Space& space) {
   return std::pow(1 + static_cast<double>(degrees_of_witness(problem)) / space.degree, 2);
 }
 
 }  // namespace
 
-std::vector<GoalRecord> goal_records(const Problem& problem, const estimation::Estimates& estimates,
-                                     const certificate::Summary& summary) {
-  const std::vector<estimation::Goal> goals = estimated_goals(problem);
-  std::vector<GoalRecord> records;
-  for (std::size_t g = 0; g < goals.size(); ++g) {
-    const estimation::GoalEstimate& found = estimates.goals[g];
-    const double least =
-        std::max(least_scale(goals[g].functional, summary), rounding_scale(goals[g].functional, found, summary));
-    records.push_back({.name = found.name,
-                       .value = found.value,
-                       .difference = found.difference(),
-                       .error = found.error(),
-                       .tolerance = goals[g].tolerance.value(),
-                       .scale = std::max(std::abs(found.value), least),
-                       .dual_energy = found.dual_energy,
-                       .has_estimate = found.has_dual});
-  }
-  return records;
-}
-
-std::string shortfall(const std::vector<GoalRecord>& goals, const estimation::Estimates& estimates) {
-  std::string text;
-  for (const GoalRecord& goal : goals) {
-    if (goal.is_met()) continue;
-    text += text.empty() ? "" : "; ";
-    text += goal.has_estimate ? fmt::format("{}: the estimated error is {:.2g} of its value, which may be half of {:g}",
-                                            goal.name, goal.relative_estimate(), goal.tolerance)
-                              : fmt::format("{}: its error cannot be estimated", goal.name);
-  }
-  if (estimates.unjudged_cells > 0)
-    text += fmt::format("{}{} cells have no neighbours to judge their errors by", text.empty() ? "" : "; ",
-                        estimates.unjudged_cells);
-  return text;
-}
-
-std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRecord>& goals,
-                               const estimation::Estimates& estimates, double share) {
-  const std::vector<double> weights = indicators(space, goals, estimates);
-  const double above = threshold(weights, share, space.layout->comm);
-  // A cell made of four has about 2^(2k + 2) times their error. This must still be negligible.
-  const double below = 0.01 * above * std::exp2(-2 * space.degree - 2);
-  std::vector<signed char> result;
-  result.reserve(weights.size());
-  for (const double x : weights) result.push_back(x > above ? 1 : x < below ? -1 : 0);
-  for (const std::size_t cell : estimates.unjudged) result[cell] = 1;
-  return result;
-}
-
-bool is_refined_evenly(const Problem& problem) {
-  return problem.accuracy->is_uniform || problem.discretisation.cells == fem::Shape::triangle;
-}
-
-int degrees_of_witness(const Problem& problem) {
+int degrees_of_witness(const problem::Problem& problem) {
   return std::ranges::any_of(problem.supports, [](const assembly::Support& s) { return s.point.has_value(); }) ? 2 : 1;
 }
 
-bool wants_witness(const Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
-                   const certificate::Summary& summary) {
+bool wants_witness(const problem::Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
+                   const solution::Summary& summary) {
   if (space.shape() != fem::Shape::quadrilateral || estimates.unjudged_cells > 0) return false;
-  std::vector<GoalRecord> records = goal_records(problem, estimates, summary);
+  std::vector<estimation::GoalRecord> records =
+      estimation::goal_records(problem::estimated_goals(problem), estimates, summary);
   for (std::size_t g = 0; g < records.size(); ++g) records[g].error = estimates.goals[g].least_error();
-  return std::ranges::all_of(records, &GoalRecord::is_met);
+  return std::ranges::all_of(records, &estimation::GoalRecord::is_met);
 }
 
 bool AccuracyLoop::wants_witness(const Result& result, const fem::Space& space) const {
@@ -163,13 +48,15 @@ bool AccuracyLoop::wants_witness(const Result& result, const fem::Space& space) 
 
 bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
   const auto& estimates = result.estimates;
-  const std::vector<GoalRecord> before = std::move(goals_);
+  const std::vector<estimation::GoalRecord> before = std::move(goals_);
   cuts_.clear();
-  goals_ = estimates ? goal_records(problem_, *estimates, result.summary) : std::vector<GoalRecord>{};
-  missed_ = estimates ? shortfall(goals_, *estimates) : "there are no estimates";
+  goals_ = estimates ? estimation::goal_records(problem::estimated_goals(problem_), *estimates, result.summary)
+                     : std::vector<estimation::GoalRecord>{};
+  missed_ = estimates ? estimation::shortfall(goals_, *estimates) : "there are no estimates";
   const std::string missed_contact = this->missed_contact(result, space);
   if (!missed_contact.empty()) missed_ += (missed_.empty() ? "" : "; ") + missed_contact;
-  if (estimates) std::ranges::transform(goals_, std::back_inserter(values_.emplace_back()), &GoalRecord::value);
+  if (estimates)
+    std::ranges::transform(goals_, std::back_inserter(values_.emplace_back()), &estimation::GoalRecord::value);
   take_note(result.levels.back(), space);
   const bool has_witness =
       estimates && std::ranges::all_of(estimates->goals, [](const auto& g) { return g.at_higher_degree.has_value(); });
@@ -223,12 +110,12 @@ std::string AccuracyLoop::stalled() const {
 }
 
 std::string AccuracyLoop::place_of_error(const fem::Space& space, const estimation::Estimates& estimates) const {
-  const auto worst = std::ranges::max_element(goals_, {}, &GoalRecord::excess);
+  const auto worst = std::ranges::max_element(goals_, {}, &estimation::GoalRecord::excess);
   if (worst == goals_.end() || !(worst->excess() > 1)) return "";
   const MPI_Comm comm = space.layout->comm;
   std::vector<double> shares = estimates.goals[static_cast<std::size_t>(worst - goals_.begin())].cells;
   for (double& share : shares) share = std::abs(share);
-  const double above = threshold(shares, 0.5, comm);
+  const double above = meshing::error_threshold(shares, 0.5, comm);
   if (std::isinf(above)) return "";  // no cell has an error: only the next degree shows it
   const std::int64_t mine = std::ranges::count_if(shares, [&](double share) { return share > above; });
   std::vector<double> largest;  // on this rank: share and place
@@ -297,7 +184,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, mark)}, space.layout->comm);
   };
   if (estimates && !is_uniform_ && worst_excess() > rounding) {
-    marks_ = computation::marks(space, goals_, *estimates, share_to_divide());
+    marks_ = meshing::marks(space, goals_, *estimates, share_to_divide());
     may_join_ = may_join_ && estimates->unjudged_cells == 0 && !(has_joined_ && worst_excess() >= excess_before_);
     excess_before_ = worst_excess();
     if (!may_join_)
@@ -314,7 +201,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
   }
   if (!is_uniform_ && algebra::sum_over_ranks(static_cast<std::int64_t>(entered_.size()), space.layout->comm) > 0) {
     cuts_.clear();
-    if (!estimates || shortfall(goals_, *estimates).empty()) marks_.assign(space.owned_cells, 0);
+    if (!estimates || estimation::shortfall(goals_, *estimates).empty()) marks_.assign(space.owned_cells, 0);
     for (const std::size_t cell : entered_) marks_[cell] = 1;
   }
   fem::mark_evenly(space, even_, marks_);
@@ -331,7 +218,7 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
 
 void AccuracyLoop::cut(const fem::Space& space, const estimation::Estimates& estimates) {
   const MPI_Comm comm = space.layout->comm;
-  const std::vector<double> shares = indicators(space, goals_, estimates);
+  const std::vector<double> shares = meshing::error_indicators(space, goals_, estimates);
   double whole = 0, divided = 0, cells = 0;
   for (std::size_t c = 0; c < shares.size(); ++c) {
     whole += shares[c];
@@ -345,14 +232,14 @@ void AccuracyLoop::cut(const fem::Space& space, const estimation::Estimates& est
   cells = algebra::sum_over_ranks(cells, comm);
   const auto is_held_at_point = [](const assembly::Support& support) { return support.point.has_value(); };
   const fem::Surface surface(space.coarse, problem_.charts);
-  cuts_ = chord_cuts(space, surface,
-                     {.shares = shares,
-                      .estimates = estimates,
-                      .share = share_to_divide(),
-                      .per_cell = cells > 0 && whole > 0 ? divided / whole / (3 * cells) : 0,
-                      .halves_only = std::ranges::any_of(problem_.supports, is_held_at_point),
-                      .are_met = std::ranges::all_of(goals_, &GoalRecord::is_met),
-                      .at_edges = wants_edges_});
+  cuts_ = meshing::chord_cuts(space, surface,
+                              {.shares = shares,
+                               .estimates = estimates,
+                               .share = share_to_divide(),
+                               .per_cell = cells > 0 && whole > 0 ? divided / whole / (3 * cells) : 0,
+                               .halves_only = std::ranges::any_of(problem_.supports, is_held_at_point),
+                               .are_met = std::ranges::all_of(goals_, &estimation::GoalRecord::is_met),
+                               .at_edges = wants_edges_});
 }
 
 // The energy hardly depends on the edge of a contact zone, but a user who requests the energy also wants to see the
@@ -360,11 +247,11 @@ void AccuracyLoop::cut(const fem::Space& space, const estimation::Estimates& est
 bool AccuracyLoop::edges_are_known(const std::optional<estimation::Estimates>& estimates) const {
   constexpr double over_energy = 15, least = 1e-3;
   if (!estimates || !estimates->edge_change) return true;
-  const auto energy = std::ranges::find(goals_, "energy", &GoalRecord::name);
+  const auto energy = std::ranges::find(goals_, "energy", &estimation::GoalRecord::name);
   return energy == goals_.end() || *estimates->edge_change <= std::max(over_energy * energy->tolerance, least);
 }
 
-bool AccuracyLoop::is_settled(const std::vector<GoalRecord>& before) const {
+bool AccuracyLoop::is_settled(const std::vector<estimation::GoalRecord>& before) const {
   if (before.size() != goals_.size()) return false;
   for (std::size_t g = 0; g < goals_.size(); ++g) {
     const double change = std::abs(goals_[g].value - before[g].value);
@@ -375,7 +262,7 @@ bool AccuracyLoop::is_settled(const std::vector<GoalRecord>& before) const {
 
 double AccuracyLoop::worst_excess() const {
   double worst = 0;
-  for (const GoalRecord& goal : goals_) worst = std::max(worst, goal.excess());
+  for (const estimation::GoalRecord& goal : goals_) worst = std::max(worst, goal.excess());
   return worst;
 }
 

@@ -1,41 +1,25 @@
 // Decides from estimated errors on the next mesh: whether the accuracy is sufficient, which cells to divide, and when
 // to stop.
 #pragma once
-#include <plastron/computation/description.hpp>
-#include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/computation/stopwatch.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/meshing/start_mesh.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <string>
 #include <vector>
 
 namespace plastron::computation {
 
-/// Returns the goals of a case on the mesh whose solution `summary` describes.
-std::vector<GoalRecord> goal_records(const Problem& problem, const estimation::Estimates& estimates,
-                                     const certificate::Summary& summary);
-
-/// Returns marks of the owned cells for fem::MeshSequence::refine. Divided are the cells that contain `share` of all
-/// errors, with each goal's error relative to its allowed error (Doerfler, SIAM J. Numer. Anal. 33, 1996), and unjudged
-/// cells. Cells are joined again if their part then stays negligible (collective).
-std::vector<signed char> marks(const fem::Space& space, const std::vector<GoalRecord>& goals,
-                               const estimation::Estimates& estimates, double share);
-
-/// Returns a text on the goals that are not met, with their errors, and on unjudged cells; empty if all goals are met.
-std::string shortfall(const std::vector<GoalRecord>& goals, const estimation::Estimates& estimates);
-
 /// Number of additional degrees of a solution's witness: one, or two where points are fixed, because the middle of a
 /// cell then stays a node.
-int degrees_of_witness(const Problem& problem);
+int degrees_of_witness(const problem::Problem& problem);
 
 /// Whether the solution at one degree more on the same cells may confirm that all goals are met (collective).
-bool wants_witness(const Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
-                   const certificate::Summary& summary);
-
-/// Whether all cells of a problem with an accuracy are divided, or none. The problem may request this, and triangles
-/// cannot be divided one by one.
-bool is_refined_evenly(const Problem& problem);
+bool wants_witness(const problem::Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
+                   const solution::Summary& summary);
 
 /// Loop over meshes until two solutions meet all goals: the one on a mesh and the witness at one degree more on its
 /// cells. For triangles, whose degree ends at 2, these are solutions on two successive meshes that differ by less than
@@ -44,12 +28,12 @@ class AccuracyLoop {
  public:
   /// The clock runs since the start of the computation. `instants_to_come` will be solved on the finest mesh; time is
   /// reserved for them.
-  AccuracyLoop(const Problem& problem, const Stopwatch& since_start, int instants_to_come = 0)
+  AccuracyLoop(const problem::Problem& problem, const Stopwatch& since_start, int instants_to_come = 0)
       : problem_(problem),
         since_start_(since_start),
         instants_to_come_(instants_to_come),
-        is_uniform_(is_refined_evenly(problem)),
-        even_(even_boundaries(problem)),
+        is_uniform_(meshing::is_refined_evenly(problem)),
+        even_(meshing::even_boundaries(problem)),
         may_join_(even_.empty()) {}
 
   /// Whether the goals must be computed at one degree more before wants_more (collective).
@@ -61,7 +45,7 @@ class AccuracyLoop {
   /// of its cells.
   const std::vector<fem::Cuts>& cuts() const { return cuts_; }
   const std::vector<signed char>& marks() const { return marks_; }
-  const std::vector<GoalRecord>& goals() const { return goals_; }
+  const std::vector<estimation::GoalRecord>& goals() const { return goals_; }
   /// Returns a text with the reasons why goals are not met; empty if they are met.
   const std::string& missed() const { return missed_; }
   /// Ends the loop although another mesh is needed; `why` is added to missed().
@@ -79,7 +63,7 @@ class AccuracyLoop {
   std::string missed_contact(const Result& result, const fem::Space& space);
   /// Whether contact edges are known to fifteen times the tolerance of the energy, if that is a goal.
   bool edges_are_known(const std::optional<estimation::Estimates>& estimates) const;
-  bool is_settled(const std::vector<GoalRecord>& before) const;
+  bool is_settled(const std::vector<estimation::GoalRecord>& before) const;
   /// Excess of the goal that is furthest from being met.
   double worst_excess() const;
   double share_to_divide() const;
@@ -100,7 +84,7 @@ class AccuracyLoop {
   /// Returns the limit that prevents a next mesh with `growth` times the unknowns; empty if there is none (collective).
   std::string obstacle(const Level& level, double growth, MPI_Comm comm) const;
 
-  const Problem& problem_;
+  const problem::Problem& problem_;
   const Stopwatch& since_start_;
   int instants_to_come_;
   bool is_uniform_;
@@ -114,7 +98,7 @@ class AccuracyLoop {
   double largest_solved_ = 0;             ///< largest number of unknowns of a mesh or its witness
   std::vector<double> excesses_{};        ///< excess of the worst goal on each mesh
   std::vector<std::int64_t> unknowns_{};  ///< unknowns of each mesh
-  std::vector<GoalRecord> goals_{};
+  std::vector<estimation::GoalRecord> goals_{};
   std::vector<std::vector<double>> values_{};  ///< values of the goals on each mesh
   std::vector<fem::Cuts> cuts_{};
   std::vector<signed char> marks_{};

@@ -130,7 +130,7 @@ double largest_dip(const assembly::DiscreteShell& discrete, const algebra::Vecto
   return algebra::max_over_ranks(most, comm);
 }
 
-std::optional<algebra::Vector> BoundLifts::next(const certificate::NodalSolution& solution) {
+std::optional<algebra::Vector> BoundLifts::next(const solution::NodalSolution& solution) {
   const fem::Space& space = discrete_.space();
   const MPI_Comm comm = space.layout->comm;
   const algebra::Vector held = held_nodes(discrete_);

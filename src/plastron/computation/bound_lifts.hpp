@@ -2,7 +2,7 @@
 // (docs/methods/admissible.md). The loop: solve, find the deepest place of every cell, lift the bounds of the cell's
 // nodes by that depth, solve again.
 #pragma once
-#include <plastron/certificate/certificate.hpp>
+#include <plastron/solution/nodal_solution.hpp>
 
 #include <limits>
 #include <optional>
@@ -16,7 +16,7 @@ class BoundLifts {
 
   /// Returns the lifts of the next solution, block: obstacles. Nothing where the shell is outside, or where lifts give
   /// no further gain (collective). Throws ObstacleError.
-  std::optional<algebra::Vector> next(const certificate::NodalSolution& solution);
+  std::optional<algebra::Vector> next(const solution::NodalSolution& solution);
   int rounds() const { return rounds_; }
 
  private:

@@ -1,5 +1,5 @@
-#include <plastron/certificate/touching_nodes.hpp>
 #include <plastron/computation/contact_forecast.hpp>
+#include <plastron/zones/touching_nodes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +39,11 @@ void mark_crossed_cells(const fem::Space& space, const algebra::Vector& likely, 
 
 }  // namespace
 
-algebra::Vector continued_roots(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+algebra::Vector continued_roots(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   algebra::Vector roots(discrete.space().layout, solution.touching.block());
   const auto block = static_cast<std::size_t>(roots.block());
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) {
-    const certificate::TouchingNodes nodes(discrete, solution, k);
+    const zones::TouchingNodes nodes(discrete, solution, k);
     for (std::size_t i = 0; i < nodes.roots().size(); ++i) roots.local()[i * block + k] = nodes.roots()[i];
   }
   return roots;
@@ -81,7 +81,7 @@ std::vector<char> open_coordinates(const assembly::DiscreteShell& discrete, cons
   return some ? marks : std::vector<char>{};
 }
 
-ContactTrend contact_trend(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+ContactTrend contact_trend(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   ContactTrend trend{.touching = solution.touching,
                      .pressure = solution.pressure,
                      .root_of_gap = algebra::Vector(discrete.space().layout, solution.touching.block())};

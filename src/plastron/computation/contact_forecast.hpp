@@ -2,8 +2,8 @@
 // it may change.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
-#include <plastron/certificate/certificate.hpp>
 #include <plastron/contact/activity.hpp>
+#include <plastron/solution/nodal_solution.hpp>
 
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace plastron::computation {
 
 /// Returns roots of gaps, negative where nodes touch. A finer mesh gets them in addition to NodalSolution::touching
 /// (collective).
-algebra::Vector continued_roots(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution);
+algebra::Vector continued_roots(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 /// Returns the zone on a finer mesh, from both fields interpolated from the mesh before.
 algebra::Vector interpolated_zone(algebra::Vector touching, const algebra::Vector& roots);
@@ -33,7 +33,7 @@ struct ContactTrend {
 };
 
 /// Returns the trend of a solution at its state.
-ContactTrend contact_trend(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution);
+ContactTrend contact_trend(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 /// Extrapolates the trend linearly. The time step is `ahead` times the step from `before` to `now`.
 ContactTrend continued(ContactTrend now, const ContactTrend& before, double ahead);

@@ -23,7 +23,7 @@ constexpr double notable_depth = 0.05;
 constexpr double notable_loosening = 1e3;
 
 std::string linear_model_text(const HistoryEntry& instant) {
-  const certificate::Summary& s = instant.summary;
+  const solution::Summary& s = instant.summary;
   const LeftOut part = left_out(s, instant.level);
   return fmt::format(
       "{}the linear model is left: what it leaves out is {} of the stored energy (membrane forces on turned parts {}, "
@@ -51,12 +51,12 @@ std::string penetration_text(double depth, double part) {
 }
 
 /// Returns one warning for each obstacle that the shell touches along lines inside.
-std::vector<std::string> line_contact_warnings(const certificate::Summary& summary) {
+std::vector<std::string> line_contact_warnings(const solution::Summary& summary) {
   constexpr double notable = 0.01;  // part of the obstacle's reaction
   std::vector<std::string> warnings;
-  for (const certificate::ObstacleContact& obstacle : summary.obstacles) {
+  for (const solution::ObstacleContact& obstacle : summary.obstacles) {
     double force = 0, per_length = 0;
-    for (const certificate::ContactZone& zone : obstacle.zones) {
+    for (const solution::ContactZone& zone : obstacle.zones) {
       if (!zone.is_line()) continue;
       force += zone.reaction.force.norm();
       per_length = std::max(per_length, zone.line_reaction());
@@ -73,9 +73,9 @@ std::vector<std::string> line_contact_warnings(const certificate::Summary& summa
 
 }  // namespace
 
-std::vector<std::string> sideways_warnings(const certificate::Summary& summary) {
+std::vector<std::string> sideways_warnings(const solution::Summary& summary) {
   std::vector<std::string> warnings;
-  for (const certificate::ObstacleContact& obstacle : summary.obstacles) {
+  for (const solution::ObstacleContact& obstacle : summary.obstacles) {
     const std::int64_t count = obstacle.sideways_nodes;
     if (count == 0) continue;
     warnings.push_back(
@@ -126,9 +126,9 @@ std::vector<std::string> strain_warnings(const Result& result) {
       100 * strain, stress)};
 }
 
-std::vector<std::string> body_warnings(const certificate::Summary& summary) {
+std::vector<std::string> body_warnings(const solution::Summary& summary) {
   std::vector<std::string> warnings;
-  for (const certificate::BodyReaction& body : summary.body_reactions)
+  for (const solution::BodyReaction& body : summary.body_reactions)
     if (-body.least_gap > notable_depth * summary.least_thickness)
       warnings.push_back(fmt::format(
           "the rigid body \"{}\" takes the shell {:.2g} m into an obstacle: nothing holds the nodes of a body "
@@ -151,7 +151,7 @@ void judge_certificate(Result& result) {
 
 std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked) {
   std::vector<std::string> warnings;
-  const certificate::Summary& s = result.summary;
+  const solution::Summary& s = result.summary;
   const double depth = -result.certificate.min_gap_between, part = depth / s.least_thickness;
   if (std::isfinite(depth) && s.touching_nodes > 0 && part > notable_depth)
     warnings.push_back(penetration_text(depth, part));

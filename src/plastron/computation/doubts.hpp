@@ -21,10 +21,10 @@ std::vector<std::string> strain_warnings(const Result& result);
 
 /// Warns of nodes that were deep inside an obstacle and were pushed out along the shell instead of across it. Their
 /// nearest surface at the start may have been the wrong one.
-std::vector<std::string> sideways_warnings(const certificate::Summary& summary);
+std::vector<std::string> sideways_warnings(const solution::Summary& summary);
 
 /// Warns of rigid bodies that move their nodes into obstacles.
-std::vector<std::string> body_warnings(const certificate::Summary& summary);
+std::vector<std::string> body_warnings(const solution::Summary& summary);
 
 /// Sets the limits of the result's certificate. A row beyond its limit makes a solved result inaccurate, and is named.
 void judge_certificate(Result& result);

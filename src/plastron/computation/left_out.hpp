@@ -19,7 +19,7 @@ struct LeftOut {
   double largest() const { return std::max({work, remaining_stretch.value_or(stretch), rotation}); }
 };
 
-inline LeftOut left_out(const certificate::Summary& summary, const Level& level) {
+inline LeftOut left_out(const solution::Summary& summary, const Level& level) {
   LeftOut part{.work = std::abs(summary.over_stored(summary.second_order.work)),
                .stretch = summary.over_stored(summary.second_order.stretch),
                .rotation = summary.max_rotation * summary.max_rotation / 2};

@@ -5,13 +5,13 @@
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/contact_forecast.hpp>
-#include <plastron/computation/gap.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/computation/stopwatch.hpp>
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/kept_pins.hpp>
 #include <plastron/estimation/linearity.hpp>
+#include <plastron/problem/gap.hpp>
 
 namespace plastron::computation {
 
@@ -23,7 +23,7 @@ bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   std::int64_t held = 0;
   for (const assembly::ContactRow& row : coordinates.rows)
-    if (is_held_inside(coordinates, discrete.points[row.node], row)) ++held;
+    if (problem::is_held_inside(coordinates, discrete.points[row.node], row)) ++held;
   return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
 }
 
@@ -90,14 +90,14 @@ class LevelRun {
     return z;
   }
 
-  std::vector<double> values(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
-                             const certificate::Summary& summary) const {
+  std::vector<double> values(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
+                             const solution::Summary& summary) const {
     return estimation::values(task_.valued, solved(z, nodal, summary));
   }
 
   /// Estimates the errors of the solution of the last solve() and of its goals.
-  estimation::Estimates estimate(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
-                                 const certificate::Summary& summary) {
+  estimation::Estimates estimate(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
+                                 const solution::Summary& summary) {
     Stopwatch watch;
     tell("estimates");
     last_->pins.keep();
@@ -107,8 +107,8 @@ class LevelRun {
   }
 
   /// Computes the parts that the linear model omits from that solution; where errors are estimated, buckling too.
-  estimation::Linearity linearity(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
-                                  const certificate::Summary& summary) {
+  estimation::Linearity linearity(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
+                                  const solution::Summary& summary) {
     Stopwatch watch;
     last_->pins.keep();
     const auto found = estimation::linearity(solved(z, nodal, summary), last_->pins, task_.goals.has_value());
@@ -123,13 +123,13 @@ class LevelRun {
   std::unique_ptr<assembly::DiscreteShell> take() { return std::move(discrete_); }
 
  private:
-  estimation::Solved solved(const contact::BoxSolution& z, const certificate::NodalSolution& nodal,
-                            const certificate::Summary& summary) const {
+  estimation::Solved solved(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
+                            const solution::Summary& summary) const {
     return {.discrete = *discrete_,
             .nodal = nodal,
             .box = *last_->box,
             .z = z,
-            .singular = certificate::singular_places(*discrete_, summary)};
+            .singular = recovery::singular_places(*discrete_, summary)};
   }
 
   const LevelTask& task_;
@@ -141,14 +141,14 @@ class LevelRun {
 /// A solution of a level's contact problem.
 struct Found {
   contact::BoxSolution z;
-  certificate::NodalSolution nodal;
+  solution::NodalSolution nodal;
 };
 
 /// Solves, and repeats the linearisation until the linearised gaps agree with the position of the shell.
 Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
   Relinearisation outer(task.linearisation, run.discrete());
   contact::BoxSolution z = run.solve(zone, detect_free_motions);
-  certificate::NodalSolution nodal = certificate::nodal_solution(run.discrete(), z);
+  solution::NodalSolution nodal = solution::nodal_solution(run.discrete(), z);
   while (z.status == contact::Status::solved) {
     auto state = outer.next(nodal);
     if (!state) break;
@@ -156,7 +156,7 @@ Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, boo
     linearise(run.discrete(), std::move(*state));
     const algebra::Vector expected = expected_zone(run.discrete(), trend);
     z = run.solve(&expected, !supports_hold(run.history, task.settings.solver));
-    nodal = certificate::nodal_solution(run.discrete(), z);
+    nodal = solution::nodal_solution(run.discrete(), z);
   }
   run.linearisations += outer.steps();
   if (z.status == contact::Status::solved && !outer.is_met()) z.status = contact::Status::gap_not_met;
@@ -164,7 +164,7 @@ Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, boo
 }
 
 /// Solves the contact problem with other lifts of bounds, from a solution's state and contact zone.
-Found met_with(algebra::Vector lifts, LevelRun& run, const LevelTask& task, const certificate::NodalSolution& before) {
+Found met_with(algebra::Vector lifts, LevelRun& run, const LevelTask& task, const solution::NodalSolution& before) {
   const ContactTrend trend = contact_trend(run.discrete(), before);
   assembly::State state = run.discrete().state;
   state.positions = run.discrete().positions();
@@ -208,7 +208,7 @@ bool supports_hold(const std::vector<contact::Iteration>& history, contact::Solv
          !history.front().safeguarded;
 }
 
-Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
+Level measured(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                const certificate::Verdict& verdict) {
   const fem::Space& space = discrete.space();
   const int width = discrete.coordinates.width + (solution.lambda.layout() ? 1 : 0);
@@ -232,7 +232,7 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   Found found = met(run, task, task.zone ? &*task.zone : nullptr, true);
   const Lifted lifted = task.admissible ? lift_bounds(run, task, found) : Lifted{};
   contact::BoxSolution& z = found.z;
-  certificate::NodalSolution& nodal = found.nodal;
+  solution::NodalSolution& nodal = found.nodal;
   Stopwatch watch;
   run.tell("certificate");
   certificate::Verdict verdict = certificate::certify(run.discrete(), nodal);

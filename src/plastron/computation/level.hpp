@@ -2,10 +2,10 @@
 // obstacles are curved, certify.
 #pragma once
 #include <plastron/computation/observer.hpp>
-#include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/estimation/functionals.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@ namespace plastron::computation {
 struct LevelTask {
   int number = 0;
   contact::Settings settings{};
-  Linearisation linearisation{};
+  problem::Linearisation linearisation{};
   bool admissible = false;                ///< see Problem
   std::optional<algebra::Vector> zone{};  ///< expected contact zone (contact_forecast.hpp); empty at first
   /// Goals whose errors are estimated, together with the solution's error.
@@ -38,7 +38,7 @@ struct LevelResult {
 bool supports_hold(const std::vector<contact::Iteration>& history, contact::Solver solver);
 
 /// Returns the data of a level that follow from the solution itself, independent of the solver (collective).
-Level measured(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
+Level measured(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                const certificate::Verdict& verdict);
 
 /// Solves a level. `discrete` is linearised at the first state of the gaps; it becomes the solution's shell

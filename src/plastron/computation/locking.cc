@@ -1,7 +1,7 @@
 #include <plastron/computation/locking.hpp>
 
-#include <plastron/computation/cell_sizes.hpp>
-#include <plastron/computation/extent.hpp>
+#include <plastron/meshing/cell_sizes.hpp>
+#include <plastron/meshing/extent.hpp>
 
 #include <fmt/format.h>
 
@@ -21,13 +21,13 @@ constexpr std::array<double, 3> largest_size = {0.7, 1.3, 1.7};
 
 }  // namespace
 
-std::vector<std::string> locking_warnings(const Problem& problem) {
-  const Discretisation& d = problem.discretisation;
+std::vector<std::string> locking_warnings(const problem::Problem& problem) {
+  const problem::Discretisation& d = problem.discretisation;
   const bool is_tied = d.tying && d.cells == fem::Shape::quadrilateral;
   if (is_tied || d.degree > static_cast<int>(largest_size.size())) return {};
-  const double L = extent(problem);
+  const double L = meshing::extent(problem);
   double worst = 0, size = 0, limit = 0, thickness = 0;
-  for (const auto& [h, e] : cell_sizes(problem)) {
+  for (const auto& [h, e] : meshing::cell_sizes(problem)) {
     const double allowed = largest_size[static_cast<std::size_t>(d.degree - 1)] * L * std::pow(e / L, 1.0 / d.degree);
     if (h / allowed <= worst) continue;
     worst = h / allowed;

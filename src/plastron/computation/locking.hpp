@@ -1,6 +1,6 @@
 // Warns of elements without tying (M22) that are too large for the thickness: their displacements are far too small.
 #pragma once
-#include <plastron/computation/problem.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <string>
 #include <vector>
@@ -9,6 +9,6 @@ namespace plastron::computation {
 
 /// Returns one warning, in words for the user, if the finest mesh of a problem is so coarse that its elements lock.
 /// Empty with tying. Each rank checks the whole problem. Precondition: a regular chart and a positive thickness.
-std::vector<std::string> locking_warnings(const Problem& problem);
+std::vector<std::string> locking_warnings(const problem::Problem& problem);
 
 }  // namespace plastron::computation

@@ -3,10 +3,10 @@
 #include <plastron/assembly/multiplier.hpp>
 #include <plastron/assembly/pressing.hpp>
 #include <plastron/computation/bound_lifts.hpp>
-#include <plastron/computation/instants.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/fem/kinks.hpp>
 #include <plastron/fem/ties.hpp>
+#include <plastron/problem/instants.hpp>
 
 #include <Eigen/QR>
 
@@ -78,7 +78,7 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
   }
   if (carried)
     for (const fem::PlacedBody& body : carried->bodies) {
-      const double error = certificate::distance_from_body(discrete, body, motion_of(discrete.space(), body, y), y);
+      const double error = solution::distance_from_body(discrete, body, motion_of(discrete.space(), body, y), y);
       if (!(error <= most)) most = error;
     }
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
@@ -86,7 +86,7 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
 
 /// Returns the larger of two ratios (M14): max |b(U, q_i)| to the largest rotation, and the largest |lambda| where it
 /// must be 0 to the largest anywhere.
-double tangency_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution,
+double tangency_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                       double rotation) {
   algebra::Vector q(discrete.space().layout, 1);
   apply_coupling(discrete.shell, solution.y, q);
@@ -111,7 +111,7 @@ double moved(const assembly::DiscreteShell& discrete) {
 }
 
 /// Returns |R . d - F| / F, the largest over the obstacles that forces F d press.
-double force_error(const assembly::DiscreteShell& discrete, const certificate::Summary& summary,
+double force_error(const assembly::DiscreteShell& discrete, const solution::Summary& summary,
                    const std::vector<std::size_t>& pressed) {
   double most = 0;
   for (const std::size_t k : pressed) {
@@ -122,8 +122,8 @@ double force_error(const assembly::DiscreteShell& discrete, const certificate::S
   return most;
 }
 
-void add_linearisation(const Problem& problem, const assembly::DiscreteShell& discrete,
-                       const certificate::NodalSolution& solution, std::vector<CertificateLimit>& rows) {
+void add_linearisation(const problem::Problem& problem, const assembly::DiscreteShell& discrete,
+                       const solution::NodalSolution& solution, std::vector<CertificateLimit>& rows) {
   if (!has_rows_to_meet(discrete)) return;
   if (problem.linearisation.once) {
     rows.push_back({"linearisation_error", "m", moved(discrete), 0, false,
@@ -152,10 +152,10 @@ void add_lifts(const assembly::DiscreteShell& discrete, const algebra::Vector& y
 
 }  // namespace
 
-std::vector<CertificateLimit> membership_rows(const Problem& problem, const assembly::DiscreteShell& discrete,
-                                              const certificate::NodalSolution& solution,
-                                              const certificate::Summary& summary) {
-  const Instant at_the_end = instants(problem).back();
+std::vector<CertificateLimit> membership_rows(const problem::Problem& problem, const assembly::DiscreteShell& discrete,
+                                              const solution::NodalSolution& solution,
+                                              const solution::Summary& summary) {
+  const problem::Instant at_the_end = problem::instants(problem).back();
   const double length = std::max(summary.least_thickness, summary.max_displacement);
   std::vector<CertificateLimit> rows{
       {"load_error", "1",

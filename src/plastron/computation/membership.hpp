@@ -3,16 +3,16 @@
 // only such solutions.
 #pragma once
 #include <plastron/certificate/certificate_limits.hpp>
-#include <plastron/computation/problem.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <vector>
 
 namespace plastron::computation {
 
 /// Returns the rows that have a meaning in the problem (collective).
-std::vector<certificate::CertificateLimit> membership_rows(const Problem& problem,
+std::vector<certificate::CertificateLimit> membership_rows(const problem::Problem& problem,
                                                            const assembly::DiscreteShell& discrete,
-                                                           const certificate::NodalSolution& solution,
-                                                           const certificate::Summary& summary);
+                                                           const solution::NodalSolution& solution,
+                                                           const solution::Summary& summary);
 
 }  // namespace plastron::computation

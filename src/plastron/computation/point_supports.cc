@@ -22,8 +22,8 @@ bool is_isostatic(const std::vector<assembly::Support>& supports) {
 }
 
 /// Whether loads and the obstacle's reaction balance without the supports.
-bool in_equilibrium(const certificate::Summary& s) {
-  certificate::Wrench sum = s.loads;
+bool in_equilibrium(const solution::Summary& s) {
+  solution::Wrench sum = s.loads;
   sum += s.reaction;
   sum.move_point(-s.moment_point);  // back to the origin
   const double force = sum.force.norm(), moment = sum.moment.norm();
@@ -33,13 +33,13 @@ bool in_equilibrium(const certificate::Summary& s) {
 }  // namespace
 
 std::vector<std::string> point_support_warnings(const Result& result, const std::vector<assembly::Support>& supports) {
-  const certificate::Summary& s = result.summary;
+  const solution::Summary& s = result.summary;
   if (s.point_reactions.empty() || s.is_unstrained) return {};
   const auto most = std::ranges::max_element(
-      s.point_reactions, {}, [](const certificate::PointReaction& reaction) { return reaction.force.norm(); });
+      s.point_reactions, {}, [](const solution::PointReaction& reaction) { return reaction.force.norm(); });
   const double force = most->force.norm();
   double pressed = 0;  // force of obstacles, which may be the only load of the shell
-  for (const certificate::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
+  for (const solution::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
   if (force <= negligible_force * (s.load_norms + pressed)) return {};
   const std::string what =
       fmt::format("the support at the point ({:.6g}, {:.6g}) carries {:.4g} N", most->at[0], most->at[1], force);

@@ -36,7 +36,7 @@ std::vector<fem::Location> located(const fem::CoarseMesh& coarse, const std::vec
 
 }  // namespace
 
-void choose_recovery(const Output& output, Solution& solution) {
+void choose_recovery(const problem::Output& output, Solution& solution) {
   solution.recovery.axis = output.axis;
   solution.recovery.patches.reset();
   if (output.smooth)
@@ -45,7 +45,7 @@ void choose_recovery(const Output& output, Solution& solution) {
 
 void find_stress_peak(Result& result) {
   const Solution& solution = *result.solution;
-  result.singular_places = certificate::singular_places(*solution.discrete, result.summary);
+  result.singular_places = recovery::singular_places(*solution.discrete, result.summary);
   result.peak = recovery::stress_peak(*solution.discrete, solution.nodal, solution.recovery, result.singular_places);
   if (!result.estimates) return;
   for (const estimation::GoalEstimate& goal : result.estimates->goals)
@@ -82,10 +82,10 @@ std::vector<PointValues> values_at(const Solution& solution, const std::vector<E
   return values;
 }
 
-std::vector<ProbeValue> probe(const Solution& solution, const std::vector<Probe>& probes) {
+std::vector<ProbeValue> probe(const Solution& solution, const std::vector<problem::Probe>& probes) {
   std::vector<ProbeValue> values;
   values.reserve(probes.size());
-  for (const Probe& p : probes)
+  for (const problem::Probe& p : probes)
     values.push_back({p.name, values_at(solution, {p.at}, fmt::format("the probe \"{}\"", p.name)).front()});
   return values;
 }

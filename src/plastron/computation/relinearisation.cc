@@ -21,7 +21,7 @@ Vector6 block6(const algebra::Vector& y, std::size_t node) {
 /// Calls check(row, obstacle, touches) for the contact rows of curved obstacles at owned nodes, and for the rows that
 /// are left out.
 template <class Check>
-void for_rows(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution, const Check& check) {
+void for_rows(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, const Check& check) {
   const auto obstacles = discrete.obstacles.all.size();
   for (const assembly::ContactRow& row : discrete.coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
@@ -38,7 +38,7 @@ double largest_displacement(const algebra::Vector& y) {
 }
 
 /// Returns the largest distance of the faces in contact from their positions in the state, relative to their obstacles.
-double distance_from_state(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+double distance_from_state(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   double farthest = 0;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     if (!touches) return;
@@ -51,7 +51,7 @@ double distance_from_state(const assembly::DiscreteShell& discrete, const certif
 }
 
 /// Returns the gap error on this rank's nodes.
-GapError gap_error_here(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   GapError error;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     const assembly::NodalPoint& p = discrete.points[row.node];
@@ -76,24 +76,24 @@ bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
              discrete.space().layout->comm) > 0;
 }
 
-GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+GapError gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const GapError mine =
       algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return gap_error_here(discrete, solution); });
   return {algebra::max_over_ranks(mine.at_contact, comm), algebra::max_over_ranks(mine.depth, comm)};
 }
 
-Nearness nearness(const Linearisation& settings, const assembly::DiscreteShell& discrete,
-                  const certificate::NodalSolution& solution) {
+Nearness nearness(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete,
+                  const solution::NodalSolution& solution) {
   return {.distance = distance_from_state(discrete, solution),
           .depth = gap_error(discrete, solution).depth,
           .negligible = settings.tolerance * largest_displacement(solution.y)};
 }
 
-Relinearisation::Relinearisation(const Linearisation& settings, const assembly::DiscreteShell& discrete)
+Relinearisation::Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete)
     : settings_(settings), discrete_(discrete) {}
 
-std::optional<assembly::State> Relinearisation::next(const certificate::NodalSolution& solution) {
+std::optional<assembly::State> Relinearisation::next(const solution::NodalSolution& solution) {
   if (settings_.once || !has_rows_to_meet(discrete_)) return {};
   const Nearness near = nearness(settings_, discrete_, solution);
   is_met_ = near.is_met();

@@ -2,8 +2,8 @@
 // equals the distance of the deformed faces from the obstacles. Planes do not need it because their gap is linear. If
 // an obstacle is left out at a node because others are nearer, it is included when the shell has come closer to it.
 #pragma once
-#include <plastron/certificate/certificate.hpp>
-#include <plastron/computation/problem.hpp>
+#include <plastron/problem/problem.hpp>
+#include <plastron/solution/nodal_solution.hpp>
 
 #include <optional>
 
@@ -14,7 +14,7 @@ struct GapError {
   double at_contact = 0;  ///< largest |distance - gap| of the faces that touch [m]
   double depth = 0;       ///< largest depth of a face at a node inside an obstacle [m]
 };
-GapError gap_error(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution);
+GapError gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 /// Whether another linearisation can be needed: there are curved obstacles, or rows that are left out and may become
 /// relevant (collective).
@@ -29,23 +29,23 @@ struct Nearness {
   bool is_met() const { return distance <= negligible && depth <= negligible; }
 };
 /// Computes the nearness (collective).
-Nearness nearness(const Linearisation& settings, const assembly::DiscreteShell& discrete,
-                  const certificate::NodalSolution& solution);
+Nearness nearness(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete,
+                  const solution::NodalSolution& solution);
 
 /// The loop of one mesh. A step moves the state to the solution. If the distance to the solution does not decrease,
 /// later steps go half the previous part of the way. Therefore the loop converges or reports that it does not.
 class Relinearisation {
  public:
-  Relinearisation(const Linearisation& settings, const assembly::DiscreteShell& discrete);
+  Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete);
 
   /// Returns the next state of linearisation; nothing at the end of the loop (collective).
-  std::optional<assembly::State> next(const certificate::NodalSolution& solution);
+  std::optional<assembly::State> next(const solution::NodalSolution& solution);
   /// Whether the last solution agrees with the state of its linearised gaps, or need not agree.
   bool is_met() const { return is_met_; }
   int steps() const { return steps_; }
 
  private:
-  const Linearisation& settings_;
+  const problem::Linearisation& settings_;
   const assembly::DiscreteShell& discrete_;
   bool is_met_ = true;
   int steps_ = 1;

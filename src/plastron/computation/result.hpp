@@ -2,7 +2,7 @@
 #pragma once
 #include <plastron/certificate/certificate_limits.hpp>
 #include <plastron/contact/problem.hpp>
-#include <plastron/estimation/estimates.hpp>
+#include <plastron/estimation/goal_record.hpp>
 #include <plastron/recovery/stress_peak.hpp>
 
 #include <algorithm>
@@ -32,29 +32,6 @@ struct Seconds {
   }
 };
 
-/// A requested quantity, as computed on one mesh.
-struct GoalRecord {
-  std::string name{};
-  double value = 0;
-  double difference = 0;  ///< exact value minus `value`, with sign if known
-  double error = 0;       ///< estimate of |exact value - value|
-  double tolerance = 0;   ///< tolerance of the error, relative to `scale`
-  double scale = 0;       ///< |value|, or the usual size of such quantities if that is larger
-  double dual_energy = 0;
-  bool has_estimate = true;
-
-  double relative_estimate() const { return scale > 0 ? error / scale : 0; }
-  /// Allowed absolute error. For a value of zero it is nearly zero.
-  double allowed() const { return std::max(tolerance * scale, std::numeric_limits<double>::min()); }
-  /// Error divided by the allowed error, with a safety factor: estimates are often only half of the true error
-  /// (docs/methods/accuracy.md).
-  double excess() const {
-    constexpr double safety = 2;
-    return safety * error / allowed();
-  }
-  bool is_met() const { return has_estimate && excess() <= 1; }
-};
-
 /// One mesh of the sequence.
 struct Level {
   std::int64_t cells = 0, nodes = 0, unknowns = 0;
@@ -76,7 +53,7 @@ struct Level {
   contact::Tolerances tolerances{};   ///< tolerances of bounds and signs
   double max_rotation = 0;            ///< max |r| [rad]
   estimation::Linearity linearity{};  ///< linearity of a solution that was found
-  std::vector<GoalRecord> goals{};    ///< empty if no accuracy is requested
+  std::vector<estimation::GoalRecord> goals{};  ///< empty if no accuracy is requested
   std::vector<contact::Iteration> history{};
   Seconds seconds{};
 };
@@ -90,7 +67,7 @@ struct ProbeValue {
 /// The finest solution, kept for output and further work.
 struct Solution {
   std::unique_ptr<assembly::DiscreteShell> discrete;
-  certificate::NodalSolution nodal;
+  solution::NodalSolution nodal;
   recovery::Choice recovery{};  ///< choice of the fields; see choose_recovery()
   /// Estimated squared error in the energy norm of each owned cell [J]; empty if not requested.
   std::vector<double> cell_errors{};
@@ -105,7 +82,7 @@ struct HistoryEntry {
   contact::Status status = contact::Status::solved;
   std::string missed_limits{};
   Level level;  ///< how it was computed
-  certificate::Summary summary;
+  solution::Summary summary;
   std::vector<ProbeValue> probes{};
 };
 
@@ -113,14 +90,14 @@ struct Result {
   contact::Status status = contact::Status::solved;
   /// Text on limits of the certificate or the accuracy that are missed; empty if all are met.
   std::string missed_limits{};
-  certificate::Summary summary{};
+  solution::Summary summary{};
   certificate::Certificate certificate{};
-  std::vector<certificate::CertificateLimit> limits{};        ///< limits of the certificate's rows
-  std::vector<ProbeValue> probes{};                           ///< equal on every rank
-  recovery::StressPeak peak{};                                ///< peak of the last solution
-  std::vector<certificate::SingularPlace> singular_places{};  ///< places that the peak ignores
-  std::vector<Level> levels{};                                ///< meshes of the first instant, if there are steps
-  std::vector<HistoryEntry> history{};                        ///< on the finest mesh, by instant; empty without steps
+  std::vector<certificate::CertificateLimit> limits{};     ///< limits of the certificate's rows
+  std::vector<ProbeValue> probes{};                        ///< equal on every rank
+  recovery::StressPeak peak{};                             ///< peak of the last solution
+  std::vector<recovery::SingularPlace> singular_places{};  ///< places that the peak ignores
+  std::vector<Level> levels{};                             ///< meshes of the first instant, if there are steps
+  std::vector<HistoryEntry> history{};                     ///< on the finest mesh, by instant; empty without steps
   bool has_obstacle = false;
   element::Formulation formulation = element::Formulation::tangent;
   int ranks = 1;

@@ -6,13 +6,9 @@
 // shell between two instants, intermediate instants are solved.
 #include <plastron/computation/solve.hpp>
 
-#include <plastron/certificate/moment_point.hpp>
 #include <plastron/computation/adaptivity.hpp>
 #include <plastron/computation/contact_forecast.hpp>
-#include <plastron/computation/description.hpp>
 #include <plastron/computation/doubts.hpp>
-#include <plastron/computation/goal_names.hpp>
-#include <plastron/computation/instants.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/locking.hpp>
 #include <plastron/computation/memory.hpp>
@@ -21,6 +17,11 @@
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/stopwatch.hpp>
 #include <plastron/computation/zones.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/problem/description.hpp>
+#include <plastron/problem/goal_names.hpp>
+#include <plastron/problem/instants.hpp>
+#include <plastron/solution/summary.hpp>
 
 #include <fmt/format.h>
 
@@ -58,14 +59,14 @@ struct Passed {
 /// A running computation: meshes in sequence at the first instant, then the other instants on the finest mesh.
 class Computation {
  public:
-  Computation(const Problem& problem, MPI_Comm comm, const Observer& observer)
+  Computation(const problem::Problem& problem, MPI_Comm comm, const Observer& observer)
       : problem_(problem),
         comm_(comm),
         asked_(observer),
         observer_(with_time_limit(observer)),
-        shell_(shell_description(problem)),
-        instants_(instants(problem)),
-        meshes_(mesh_sequence(problem, comm)),
+        shell_(problem::shell_description(problem)),
+        instants_(problem::instants(problem)),
+        meshes_(meshing::mesh_sequence(problem, comm)),
         surface_(std::make_shared<const fem::Surface>(meshes_.space()->coarse, problem.charts)) {}
 
   Result run() {
@@ -114,7 +115,7 @@ class Computation {
 
   /// Whether there is time for an instant. A running instant is not stopped, because the previous solution no longer
   /// exists (collective).
-  bool has_time_for(const Instant& instant) {
+  bool has_time_for(const problem::Instant& instant) {
     if (!problem_.accuracy) return true;
     const double max_seconds = problem_.accuracy->max_seconds;
     if (algebra::max_over_ranks(since_start_.seconds(), comm_) <= max_seconds) return true;
@@ -124,7 +125,7 @@ class Computation {
     return false;
   }
 
-  assembly::State state_at(const Instant& instant) const {
+  assembly::State state_at(const problem::Instant& instant) const {
     return {.time = instant.time, .load_factor = instant.load_factor, .force_factors = instant.force_factors};
   }
 
@@ -183,7 +184,7 @@ class Computation {
   /// Takes the first instant on the finest mesh, or solves it again if another one was solved there. Returns whether
   /// the computation continues.
   bool begin() {
-    const Instant& first = instants_.front();
+    const problem::Instant& first = instants_.front();
     if (on_mesh_ != &first) {
       auto discrete = std::move(result_.solution->discrete);
       if (!start_out(discrete, first)) return false;
@@ -198,7 +199,7 @@ class Computation {
   /// Returns the quantities whose errors are estimated: the goals where an accuracy is requested, else energy and
   /// reaction.
   std::vector<estimation::Goal> goals() const {
-    if (problem_.accuracy) return estimated_goals(problem_);
+    if (problem_.accuracy) return problem::estimated_goals(problem_);
     std::vector<estimation::Goal> goals{{"energy", estimation::Energy{}}};
     if (!problem_.obstacles.empty()) goals.push_back({"reaction", estimation::ObstacleForce{}});
     return goals;
@@ -243,7 +244,7 @@ class Computation {
   }
 
   void refine(LevelTask& task, assembly::State& start) {
-    const certificate::NodalSolution& nodal = result_.solution->nodal;
+    const solution::NodalSolution& nodal = result_.solution->nodal;
     std::array fields{nodal.touching, continued_roots(*result_.solution->discrete, nodal), nodal.y};
     const assembly::State& before = result_.solution->discrete->state;
     const bool was_deformed = before.is_deformed();
@@ -269,9 +270,9 @@ class Computation {
   }
 
   /// Computes the goals at one degree more on the cells of the present solution, if that problem can be solved.
-  void call_witness(const Instant& instant) {
+  void call_witness(const problem::Instant& instant) {
     Stopwatch watch;
-    const certificate::NodalSolution& nodal = result_.solution->nodal;
+    const solution::NodalSolution& nodal = result_.solution->nodal;
     std::array fields{nodal.touching, continued_roots(*result_.solution->discrete, nodal), nodal.y};
     auto space = meshes_.raised(fields, degrees_of_witness(problem_));
     assembly::State start = continued_at(instant);
@@ -295,7 +296,7 @@ class Computation {
   }
 
   /// Returns the state of an instant that starts from the present solution.
-  assembly::State continued_at(const Instant& instant) const {
+  assembly::State continued_at(const problem::Instant& instant) const {
     assembly::State start = state_at(instant);
     start.positions = positions();
     if (result_.solution->discrete->state.is_deformed()) start.displacement = result_.solution->nodal.y;
@@ -303,7 +304,7 @@ class Computation {
   }
 
   /// Returns the shell of the present solution, linearised for an instant that starts from that solution.
-  std::unique_ptr<assembly::DiscreteShell> shell_at(const Instant& instant, LevelTask& task) {
+  std::unique_ptr<assembly::DiscreteShell> shell_at(const problem::Instant& instant, LevelTask& task) {
     const ContactTrend trend = contact_trend(*result_.solution->discrete, result_.solution->nodal);
     assembly::State start = continued_at(instant);
     auto discrete = std::move(result_.solution->discrete);
@@ -315,17 +316,17 @@ class Computation {
 
   /// Returns the next part of the way between two instants, after `done`. It is so short that obstacles cannot pass
   /// through the shell at `y`.
-  static double next_part(const assembly::DiscreteShell& discrete, const algebra::Vector& y, const Instant& from,
-                          const Instant& to, double done) {
+  static double next_part(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                          const problem::Instant& from, const problem::Instant& to, double done) {
     constexpr double least = 0x1p-10;
-    const auto time = [&](double part) { return between(from, to, part).time; };
+    const auto time = [&](double part) { return problem::between(from, to, part).time; };
     double next = 1;
     while (next - done > least && may_pass(discrete, y, time(done), time(next))) next = done + (next - done) / 2;
     return next;
   }
 
   /// Solves an intermediate instant whose results are not requested. Returns whether the computation continues.
-  bool pass(const Instant& instant, std::unique_ptr<assembly::DiscreteShell> discrete, LevelTask task) {
+  bool pass(const problem::Instant& instant, std::unique_ptr<assembly::DiscreteShell> discrete, LevelTask task) {
     task.number = std::max(0, static_cast<int>(result_.levels.size()) - 1);
     task.settings = problem_.contact;
     task.linearisation = problem_.linearisation;
@@ -347,7 +348,7 @@ class Computation {
 
   /// Solves intermediate instants from the present solution, after the part `done`. Their number prevents that
   /// obstacles pass through the shell. Returns whether the computation continues.
-  bool approach(const Instant& from, const Instant& to, double done = 0) {
+  bool approach(const problem::Instant& from, const problem::Instant& to, double done = 0) {
     for (;;) {
       const Solution& at_hand = *result_.solution;
       done = next_part(*at_hand.discrete, at_hand.nodal.y, from, to, done);
@@ -356,7 +357,7 @@ class Computation {
         result_.status = contact::Status::interrupted;
         return false;
       }
-      const Instant instant = between(from, to, done);
+      const problem::Instant instant = problem::between(from, to, done);
       LevelTask task;
       auto discrete = shell_at(instant, task);
       if (!pass(instant, std::move(discrete), std::move(task))) return false;
@@ -365,13 +366,13 @@ class Computation {
 
   /// The same, starting from the undeformed shell. `discrete` stays if no instant is needed; otherwise it becomes the
   /// shell of the present solution.
-  bool start_out(std::unique_ptr<assembly::DiscreteShell>& discrete, const Instant& to) {
+  bool start_out(std::unique_ptr<assembly::DiscreteShell>& discrete, const problem::Instant& to) {
     if (problem_.steps.empty()) return true;
-    const Instant start{.load_factor = 0, .force_factors = std::vector<double>(problem_.obstacles.size(), 0)};
+    const problem::Instant start{.load_factor = 0, .force_factors = std::vector<double>(problem_.obstacles.size(), 0)};
     const algebra::Vector undeformed(discrete->space().layout, 6);
     const double first = next_part(*discrete, undeformed, start, to, 0);
     if (first == 1) return true;
-    const Instant instant = between(start, to, first);
+    const problem::Instant instant = problem::between(start, to, first);
     linearise(*discrete, state_at(instant));
     return pass(instant, std::move(discrete), {}) && approach(start, to, first);
   }
@@ -393,7 +394,7 @@ class Computation {
 
   /// Solves an instant on the finest mesh, from a state and the contact zone of the present solution. Returns whether
   /// the computation continues.
-  bool advance(const Instant& instant, assembly::State start) {
+  bool advance(const problem::Instant& instant, assembly::State start) {
     if (wants_to_stop(observer_, comm_)) {
       result_.status = contact::Status::interrupted;
       return false;
@@ -425,7 +426,7 @@ class Computation {
 
   /// Returns the expected contact from the present solution. Within a step the trend of contact is expected to
   /// continue.
-  ContactTrend expected_at(const Instant& instant) {
+  ContactTrend expected_at(const problem::Instant& instant) {
     ContactTrend now = contact_trend(*result_.solution->discrete, result_.solution->nodal);
     const std::optional<Passed> before = std::exchange(passed_, {});
     if (!at_) return now;
@@ -436,11 +437,12 @@ class Computation {
 
   /// Judges the accuracy at the last instant. The steps may lead to another solution than the one for which the mesh
   /// was made.
-  void judge_accuracy_at_end(const Instant& instant) {
+  void judge_accuracy_at_end(const problem::Instant& instant) {
     const estimation::Estimates& estimates = *result_.estimates;
     if (!meshes_are_ahead_ && wants_witness(problem_, *meshes_.space(), estimates, result_.summary))
       call_witness(instant);
-    const std::string missed = shortfall(goal_records(problem_, estimates, result_.summary), estimates);
+    const std::string missed = estimation::shortfall(
+        estimation::goal_records(problem::estimated_goals(problem_), estimates, result_.summary), estimates);
     if (missed.empty()) return;
     missed_accuracy_ +=
         fmt::format("{}at the last instant, reached step by step, {}", missed_accuracy_.empty() ? "" : "; ", missed);
@@ -480,7 +482,7 @@ class Computation {
   }
 
   /// Adds the present solution to the history.
-  void note(const Instant& instant) {
+  void note(const problem::Instant& instant) {
     judge_certificate(result_);
     recover();
     result_.history.push_back({.step = problem_.steps[static_cast<std::size_t>(instant.step)].name,
@@ -495,7 +497,7 @@ class Computation {
     at_ = &instant;
   }
 
-  const Problem& problem_;
+  const problem::Problem& problem_;
   MPI_Comm comm_;
   const Observer& asked_;
   Stopwatch since_start_{};
@@ -503,24 +505,24 @@ class Computation {
       std::numeric_limits<double>::infinity();  ///< [s since the start]; none before the first mesh is finished
   Observer observer_;                           ///< the caller's observer with the time limit
   assembly::ShellDescription shell_;
-  std::vector<Instant> instants_;
+  std::vector<problem::Instant> instants_;
   fem::MeshSequence meshes_;
   bool meshes_are_ahead_ = false;  ///< whether the clock stopped a mesh after the one of the solution
   std::shared_ptr<const fem::Surface> surface_;
   Result result_{};
   Level latest_{};
-  const Instant* on_mesh_ = &instants_.front();  ///< instant that is solved on each mesh
-  const Instant* at_ = nullptr;                  ///< instant of the latest entry of the history
-  std::optional<Passed> passed_{};               ///< trend at the instant before that one
-  std::vector<fem::Cuts> cuts_{};                ///< cuts for the next mesh, where an accuracy is requested
-  std::vector<signed char> marks_{};             ///< marks of cells for the next mesh, where there are no cuts
+  const problem::Instant* on_mesh_ = &instants_.front();  ///< instant that is solved on each mesh
+  const problem::Instant* at_ = nullptr;                  ///< instant of the latest entry of the history
+  std::optional<Passed> passed_{};                        ///< trend at the instant before that one
+  std::vector<fem::Cuts> cuts_{};                         ///< cuts for the next mesh, where an accuracy is requested
+  std::vector<signed char> marks_{};                      ///< marks of cells for the next mesh, where there are no cuts
   std::string missed_accuracy_{};
   std::string missed_on_the_way_{};  ///< limits missed between instants
 };
 
 }  // namespace
 
-Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer) {
+Result solve(const problem::Problem& problem, MPI_Comm comm, const Observer& observer) {
   return Computation(problem, comm, observer).run();
 }
 

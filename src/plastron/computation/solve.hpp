@@ -1,8 +1,8 @@
 // The whole computation, from a problem to its result.
 #pragma once
 #include <plastron/computation/observer.hpp>
-#include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <mpi.h>
 
@@ -12,6 +12,6 @@ namespace plastron::computation {
 /// Throws fem::DomainError, assembly::SupportError for mistakes in the problem itself. A computation that does
 /// not converge is not an exception but a status. If it is interrupted (Observer::stop), the result belongs to the last
 /// finished mesh; without one there are no levels and no solution.
-Result solve(const Problem& problem, MPI_Comm comm, const Observer& observer = {});
+Result solve(const problem::Problem& problem, MPI_Comm comm, const Observer& observer = {});
 
 }  // namespace plastron::computation

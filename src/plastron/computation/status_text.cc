@@ -17,8 +17,8 @@ double Result::max_pressure() const {
   if (summary.edge.is_line()) return summary.edge.pressure_inside;
   double most = std::numeric_limits<double>::quiet_NaN();
   bool has_zones = false;
-  for (const certificate::ObstacleContact& obstacle : summary.obstacles)
-    for (const certificate::ContactZone& zone : obstacle.zones) {
+  for (const solution::ObstacleContact& obstacle : summary.obstacles)
+    for (const solution::ContactZone& zone : obstacle.zones) {
       has_zones = true;
       if (!zone.is_line()) most = std::fmax(most, zone.peak_pressure);
     }

@@ -1,14 +1,15 @@
 #include <plastron/computation/verify.hpp>
 
 #include <plastron/assembly/pressing.hpp>
-#include <plastron/certificate/moment_point.hpp>
-#include <plastron/computation/description.hpp>
 #include <plastron/computation/doubts.hpp>
-#include <plastron/computation/instants.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/membership.hpp>
 #include <plastron/computation/probes.hpp>
 #include <plastron/computation/zones.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/problem/description.hpp>
+#include <plastron/problem/instants.hpp>
+#include <plastron/solution/summary.hpp>
 
 #include <algorithm>
 #include <set>
@@ -34,8 +35,8 @@ void refine_to(std::span<const fem::CellPlace> cells, fem::MeshSequence& meshes)
 
 }  // namespace
 
-FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, const MeshCells& cells) {
-  fem::MeshSequence meshes = mesh_sequence(problem, comm);
+FinestMesh finest_mesh(const problem::Problem& problem, MPI_Comm comm, const MeshCells& cells) {
+  fem::MeshSequence meshes = meshing::mesh_sequence(problem, comm);
   if (!cells.cuts.empty()) meshes.begin_with_cuts(cells.cuts);
   if (problem.accuracy)
     refine_to(cells.places, meshes);
@@ -45,11 +46,11 @@ FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, const MeshCells& c
           .surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts)};
 }
 
-Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
-  solution.state.force_factors = instants(problem).back().force_factors;
-  Solution found{
-      .discrete = assembly::discretise(mesh.space, mesh.surface, shell_description(problem), std::move(solution.state)),
-      .nodal = std::move(solution.nodal)};
+Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
+  solution.state.force_factors = problem::instants(problem).back().force_factors;
+  Solution found{.discrete = assembly::discretise(mesh.space, mesh.surface, problem::shell_description(problem),
+                                                  std::move(solution.state)),
+                 .nodal = std::move(solution.nodal)};
   std::vector<double> ways;
   for (const std::size_t k : pressed_obstacles(*found.discrete)) ways.push_back(solution.ways.at(k));
   press(*found.discrete, ways);
@@ -69,7 +70,7 @@ Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSoluti
   result.solution = std::move(found);
   find_stress_peak(result);
   if (!problem.steps.empty()) {
-    const Instant end = instants(problem).back();
+    const problem::Instant end = problem::instants(problem).back();
     result.history.push_back({.step = problem.steps.back().name,
                               .time = end.time,
                               .load_factor = end.load_factor,

@@ -2,9 +2,9 @@
 // mesh, the shell linearised at the stored state, the certificate (docs/model.md, section 8), and the conditions that
 // the certificate assumes for our own solvers' results. It factorises nothing and solves nothing.
 #pragma once
-#include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/fem/surface.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <mpi.h>
 
@@ -18,7 +18,7 @@ namespace plastron::computation {
 struct StoredSolution {
   assembly::State state{};     ///< state at which its gaps are linearised
   std::vector<double> ways{};  ///< distances by which forces have moved each obstacle since then [m]
-  certificate::NodalSolution nodal{};
+  solution::NodalSolution nodal{};
 };
 
 struct FinestMesh {
@@ -33,7 +33,7 @@ struct MeshCells {
 
 /// Returns the last mesh of solve(). If it follows from estimates, returns the mesh of `cells`, which all ranks give
 /// completely. Cells that no such mesh has give another mesh (collective). Throws fem::DomainError.
-FinestMesh finest_mesh(const Problem& problem, MPI_Comm comm, const MeshCells& cells = {});
+FinestMesh finest_mesh(const problem::Problem& problem, MPI_Comm comm, const MeshCells& cells = {});
 
 struct Verification {
   /// Result of solve(), with a single level; the status is solved or inaccurate.
@@ -44,6 +44,6 @@ struct Verification {
 
 /// Verifies a solution (collective). Throws fem::DomainError, assembly::SupportError, obstacle::ObstacleError, as
 /// solve() does.
-Verification verify(const Problem& problem, const FinestMesh& mesh, StoredSolution solution);
+Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution);
 
 }  // namespace plastron::computation

@@ -1,8 +1,8 @@
 // Reads [accuracy]: the required accuracy, in place of a mesh.
-#include <plastron/computation/goal_names.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 #include <plastron/geometry/quotation.hpp>
+#include <plastron/problem/goal_names.hpp>
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ namespace {
 /// Tolerance of energy and reaction in a case without mesh and accuracy.
 constexpr double default_tolerance = 1e-3;
 
-void read_other_goals(Table& accuracy, const std::vector<std::string>& known, computation::Accuracy& given) {
+void read_other_goals(Table& accuracy, const std::vector<std::string>& known, problem::Accuracy& given) {
   Reading& reading = accuracy.reading();
   const Range range = section("accuracy").keys.front().range;
   for (const auto& [name, value] : accuracy.other_entries()) {
@@ -33,12 +33,12 @@ void read_other_goals(Table& accuracy, const std::vector<std::string>& known, co
 
 }  // namespace
 
-void read_accuracy(Table& root, computation::Problem& problem) {
+void read_accuracy(Table& root, problem::Problem& problem) {
   if (!root.has("accuracy") && root.has("mesh")) return;
   auto table = root.table("accuracy");
   if (!table) return;
-  const std::vector<std::string> known = computation::goal_names(problem);
-  computation::Accuracy given;
+  const std::vector<std::string> known = problem::goal_names(problem);
+  problem::Accuracy given;
   for (const char* name : {"energy", "reaction", "contact_area"}) {
     const auto tolerance = table->number(name);
     if (!tolerance) continue;

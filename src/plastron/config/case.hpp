@@ -1,8 +1,8 @@
 // Reads a case file as a computation::Problem. Only this folder reads case files; the format is docs/case-file.md.
 #pragma once
-#include <plastron/computation/problem.hpp>
 #include <plastron/config/input_file.hpp>
 #include <plastron/config/mistakes.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace plastron::config {
 struct Case {
   std::string title;
   geometry::Constants constants;
-  computation::Problem problem;
+  problem::Problem problem;
   bool wants_report = true;        ///< [output] report
   nlohmann::json effective;        ///< all settings, including defaults, in the form of the case file
   std::string text{};              ///< text of the case file, byte for byte; after `settings` the edited text

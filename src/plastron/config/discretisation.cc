@@ -10,7 +10,7 @@ namespace {
 
 /// Checks triangles, which have degrees 1 and 2 and no tying. A default of `tying` is changed, a given value is an
 /// error.
-void check_triangles(Table& mesh, computation::Discretisation& d) {
+void check_triangles(Table& mesh, problem::Discretisation& d) {
   if (d.degree > 2)
     mesh.report("degree", fmt::format("degree {} is not available on triangles", d.degree), "1 <= degree <= 2",
                 "write cells = \"quadrilateral\" for a higher degree");
@@ -23,25 +23,25 @@ void check_triangles(Table& mesh, computation::Discretisation& d) {
 
 /// Sets missing values for meshes that follow from estimated errors: an unrefined start mesh with edge layers, of high
 /// degree.
-void suit_accuracy(Table& mesh, computation::Discretisation& d) {
+void suit_accuracy(Table& mesh, problem::Discretisation& d) {
   const bool is_triangular = d.cells == fem::Shape::triangle;
   if (!mesh.has("refinements")) mesh.effective["refinements"] = d.refinements = 0;
   if (!mesh.has("degree")) mesh.effective["degree"] = d.degree = is_triangular ? 2 : 4;
   if (mesh.has("layers") || is_triangular) return;
-  d.layers = computation::Layers::automatic;
+  d.layers = problem::Layers::automatic;
   mesh.effective["layers"] = "auto";
 }
 
 }  // namespace
 
-void read_mesh(Table& root, computation::Problem& problem) {
+void read_mesh(Table& root, problem::Problem& problem) {
   auto mesh = root.table("mesh");
   if (!mesh) return;
-  computation::Discretisation& d = problem.discretisation;
+  problem::Discretisation& d = problem.discretisation;
   if (mesh->text("cells") == "triangle") d.cells = fem::Shape::triangle;
   d.degree = mesh->integer("degree").value_or(d.degree);
   d.tying = mesh->boolean("tying").value_or(d.tying);
-  if (mesh->word_or_false("layers") == "auto") d.layers = computation::Layers::automatic;
+  if (mesh->word_or_false("layers") == "auto") d.layers = problem::Layers::automatic;
   d.refinements = mesh->integer("refinements").value_or(d.refinements);
   if (root.has("accuracy") || !root.has("mesh")) suit_accuracy(*mesh, d);
   if (d.cells == fem::Shape::triangle) check_triangles(*mesh, d);
@@ -50,7 +50,7 @@ void read_mesh(Table& root, computation::Problem& problem) {
 
 namespace {
 
-void read_heights(Table& output, computation::Output& given) {
+void read_heights(Table& output, problem::Output& given) {
   constexpr std::size_t most = 50;
   std::vector<double> heights = output.numbers("heights").value_or(std::vector<double>{});
   if (heights.size() > most)
@@ -69,7 +69,7 @@ void read_heights(Table& output, computation::Output& given) {
 
 }  // namespace
 
-bool read_output(Table& root, computation::Problem& problem) {
+bool read_output(Table& root, problem::Problem& problem) {
   auto output = root.table("output");
   if (!output) return true;
   if (const auto axis = output->vector("axis")) {
@@ -91,7 +91,7 @@ bool read_output(Table& root, computation::Problem& problem) {
   return wants_report;
 }
 
-void read_units(Table& root, computation::UnitNames& units) {
+void read_units(Table& root, problem::UnitNames& units) {
   auto table = root.table("units");
   if (!table) return;
   const auto name = [&](const char* key, std::string& unit, std::initializer_list<std::string_view> taken) {
@@ -111,7 +111,7 @@ void read_units(Table& root, computation::UnitNames& units) {
   root.effective["units"] = table->effective;
 }
 
-void read_contact(Table& root, computation::Problem& problem) {
+void read_contact(Table& root, problem::Problem& problem) {
   auto contact = root.table("contact");
   if (!contact) return;
   const auto name = contact->text("solver");
@@ -122,7 +122,7 @@ void read_contact(Table& root, computation::Problem& problem) {
   root.effective["contact"] = contact->effective;
 }
 
-void read_solver(Table& root, computation::Problem& problem) {
+void read_solver(Table& root, problem::Problem& problem) {
   auto solver = root.table("solver");
   if (!solver) return;
   contact::Settings& s = problem.contact;

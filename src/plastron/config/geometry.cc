@@ -31,7 +31,7 @@ void report_chart(Reading& reading, const Item& item, const Formulas& formulas) 
 }
 
 /// Reads a chart; without the name of a region it is the chart of all regions.
-void read_chart(const Table& geometry, const Item& item, const std::string& region, computation::Problem& problem,
+void read_chart(const Table& geometry, const Item& item, const std::string& region, problem::Problem& problem,
                 nlohmann::json& effective) {
   Reading& reading = geometry.reading();
   const auto list = read_list(reading, item, Kind::formulas, 3, read_formula);
@@ -58,7 +58,7 @@ void report_unknown_region(Reading& reading, const std::string& region, const to
 
 // Reads a table of charts by region. The regions of a mesh file are known only when it is read.
 void read_charts_by_region(const Table& geometry, const toml::value& table, const std::vector<std::string>& regions,
-                           computation::Problem& problem, nlohmann::json& effective) {
+                           problem::Problem& problem, nlohmann::json& effective) {
   Reading& reading = geometry.reading();
   effective = nlohmann::json::object();
   for (const auto& [region, value] : entries(reading, table)) {
@@ -79,7 +79,7 @@ void read_charts_by_region(const Table& geometry, const toml::value& table, cons
 
 }  // namespace
 
-void read_charts(Table& geometry, const fem::Domain& domain, computation::Problem& problem) {
+void read_charts(Table& geometry, const fem::Domain& domain, problem::Problem& problem) {
   const auto given = geometry.value("chart");
   if (!given) return;
   const auto regions = fem::region_names(domain);
@@ -90,7 +90,7 @@ void read_charts(Table& geometry, const fem::Domain& domain, computation::Proble
     read_chart(geometry, Item{*given, "chart"}, "", problem, effective);
 }
 
-std::optional<fem::Domain> read_geometry(Table& root, computation::Problem& problem) {
+std::optional<fem::Domain> read_geometry(Table& root, problem::Problem& problem) {
   auto geometry = root.table("geometry");
   if (!geometry) return {};
   auto domain = read_domain(*geometry);

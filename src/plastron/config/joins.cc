@@ -18,7 +18,7 @@ bool is_boundary(Table& table, const std::string& name, const std::optional<fem:
 
 }  // namespace
 
-void read_joins(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_joins(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   auto& effective = root.effective["join"] = nlohmann::json::array();
   for (Table& table : root.tables("join")) {
     const auto names = table.texts("boundaries");

@@ -82,13 +82,13 @@ std::vector<Eigen::Vector2d> read_points(Table& table, const std::optional<fem::
 
 }  // namespace
 
-void read_probes(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_probes(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   auto& effective = root.effective["probe"] = nlohmann::json::array();
   for (Table& table : root.tables("probe")) {
     const auto name = table.text("name");
     const auto at = table.point("at");
     if (name && name->empty()) table.report("name", "a probe needs a name");
-    if (name && std::ranges::count(problem.probes, *name, &computation::Probe::name) > 0)
+    if (name && std::ranges::count(problem.probes, *name, &problem::Probe::name) > 0)
       table.report("name", fmt::format("two probes are named \"{}\"", *name), "", "choose another name");
     if (at && domain && !may_contain(*domain, *at))
       table.report("at", fmt::format("the probe at [{}, {}] is outside the domain", (*at)[0], (*at)[1]));
@@ -97,14 +97,14 @@ void read_probes(Table& root, const std::optional<fem::Domain>& domain, computat
   }
 }
 
-void read_lines(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_lines(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   auto& effective = root.effective["line"] = nlohmann::json::array();
   for (Table& table : root.tables("line")) {
     const auto name = table.text("name");
     if (name && !is_file_name(*name))
       table.report("name", "the name of a line is part of a file's name", "letters, digits, - and _",
                    "choose such a name");
-    if (name && std::ranges::count(problem.lines, *name, &computation::Line::name) > 0)
+    if (name && std::ranges::count(problem.lines, *name, &problem::Line::name) > 0)
       table.report("name", fmt::format("two lines are named \"{}\"", *name), "", "choose another name");
     problem.lines.push_back({name.value_or(""), read_points(table, domain)});
     effective.push_back(table.effective);

@@ -11,7 +11,7 @@ assembly::VectorExpression vector_or_zero(Table& load, const char* name) {
   return {};
 }
 
-void read_edge_load(Table& load, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_edge_load(Table& load, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   const auto boundaries = read_boundaries(load, domain);
   if (load.has("pressure"))
     load.reading().report(load.key_place("pressure"), "a load on a boundary has no pressure", "force, couple",
@@ -27,7 +27,7 @@ void read_edge_load(Table& load, const std::optional<fem::Domain>& domain, compu
   }
 }
 
-void read_area_load(Table& load, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_area_load(Table& load, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   assembly::AreaLoad result{.force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
   if (load.has("pressure"))
     result.pressure = load.field("pressure").value_or(geometry::Expression{});
@@ -42,7 +42,7 @@ void read_area_load(Table& load, const std::optional<fem::Domain>& domain, compu
 
 }  // namespace
 
-void read_loads(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_loads(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   auto& effective = root.effective["load"] = nlohmann::json::array();
   for (Table& load : root.tables("load")) {
     if (!load.has("force") && !load.has("pressure") && !load.has("couple"))

@@ -13,7 +13,7 @@ constexpr const char *of_lower_face = ", lower face", *of_upper_face = ", upper 
 
 }  // namespace
 
-std::vector<std::size_t> obstacles_named(const computation::Problem& problem, const std::string& name) {
+std::vector<std::size_t> obstacles_named(const problem::Problem& problem, const std::string& name) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < problem.obstacles.size(); ++k) {
     const std::string& its = problem.obstacles[k].name;
@@ -25,7 +25,7 @@ std::vector<std::size_t> obstacles_named(const computation::Problem& problem, co
 namespace {
 
 /// Returns the given name, otherwise "obstacle-1", "obstacle-2", ... by the obstacle's place.
-std::string read_obstacle_name(Table& table, const computation::Problem& problem, std::size_t place) {
+std::string read_obstacle_name(Table& table, const problem::Problem& problem, std::size_t place) {
   std::string name = fmt::format("obstacle-{}", place);
   const bool is_given = table.has("name");
   if (is_given) name = table.text("name").value_or(name);
@@ -42,7 +42,7 @@ std::string read_obstacle_name(Table& table, const computation::Problem& problem
 }
 
 /// Adds one obstacle for each face that it may meet.
-void add_faces(obstacle::Obstacle body, const std::string& face, computation::Problem& problem) {
+void add_faces(obstacle::Obstacle body, const std::string& face, problem::Problem& problem) {
   using obstacle::Face;
   if (face == "both") {
     body.is_for_both = true;
@@ -61,7 +61,7 @@ void add_faces(obstacle::Obstacle body, const std::string& face, computation::Pr
 
 }  // namespace
 
-void read_obstacles(Table& root, computation::Problem& problem) {
+void read_obstacles(Table& root, problem::Problem& problem) {
   auto& effective = root.effective["obstacle"] = nlohmann::json::array();
   for (Table& table : root.tables("obstacle")) {
     obstacle::Obstacle result;

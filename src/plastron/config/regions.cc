@@ -34,7 +34,7 @@ std::optional<Place> density_place(const Table& root) {
 
 }  // namespace
 
-void read_regions(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_regions(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   auto& effective = root.effective["region"] = nlohmann::json::array();
   const auto known = domain ? fem::region_names(*domain) : std::vector<std::string>{};
   for (Table& region : root.tables("region")) {
@@ -49,7 +49,7 @@ void read_regions(Table& root, const std::optional<fem::Domain>& domain, computa
   }
 }
 
-void read_gravity(Table& root, computation::Problem& problem) {
+void read_gravity(Table& root, problem::Problem& problem) {
   const auto density = density_place(root);
   if (root.has("gravity")) {
     if (!density)

@@ -62,7 +62,7 @@ void check_body_name(const Table& table, const std::vector<fem::RigidBody>& befo
 
 }  // namespace
 
-void read_rigid_bodies(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_rigid_bodies(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   auto& effective = root.effective["rigid_body"] = nlohmann::json::array();
   for (Table& table : root.tables("rigid_body")) {
     fem::RigidBody body{.name = table.text("name").value_or("")};

@@ -19,7 +19,7 @@ void read_tangency(Table& shell, element::Tangency& tangency) {
 
 }  // namespace
 
-void read_shell(Table& root, computation::Problem& problem) {
+void read_shell(Table& root, problem::Problem& problem) {
   auto shell = root.table("shell");
   if (!shell) return;
   const auto shear_correction = shell->number("shear_correction");

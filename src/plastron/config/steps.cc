@@ -12,12 +12,12 @@ namespace {
 /// Largest number of instants in total: each needs a solution and a file.
 constexpr int most_parts = 5000;
 
-std::string read_step_name(Table& table, const computation::Problem& problem) {
+std::string read_step_name(Table& table, const problem::Problem& problem) {
   std::string name = fmt::format("step-{}", problem.steps.size() + 1);
   if (table.has("name")) name = table.text("name").value_or(name);
   table.effective["name"] = name;
   if (name.empty()) table.report("name", "a step's name is empty", "", "leave the key out or give a name");
-  if (std::ranges::count(problem.steps, name, &computation::Step::name) > 0)
+  if (std::ranges::count(problem.steps, name, &problem::Step::name) > 0)
     table.report("name", fmt::format("two steps are named \"{}\"", name), "", "choose another name");
   return name;
 }
@@ -29,7 +29,7 @@ std::vector<std::string> obstacle_names(const Table& root) {
 }
 
 /// Returns the places of the obstacle that the table moves; empty if there is a mistake.
-std::vector<std::size_t> moved_obstacles(Table& table, const computation::Problem& problem,
+std::vector<std::size_t> moved_obstacles(Table& table, const problem::Problem& problem,
                                          const std::vector<std::string>& known, std::vector<std::string>& seen) {
   const auto name = table.text("obstacle");
   if (!name) return {};
@@ -46,7 +46,7 @@ std::vector<std::size_t> moved_obstacles(Table& table, const computation::Proble
   return found;
 }
 
-void read_force(Table& table, const computation::Problem& problem, std::size_t k, computation::Step& step) {
+void read_force(Table& table, const problem::Problem& problem, std::size_t k, problem::Step& step) {
   if (!table.has("force")) return;
   const auto factor = table.number("force");
   if (!problem.obstacles[k].is_pressed())
@@ -55,8 +55,7 @@ void read_force(Table& table, const computation::Problem& problem, std::size_t k
   if (factor) step.force_factors[k] = *factor;
 }
 
-void read_moves(Table& table, const std::vector<std::string>& known, computation::Problem& problem,
-                computation::Step& step) {
+void read_moves(Table& table, const std::vector<std::string>& known, problem::Problem& problem, problem::Step& step) {
   for (obstacle::Obstacle& o : problem.obstacles) o.motions.emplace_back();
   auto& effective = table.effective["move"] = nlohmann::json::array();
   std::vector<std::string> seen;
@@ -72,9 +71,9 @@ void read_moves(Table& table, const std::vector<std::string>& known, computation
 
 }  // namespace
 
-void read_steps(Table& root, computation::Problem& problem) {
+void read_steps(Table& root, problem::Problem& problem) {
   auto& effective = root.effective["step"] = nlohmann::json::array();
-  computation::Step step{.force_factors = std::vector<double>(problem.obstacles.size(), 1)};
+  problem::Step step{.force_factors = std::vector<double>(problem.obstacles.size(), 1)};
   int parts = 0;
   for (Table& table : root.tables("step")) {
     step.name = read_step_name(table, problem);

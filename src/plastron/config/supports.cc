@@ -161,7 +161,7 @@ void check_components_at_point(const Table& support) {
 
 }  // namespace
 
-void read_supports(Table& root, const std::optional<fem::Domain>& domain, computation::Problem& problem) {
+void read_supports(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
   auto& effective = root.effective["support"] = nlohmann::json::array();
   FixedOn fixed_on;
   for (Table& support : root.tables("support")) {

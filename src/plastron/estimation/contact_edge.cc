@@ -41,7 +41,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
   const fem::Space& space = discrete.space();
   const std::size_t obstacles = discrete.obstacles.all.size();
   if (obstacles == 0) return;
-  if (certificate::edge_contact(discrete, solved.nodal).is_line()) find_rim();
+  if (solution::edge_contact(discrete, solved.nodal).is_line()) find_rim();
   eta_ = densities(solved.z.multiplier);
   reaction_basis_ = element::reaction_basis_at(space.shape(), space.degree, discrete.shell.tables().quadrature.xi);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)

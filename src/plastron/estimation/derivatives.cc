@@ -1,9 +1,9 @@
 #include <plastron/estimation/derivatives.hpp>
 
 #include <plastron/assembly/pressing.hpp>
-#include <plastron/certificate/contact_zones.hpp>
 #include <plastron/estimation/point_values.hpp>
 #include <plastron/estimation/reactions.hpp>
+#include <plastron/zones/contact_zones.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -37,7 +37,7 @@ Derivative derivative_of(const LoadWork& /*work*/, const Solved& solved) {
 
 Derivative derivative_of(const ContactArea& area, const Solved& solved) {
   Derivative result = zero(solved);
-  const std::vector<double> areas = certificate::contact_areas(solved.discrete, solved.nodal);
+  const std::vector<double> areas = zones::contact_areas(solved.discrete, solved.nodal);
   result.value = area.obstacle ? areas[*area.obstacle] : std::accumulate(areas.begin(), areas.end(), 0.0);
   return result;
 }

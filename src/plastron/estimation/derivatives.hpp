@@ -1,10 +1,10 @@
 // A functional at a solution: its value and its derivative, which is the load of the dual problem.
 #pragma once
-#include <plastron/certificate/certificate.hpp>
-#include <plastron/certificate/singular_places.hpp>
 #include <plastron/estimation/dual_solver.hpp>
 #include <plastron/estimation/functionals.hpp>
 #include <plastron/recovery/resultant_patches.hpp>
+#include <plastron/recovery/singular_places.hpp>
+#include <plastron/solution/nodal_solution.hpp>
 
 #include <memory>
 #include <span>
@@ -15,10 +15,10 @@ namespace plastron::estimation {
 /// A solution on the last mesh with its contact problem.
 struct Solved {
   const assembly::DiscreteShell& discrete;
-  const certificate::NodalSolution& nodal;
+  const solution::NodalSolution& nodal;
   const contact::BoxProblem& box;
   const contact::BoxSolution& z;
-  std::vector<certificate::SingularPlace> singular{};                   ///< places that the largest stress leaves out
+  std::vector<recovery::SingularPlace> singular{};                      ///< places that the largest stress leaves out
   mutable std::shared_ptr<const recovery::ResultantPatches> patches{};  ///< made at first use
 
   /// The patches of the solution, made at the first call (collective).

@@ -1,6 +1,6 @@
 #include <plastron/estimation/reactions.hpp>
 
-#include <plastron/certificate/support_shares.hpp>
+#include <plastron/solution/support_shares.hpp>
 
 #include <algorithm>
 
@@ -54,12 +54,12 @@ class Counted {
   Vector3d operator()(std::size_t node, const Eigen::Matrix<double, 6, 1>& direction) const {
     if (!shares_) return direction.head<3>();
     const auto& all = shares_->at(node);
-    const auto own = std::ranges::find(all, boundary_, &certificate::SupportShares::Share::carrier);
+    const auto own = std::ranges::find(all, boundary_, &solution::SupportShares::Share::carrier);
     return own == all.end() ? Vector3d(Vector3d::Zero()) : Vector3d((own->part * direction).head<3>());
   }
 
  private:
-  std::optional<certificate::SupportShares> shares_{};
+  std::optional<solution::SupportShares> shares_{};
   std::size_t boundary_ = 0;
 };
 

@@ -144,7 +144,7 @@ class StrainErrorsOf {
 }  // namespace
 
 std::vector<StrainErrors> StrainRecovery::operator()(const algebra::Vector& y) {
-  certificate::NodalSolution field;
+  solution::NodalSolution field;
   field.y = y;
   const recovery::ResultantPatches resultants =
       patches_ ? recovery::ResultantPatches(discrete_, field, patches_) : recovery::ResultantPatches(discrete_, field);

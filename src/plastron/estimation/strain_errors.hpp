@@ -3,9 +3,9 @@
 // estimates the error. Tied strains (M22) have a second error: they differ from the strains of the displacements. It
 // affects forces and is stored separately. The identities are in docs/methods/estimates.md.
 #pragma once
-#include <plastron/certificate/certificate.hpp>
 #include <plastron/estimation/free_edges.hpp>
 #include <plastron/recovery/patches.hpp>
+#include <plastron/solution/nodal_solution.hpp>
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 // Checks the gap of the undeformed shell (M16): K must not be empty.
-#include <plastron/computation/cell_sizes.hpp>
-#include <plastron/computation/gap.hpp>
 #include <plastron/examination/checks.hpp>
+#include <plastron/meshing/cell_sizes.hpp>
+#include <plastron/problem/gap.hpp>
 
 #include <fmt/ranges.h>
 
@@ -30,13 +30,12 @@ std::string supports_of(std::size_t node, const Examined& examined, const Examin
 /// Warns if all nodes of a given mesh may miss an obstacle that is smaller than their distance. With an accuracy, the
 /// mesh is refined there.
 void check_roundness(Examined& examined, const assembly::NodalPoint& nearest, std::size_t obstacle) {
-  const computation::Problem& problem = examined.problem;
+  const problem::Problem& problem = examined.problem;
   if (problem.accuracy || problem.obstacles[obstacle].is_plane()) return;
   const double radius =
       obstacle::face_gap(problem.obstacles[obstacle], {nearest.phi, nearest.a3, nearest.thickness}).roundness;
   double longest = 0;
-  for (const computation::CellSize& cell : computation::cell_sizes(problem))
-    longest = std::max(longest, cell.longest_side);
+  for (const meshing::CellSize& cell : meshing::cell_sizes(problem)) longest = std::max(longest, cell.longest_side);
   const double spacing = longest / problem.discretisation.degree;
   if (!(radius > 0) || 2 * radius >= spacing) return;
   examined.add(
@@ -61,7 +60,7 @@ void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obsta
           : "";
   for (std::size_t i = 0; i < points.size(); ++i)
     if (const assembly::ContactRow& row = coordinates.rows_of(i)[obstacle];
-        computation::is_held_inside(coordinates, points[i], row))
+        problem::is_held_inside(coordinates, points[i], row))
       return examined.add(Severity::error,
                           "the support of {} holds the shell inside of {} at {}: its face "
                           "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",

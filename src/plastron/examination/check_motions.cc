@@ -16,7 +16,7 @@ namespace plastron::examination {
 namespace {
 
 algebra::Vector load_of(const Examined& examined) {
-  const computation::Problem& problem = examined.problem;
+  const problem::Problem& problem = examined.problem;
   constexpr bool tying = false, is_covariant = false;  // the work on rigid motions, which are Cartesian fields
   const assembly::ShellOperator shell(examined.space, examined.surface, problem.sections, tying, is_covariant);
   return assembly::load_vector(shell, problem.area_loads, problem.edge_loads, problem.gravity);

@@ -46,7 +46,7 @@ void check_names(Examined& examined) {
 }
 
 void check_lines(Examined& examined) {
-  for (const computation::Line& line : examined.problem.lines) {
+  for (const problem::Line& line : examined.problem.lines) {
     const auto outside = std::ranges::find_if(
         line.points, [&](const Eigen::Vector2d& p) { return !fem::locate(*examined.space->coarse, p); });
     if (outside != line.points.end())
@@ -56,7 +56,7 @@ void check_lines(Examined& examined) {
 }
 
 void check_probes(Examined& examined) {
-  for (const computation::Probe& p : examined.problem.probes)
+  for (const problem::Probe& p : examined.problem.probes)
     if (!fem::locate(*examined.space->coarse, p.at))
       examined.add(Severity::error, "the probe \"{}\" at ({:g}, {:g}) lies outside of the domain", p.name, p.at[0],
                    p.at[1]);

@@ -1,9 +1,9 @@
 // Checks elements and thickness: where elements without tying lock, and where rounding hides the solution.
-#include <plastron/computation/cell_sizes.hpp>
-#include <plastron/computation/extent.hpp>
 #include <plastron/computation/locking.hpp>
-#include <plastron/computation/start_mesh.hpp>
 #include <plastron/examination/checks.hpp>
+#include <plastron/meshing/cell_sizes.hpp>
+#include <plastron/meshing/extent.hpp>
+#include <plastron/meshing/start_mesh.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -15,16 +15,16 @@ void check_locking(Examined& examined) {
     examined.add(Severity::warning, "{}", warning);
 }
 
-double rounding_residual(const computation::Problem& problem) {
+double rounding_residual(const problem::Problem& problem) {
   // Membrane strains of a bending are differences of displacements. Rounding eps w over the distance h of nodes has the
   // energy e (eps w / h)^2. It acts against the bending energy e^3 (w / L^2)^2. The factor gives an order of magnitude:
   // on the strip of cases/inclined-strip, loads ~ e^3, degree 3, the certificate's energy identity was 1.3e-5 and
   // 7.9e-4 at e = 1e-5 and 1e-6 m with 48 intervals, 1.1e-5 at 1e-4 m with 192, within a factor of 6 of this.
   // Stationarity was smaller by 5 to 200. Other shells were not measured.
   constexpr double factor = 0.04;
-  const double L = computation::extent(problem);
+  const double L = meshing::extent(problem);
   double worst = 0;
-  for (const auto& [h, e] : computation::cell_sizes(problem))
+  for (const auto& [h, e] : meshing::cell_sizes(problem))
     worst = std::max(worst, L / e * (L / h) * problem.discretisation.degree);
   return factor * std::numeric_limits<double>::epsilon() * worst * worst;
 }
@@ -43,7 +43,7 @@ void check_precision(Examined& examined) {
 
 void check_start_mesh(Examined& examined) {
   const auto& problem = examined.problem;
-  const std::string text = computation::describe(computation::start_mesh(problem), problem);
+  const std::string text = meshing::describe(meshing::start_mesh(problem), problem);
   if (!text.empty()) examined.add(Severity::note, "{}", text);
 }
 

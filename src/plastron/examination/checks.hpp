@@ -16,7 +16,7 @@ namespace plastron::examination {
 /// A problem under examination: its sample mesh, and the findings so far.
 struct Examined {
   /// Makes the sample mesh. Throws fem::DomainError.
-  explicit Examined(const computation::Problem& problem);
+  explicit Examined(const problem::Problem& problem);
 
   template <class... Args>
   void add(Severity severity, fmt::format_string<Args...> text, Args&&... args) {
@@ -26,7 +26,7 @@ struct Examined {
   /// Returns "x = ..., y = ..." for a point of Omega, without rounding.
   std::string place(const Eigen::Vector2d& x) const;
 
-  const computation::Problem& problem;
+  const problem::Problem& problem;
   std::shared_ptr<const fem::Space> space;  ///< some hundred cells, all on this rank
   std::shared_ptr<const fem::Surface> surface;
   element::ElementTables tables;
@@ -46,7 +46,7 @@ struct ExaminedNodes {
 };
 
 /// Returns "the obstacle", or the name of one of several.
-std::string obstacle_text(const computation::Problem& problem, std::size_t obstacle);
+std::string obstacle_text(const problem::Problem& problem, std::size_t obstacle);
 
 /// Returns (x, y, z) for the user, without parts that are negligible against `size` or the vector itself.
 std::string vector_text(Eigen::Vector3d v, double size = 0);
@@ -71,7 +71,7 @@ void check_locking(Examined& examined);
 /// Checks that double precision is sufficient for such a thin shell on the finest mesh.
 void check_precision(Examined& examined);
 /// Returns the relative effect of rounding on forces and energy where a shell bends: the order of magnitude.
-double rounding_residual(const computation::Problem& problem);
+double rounding_residual(const problem::Problem& problem);
 /// Reports the rows of cells of the first mesh to the user.
 void check_start_mesh(Examined& examined);
 /// Checks that probes and lines are in the domain.

@@ -2,11 +2,11 @@
 #include <plastron/examination/examine.hpp>
 
 #include <plastron/assembly/load_vector.hpp>
-#include <plastron/computation/description.hpp>
-#include <plastron/computation/gap.hpp>
-#include <plastron/computation/start_mesh.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/meshing/start_mesh.hpp>
+#include <plastron/problem/gap.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,11 @@ namespace plastron::examination {
 namespace {
 
 /// Returns a mesh of some thousand sample points, equal on every rank.
-std::shared_ptr<const fem::Space> sample_mesh(const computation::Problem& problem) {
+std::shared_ptr<const fem::Space> sample_mesh(const problem::Problem& problem) {
   constexpr int enough_cells = 256;
-  const computation::Discretisation& d = problem.discretisation;
+  const problem::Discretisation& d = problem.discretisation;
   const int degree = d.cells == fem::Shape::triangle ? d.degree : std::clamp(d.degree, 2, 4);
-  fem::MeshSequence meshes(computation::start_mesh(problem).coarse, degree, MPI_COMM_SELF,
-                           computation::joining(problem));
+  fem::MeshSequence meshes(meshing::start_mesh(problem).coarse, degree, MPI_COMM_SELF, meshing::joining(problem));
   while (meshes.space()->global_cells < enough_cells) meshes.refine({});
   return meshes.space();
 }
@@ -46,7 +45,7 @@ void check_nodes(Examined& examined) {
   }
 }
 
-std::vector<Finding> findings_of(const computation::Problem& problem) {
+std::vector<Finding> findings_of(const problem::Problem& problem) {
   Examined examined(problem);
   for (const auto check : {check_names, check_chart}) {
     check(examined);
@@ -63,7 +62,7 @@ std::vector<Finding> findings_of(const computation::Problem& problem) {
 
 }  // namespace
 
-Examined::Examined(const computation::Problem& a_problem)
+Examined::Examined(const problem::Problem& a_problem)
     : problem(a_problem),
       space(sample_mesh(a_problem)),
       surface(std::make_shared<const fem::Surface>(space->coarse, a_problem.charts)),
@@ -79,10 +78,10 @@ std::string Examined::place(const Eigen::Vector2d& x) const {
 ExaminedNodes::ExaminedNodes(const Examined& examined)
     : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.sections)),
       coordinates(assembly::nodal_coordinates(examined.space, *examined.surface, points, examined.problem.supports,
-                                              computation::rigid_obstacles(examined.problem),
+                                              problem::rigid_obstacles(examined.problem),
                                               examined.problem.discretisation.tangency.formulation)) {}
 
-std::string obstacle_text(const computation::Problem& problem, std::size_t obstacle) {
+std::string obstacle_text(const problem::Problem& problem, std::size_t obstacle) {
   return problem.obstacles.size() == 1 ? "the obstacle"
                                        : fmt::format("the obstacle \"{}\"", problem.obstacles[obstacle].name);
 }
@@ -102,7 +101,7 @@ bool has_errors(const std::vector<Finding>& findings) {
   return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
 }
 
-std::vector<Finding> examine(const computation::Problem& problem) {
+std::vector<Finding> examine(const problem::Problem& problem) {
   try {
     return findings_of(problem);
   } catch (const fem::DomainError& error) {

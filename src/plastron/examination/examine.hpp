@@ -1,6 +1,6 @@
 // Examines a problem without solving it: chart, normals, thickness, initial gap, supports, probes.
 #pragma once
-#include <plastron/computation/problem.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct Finding {
 
 /// Returns all findings, including errors; a problem with errors must not be solved. It does not communicate: one rank
 /// may examine for all.
-std::vector<Finding> examine(const computation::Problem& problem);
+std::vector<Finding> examine(const problem::Problem& problem);
 
 bool has_errors(const std::vector<Finding>& findings);
 

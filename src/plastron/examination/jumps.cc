@@ -1,7 +1,7 @@
 #include <plastron/examination/jumps.hpp>
 
-#include <plastron/computation/start_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/meshing/start_mesh.hpp>
 
 #include <algorithm>
 #include <array>
@@ -85,8 +85,8 @@ class Descent {
 JumpSearch::JumpSearch(const Examined& examined)
     : surface_(*examined.surface), finest_(std::exp2(examined.problem.discretisation.refinements)) {
   constexpr int enough_cells = 256, enough_lines = 1000;
-  const computation::Discretisation& d = examined.problem.discretisation;
-  fem::MeshSequence meshes(computation::start_mesh(examined.problem).coarse, 1, MPI_COMM_SELF);
+  const problem::Discretisation& d = examined.problem.discretisation;
+  fem::MeshSequence meshes(meshing::start_mesh(examined.problem).coarse, 1, MPI_COMM_SELF);
   for (int level = 0; level < d.refinements && meshes.space()->global_cells < enough_cells; ++level) meshes.refine({});
   space_ = meshes.space();
   const auto cells = static_cast<double>(space_->global_cells);

@@ -62,7 +62,7 @@ std::string quoted(const Expression& f) {
   return fmt::format("\"{}...\"", f.text().substr(0, longest));
 }
 
-std::vector<NamedExpression> support_expressions(const computation::Problem& problem) {
+std::vector<NamedExpression> support_expressions(const problem::Problem& problem) {
   std::vector<NamedExpression> all;
   for (const assembly::Support& support : problem.supports)
     for (const assembly::PrescribedComponent& component : support.components)
@@ -71,7 +71,7 @@ std::vector<NamedExpression> support_expressions(const computation::Problem& pro
   return all;
 }
 
-std::vector<NamedExpression> load_expressions(const computation::Problem& problem) {
+std::vector<NamedExpression> load_expressions(const problem::Problem& problem) {
   std::vector<NamedExpression> all;
   for (const assembly::AreaLoad& load : problem.area_loads) {
     const NamedExpression where{.regions = load.regions};

@@ -1,6 +1,6 @@
 // The expressions of loads and supports, with their names in messages.
 #pragma once
-#include <plastron/computation/problem.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -23,8 +23,8 @@ struct NamedExpression {
 };
 
 /// Returns the expressions of supports that are not constant or not finite. The same holds for `load_expressions`.
-std::vector<NamedExpression> support_expressions(const computation::Problem& problem);
-std::vector<NamedExpression> load_expressions(const computation::Problem& problem);
+std::vector<NamedExpression> support_expressions(const problem::Problem& problem);
+std::vector<NamedExpression> load_expressions(const problem::Problem& problem);
 
 /// Returns an expression for a message: in quotes, shortened if it is long.
 std::string quoted(const geometry::Expression& f);

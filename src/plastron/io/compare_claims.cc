@@ -132,7 +132,7 @@ void compare_settings(const std::string& path, const Json& claimed, const Json& 
 }  // namespace
 
 Tolerances::Tolerances(const computation::Result& recomputed) {
-  const certificate::Summary& s = recomputed.summary;
+  const solution::Summary& s = recomputed.summary;
   rounding = std::max(1e-9, 10 * recomputed.certificate.stationarity);
   length_ = std::max(s.least_thickness, s.max_displacement);
   size_ = s.size;

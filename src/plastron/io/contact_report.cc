@@ -14,7 +14,7 @@ constexpr std::array names{"contact-boundary.csv", "contact-boundary.vtu", "cont
 
 /// Calls visit(obstacle, zone, line number, line) for every line.
 template <class Visit>
-void for_lines(const certificate::Summary& summary, Visit&& visit) {
+void for_lines(const solution::Summary& summary, Visit&& visit) {
   for (std::size_t o = 0; o < summary.obstacles.size(); ++o) {
     const auto& zones = summary.obstacles[o].zones;
     for (std::size_t z = 0; z < zones.size(); ++z)
@@ -24,9 +24,9 @@ void for_lines(const certificate::Summary& summary, Visit&& visit) {
 
 /// Returns an array of a .vtu file from a function that gives the numbers of each point, or of each line, as text.
 template <class Text>
-std::string data_array(const certificate::Summary& summary, std::string_view attributes, bool by_point, Text&& text) {
+std::string data_array(const solution::Summary& summary, std::string_view attributes, bool by_point, Text&& text) {
   std::string all = fmt::format("        <DataArray {} format=\"ascii\">\n", attributes);
-  for_lines(summary, [&](std::size_t o, std::size_t z, std::size_t l, const certificate::ContactLine& line) {
+  for_lines(summary, [&](std::size_t o, std::size_t z, std::size_t l, const solution::ContactLine& line) {
     const std::size_t count = by_point ? line.points.size() : 1;
     for (std::size_t i = 0; i < count; ++i) all += text(o, z, l, line, i) + "\n";
   });
@@ -35,13 +35,13 @@ std::string data_array(const certificate::Summary& summary, std::string_view att
 
 std::string triple_text(const Eigen::Vector3d& v) { return fmt::format("{:.9g} {:.9g} {:.9g}", v[0], v[1], v[2]); }
 
-std::string point_arrays(const certificate::Summary& summary) {
-  using certificate::ContactLine;
+std::string point_arrays(const solution::Summary& summary) {
+  using solution::ContactLine;
   const auto points = [&](std::string_view attributes, auto&& text) {
     return data_array(summary, attributes, true,
                       [&](auto, auto, auto, const ContactLine& line, std::size_t i) { return text(line.points[i]); });
   };
-  using Point = certificate::BoundaryPoint;
+  using Point = solution::BoundaryPoint;
   return "      <Points>\n" +
          points(R"(type="Float64" NumberOfComponents="3")",
                 [](const Point& p) { return triple_text(p.place + p.displacement); }) +
@@ -55,8 +55,8 @@ std::string point_arrays(const certificate::Summary& summary) {
          "      </PointData>\n";
 }
 
-std::string line_arrays(const certificate::Summary& summary) {
-  using certificate::ContactLine;
+std::string line_arrays(const solution::Summary& summary) {
+  using solution::ContactLine;
   const auto lines = [&](std::string_view attributes, auto&& text) {
     return data_array(summary, attributes, false,
                       [&](std::size_t o, std::size_t z, std::size_t l, const ContactLine& line, std::size_t) {
@@ -81,19 +81,19 @@ std::string line_arrays(const certificate::Summary& summary) {
 
 }  // namespace
 
-std::string contact_boundary_csv(const certificate::Summary& summary) {
+std::string contact_boundary_csv(const solution::Summary& summary) {
   std::string text = "obstacle,zone,line,x,y,X,Y,Z,rim\n";
-  for_lines(summary, [&](std::size_t o, std::size_t z, std::size_t l, const certificate::ContactLine& line) {
-    for (const certificate::BoundaryPoint& p : line.points)
+  for_lines(summary, [&](std::size_t o, std::size_t z, std::size_t l, const solution::ContactLine& line) {
+    for (const solution::BoundaryPoint& p : line.points)
       text += fmt::format("{},{},{},{:.15g},{:.15g},{:.15g},{:.15g},{:.15g},{}\n", o, z, l, p.x[0], p.x[1], p.place[0],
                           p.place[1], p.place[2], int{line.is_rim});
   });
   return text;
 }
 
-std::string contact_boundary_vtu(const certificate::Summary& summary) {
+std::string contact_boundary_vtu(const solution::Summary& summary) {
   std::size_t points = 0, lines = 0;
-  for_lines(summary, [&](auto, auto, auto, const certificate::ContactLine& line) {
+  for_lines(summary, [&](auto, auto, auto, const solution::ContactLine& line) {
     points += line.points.size();
     ++lines;
   });
@@ -103,9 +103,9 @@ std::string contact_boundary_vtu(const certificate::Summary& summary) {
       points, lines, point_arrays(summary), line_arrays(summary));
 }
 
-std::string contact_forces_csv(const std::vector<certificate::ContactForce>& forces) {
+std::string contact_forces_csv(const std::vector<solution::ContactForce>& forces) {
   std::string text = "obstacle,x,y,X,Y,Z,u_X,u_Y,u_Z,F_X,F_Y,F_Z,eta,area\n";
-  for (const certificate::ContactForce& f : forces) {
+  for (const solution::ContactForce& f : forces) {
     text += fmt::format("{},{:.15g},{:.15g}", f.obstacle, f.x[0], f.x[1]);
     for (const Eigen::Vector3d& v : {f.place, f.displacement, f.force})
       text += fmt::format(",{:.15g},{:.15g},{:.15g}", v[0], v[1], v[2]);
@@ -114,14 +114,14 @@ std::string contact_forces_csv(const std::vector<certificate::ContactForce>& for
   return text;
 }
 
-std::vector<std::string> add_contact_report(const certificate::Summary& summary, const computation::Solution& solution,
+std::vector<std::string> add_contact_report(const solution::Summary& summary, const computation::Solution& solution,
                                             const std::filesystem::path& directory, AtomicFiles& files) {
   if (std::ranges::all_of(summary.obstacles, [](const auto& o) { return o.zones.empty(); })) return {};
   int rank = 0;
   MPI_Comm_rank(files.comm(), &rank);
   files.add(directory / names[0], [&] { return rank == 0 ? contact_boundary_csv(summary) : std::string(); });
   files.add(directory / names[1], [&] { return rank == 0 ? contact_boundary_vtu(summary) : std::string(); });
-  const auto forces = certificate::contact_forces(*solution.discrete, solution.nodal);
+  const auto forces = solution::contact_forces(*solution.discrete, solution.nodal);
   files.add(directory / names[2], [&] { return rank == 0 ? contact_forces_csv(forces) : std::string(); });
   return {names.begin(), names.end()};
 }

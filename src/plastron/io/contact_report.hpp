@@ -4,8 +4,8 @@
 #pragma once
 #include <plastron/io/atomic_file.hpp>
 
-#include <plastron/certificate/contact_forces.hpp>
 #include <plastron/computation/result.hpp>
+#include <plastron/solution/contact_forces.hpp>
 
 #include <filesystem>
 #include <string>
@@ -15,16 +15,16 @@ namespace plastron::io {
 
 /// Returns one row for each point: obstacle,zone,line,x,y,X,Y,Z,rim. Places are as in certificate::BoundaryPoint, on
 /// the undeformed touching face; rim is 1 on lines along the shell's rim.
-std::string contact_boundary_csv(const certificate::Summary& summary);
+std::string contact_boundary_csv(const solution::Summary& summary);
 /// Returns one polyline for each line, on the deformed touching face.
-std::string contact_boundary_vtu(const certificate::Summary& summary);
+std::string contact_boundary_vtu(const solution::Summary& summary);
 
 /// Returns one row for each touching node: obstacle,x,y,X,Y,Z,u_X,u_Y,u_Z,F_X,F_Y,F_Z,eta,area as in
 /// certificate::ContactForce. The sums of F are the reactions of the obstacles.
-std::string contact_forces_csv(const std::vector<certificate::ContactForce>& forces);
+std::string contact_forces_csv(const std::vector<solution::ContactForce>& forces);
 
 /// Adds the three files if there is any contact; returns their names (collective). Throws std::runtime_error.
-std::vector<std::string> add_contact_report(const certificate::Summary& summary, const computation::Solution& solution,
+std::vector<std::string> add_contact_report(const solution::Summary& summary, const computation::Solution& solution,
                                             const std::filesystem::path& directory, AtomicFiles& files);
 /// Removes the files of an earlier run where the present run wrote none (collective).
 void remove_contact_report(const std::filesystem::path& directory, MPI_Comm comm);

@@ -95,9 +95,9 @@ std::vector<NamedPlot> line_plots(const std::string& name, std::string_view csv)
   const std::vector<double>& length = columns.values.front();
   std::vector<NamedPlot> plots;
   for (const Profile& profile : profiles) {
-    study::Plot plot{.title = fmt::format("{} along {}", profile.label, name),
-                     .x = {fmt::format("length{}", columns.units.front())},
-                     .y = {}};
+    Plot plot{.title = fmt::format("{} along {}", profile.label, name),
+              .x = {fmt::format("length{}", columns.units.front())},
+              .y = {}};
     for (const std::string_view column : profile.columns) {
       const std::vector<double>* values = column.empty() ? nullptr : columns.find(column);
       if (values == nullptr || !has_numbers(*values)) continue;

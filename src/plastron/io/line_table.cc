@@ -11,7 +11,7 @@ namespace plastron::io {
 
 namespace {
 
-std::string line_header(const std::vector<Field>& present, const computation::UnitNames& units) {
+std::string line_header(const std::vector<Field>& present, const problem::UnitNames& units) {
   std::string header = fmt::format("s [{}]", units.length);
   for (const Field& field : present)
     for (int c = 0; c < field.components; ++c) {
@@ -29,7 +29,7 @@ std::string number_text(double value) { return std::isfinite(value) ? fmt::forma
 }  // namespace
 
 std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
-                     const computation::Output& given) {
+                     const problem::Output& given) {
   const std::vector<Field> present = fields_of(has_obstacle, has_multiplier, given.heights);
   std::string text = line_header(present, given.units);
   double length = 0;
@@ -45,14 +45,14 @@ std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_
   return text;
 }
 
-std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<computation::Line>& lines,
-                                   const computation::Output& given) {
+std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<problem::Line>& lines,
+                                   const problem::Output& given) {
   int rank = 0;
   MPI_Comm_rank(solution.discrete->space().layout->comm, &rank);
   const bool has_obstacle = !solution.discrete->obstacles.empty();
   const bool has_multiplier = solution.discrete->tangency.formulation == element::Formulation::mixed;
   std::vector<LineTable> tables;
-  for (const computation::Line& line : lines) {
+  for (const problem::Line& line : lines) {
     const auto points = computation::values_at(solution, line.points, fmt::format("the line \"{}\"", line.name));
     tables.push_back({line.name, rank == 0 ? line_csv(points, has_obstacle, has_multiplier, given) : std::string()});
   }

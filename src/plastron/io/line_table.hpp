@@ -1,7 +1,7 @@
 // Tables of every field along the case's lines: line-NAME.csv.
 #pragma once
-#include <plastron/computation/problem.hpp>
 #include <plastron/computation/result.hpp>
+#include <plastron/problem/problem.hpp>
 
 #include <string>
 #include <vector>
@@ -12,14 +12,14 @@ namespace plastron::io {
 /// the first point, by chords, and every field, with the heights and names of units of `given`. Undefined values are
 /// empty.
 std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
-                     const computation::Output& given = {});
+                     const problem::Output& given = {});
 
 struct LineTable {
   std::string name;  ///< name of the line
   std::string csv;   ///< table of line_csv(), on the first rank
 };
 /// Returns the tables of all lines (collective).
-std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<computation::Line>& lines,
-                                   const computation::Output& given);
+std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<problem::Line>& lines,
+                                   const problem::Output& given);
 
 }  // namespace plastron::io

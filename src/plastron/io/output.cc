@@ -70,7 +70,7 @@ void check_replaceable(const std::filesystem::path& directory, const std::string
 }
 
 Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report,
-               computation::Output given)
+               problem::Output given)
     : directory_(std::move(directory)),
       base_name_(std::move(base_name)),
       files_(comm),
@@ -128,7 +128,7 @@ void Output::add_checksums() {
 }
 
 std::vector<std::string> Output::finish(const computation::Result& result, Provenance provenance,
-                                        const std::vector<computation::Line>& lines) {
+                                        const std::vector<problem::Line>& lines) {
   const bool is_drawn = result.solution && can_be_drawn(*result.solution, files_.comm());
   if (is_drawn) {
     add_fields(*result.solution, 0, "", series_.empty());

@@ -1,8 +1,8 @@
 // All output files of a computation. In their order, results.json shows that they are complete.
 #pragma once
-#include <plastron/computation/problem.hpp>
 #include <plastron/io/results.hpp>
 #include <plastron/io/vtu.hpp>
+#include <plastron/problem/problem.hpp>
 
 namespace plastron::io {
 
@@ -22,7 +22,7 @@ class Output {
   /// Files of instants are base_name-0001.vtu and so on, with solid.vtu beside them if `given` requests it. report.html
   /// is written unless `with_report` is false. Files of an earlier run that are not requested are removed.
   Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report = true,
-         computation::Output given = {});
+         problem::Output given = {});
 
   /// Adds the fields of an instant of the steps (computation::Observer::instant).
   void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
@@ -32,7 +32,7 @@ class Output {
   /// the case's source; report.html and results.json follow. This function sets provenance.files and the names of
   /// solution and copy. `lines` are written as line-NAME.csv. Returns the names of all files.
   std::vector<std::string> finish(const computation::Result& result, Provenance provenance,
-                                  const std::vector<computation::Line>& lines = {});
+                                  const std::vector<problem::Line>& lines = {});
 
  private:
   void add_fields(const computation::Solution& solution, double time, const std::string& suffix, bool is_in_series);
@@ -44,7 +44,7 @@ class Output {
   std::string base_name_;
   AtomicFiles files_;
   bool with_report_;
-  computation::Output given_;
+  problem::Output given_;
   std::vector<DataSet> series_{};
   int instants_ = 0;
   std::vector<std::string> names_{};

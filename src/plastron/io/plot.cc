@@ -22,7 +22,7 @@ struct Page {
   double legend_left, legend_top;
 };
 
-Page page_of(const study::Plot& plot, PlotLayout layout) {
+Page page_of(const Plot& plot, PlotLayout layout) {
   if (layout == PlotLayout::wide)
     return {.width = 920,
             .height = 500,
@@ -106,11 +106,11 @@ std::string_view dashes(bool dashed) { return dashed ? " stroke-dasharray=\"6 4\
 
 class Drawing {
  public:
-  Drawing(const study::Plot& plot, const Page& page)
+  Drawing(const Plot& plot, const Page& page)
       : plot_(plot),
         page_(page),
-        x_(values(&study::Series::x), plot.x.is_log, page.left, page.right),
-        y_(values(&study::Series::y), plot.y.is_log, page.bottom, page.top) {}
+        x_(values(&Series::x), plot.x.is_log, page.left, page.right),
+        y_(values(&Series::y), plot.y.is_log, page.bottom, page.top) {}
 
   std::string text() {
     put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
@@ -134,7 +134,7 @@ class Drawing {
   }
 
   /// Returns the values of all points that can be drawn.
-  std::vector<double> values(std::vector<double> study::Series::*coordinate) const {
+  std::vector<double> values(std::vector<double> Series::*coordinate) const {
     std::vector<double> all;
     for (const auto& s : plot_.series)
       for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i)
@@ -174,7 +174,7 @@ class Drawing {
     if (!plot_.x.is_log || !plot_.y.is_log) return y;
     constexpr double largest = 56;  // px
     const double steepness = y_.per_unit() / x_.per_unit();
-    for (const study::ReferenceSlope& s : plot_.slopes) {
+    for (const ReferenceSlope& s : plot_.slopes) {
       const double run = std::min(largest, largest / std::abs(s.exponent * steepness));
       const double rise = s.exponent * steepness * run;
       put("<path class=\"slope\" d=\"M{:.2f} {:.2f} h{:.2f} v{:.2f} z\"/>\n", page_.legend_left, y + std::abs(rise),
@@ -188,7 +188,7 @@ class Drawing {
 
   void draw(std::size_t number) {
     constexpr std::size_t most_marks = 2000;
-    const study::Series& s = plot_.series[number];
+    const Series& s = plot_.series[number];
     const bool with_markers = s.with_markers && (s.x.size() <= most_marks || !s.with_line);
     std::string path, marks;
     for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
@@ -205,7 +205,7 @@ class Drawing {
   /// Draws the legend. Returns the lower end.
   double legend(double y) {
     for (std::size_t i = 0; i < plot_.series.size(); ++i, y += legend_line) {
-      const study::Series& s = plot_.series[i];
+      const Series& s = plot_.series[i];
       if (s.with_line)
         put("<path class=\"line c{}\"{} d=\"M{:g} {:g} h28\"/>\n", i % colours.size(), dashes(s.dashed),
             page_.legend_left, y);
@@ -215,7 +215,7 @@ class Drawing {
     return y;
   }
 
-  const study::Plot& plot_;
+  const Plot& plot_;
   const Page page_;
   PlotAxis x_, y_;
   std::string svg_;
@@ -223,6 +223,6 @@ class Drawing {
 
 }  // namespace
 
-std::string svg_text(const study::Plot& plot, PlotLayout layout) { return Drawing(plot, page_of(plot, layout)).text(); }
+std::string svg_text(const Plot& plot, PlotLayout layout) { return Drawing(plot, page_of(plot, layout)).text(); }
 
 }  // namespace plastron::io

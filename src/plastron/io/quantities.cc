@@ -114,8 +114,8 @@ std::span<const Quantity<Result>> result_quantities() {
   return all;
 }
 
-std::span<const Quantity<certificate::SingularPlace>> singular_place_quantities() {
-  using certificate::SingularPlace;
+std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities() {
+  using recovery::SingularPlace;
   static const std::vector<Quantity<SingularPlace>> all{
       {"what", "-", "in words", [](const SingularPlace& p) { return Json(p.what); }, Form::text},
       {"at", "the chart's", "parameters of the place in Omega",
@@ -131,8 +131,8 @@ std::span<const Quantity<certificate::SingularPlace>> singular_place_quantities(
   return all;
 }
 
-std::span<const Quantity<certificate::SupportReaction>> support_quantities() {
-  using certificate::SupportReaction;
+std::span<const Quantity<solution::SupportReaction>> support_quantities() {
+  using solution::SupportReaction;
   static const std::vector<Quantity<SupportReaction>> all{
       {"boundary", "-", "its name", [](const SupportReaction& r) { return Json(r.boundary); }, Form::text},
       {"reaction/force", "N",
@@ -145,8 +145,8 @@ std::span<const Quantity<certificate::SupportReaction>> support_quantities() {
   return all;
 }
 
-std::span<const Quantity<certificate::CornerReaction>> corner_support_quantities() {
-  using certificate::CornerReaction;
+std::span<const Quantity<solution::CornerReaction>> corner_support_quantities() {
+  using solution::CornerReaction;
   static const std::vector<Quantity<CornerReaction>> all{
       {"boundaries", "-", "names of the boundaries that meet there",
        [](const CornerReaction& r) {
@@ -172,8 +172,8 @@ std::span<const Quantity<certificate::CornerReaction>> corner_support_quantities
   return all;
 }
 
-std::span<const Quantity<certificate::PointReaction>> point_support_quantities() {
-  using certificate::PointReaction;
+std::span<const Quantity<solution::PointReaction>> point_support_quantities() {
+  using solution::PointReaction;
   static const std::vector<Quantity<PointReaction>> all{
       {"at", "the chart's", "parameters of the point in Omega",
        [](const PointReaction& r) {
@@ -311,8 +311,8 @@ std::span<const Quantity<computation::Level>> level_quantities() {
   return all;
 }
 
-std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities() {
-  using certificate::ObstacleContact;
+std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities() {
+  using solution::ObstacleContact;
   static const std::vector<Quantity<ObstacleContact>> all{
       {"name", "-", "that the case gives it", [](const ObstacleContact& o) { return Json(o.name); }, Form::text},
       {"reaction/force", "N", "resultant of its reaction on the shell",
@@ -363,8 +363,8 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
   return all;
 }
 
-std::span<const Quantity<certificate::ContactZone>> zone_quantities() {
-  using certificate::ContactZone;
+std::span<const Quantity<solution::ContactZone>> zone_quantities() {
+  using solution::ContactZone;
   static const std::vector<Quantity<ContactZone>> all{
       {"area", "m^2", "mid-surface area within its boundary", [](const ContactZone& z) { return number(z.area); }},
       {"nodes", "1", "nodes that touch", [](const ContactZone& z) { return Json(z.nodes); }, Form::integer},

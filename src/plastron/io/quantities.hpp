@@ -29,15 +29,15 @@ Json number(double value);
 
 std::span<const Quantity<computation::Result>> result_quantities();
 /// Paths inside "singular_places[]".
-std::span<const Quantity<certificate::SingularPlace>> singular_place_quantities();
+std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities();
 /// Paths inside "supports[]".
-std::span<const Quantity<certificate::SupportReaction>> support_quantities();
+std::span<const Quantity<solution::SupportReaction>> support_quantities();
 /// Paths inside "corner_supports[]".
-std::span<const Quantity<certificate::CornerReaction>> corner_support_quantities();
+std::span<const Quantity<solution::CornerReaction>> corner_support_quantities();
 /// Paths inside "point_supports[]".
-std::span<const Quantity<certificate::PointReaction>> point_support_quantities();
+std::span<const Quantity<solution::PointReaction>> point_support_quantities();
 /// Paths inside "rigid_bodies[]".
-std::span<const Quantity<certificate::BodyReaction>> rigid_body_quantities();
+std::span<const Quantity<solution::BodyReaction>> rigid_body_quantities();
 /// Paths inside "contact". Null as a whole without obstacle.
 std::span<const Quantity<computation::Result>> contact_quantities();
 /// Paths inside "contact.admissible". Null as a whole if the case requests no admissible solution.
@@ -47,11 +47,11 @@ std::span<const Quantity<computation::Result>> estimate_quantities();
 /// Paths inside "estimates.goals[]".
 std::span<const Quantity<estimation::GoalEstimate>> goal_quantities();
 /// Paths inside "obstacles[]".
-std::span<const Quantity<certificate::ObstacleContact>> obstacle_quantities();
+std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities();
 /// Paths inside "history[]".
 std::span<const Quantity<computation::HistoryEntry>> history_quantities();
 /// Paths inside "obstacles[]/zones[]".
-std::span<const Quantity<certificate::ContactZone>> zone_quantities();
+std::span<const Quantity<solution::ContactZone>> zone_quantities();
 /// Paths inside "certificate".
 std::span<const Quantity<certificate::Certificate>> certificate_quantities();
 /// Paths inside "levels[]".

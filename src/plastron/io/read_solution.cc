@@ -203,7 +203,7 @@ std::vector<algebra::Vector*> fields_of_file(const SolutionHeader& header, compu
     field = algebra::Vector(layout, block);
     if (is_stored) fields.push_back(&field);
   };
-  certificate::NodalSolution& nodal = solution.nodal;
+  solution::NodalSolution& nodal = solution.nodal;
   const int obstacles = static_cast<int>(header.obstacles);
   add(nodal.y, 6, true);
   if (header.is_deformed) add(solution.state.displacement, 6, true);

@@ -27,7 +27,7 @@ Json row_json(const std::vector<float>& row) {
   return is_constant ? number(row.front()) : Json(array_text(row));
 }
 
-Json fields_json(const SampledSurface& surface, const computation::UnitNames& units) {
+Json fields_json(const SampledSurface& surface, const problem::UnitNames& units) {
   Json list = Json::array();
   std::size_t row = 0;
   for (const Field& field : surface.fields) {
@@ -57,7 +57,7 @@ Json obstacle_json(const obstacle::TriangleMesh& mesh, const std::string& name) 
 }
 
 Json obstacles_json(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent,
-                    const certificate::Summary& summary) {
+                    const solution::Summary& summary) {
   constexpr std::size_t most_triangles = 60'000;  // in total: 1.3 MB
   Json list = Json::array();
   const auto all = drawn_obstacles(obstacles, extent);
@@ -67,13 +67,13 @@ Json obstacles_json(const assembly::RigidObstacles& obstacles, const obstacle::E
   return list;
 }
 
-Json lines_json(const certificate::Summary& summary) {
+Json lines_json(const solution::Summary& summary) {
   Json list = Json::array();
   for (std::size_t o = 0; o < summary.obstacles.size(); ++o)
-    for (const certificate::ContactZone& zone : summary.obstacles[o].zones)
-      for (const certificate::ContactLine& line : zone.lines) {
+    for (const solution::ContactZone& zone : summary.obstacles[o].zones)
+      for (const solution::ContactLine& line : zone.lines) {
         std::vector<float> points, displacements;
-        for (const certificate::BoundaryPoint& p : line.points) {
+        for (const solution::BoundaryPoint& p : line.points) {
           append(p.place, points);
           append(p.displacement, displacements);
         }
@@ -87,7 +87,7 @@ Json lines_json(const certificate::Summary& summary) {
 
 /// Returns sides of cells on boundaries with supports: a polyline of nodes for each, with the name of the boundary
 /// (collective).
-Json supports_json(const assembly::DiscreteShell& discrete, const certificate::NodalSolution& solution) {
+Json supports_json(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   const fem::Space& space = discrete.space();
   const auto& names = space.coarse->boundaries;
   const auto is_supported = [&](int boundary) {
@@ -129,8 +129,8 @@ Json supports_json(const assembly::DiscreteShell& discrete, const certificate::N
 
 }  // namespace
 
-Json scene_json(const computation::Solution& solution, const certificate::Summary& summary,
-                const computation::UnitNames& units, std::int64_t most_points) {
+Json scene_json(const computation::Solution& solution, const solution::Summary& summary,
+                const problem::UnitNames& units, std::int64_t most_points) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const fem::Space& space = discrete.space();
   const SampledSurface surface = sampled_surface(solution, most_points);

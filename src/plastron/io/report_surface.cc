@@ -51,7 +51,7 @@ bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape 
 double least_pressure(const computation::Solution& solution) {
   double least = 0;
   const auto owned = static_cast<std::size_t>(solution.discrete->space().layout->owned);
-  for (std::size_t i = 0; i < owned; ++i) least = std::min(least, certificate::total_pressure(solution.nodal, i));
+  for (std::size_t i = 0; i < owned; ++i) least = std::min(least, solution::total_pressure(solution.nodal, i));
   return algebra::min_over_ranks(least, solution.discrete->space().layout->comm);
 }
 

@@ -21,10 +21,10 @@ double norm_of(const Json& vector) {
 }
 
 /// Returns a plot of one number of each mesh over the unknowns.
-study::Plot over_meshes(const Json& levels, const std::string& key, std::string title, std::string label) {
+Plot over_meshes(const Json& levels, const std::string& key, std::string title, std::string label) {
   std::string series = key;
   std::ranges::replace(series, '_', ' ');
-  study::Plot plot{.title = std::move(title), .x = {"unknowns", true}, .y = {std::move(label), false}};
+  Plot plot{.title = std::move(title), .x = {"unknowns", true}, .y = {std::move(label), false}};
   plot.series.push_back({.label = std::move(series), .x = {}, .y = {}});
   for (const Json& level : levels) {
     plot.series.back().x.push_back(value_of(level.at("unknowns")));
@@ -34,8 +34,8 @@ study::Plot over_meshes(const Json& levels, const std::string& key, std::string 
 }
 
 /// Returns the relative difference from the finest mesh's value; the finest mesh has none.
-study::Series change(const Json& levels, const std::string& key, std::string label) {
-  study::Series series{.label = std::move(label), .x = {}, .y = {}};
+Series change(const Json& levels, const std::string& key, std::string label) {
+  Series series{.label = std::move(label), .x = {}, .y = {}};
   const double finest = value_of(levels.back().at(key));
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     series.x.push_back(value_of(levels[i].at("unknowns")));
@@ -44,8 +44,8 @@ study::Series change(const Json& levels, const std::string& key, std::string lab
   return series;
 }
 
-study::Plot change_to_finest(const Json& levels, bool has_contact) {
-  study::Plot plot{.title = "Change to the finest mesh", .x = {"unknowns", true}, .y = {"|value / finest - 1|", true}};
+Plot change_to_finest(const Json& levels, bool has_contact) {
+  Plot plot{.title = "Change to the finest mesh", .x = {"unknowns", true}, .y = {"|value / finest - 1|", true}};
   plot.series.push_back(change(levels, "energy", "energy"));
   if (has_contact) {
     plot.series.push_back(change(levels, "reaction", "reaction"));
@@ -61,8 +61,8 @@ double longest_way(const Json& instant) {
   return way;
 }
 
-study::Plot contact_history(const Json& history) {
-  study::Plot plot{.title = "Contact area in steps", .x = {"time [steps]", false}, .y = {"contact area [m^2]", false}};
+Plot contact_history(const Json& history) {
+  Plot plot{.title = "Contact area in steps", .x = {"time [steps]", false}, .y = {"contact area [m^2]", false}};
   plot.series.push_back({.label = "contact area", .x = {}, .y = {}});
   for (const Json& instant : history) {
     plot.series.back().x.push_back(value_of(instant.at("time")));
@@ -72,10 +72,10 @@ study::Plot contact_history(const Json& history) {
 }
 
 /// Returns the force of the supports over the largest displacement.
-study::Plot support_history(const Json& history) {
-  study::Plot plot{.title = "Force of the supports on the shell",
-                   .x = {"largest displacement [m]", false},
-                   .y = {"force [N]", false}};
+Plot support_history(const Json& history) {
+  Plot plot{.title = "Force of the supports on the shell",
+            .x = {"largest displacement [m]", false},
+            .y = {"force [N]", false}};
   plot.series.push_back({.label = "supports", .x = {}, .y = {}});
   for (const Json& instant : history) {
     plot.series.back().x.push_back(value_of(instant.at("max_displacement")));
@@ -108,9 +108,9 @@ Json parts_to_plot(std::istream& results) {
   });
 }
 
-study::Plot history_plot(const Json& history) {
+Plot history_plot(const Json& history) {
   const bool over_time = std::ranges::none_of(history, [](const Json& instant) { return longest_way(instant) > 0; });
-  study::Plot plot;
+  Plot plot;
   plot.title = "Forces of the obstacles on the shell";
   plot.x.label = over_time ? "time [steps]" : "way of the obstacle [m]";
   plot.y.label = "force [N]";
@@ -126,14 +126,14 @@ study::Plot history_plot(const Json& history) {
   return plot;
 }
 
-study::Plot renamed(study::Plot plot, const computation::UnitNames& units) {
+Plot renamed(Plot plot, const problem::UnitNames& units) {
   plot.x.label = units.renamed(plot.x.label);
   plot.y.label = units.renamed(plot.y.label);
   return plot;
 }
 
-computation::UnitNames unit_names(const Json& results) {
-  computation::UnitNames units;
+problem::UnitNames unit_names(const Json& results) {
+  problem::UnitNames units;
   if (!results.contains("unit_names")) return units;
   const Json& names = results["unit_names"];
   units.length = names.value("length", units.length);

@@ -1,9 +1,9 @@
 // The line plots of a result: convergence of energy, reaction and contact from mesh to mesh, and the history of steps.
 // They are made from results.json, so that report.html and `plastron plot` show the same.
 #pragma once
-#include <plastron/computation/unit_names.hpp>
+#include <plastron/io/plot.hpp>
 #include <plastron/io/quantities.hpp>
-#include <plastron/study/plot.hpp>
+#include <plastron/problem/unit_names.hpp>
 
 #include <iosfwd>
 #include <string>
@@ -14,7 +14,7 @@ namespace plastron::io {
 /// A plot and the name of its file, without folder and extension.
 struct NamedPlot {
   std::string name;
-  study::Plot plot;
+  Plot plot;
 };
 
 /// Reads the parts of results.json that plots need. The others are skipped: a file of 200 000 meshes would fill 3 GB.
@@ -26,12 +26,12 @@ Json parts_to_plot(std::istream& results);
 std::vector<NamedPlot> result_plots(const Json& results);
 
 /// Returns the names of units in results.json; SI units if it has none.
-computation::UnitNames unit_names(const Json& results);
+problem::UnitNames unit_names(const Json& results);
 /// Returns the plot with names of units in its labels.
-study::Plot renamed(study::Plot plot, const computation::UnitNames& units);
+Plot renamed(Plot plot, const problem::UnitNames& units);
 
 /// Plots the force of each obstacle on the shell over the longest distance that an obstacle has moved. If none has
 /// moved, it plots over the time. `history` is from results.json.
-study::Plot history_plot(const Json& history);
+Plot history_plot(const Json& history);
 
 }  // namespace plastron::io

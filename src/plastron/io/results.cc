@@ -31,7 +31,7 @@ Json probe_json(const recovery::PointValues& values, const computation::Result& 
 /// Returns a record for every place where stresses have no limit.
 Json singular_places_json(const computation::Result& result) {
   Json list = Json::array();
-  for (const certificate::SingularPlace& place : result.singular_places)
+  for (const recovery::SingularPlace& place : result.singular_places)
     list.push_back(record_json(singular_place_quantities(), place));
   return list;
 }
@@ -39,7 +39,7 @@ Json singular_places_json(const computation::Result& result) {
 /// Returns a record for every boundary with supports.
 Json supports_json(const computation::Result& result) {
   Json list = Json::array();
-  for (const certificate::SupportReaction& reaction : result.summary.support_reactions)
+  for (const solution::SupportReaction& reaction : result.summary.support_reactions)
     list.push_back(record_json(support_quantities(), reaction));
   return list;
 }
@@ -47,7 +47,7 @@ Json supports_json(const computation::Result& result) {
 /// Returns a record for every corner where supported edges meet.
 Json corner_supports_json(const computation::Result& result) {
   Json list = Json::array();
-  for (const certificate::CornerReaction& reaction : result.summary.corner_reactions)
+  for (const solution::CornerReaction& reaction : result.summary.corner_reactions)
     list.push_back(record_json(corner_support_quantities(), reaction));
   return list;
 }
@@ -55,14 +55,14 @@ Json corner_supports_json(const computation::Result& result) {
 /// Returns a record for every point with supports.
 Json point_supports_json(const computation::Result& result) {
   Json list = Json::array();
-  for (const certificate::PointReaction& reaction : result.summary.point_reactions)
+  for (const solution::PointReaction& reaction : result.summary.point_reactions)
     list.push_back(record_json(point_support_quantities(), reaction));
   return list;
 }
 
 Json rigid_bodies_json(const computation::Result& result) {
   Json list = Json::array();
-  for (const certificate::BodyReaction& body : result.summary.body_reactions)
+  for (const solution::BodyReaction& body : result.summary.body_reactions)
     list.push_back(record_json(rigid_body_quantities(), body));
   return list;
 }
@@ -78,11 +78,10 @@ Json limits_json(const computation::Result& result) {
   return json;
 }
 
-Json obstacle_json(const certificate::ObstacleContact& contact) {
+Json obstacle_json(const solution::ObstacleContact& contact) {
   Json json = record_json(obstacle_quantities(), contact);
   json["zones"] = Json::array();
-  for (const certificate::ContactZone& zone : contact.zones)
-    json["zones"].push_back(record_json(zone_quantities(), zone));
+  for (const solution::ContactZone& zone : contact.zones) json["zones"].push_back(record_json(zone_quantities(), zone));
   return json;
 }
 
@@ -145,7 +144,7 @@ Json units_json() {
 }
 
 /// Renames units in texts for people: under "unit", in "units", and after numbers in sentences.
-void rename_units(Json& json, const computation::UnitNames& units, bool are_names = false) {
+void rename_units(Json& json, const problem::UnitNames& units, bool are_names = false) {
   for (auto& [key, value] : json.items()) {
     const bool is_name = are_names || key == "unit";
     if (value.is_string()) {

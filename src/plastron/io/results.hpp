@@ -1,10 +1,10 @@
 // results.json: the results of a computation, their certificate, and the settings. Its numbers are listed in
 // quantities.cc and fields.cc, and for the reader in docs/results.md.
 #pragma once
-#include <plastron/computation/unit_names.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/case_source.hpp>
 #include <plastron/io/quantities.hpp>
+#include <plastron/problem/unit_names.hpp>
 
 #include <mpi.h>
 
@@ -25,7 +25,7 @@ struct Provenance {
   std::string solution{};              ///< one of `files`: the solution with all digits
   std::string case_copy{};             ///< one of `files`: the copy of the case file
   std::vector<double> heights{};       ///< z / e of additional stresses in the .vtu file, see fields_of()
-  computation::UnitNames units{};      ///< names in the files
+  problem::UnitNames units{};          ///< names in the files
 };
 
 inline constexpr std::string_view results_name = "results.json";

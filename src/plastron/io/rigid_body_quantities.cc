@@ -9,8 +9,8 @@ Json vector_json(const Eigen::Vector3d& v) { return Json::array({number(v[0]), n
 
 }  // namespace
 
-std::span<const Quantity<certificate::BodyReaction>> rigid_body_quantities() {
-  using certificate::BodyReaction;
+std::span<const Quantity<solution::BodyReaction>> rigid_body_quantities() {
+  using solution::BodyReaction;
   static const std::vector<Quantity<BodyReaction>> all{
       {"name", "-", "its name", [](const BodyReaction& b) { return Json(b.name); }, Form::text},
       {"reference", "m", "its reference point, where it is at first",

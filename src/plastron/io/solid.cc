@@ -115,7 +115,7 @@ void add_solid_cell(const std::vector<PointValues>& points, const std::vector<st
     }
 }
 
-GridPiece solid_piece(const computation::Solution& solution, int layers, const computation::UnitNames& units) {
+GridPiece solid_piece(const computation::Solution& solution, int layers, const problem::UnitNames& units) {
   const fem::Space& space = solution.discrete->space();
   const bool is_triangle = space.shape() == fem::Shape::triangle;
   GridPiece piece{.type = is_triangle ? CellType::wedge : CellType::hexahedron,

@@ -29,7 +29,7 @@ std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
   return points;
 }
 
-std::vector<GridArray> arrays_of(const std::vector<Field>& present, const computation::UnitNames& units) {
+std::vector<GridArray> arrays_of(const std::vector<Field>& present, const problem::UnitNames& units) {
   std::vector<GridArray> arrays;
   for (const Field& field : present)
     for (const std::string& name : field.arrays)

@@ -12,10 +12,10 @@ namespace plastron::io {
 
 /// Content and precision of a .vtu file.
 struct VtuChoice {
-  double displacement_scale = 1;   ///< points are phi + displacement_scale u
-  std::vector<double> heights{};   ///< z / e of further stresses, see fields_of()
-  bool is_double = false;          ///< coordinates and values in double precision; else rounded to single
-  computation::UnitNames units{};  ///< names beside the arrays
+  double displacement_scale = 1;  ///< points are phi + displacement_scale u
+  std::vector<double> heights{};  ///< z / e of further stresses, see fields_of()
+  bool is_double = false;         ///< coordinates and values in double precision; else rounded to single
+  problem::UnitNames units{};     ///< names beside the arrays
 };
 
 /// Adds a .vtu file (collective). Each cell has its own points, equidistant in its parameters, because resultants jump

@@ -49,7 +49,7 @@ SolutionHeader header_of(const computation::Solution& solution) {
 /// the same value on any rank that writes it (collective).
 struct NodeFields {
   explicit NodeFields(const computation::Solution& solution) {
-    const certificate::NodalSolution& nodal = solution.nodal;
+    const solution::NodalSolution& nodal = solution.nodal;
     add(nodal.y);
     if (solution.discrete->state.is_deformed()) add(solution.discrete->state.displacement);
     if (nodal.lambda.layout()) add(nodal.lambda);

@@ -1,13 +1,13 @@
 // Stress resultants of a solution at the points of highest accuracy in each element.
 #pragma once
-#include <plastron/certificate/certificate.hpp>
 #include <plastron/recovery/surface_axes.hpp>
+#include <plastron/solution/nodal_solution.hpp>
 
 #include <vector>
 
 namespace plastron::recovery {
 
-using certificate::NodalSolution;
+using solution::NodalSolution;
 
 /// N_11 N_22 N_12 [N/m], M_11 M_22 M_12 [N], Q_1 Q_2 [N/m]; a row per point.
 using ResultantRows = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;

@@ -1,7 +1,7 @@
 #include <plastron/recovery/stress_peak.hpp>
 
 #include <plastron/assembly/bounding_box.hpp>
-#include <plastron/certificate/place_order.hpp>
+#include <plastron/solution/place_order.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +19,14 @@ StressPeak peak_of(const PointValues& point) {
   return {.von_mises = largest.stress, .height = largest.height, .x = point.x, .position = point.phi};
 }
 
-bool is_singular(const Vector3d& position, std::span<const certificate::SingularPlace> places) {
-  return std::ranges::any_of(places, [&](const certificate::SingularPlace& place) {
-    return (position - place.position).norm() < place.radius;
-  });
+bool is_singular(const Vector3d& position, std::span<const SingularPlace> places) {
+  return std::ranges::any_of(
+      places, [&](const SingularPlace& place) { return (position - place.position).norm() < place.radius; });
 }
 
 /// The largest peaks of this rank, equal up to rounding.
 std::vector<StressPeak> local_peaks(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
-                                    const Choice& choice, std::span<const certificate::SingularPlace> singular) {
+                                    const Choice& choice, std::span<const SingularPlace> singular) {
   const fem::Space& space = discrete.space();
   const std::vector<Eigen::Vector2d> lattice = fem::lattice(space.shape(), space.degree);
   const Recovery recovery(discrete, solution, lattice, choice);
@@ -50,7 +49,7 @@ std::vector<StressPeak> local_peaks(const assembly::DiscreteShell& discrete, con
 
 /// Whether a's place comes first; at the same place the upper face comes first.
 bool is_before(const StressPeak& a, const StressPeak& b, double size) {
-  const auto first = certificate::in_units(a.position, size), second = certificate::in_units(b.position, size);
+  const auto first = solution::in_units(a.position, size), second = solution::in_units(b.position, size);
   return first != second ? first < second : a.height > b.height;
 }
 
@@ -73,7 +72,7 @@ double error_of(const StressPeak& peak, const assembly::DiscreteShell& discrete,
 }  // namespace
 
 StressPeak stress_peak(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Choice& choice,
-                       std::span<const certificate::SingularPlace> singular) {
+                       std::span<const SingularPlace> singular) {
   const MPI_Comm comm = discrete.space().layout->comm;
   int rank = 0;
   MPI_Comm_rank(comm, &rank);

@@ -1,7 +1,7 @@
 // The place of a solution's largest equivalent stress, away from places where stress has no limit.
 #pragma once
-#include <plastron/certificate/singular_places.hpp>
 #include <plastron/recovery/recovery.hpp>
+#include <plastron/recovery/singular_places.hpp>
 
 #include <span>
 
@@ -23,6 +23,6 @@ struct StressPeak {
 /// lower. Zero if no stress is finite. `error` is the difference to the resultants of the cell alone. The same result
 /// on every rank (collective).
 StressPeak stress_peak(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Choice& choice,
-                       std::span<const certificate::SingularPlace> singular);
+                       std::span<const SingularPlace> singular);
 
 }  // namespace plastron::recovery

@@ -7,9 +7,9 @@
 
 using namespace plastron;
 
-computation::Problem pressed_plate() {
+problem::Problem pressed_plate() {
   using assembly::Direction, assembly::Unknown;
-  computation::Problem problem;
+  problem::Problem problem;
   problem.domain = fem::Disk{.radius = 0.5};
   problem.charts.emplace("", geometry::Chart({"x", "y", "0.02"}, {}));  // the mid-surface
   problem.sections.common.thickness = geometry::Expression(0.02);

@@ -1,0 +1,28 @@
+// Writes the results of a study: text for the terminal, KIND.json, the plot KIND.svg and the meshes KIND-meshes.svg.
+#pragma once
+#include <plastron/io/results.hpp>
+#include <research/study/kinds.hpp>
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <string>
+
+namespace plastron::study {
+
+using io::Json;
+
+/// Columns aligned, units below their names, then fits, claims with what was measured, and remarks.
+std::string table_text(const Table& table);
+
+/// name, title, status, columns, rows, fits, claims, remarks, plot; and the settings of the case.
+Json report_json(const Report& report, const io::Provenance& provenance);
+
+/// Writes directory/NAME.svg, NAME-meshes.svg and, last, directory/NAME.json (collective). A report without rows has no plot, one without
+/// meshes no picture of them. Those of an
+/// earlier run stay until the new ones are complete.
+/// Throws std::runtime_error.
+void write_report(const Report& report, const io::Provenance& provenance, const std::filesystem::path& directory,
+                  MPI_Comm comm);
+
+}  // namespace plastron::study

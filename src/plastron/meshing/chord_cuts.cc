@@ -1,0 +1,259 @@
+#include <plastron/meshing/chord_cuts.hpp>
+
+#include <plastron/algebra/vector.hpp>
+#include <plastron/fem/basis.hpp>
+#include <plastron/fem/cut_mesh.hpp>
+#include <plastron/geometry/frame.hpp>
+#include <plastron/meshing/chords.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace plastron::meshing {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Measured values, docs/methods/accuracy.md.
+constexpr double worth = 1.2;  ///< least worth of a chord relative to single cells; above it the chord is cut
+/// The same for all chords where edges of contact zones run along some chords: the cells there will be divided
+/// repeatedly.
+constexpr double worth_at_edges = 0.3;
+constexpr double best_part = 0.6;     ///< part of the best chord's worth; chords above it are cut too
+constexpr double least_part = 0.2;    ///< least part of a cell's side after a cut
+constexpr double middle_part = 0.1;   ///< cuts nearer to the middle than this halve the cell
+constexpr double smallest = 0x1p-24;  ///< part of a cell of the first mesh
+constexpr double no_bend = 0.1;       ///< deviation of a side from a straight line, relative to the cell's width
+constexpr double largest_bend = 2;    ///< the same limit for parts: patches cannot judge larger bends,
+constexpr int bent_degree = 4;        ///< nor bent cells that are cut at higher degrees
+
+struct Chord {
+  double cells = 0;
+  double share = 0;
+  double cut = 0.5;
+  double crossed = 0;   ///< number of cells that the edge of a contact zone crosses along the chord
+  double unjudged = 0;  ///< bent cells without patches that are longer across the chord
+  bool is_cut = false;
+  double rate() const { return share / cells; }
+};
+
+/// Returns the place that has half of the slices' sum on either side.
+double middle(std::span<const double> slices, std::span<const double> widths) {
+  const double half = std::accumulate(slices.begin(), slices.end(), 0.0) / 2;
+  double sum = 0, at = 0;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    if (sum + slices[i] > half) return at + widths[i] * (half - sum) / slices[i];
+    sum += slices[i];
+    at += widths[i];
+  }
+  return 0.5;
+}
+
+double cut_near(double middle) {
+  if (std::abs(middle - 0.5) < middle_part) return 0.5;
+  return std::clamp(middle, least_part, 1 - least_part);
+}
+
+/// Sides and widths of the coarse cells on the shell.
+class CellShapes {
+ public:
+  explicit CellShapes(const fem::Surface& surface) : surface_(surface) {}
+
+  /// Returns the direction in which a cell is longer.
+  std::size_t longer(std::size_t cell) const {
+    const auto length = [&](const Vector2d& from, const Vector2d& to) {
+      return (at(cell, from).value - at(cell, to).value).norm();
+    };
+    return length({0, 0.5}, {1, 0.5}) >= length({0.5, 0}, {0.5, 1}) ? 0 : 1;
+  }
+
+  /// Whether the sides of a part of a cell are nearly straight. Their bend in the tangent plane, where polynomials are
+  /// fitted, must be at most `bend` times the width of the part. `from` and `to` limit the part in `direction`.
+  bool is_straight(std::size_t cell, std::size_t direction, double from, double to, double bend) const {
+    const auto point = [&](double across, double along) {
+      return at(cell, direction == 0 ? Vector2d(across, along) : Vector2d(along, across));
+    };
+    const auto sag = [&](double x) {
+      const geometry::SurfaceJet middle = point(x, 0.5);
+      const Eigen::Vector3d off = middle.value - (point(x, 0).value + point(x, 1).value) / 2;
+      return geometry::tangential(off, geometry::unit_normal(middle)).norm();
+    };
+    return std::max(sag(from), sag(to)) <= bend * (point(to, 0.5).value - point(from, 0.5).value).norm();
+  }
+
+ private:
+  geometry::SurfaceJet at(std::size_t cell, const Vector2d& xi) const {
+    geometry::SurfaceJet jet;
+    surface_.jets({.coarse = static_cast<int>(cell)}, {&xi, 1}, {&jet, 1}, false);
+    return jet;
+  }
+
+  const fem::Surface& surface_;
+};
+
+class ChordChoice {
+ public:
+  ChordChoice(const fem::Space& space, const fem::Surface& surface, const ChordTask& task)
+      : space_(space), shapes_(surface), task_(task), numbers_(chords(*space.coarse)) {
+    sum_up();
+    place_cuts();
+  }
+
+  std::vector<fem::Cuts> operator()() {
+    choose();
+    std::vector<fem::Cuts> cuts;
+    bool any = false;
+    for (const auto& of_cell : numbers_.of_cell) {
+      fem::Cuts& own = cuts.emplace_back();
+      for (std::size_t d = 0; d < 2; ++d) {
+        const Chord& chord = chords_[static_cast<std::size_t>(of_cell[d])];
+        if (chord.is_cut) own[d] = {chord.cut};
+        any = any || chord.is_cut;
+      }
+    }
+    if (!any) cuts.clear();
+    return cuts;
+  }
+
+ private:
+  /// Sums the data of chords over the cells of all ranks.
+  void sum_up() {
+    const fem::Rule rule = fem::gauss(space_.degree + 1);
+    const std::size_t slices = rule.weights.size(), width = slices + 3;  // cells, crossed, without patches, slices
+    std::vector<double> sums(width * static_cast<std::size_t>(numbers_.count), 0);
+    const auto number = [&](std::size_t cell, std::size_t direction) {
+      return static_cast<std::size_t>(numbers_.of_cell[static_cast<std::size_t>(space_.cells[cell].coarse)][direction]);
+    };
+    for (std::size_t c = 0; c < space_.owned_cells; ++c)
+      for (std::size_t d = 0; d < 2; ++d) {
+        double* sum = sums.data() + width * number(c, d);
+        sum[0] += 1;
+        for (std::size_t i = 0; i < slices; ++i) sum[3 + i] += task_.shares[c] * task_.estimates.profiles[c][d][i];
+      }
+    // Cells that are both long and bent have no patches; shorter cells have patches. If regions or curves are the
+    // reason, cuts do not help.
+    for (const std::size_t c : task_.estimates.unjudged) {
+      const auto coarse = static_cast<std::size_t>(space_.cells[c].coarse);
+      const std::size_t along = shapes_.longer(coarse);
+      if (!shapes_.is_straight(coarse, 1 - along, 0, 1, no_bend)) sums[width * number(c, along) + 2] += 1;
+    }
+    for (const estimation::CrossedCell& crossed : task_.estimates.crossed)
+      sums[width * number(crossed.cell, static_cast<std::size_t>(crossed.across)) + 1] += 1;
+    sums = algebra::sums_over_ranks(sums, space_.layout->comm);
+    for (std::size_t i = 0; i < sums.size(); i += width) {
+      const std::span<const double> of_slices = std::span(sums).subspan(i + 3, slices);
+      const double share = std::accumulate(of_slices.begin(), of_slices.end(), 0.0);
+      whole_ += share;
+      chords_.push_back({.cells = sums[i],
+                         .share = share,
+                         .cut = task_.halves_only ? 0.5 : cut_near(middle(of_slices, rule.weights)),
+                         .crossed = sums[i + 1],
+                         .unjudged = sums[i + 2]});
+    }
+  }
+
+  void place_cuts() {
+    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> cells(chords_.size());  // and directions
+    for (std::size_t c = 0; c < numbers_.of_cell.size(); ++c)
+      for (std::size_t d = 0; d < 2; ++d) cells[static_cast<std::size_t>(numbers_.of_cell[c][d])].emplace_back(c, d);
+    const std::vector<fem::CutCell> parts = fem::cut_cells(*space_.coarse);
+    for (std::size_t i = 0; i < chords_.size(); ++i) {
+      double& cut = chords_[i].cut;
+      const auto makes_bent_parts = [&](const auto& cell) {
+        return !shapes_.is_straight(cell.first, cell.second, 0, cut, largest_bend) ||
+               !shapes_.is_straight(cell.first, cell.second, cut, 1, largest_bend);
+      };
+      const auto is_bent = [&](const auto& cell) {
+        return !shapes_.is_straight(cell.first, 0, 0, 1, no_bend) || !shapes_.is_straight(cell.first, 1, 0, 1, no_bend);
+      };
+      const auto makes_small_parts = [&](const auto& cell) {
+        return parts[cell.first].size[static_cast<Eigen::Index>(cell.second)] * std::min(cut, 1 - cut) < smallest;
+      };
+      const auto is_good = [&] {
+        return std::ranges::none_of(cells[i], makes_bent_parts) && std::ranges::none_of(cells[i], makes_small_parts);
+      };
+      // Moves the cut towards the middle. A chord that cannot even be halved has no worth.
+      while (cut != 0.5 && !is_good()) cut = std::abs(cut - 0.5) < 0.02 ? 0.5 : (2 * cut + 0.5) / 3;
+      const bool is_beyond = space_.degree > bent_degree && std::ranges::any_of(cells[i], is_bent);
+      if (is_beyond || !is_good()) chords_[i].share = 0;
+    }
+  }
+
+  void choose() {
+    if (task_.at_edges)
+      choose_at_edges();
+    else if (!task_.are_met)
+      choose_by_worth();
+    for (Chord& chord : chords_)
+      chord.is_cut = chord.is_cut || (chord.share > 0 && is_cheaper_cut(chord.cells, chord.unjudged));
+  }
+
+  void choose_by_worth() {
+    std::vector<std::size_t> ranking(chords_.size());
+    std::iota(ranking.begin(), ranking.end(), std::size_t{0});
+    std::ranges::sort(ranking, std::greater{}, [&](std::size_t i) { return chords_[i].rate(); });
+    const double least = std::max((edges_run_along_chords() ? worth_at_edges : worth) * task_.per_cell * whole_,
+                                  best_part * chords_[ranking.front()].rate());
+    constexpr double alike = 0.99;  // rounding must not separate chords that are equal by symmetry
+    double sum = 0, last = 0;
+    for (const std::size_t i : ranking) {
+      Chord& chord = chords_[i];
+      const bool is_enough = sum >= task_.share * whole_ && chord.rate() < alike * last;
+      if (is_enough || chord.rate() < least || !(chord.share > 0)) break;
+      sum += chord.share;
+      last = chord.rate();
+      chord.is_cut = true;
+    }
+  }
+
+  /// Whether cutting chords with this number of cells is cheaper than dividing `of_these` cells, each of which becomes
+  /// four.
+  static bool is_cheaper_cut(double cells, double of_these) { return of_these > 0 && cells <= 3 * of_these; }
+
+  struct Edges {
+    double cells = 0;    ///< number of cells at edges of contact zones
+    double chords = 0;   ///< number of cells in the chords through them, across the edges
+    bool can_be = true;  ///< whether all these chords can be cut
+  };
+  Edges edges() const {
+    Edges sum;
+    for (const Chord& chord : chords_) {
+      if (!(chord.crossed > 0)) continue;
+      sum.cells += chord.crossed;
+      sum.chords += chord.cells;
+      sum.can_be = sum.can_be && chord.share > 0;
+    }
+    return sum;
+  }
+  bool edges_run_along_chords() const {
+    const Edges all = edges();
+    return all.cells > 0 && all.chords < 2 * all.cells;
+  }
+
+  void choose_at_edges() {
+    const Edges all = edges();
+    if (!all.can_be || !is_cheaper_cut(all.chords, all.cells)) return;
+    for (Chord& chord : chords_) chord.is_cut = chord.crossed > 0;
+  }
+
+  const fem::Space& space_;
+  CellShapes shapes_;
+  const ChordTask& task_;
+  Chords numbers_;
+  std::vector<Chord> chords_{};
+  double whole_ = 0;
+};
+
+}  // namespace
+
+std::vector<fem::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task) {
+  const bool is_divided = space.global_cells > static_cast<std::int64_t>(space.coarse->cells.size());
+  if (is_divided) return {};
+  return ChordChoice(space, surface, task)();
+}
+
+}  // namespace plastron::meshing

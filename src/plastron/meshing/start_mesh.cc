@@ -1,0 +1,296 @@
+#include <plastron/meshing/start_mesh.hpp>
+
+#include <plastron/fem/kept_nodes.hpp>
+#include <plastron/fem/polygon.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+namespace plastron::meshing {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Measured on a saddle and on shells in contact, docs/methods/layers.md.
+constexpr double row_widths = 3.5;         ///< width of a row relative to its layer
+constexpr double narrow_row_widths = 0.2;  ///< width of a second row at the edge
+constexpr int narrow_row_degree = 4;
+/// Error with one row in each direction, relative to a corner's part of the domain.
+constexpr double corner_errors = 0.03;
+constexpr double cells_per_layer_degree =
+    0.68;  ///< size of an inner cell, relative to the degree and the width of the layers there
+/// Number of nodes of the finest mesh where contact zones may have their edge anywhere.
+constexpr double contact_nodes = 700;
+constexpr double largest_share = 0.25;  ///< largest part of the domain for a row
+constexpr int most_cells_across = 64;
+/// Part of a disk's radius outside which a mesh with cut chords has rings: edges of contact zones may also be round.
+constexpr double core_part = 0.35;
+/// Highest degree with rings; patches of higher ones cannot judge cells that are long and bent.
+constexpr int ring_degree = 4;
+
+/// Space for rows along a boundary, in Omega.
+struct Room {
+  const EdgeLayer& layer;
+  double operator()(const fem::Rectangle& r) const {
+    if (layer.boundary >= 2) return r.to[1] - r.from[1];
+    const auto& breaks = r.breaks;
+    if (breaks.empty()) return r.to[0] - r.from[0];
+    return layer.boundary == 0 ? breaks.front() - r.from[0] : r.to[0] - breaks.back();
+  }
+  double operator()(const fem::Disk& d) const { return d.radius; }
+  double operator()(const fem::Annulus& a) const { return a.outer - a.inner; }
+  double operator()(const fem::Polygon& polygon) const { return fem::inner_width(polygon); }
+  double operator()(const fem::MeshFile&) const { return 0; }
+};
+
+/// Returns boundaries beyond which the shell continues: there is no edge.
+std::set<int> boundaries_within(const problem::Problem& problem) {
+  const auto names = fem::boundary_names(problem.domain);
+  std::set<int> result;
+  const auto add = [&](const std::string& name) {
+    const auto place = std::ranges::find(names, name);
+    if (place != names.end()) result.insert(static_cast<int>(place - names.begin()));
+  };
+  for (const assembly::Support& support : problem.supports)
+    if (support.symmetry) add(support.boundary);
+  for (const fem::Join& join : problem.joins)
+    for (const std::string& name : join.boundaries) add(name);
+  return result;
+}
+
+/// Whether joined edges stay equal for any rows of the other edges: opposite sides of a rectangle.
+bool keeps_joins_alike(const problem::Problem& problem) {
+  if (problem.joins.empty()) return true;
+  const std::set<std::string> pair(problem.joins[0].boundaries.begin(), problem.joins[0].boundaries.end());
+  return problem.joins.size() == 1 && std::holds_alternative<fem::Rectangle>(problem.domain) &&
+         (pair == std::set<std::string>{"left", "right"} || pair == std::set<std::string>{"bottom", "top"});
+}
+
+/// Whether each row needs a second, narrow row between it and the edge. Rows cross at corners of four-sided domains.
+/// Narrow rows are useful if the required accuracy exceeds the accuracy of the corners' cells, at the degree of
+/// narrow_row_degree. `share` is the widest row's part of the domain's width.
+bool wants_narrow_rows(const problem::Problem& problem, double share) {
+  if (!problem.accuracy || problem.discretisation.degree != narrow_row_degree) return false;
+  const auto* polygon = std::get_if<fem::Polygon>(&problem.domain);
+  if (!std::holds_alternative<fem::Rectangle>(problem.domain) && !(polygon && fem::is_convex_quadrilateral(*polygon)))
+    return false;
+  return std::ranges::any_of(problem.accuracy->goals, [&](const problem::Accuracy::Goal& goal) {
+    return goal.tolerance <= corner_errors * share * share;
+  });
+}
+
+/// Returns the rows of each boundary and their layers. A boundary has rows in all its regions or in none.
+std::pair<Rows, std::vector<EdgeLayer>> rows_of(const problem::Problem& problem) {
+  Rows rows;
+  std::vector<EdgeLayer> kept;
+  const auto within = boundaries_within(problem);
+  const auto boundaries = static_cast<int>(fem::boundary_names(problem.domain).size());
+  const auto layers = edge_layers(problem);
+  double share = 0;  // share of the widest row
+  for (int b = 0; b < boundaries; ++b) {
+    std::vector<std::vector<double>> distances;
+    bool fits = false;
+    for (const EdgeLayer& layer : layers)
+      if (layer.boundary == b) {
+        const double most = largest_share * std::visit(Room{layer}, problem.domain);
+        const double row = row_widths * layer.width_in_omega;
+        if (row <= most && !within.contains(b)) {
+          fits = true;
+          share = std::max(share, row / most * largest_share);
+          kept.push_back(layer);
+        }
+        distances.push_back({row <= most ? row : most});
+      }
+    if (!fits) std::ranges::fill(distances, std::vector<double>{});
+    rows.distances.push_back(std::move(distances));
+  }
+  // Joined edges, which may be reversed, meet the rows of both neighbours.
+  if (!problem.joins.empty()) {
+    auto& a = within.contains(0) ? rows.distances[2] : rows.distances[0];
+    auto& b = within.contains(0) ? rows.distances[3] : rows.distances[1];
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+      for (std::size_t k = 0; k < std::min(a[i].size(), b[i].size()); ++k)
+        a[i][k] = b[i][k] = std::min(a[i][k], b[i][k]);
+  }
+  if (wants_narrow_rows(problem, share))
+    for (auto& regions : rows.distances)
+      for (auto& distances : regions)
+        if (!distances.empty()) distances.insert(distances.begin(), distances.front() * narrow_row_widths / row_widths);
+  return {std::move(rows), std::move(kept)};
+}
+
+bool has_narrow_rows(const Rows& rows) {
+  return std::ranges::any_of(rows.distances,
+                             [](const auto& regions) { return !regions.empty() && regions.front().size() > 1; });
+}
+
+/// Returns the size of cells between the rows on the finest mesh [m].
+double size_inside(const problem::Problem& problem, const Interior& inside) {
+  const int degree = problem.discretisation.degree;
+  double size = cells_per_layer_degree * degree * inside.width;
+  if (!problem.obstacles.empty() && !problem.accuracy)
+    size = std::min(size, degree * std::sqrt(inside.area / contact_nodes));
+  return size;
+}
+
+double last_or_nothing(const std::vector<std::vector<double>>& distances) {
+  return distances.front().empty() ? 0 : distances.front().back();
+}
+
+/// Number of cells between the rows, in the form of fem::Rows, for a cell size in metres.
+struct InnerCells {
+  const Rows& rows;
+  const Interior& inside;
+  double size;
+
+  int count(double length) const {
+    constexpr double rounding = 0.05;  // a cell may be larger by this part
+    const double cells = std::ceil(length / size - rounding);
+    if (!(cells > 1)) return 1;  // also where the chart has almost no curvature
+    return static_cast<int>(std::min(cells, 1.0 * most_cells_across));
+  }
+  std::array<int, 2> operator()(const fem::Rectangle& r) const {
+    const Vector2d taken(last_or_nothing(rows.distances[0]) + last_or_nothing(rows.distances[1]),
+                         last_or_nothing(rows.distances[2]) + last_or_nothing(rows.distances[3]));
+    const Vector2d length = (r.to - r.from - taken).cwiseProduct(inside.stretch);
+    return {std::max(r.cells[0], count(length[0])), std::max(r.cells[1], count(length[1]))};
+  }
+  /// A disk has 5 m^2 cells of about the same area.
+  std::array<int, 2> operator()(const fem::Disk&) const {
+    const int m = count(std::sqrt(inside.area / 5));
+    return {m, m};
+  }
+  std::array<int, 2> operator()(const fem::Annulus& a) const {
+    const double stretch = inside.stretch.mean();
+    const int around = 2 * count(std::numbers::pi * (a.inner + a.outer) / 2 * stretch);
+    const double between = a.outer - a.inner - last_or_nothing(rows.distances[0]) - last_or_nothing(rows.distances[1]);
+    return {std::max(6, around), count(between * stretch)};
+  }
+  std::array<int, 2> operator()(const fem::Polygon& polygon) const {
+    const auto& p = polygon.corners;
+    const double stretch = inside.stretch.mean();
+    if (!fem::is_convex_quadrilateral(polygon)) {
+      const int along = count(fem::perimeter(polygon) / 2 * stretch);
+      return {along, along};
+    }
+    const auto side = [&](std::size_t i) { return (p[(i + 1) % 4] - p[i]).norm(); };
+    return {count((side(0) + side(2)) / 2 * stretch), count((side(1) + side(3)) / 2 * stretch)};
+  }
+  std::array<int, 2> operator()(const fem::MeshFile&) const { return {1, 1}; }
+};
+
+/// Adds rings outside the middle of a disk whose chords may be cut.
+void add_rings(const problem::Problem& problem, const InnerCells& cells, Rows& rows) {
+  const auto* disk = std::get_if<fem::Disk>(&problem.domain);
+  if (!disk || !problem.accuracy || is_refined_evenly(problem) || problem.discretisation.degree > ring_degree) return;
+  const double core = core_part * disk->radius;
+  const double between = disk->radius - last_or_nothing(rows.distances[0]) - core;  // rows take at most a quarter
+  rows.core = core;
+  rows.rings = cells.count(between * cells.inside.stretch.mean());
+  rows.inner[1] = std::max(1, rows.inner[1] / 2);
+}
+
+/// Returns a size that gives at least two cells along the longer side on the finest mesh. One cell is too coarse at any
+/// degree.
+double largest_cell(const Interior& inside) { return std::sqrt(inside.area) / 2; }
+
+/// Whether all fixed points are nodes.
+bool has_points(const fem::CoarseMesh& coarse, const problem::Problem& problem) {
+  const auto nodes = fem::kept_nodes(coarse, problem.discretisation.degree);
+  const double tolerance = fem::point_tolerance(coarse);
+  return std::ranges::all_of(problem.supports, [&](const assembly::Support& s) {
+    return !s.point ||
+           std::ranges::any_of(nodes, [&](const Vector2d& x) { return (x - *s.point).norm() <= tolerance; });
+  });
+}
+
+}  // namespace
+
+bool is_refined_evenly(const problem::Problem& problem) {
+  return problem.accuracy->is_uniform || problem.discretisation.cells == fem::Shape::triangle;
+}
+
+StartMesh start_mesh(const problem::Problem& problem) {
+  const problem::Discretisation& d = problem.discretisation;
+  const auto plain = [&](const std::string& why) {
+    return StartMesh{.coarse = fem::coarse_mesh(problem.domain, d.cells), .rows = {}, .no_rows = why};
+  };
+  if (d.layers == problem::Layers::none) return plain("");
+  if (std::holds_alternative<fem::MeshFile>(problem.domain)) return plain("a mesh that is read is left as it is");
+  if (!keeps_joins_alike(problem)) return plain("joined edges must have the same cells on both sides");
+  auto [rows, layers] = rows_of(problem);
+  const Interior inside = interior(problem);
+  const double size = std::min(size_inside(problem, inside), largest_cell(inside)) * std::exp2(d.refinements);
+  const InnerCells cells{rows, inside, size};
+  rows.inner = std::visit(cells, problem.domain);
+  add_rings(problem, cells, rows);
+  StartMesh mesh{.coarse = {}, .rows = std::move(layers), .has_narrow_rows = has_narrow_rows(rows)};
+  try {
+    mesh.coarse = layered_mesh(problem.domain, d.cells, rows);
+  } catch (const fem::DomainError& error) {
+    return plain(error.what());
+  }
+  if (!has_points(mesh.coarse, problem)) return plain("points that are held would be no nodes");
+  return mesh;
+}
+
+int recommended_degree(const problem::Problem& problem) {
+  if (problem.discretisation.cells == fem::Shape::triangle) return 2;
+  return problem.obstacles.empty() ? 8 : 3;
+}
+
+std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinements) {
+  std::set<std::pair<int, int>> sides;
+  for (const fem::CoarseCell& cell : coarse.cells)
+    for (int side = 0; side < fem::corner_count(coarse.shape); ++side) {
+      const auto [from, to] = fem::side_corners(coarse.shape, side);
+      sides.insert(
+          std::minmax(cell.vertices[static_cast<std::size_t>(from)], cell.vertices[static_cast<std::size_t>(to)]));
+    }
+  // A refined cell has the nodes of one cell of degree n.
+  const std::int64_t n = static_cast<std::int64_t>(degree) << refinements;
+  const bool is_triangle = coarse.shape == fem::Shape::triangle;
+  const std::int64_t in_cell = is_triangle ? (n - 1) * (n - 2) / 2 : (n - 1) * (n - 1);
+  std::set<int> vertices;
+  for (const fem::CoarseCell& cell : coarse.cells)
+    for (const int v : cell.vertices)
+      if (v >= 0) vertices.insert(v);
+  return static_cast<std::int64_t>(vertices.size()) + static_cast<std::int64_t>(sides.size()) * (n - 1) +
+         static_cast<std::int64_t>(coarse.cells.size()) * in_cell;
+}
+
+std::string describe(const StartMesh& mesh, const problem::Problem& problem) {
+  const problem::Discretisation& d = problem.discretisation;
+  if (d.layers == problem::Layers::none) return "";
+  const int width = element::is_relaxed(d.tangency.formulation) ? 6 : 5;
+  const auto unknowns = [&](int refinements) { return width * node_count(mesh.coarse, d.degree, refinements); };
+  const auto names = fem::boundary_names(problem.domain), regions = fem::region_names(problem.domain);
+  std::vector<std::string> rows;
+  for (const EdgeLayer& layer : mesh.rows) {
+    const std::string& region = regions[static_cast<std::size_t>(layer.region)];
+    rows.push_back(fmt::format("{}{} {:.3g} m", names[static_cast<std::size_t>(layer.boundary)],
+                               region.empty() ? "" : " of " + region, row_widths * layer.width));
+  }
+  const std::string what = !mesh.no_rows.empty() ? fmt::format("no rows along edges: {}", mesh.no_rows)
+                           : rows.empty()
+                               ? "edge refinement: not needed (edge layers are absent or wider than a quarter of the "
+                                 "shell)"
+                               : fmt::format("rows along {} wide{}", fmt::join(rows, ", "),
+                                             mesh.has_narrow_rows ? ", and a narrow one at each of these edges" : "");
+  const std::string finest =
+      d.refinements == 0 ? "" : fmt::format(", {} after {} refinements", unknowns(d.refinements), d.refinements);
+  const int degree = recommended_degree(problem);
+  const std::string advice =
+      problem.accuracy || degree == d.degree ? "" : fmt::format("; degree {} is recommended", degree);
+  return fmt::format("{}; {} cells, {} unknowns of degree {}{}{}", what, mesh.coarse.cells.size(), unknowns(0),
+                     d.degree, finest, advice);
+}
+
+}  // namespace plastron::meshing

@@ -1,0 +1,43 @@
+#include <plastron/problem/instants.hpp>
+
+namespace plastron::problem {
+
+namespace {
+
+double between(double from, double to, double part) { return part == 1 ? to : from + part * (to - from); }
+
+}  // namespace
+
+Instant between(const Instant& from, const Instant& to, double part) {
+  Instant now{.step = to.step,
+              .time = between(from.time, to.time, part),
+              .load_factor = between(from.load_factor, to.load_factor, part)};
+  for (std::size_t k = 0; k < to.force_factors.size(); ++k)
+    now.force_factors.push_back(
+        between(from.force_factors.empty() ? 1 : from.force_factors[k], to.force_factors[k], part));
+  return now;
+}
+
+std::vector<Instant> instants(const Problem& problem) {
+  if (problem.steps.empty()) return {Instant{}};
+  std::vector<Instant> all;
+  Instant before{.load_factor = 0, .force_factors = std::vector<double>(problem.obstacles.size(), 0)};
+  for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+    const Step& step = problem.steps[s];
+    for (int j = 1; j <= step.parts; ++j) {
+      const double part = static_cast<double>(j) / step.parts;
+      Instant now{.step = static_cast<int>(s),
+                  .time = static_cast<double>(s) + part,
+                  .load_factor = between(before.load_factor, step.load_factor, part)};
+      for (std::size_t k = 0; k < problem.obstacles.size(); ++k) {
+        const double to = step.force_factors.empty() ? 1 : step.force_factors[k];
+        now.force_factors.push_back(between(before.force_factors[k], to, part));
+      }
+      all.push_back(std::move(now));
+    }
+    before = all.back();
+  }
+  return all;
+}
+
+}  // namespace plastron::problem

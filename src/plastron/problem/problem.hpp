@@ -1,0 +1,116 @@
+// Plain values that define a computation: geometry, shell, supports, loads, obstacle, discretisation.
+#pragma once
+#include <plastron/assembly/cross_sections.hpp>
+#include <plastron/assembly/loads.hpp>
+#include <plastron/assembly/supports.hpp>
+#include <plastron/contact/settings.hpp>
+#include <plastron/element/formulation.hpp>
+#include <plastron/fem/domain.hpp>
+#include <plastron/fem/join.hpp>
+#include <plastron/fem/reference_cell.hpp>
+#include <plastron/fem/rigid_bodies.hpp>
+#include <plastron/geometry/chart.hpp>
+#include <plastron/obstacle/gap.hpp>
+#include <plastron/problem/unit_names.hpp>
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plastron::problem {
+
+enum class Layers {
+  none,      ///< the domain's own coarsest mesh
+  automatic  ///< with rows of thin cells along the edges, see start_mesh.hpp
+};
+
+struct Discretisation {
+  fem::Shape cells = fem::Shape::quadrilateral;
+  int degree = 2;     ///< k, 1 to 8; 1 or 2 on triangles
+  bool tying = true;  ///< (M22); triangles are never tied
+  element::Tangency tangency{};
+  Layers layers = Layers::none;
+  int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
+};
+
+/// Required accuracy, instead of a number of refinements: meshes are refined until estimated errors are below
+/// tolerances.
+struct Accuracy {
+  struct Goal {
+    std::string name;      ///< one of goal_names()
+    double tolerance = 0;  ///< relative tolerance of the error
+  };
+  std::vector<Goal> goals{};
+  double max_unknowns = 2e6;
+  double max_seconds = std::numeric_limits<double>::infinity();
+  bool is_uniform = false;  ///< all cells are divided, for comparison
+};
+
+/// Settings for the gaps of curved obstacles (M16).
+struct Linearisation {
+  bool once = false;   ///< at the undeformed shell, and not again at the deformed one
+  int max_steps = 50;  ///< largest number of steps on one mesh
+  double tolerance =
+      /// Limit of the distance between faces in contact and their points of linearisation, relative to the largest
+      /// displacement.
+      1e-8;
+};
+
+/// A point of Omega where the results are wanted.
+struct Probe {
+  std::string name;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+};
+
+/// A step. Loads, forces on obstacles and their motions change from their values after the previous step to the values
+/// at its end.
+struct Step {
+  std::string name{};
+  double load_factor = 1;               ///< factor of all loads at the step's end
+  int parts = 1;                        ///< number of equal parts; each is solved
+  std::vector<double> force_factors{};  ///< factor of each force on an obstacle, at the step's end; empty: 1
+};
+
+/// Points of Omega along which results are written as a table.
+struct Line {
+  std::string name;
+  std::vector<Eigen::Vector2d> points{};
+};
+
+/// Form of the results.
+struct Output {
+  std::optional<Eigen::Vector3d> axis{};  ///< direction that t1 follows, projected on the surface; empty: d phi/dx
+  bool smooth = true;                     ///< recovered over patches of cells; otherwise in each cell alone
+  Eigen::Vector3d moment_point = Eigen::Vector3d::Zero();  ///< reference point of the moments of forces [m]
+  std::vector<double> heights{};  ///< z / e of additional stress fields besides faces and middle
+  bool double_precision = false;  ///< double precision of the numbers in .vtu files
+  int solid_layers = 0;           ///< layers of cells through the thickness in solid.vtu; 0: no such file
+  UnitNames units{};              ///< names in texts and files
+};
+
+struct Problem {
+  fem::Domain domain = fem::Rectangle{};
+  std::vector<fem::Join> joins{};                 ///< edges that are joined
+  std::vector<fem::RigidBody> rigid_bodies{};     ///< bodies that carry edges
+  std::map<std::string, geometry::Chart> charts;  ///< charts by region; the unnamed region is ""
+  assembly::CrossSections sections{};             ///< thickness, material and density, by region
+  std::vector<assembly::Support> supports{};
+  std::vector<assembly::AreaLoad> area_loads{};
+  std::vector<assembly::EdgeLoad> edge_loads{};
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g for the weight of the density [m/s^2]
+  std::vector<obstacle::Obstacle> obstacles{};
+  std::vector<Step> steps{};  ///< obstacles have a motion for each, or none; without steps nothing moves
+  std::vector<Probe> probes{};
+  std::vector<Line> lines{};
+  Discretisation discretisation{};
+  std::optional<Accuracy> accuracy{};
+  contact::Settings contact{};
+  Linearisation linearisation{};
+  Output output{};
+  bool admissible = false;  ///< bounds of gaps are lifted until the shell is outside the obstacles also between nodes
+  double face_scale = 1;    ///< faces lie at this multiple of e/2; not 1 in studies that vary the stiffness alone
+};
+
+}  // namespace plastron::problem

@@ -1,0 +1,223 @@
+#include <plastron/recovery/singular_places.hpp>
+
+#include <plastron/solution/nodal_solution.hpp>
+#include <plastron/solution/place_order.hpp>
+#include <plastron/solution/summary.hpp>
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace plastron::recovery {
+
+namespace {
+
+/// The part of a field's components that an edge fixes.
+enum class Hold { nothing, some, all };
+/// For displacements in the tangent plane, for the rotation, for the deflection.
+using Holds = std::array<Hold, 3>;
+
+/// A side of the rim, seen from one of its two corners.
+struct SideEnd {
+  algebra::GlobalIndex node = 0;
+  bool is_forward = false;  ///< anticlockwise round the shell
+  int boundary = -1;
+  Holds holds{};
+  Vector3d tangent = Vector3d::Zero(), a3 = Vector3d::Zero(), position = Vector3d::Zero();
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  double thickness = 0;
+};
+
+/// Sums of d d' over the directions in which a boundary's supports fix u and r at a point with these axes.
+std::array<Eigen::Matrix3d, 2> held_directions(const assembly::DiscreteShell& discrete, const std::string& boundary,
+                                               const Vector3d& tangent, const Vector3d& a3) {
+  std::array<Eigen::Matrix3d, 2> sums{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
+  const auto vector = [&](assembly::Direction direction) -> Vector3d {
+    switch (direction) {
+      case assembly::Direction::x:
+        return Vector3d::UnitX();
+      case assembly::Direction::y:
+        return Vector3d::UnitY();
+      case assembly::Direction::z:
+        return Vector3d::UnitZ();
+      case assembly::Direction::normal:
+        return a3;
+      case assembly::Direction::tangent:
+        return tangent;
+      default:
+        return tangent.cross(a3);
+    }
+  };
+  for (const assembly::Support& support : discrete.supports)
+    if (!support.point && support.boundary == boundary)
+      for (const assembly::PrescribedComponent& c : support.components) {
+        const Vector3d d = vector(c.direction);
+        sums[c.unknown == assembly::Unknown::displacement ? 0 : 1] += d * d.transpose();
+      }
+  return sums;
+}
+
+/// The number of fixed directions of the tangent plane, regardless of other directions fixed with them.
+Hold held_in_plane(const Eigen::Matrix3d& sum, const Vector3d& t, const Vector3d& n) {
+  Eigen::Matrix2d plane;
+  plane << t.dot(sum * t), t.dot(sum * n), n.dot(sum * t), n.dot(sum * n);
+  constexpr double least = 0.1;  // limit of a squared cosine
+  const double trace = plane.trace(), root = std::sqrt(std::max(0.0, trace * trace / 4 - plane.determinant()));
+  return trace / 2 - root > least ? Hold::all : trace / 2 + root > least ? Hold::some : Hold::nothing;
+}
+
+void add_ends(const assembly::DiscreteShell& discrete, const fem::BoundarySide& side, std::vector<SideEnd>& ends) {
+  const fem::Space& space = discrete.space();
+  const auto corners = fem::anticlockwise_corners(space.shape(), side.side);
+  const auto on_side = fem::side_nodes(space.shape(), space.degree, side.side);
+  for (int k = 0; k < 2; ++k) {
+    const Eigen::Vector2d from = fem::corner(space.shape(), corners[static_cast<std::size_t>(k)]),
+                          to = fem::corner(space.shape(), corners[static_cast<std::size_t>(1 - k)]);
+    geometry::SurfaceJet jet;
+    discrete.shell.surface().jets(space.cells[side.cell], {&from, 1}, {&jet, 1}, false);
+    const bool is_first = (from - fem::side_point(space.shape(), side.side, 0)).norm() < 0.5;
+    const auto node = static_cast<std::size_t>(
+        space.nodes(side.cell)[static_cast<std::size_t>(is_first ? on_side.front() : on_side.back())]);
+    if (discrete.coordinates.tied[node]) continue;
+    SideEnd end{.node = space.layout->global(static_cast<algebra::LocalIndex>(node)),
+                .is_forward = k == 0,
+                .boundary = side.boundary,
+                .tangent = ((to - from)[0] * jet.d[0] + (to - from)[1] * jet.d[1]).normalized(),
+                .a3 = geometry::unit_normal(jet),
+                .position = jet.value,
+                .at = discrete.points[node].x,
+                .thickness = discrete.points[node].thickness};
+    if (side.boundary >= 0) {
+      const auto held = held_directions(discrete, space.coarse->boundaries[static_cast<std::size_t>(side.boundary)],
+                                        end.tangent, end.a3);
+      const Vector3d n = end.tangent.cross(end.a3);
+      end.holds = {held_in_plane(held[0], end.tangent, n), held_in_plane(held[1], end.tangent, n),
+                   end.a3.dot(held[0] * end.a3) > 0.1 ? Hold::all : Hold::nothing};
+    }
+    ends.push_back(end);
+  }
+}
+
+constexpr std::size_t numbers_per_edge_end = 18;
+
+std::vector<double> packed(const std::vector<SideEnd>& ends) {
+  std::vector<double> numbers;
+  for (const SideEnd& e : ends) {
+    numbers.insert(numbers.end(),
+                   {static_cast<double>(e.node), e.is_forward ? 1.0 : 0.0, static_cast<double>(e.boundary)});
+    for (const Hold hold : e.holds) numbers.push_back(static_cast<double>(hold));
+    for (const Vector3d* v : {&e.tangent, &e.a3, &e.position}) numbers.insert(numbers.end(), v->begin(), v->end());
+    numbers.insert(numbers.end(), {e.at[0], e.at[1], e.thickness});
+  }
+  return numbers;
+}
+
+std::map<algebra::GlobalIndex, std::vector<SideEnd>> by_node(const std::vector<double>& numbers) {
+  std::map<algebra::GlobalIndex, std::vector<SideEnd>> nodes;
+  for (std::size_t i = 0; i < numbers.size(); i += numbers_per_edge_end) {
+    const double* n = numbers.data() + i;
+    SideEnd end{
+        .node = static_cast<algebra::GlobalIndex>(n[0]), .is_forward = n[1] != 0, .boundary = static_cast<int>(n[2])};
+    for (std::size_t k = 0; k < 3; ++k) end.holds[k] = static_cast<Hold>(static_cast<int>(n[3 + k]));
+    end.tangent = {n[6], n[7], n[8]};
+    end.a3 = {n[9], n[10], n[11]};
+    end.position = {n[12], n[13], n[14]};
+    end.at = {n[15], n[16]};
+    end.thickness = n[17];
+    nodes[end.node].push_back(end);
+  }
+  return nodes;
+}
+
+/// The largest angle between two edges at which stresses are bounded [rad].
+double bounded_up_to(const Holds& a, const Holds& b) {
+  constexpr double pi = std::numbers::pi, held_and_free = 63 * pi / 180;
+  double least = pi;
+  for (std::size_t field = 0; field < a.size(); ++field) {
+    const bool is_deflection = field == 2;
+    if (a[field] == Hold::some || b[field] == Hold::some)
+      least = std::min(least, pi / 2);
+    else if (a[field] != b[field])
+      least = std::min(least, is_deflection ? pi / 2 : held_and_free);
+  }
+  return least;
+}
+
+/// One of the two edges, with the constraints of all its names: a side may have several.
+SideEnd joined(const std::vector<SideEnd>& ends, bool is_forward) {
+  SideEnd whole;
+  for (const SideEnd& end : ends) {
+    if (end.is_forward != is_forward) continue;
+    const Holds before = whole.holds;
+    whole = end;
+    for (std::size_t k = 0; k < before.size(); ++k) whole.holds[k] = std::max(before[k], end.holds[k]);
+  }
+  return whole;
+}
+
+std::vector<SingularPlace> singular_corners(const assembly::DiscreteShell& discrete) {
+  const fem::Space& space = discrete.space();
+  std::vector<SideEnd> mine;
+  for (const fem::BoundarySide& side : space.sides)
+    if (side.cell < space.owned_cells && !side.is_inner) add_ends(discrete, side, mine);
+  std::vector<SingularPlace> places;
+  for (const auto& [node, ends] : by_node(algebra::gather_over_ranks(packed(mine), space.layout->comm))) {
+    const SideEnd forward = joined(ends, true), backward = joined(ends, false);
+    if (forward.a3.isZero(0) || backward.a3.isZero(0)) continue;
+    const double sine = forward.a3.dot(forward.tangent.cross(backward.tangent)),
+                 cosine = forward.tangent.dot(backward.tangent);
+    // In radians: straight sides of cells approximate a smooth curve by a polygon.
+    constexpr double rounding = 1e-2, smooth = 0.15;
+    double angle = std::atan2(sine, cosine);
+    if (angle < rounding) angle += 2 * std::numbers::pi;
+    const bool is_change = forward.holds != backward.holds;
+    const bool is_corner = std::abs(angle - std::numbers::pi) > smooth;
+    if (!is_change && !is_corner) continue;
+    if (angle <= bounded_up_to(forward.holds, backward.holds) + smooth) continue;
+    places.push_back(
+        {.what = fmt::format("{}{}",
+                             is_change && is_corner     ? "corner where supports change"
+                             : is_change                ? "end of a support"
+                             : angle > std::numbers::pi ? "re-entrant corner"
+                                                        : "corner",
+                             is_corner ? fmt::format(" of {:.0f} degrees", angle * 180 / std::numbers::pi) : ""),
+         .at = forward.at,
+         .position = forward.position,
+         .radius = forward.thickness});
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<SingularPlace> singular_places(const assembly::DiscreteShell& discrete, const solution::Summary& summary) {
+  std::vector<SingularPlace> places = singular_corners(discrete);
+  // Part of the loads: smaller forces belong to points that only prevent rigid motions.
+  constexpr double negligible = 1e-6;
+  for (const solution::PointReaction& point : summary.point_reactions) {
+    if (point.force.norm() <= negligible * summary.load_norms) continue;
+    std::vector<double> mine;
+    for (const auto node : assembly::owned_nodes_at(discrete.space(), discrete.points, point.at)) {
+      const assembly::NodalPoint& p = discrete.points[static_cast<std::size_t>(node)];
+      mine.insert(mine.end(), {p.phi[0], p.phi[1], p.phi[2], p.thickness});
+    }
+    const auto found = algebra::gather_over_ranks(mine, discrete.space().layout->comm);
+    for (std::size_t i = 0; i < found.size(); i += 4)
+      places.push_back({.what = "support at a point",
+                        .at = point.at,
+                        .position = {found[i], found[i + 1], found[i + 2]},
+                        .radius = found[i + 3]});
+  }
+  std::ranges::stable_sort(
+      places, {}, [&](const SingularPlace& place) { return solution::in_units(place.position, summary.size); });
+  return places;
+}
+
+}  // namespace plastron::recovery

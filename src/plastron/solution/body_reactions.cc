@@ -1,0 +1,116 @@
+#include <plastron/solution/body_reactions.hpp>
+
+#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/ties.hpp>
+
+#include <algorithm>
+
+namespace plastron::solution {
+
+namespace {
+
+using BodyVector = Eigen::Matrix<double, 6, 1>;
+
+BodyVector six_of(const algebra::Vector& v, std::size_t node) {
+  return Eigen::Map<const BodyVector>(v.local().data() + 6 * node);
+}
+
+/// Returns (d, length theta).
+BodyVector in_lengths(const fem::PlacedBody& placed, const fem::BodyMotion& motion) {
+  BodyVector q;
+  q << motion.displacement, placed.length * motion.rotation;
+  return q;
+}
+
+/// Adds the unknowns whose nodes this rank owns. Returns their reactions, moments divided by the length; zero
+/// elsewhere.
+BodyVector add_unknowns(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed,
+                        const algebra::Vector& residual, const algebra::Vector& load, BodyBalance& balance) {
+  BodyVector reactions = BodyVector::Zero();
+  for (int c = 0; c < 6; ++c) {
+    const auto host = placed.hosts[c < 3 ? 0 : 1];
+    if (host < 0 || host >= discrete.space().layout->owned) continue;
+    const auto node = static_cast<std::size_t>(host);
+    const double component = six_of(residual, node)[c % 3], given = six_of(load, node)[c % 3];
+    const bool is_held = placed.body.fixed[static_cast<std::size_t>(c)].has_value();
+    balance.all_forces += given * given + (is_held ? component * component : 0);
+    if (is_held)
+      reactions[c] = component;
+    else
+      balance.free_residual += component * component;
+  }
+  return reactions;
+}
+
+void add_reaction(const fem::PlacedBody& placed, const BodyVector& reactions, const BodyVector& motion,
+                  BodyBalance& balance) {
+  BodyReaction& body = balance.bodies.back();
+  body.moment_at_reference = placed.length * reactions.tail<3>();
+  const Vector3d force = reactions.head<3>(), lever = body.reference.cross(force);
+  body.reaction = {force, body.moment_at_reference + lever};
+  balance.reaction += body.reaction;
+  balance.support_work += reactions.dot(motion);
+  balance.force_scale += force.norm() + reactions.tail<3>().norm();
+  balance.moment_scale += lever.norm() + body.moment_at_reference.norm();
+}
+
+double least_gap(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed, const algebra::Vector& y) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t member : placed.members) {
+    const fem::CarriedNode& at = discrete.space().carried->nodes[member];
+    if (at.node >= discrete.space().layout->owned) continue;
+    const auto node = static_cast<std::size_t>(at.node);
+    for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k) {
+      const double gap = discrete.nodal_gap(k, node, y);
+      if (!(gap >= least)) least = gap;  // true also for NaN
+    }
+  }
+  return algebra::min_over_ranks(least, discrete.space().layout->comm);
+}
+
+}  // namespace
+
+double distance_from_body(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed,
+                          const fem::BodyMotion& motion, const algebra::Vector& y) {
+  const fem::Space& space = discrete.space();
+  const BodyVector q = in_lengths(placed, motion);
+  double most = 0;
+  for (const std::size_t member : placed.members) {
+    const fem::CarriedNode& at = space.carried->nodes[member];
+    if (at.node >= space.layout->owned) continue;
+    const auto node = static_cast<std::size_t>(at.node);
+    BodyVector rest = six_of(y, node);
+    for (int h = 0; h < 2; ++h)
+      rest -= at.carriers[static_cast<std::size_t>(h)].second.leftCols<3>() * q.segment<3>(3 * h);
+    if (!placed.body.turns_normals) rest.tail<3>().setZero();
+    const double error = rest.head<3>().norm() + discrete.points[node].thickness * rest.tail<3>().norm();
+    if (!(error <= most)) most = error;  // true also for NaN
+  }
+  return most;
+}
+
+BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                         const algebra::Vector& residual) {
+  BodyBalance balance;
+  const fem::Space& space = discrete.space();
+  if (!space.carried) return balance;
+  algebra::Vector load = discrete.load;
+  fem::collect(space, load);
+  fem::hand_back(space, load);
+  for (const fem::PlacedBody& placed : space.carried->bodies) {
+    const fem::BodyMotion motion = motion_of(space, placed, y);
+    balance.bodies.push_back({.name = placed.body.name,
+                              .reference = placed.body.reference,
+                              .displacement = motion.displacement,
+                              .rotation = motion.rotation,
+                              .least_gap = least_gap(discrete, placed, y)});
+    BodyVector reactions = add_unknowns(discrete, placed, residual, load, balance);
+    for (double& r : reactions) r = algebra::sum_over_ranks(r, space.layout->comm);
+    add_reaction(placed, reactions, in_lengths(placed, motion), balance);
+    if (std::ranges::any_of(placed.body.fixed, [](const auto& value) { return value.has_value(); }))
+      balance.support_error = std::max(balance.support_error, distance_from_body(discrete, placed, motion, y));
+  }
+  return balance;
+}
+
+}  // namespace plastron::solution

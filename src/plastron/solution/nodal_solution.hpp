@@ -1,0 +1,26 @@
+// The solution at the nodes: displacement, rotation, pressure of each obstacle, multiplier.
+#pragma once
+#include <plastron/assembly/discrete_shell.hpp>
+
+namespace plastron::solution {
+
+/// Nodal results of a solution, per local node with valid ghosts.
+struct NodalSolution {
+  algebra::Vector y;         ///< (u, r), block 6
+  algebra::Vector pressure;  ///< eta_i of each obstacle [Pa]; block: number of obstacles, at least 1
+  algebra::Vector touching;  ///< 1 where the node touches that obstacle, else 0; same block
+  algebra::Vector lambda{};  ///< multiplier of (M14) [N m], block 1; without layout in the other formulations
+};
+
+/// The sum over all obstacles at a node.
+double total_pressure(const NodalSolution& solution, std::size_t node);
+bool touches(const NodalSolution& solution, std::size_t node);
+
+/// Computes eta_i from the residual at the nodes in the solution's active set (collective).
+NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& solution);
+
+/// Returns A y + B' lambda - l per owned node, computed from strains. The entries of tied and carried nodes are added
+/// to their masters (collective).
+algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
+
+}  // namespace plastron::solution

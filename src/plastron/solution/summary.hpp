@@ -1,0 +1,81 @@
+// Totals of a solution: energies, works, resultants, contact of each obstacle, reactions of supports and rigid bodies.
+#pragma once
+#include <plastron/assembly/second_order.hpp>
+#include <plastron/solution/body_reactions.hpp>
+#include <plastron/solution/contact_zone.hpp>
+#include <plastron/solution/edge_contact.hpp>
+#include <plastron/solution/support_reactions.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace plastron::solution {
+
+/// Contact of one obstacle with the shell.
+struct ObstacleContact {
+  std::string name{};
+  Wrench reaction{};
+  double area = 0;         ///< mid-surface area within the boundaries of its zones [m^2]
+  std::int64_t nodes = 0;  ///< number of nodes that touch it
+  Vector3d translation =
+      Vector3d::Zero();  ///< displacement of the origin of the shape's own coordinates since the start [m]
+  Vector3d rotation = Vector3d::Zero();  ///< rotation since the start: axis times angle [rad]
+  /// Smallest gap anywhere between the shell and the obstacle, see searched_gaps(); infinite if no cell is near [m].
+  double least_gap = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d least_gap_at = Eigen::Vector2d::Zero();  ///< parameters in Omega
+  /// Number of nodes pushed along the shell, out of a place deep inside the obstacle.
+  std::int64_t sideways_nodes = 0;
+  double sideways_part = 0;          ///< part of the reaction at these nodes, without nodes on an edge of the shell
+  std::vector<ContactZone> zones{};  ///< zones on the finest mesh, see contact_zones(); certify() leaves them empty
+};
+
+/// Totals of the solution: energies, works, resultants, contact.
+struct Summary {
+  assembly::Energies energy;
+  double load_work = 0;  ///< l(U) [J]
+  Wrench loads, reaction, support_reaction;
+  /// Point about which all moments here are taken, see take_moments_about() [m].
+  Vector3d moment_point = Vector3d::Zero();
+  double contact_area = 0;               ///< sum of the obstacles' areas [m^2]
+  double max_pressure = 0;               ///< max eta_i [Pa]
+  double max_normal_rotation = 0;        ///< max |r . a_3| over nodes and quadrature points
+  double max_displacement = 0;           ///< max |u| over nodes [m]
+  double max_relative_displacement = 0;  ///< max |u| / e over nodes
+  double max_rotation = 0;               ///< max |r| over nodes [rad]
+  double least_thickness = 0;            ///< min e over nodes [m]
+  double size = 0;                       ///< half the diagonal of the nodes' bounding box [m]
+  /// Terms neglected by linear strains; no work where the shell is not strained.
+  assembly::SecondOrder second_order{};
+  double rounding_energy = 0;  ///< energy that rounding alone may produce [J]
+  double tangency_energy = 0;  ///< energy of the penalty or stabilisation [J]
+  double multiplier_norm = 0;  ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
+  std::int64_t touching_nodes = 0;
+  double load_norms = 0;  ///< sum of |nodal load|, couples divided by the shell's size [N]
+  /// True if bounds are lifted so that the shell does not enter obstacles between nodes either.
+  bool is_admissible_wanted = false;
+  double largest_lift = 0;  ///< largest lift of a bound of a gap at a node [m]
+  /// Sum of nodal reaction times lift: an upper bound of the increase of 1/2 a(U, U) - l(U) caused by the lifts [J].
+  double lift_work = 0;
+  /// True if the displacements strain the shell no more than rounding.
+  bool is_unstrained = false;
+  std::vector<SupportReaction> support_reactions{};  ///< one per boundary
+  std::vector<CornerReaction> corner_reactions{};    ///< where supported edges meet
+  std::vector<PointReaction> point_reactions{};      ///< at supported points
+  std::vector<BodyReaction> body_reactions{};        ///< in the order of the case
+  std::vector<ObstacleContact> obstacles{};          ///< in the order of the problem
+  EdgeContact edge;                                  ///< part of the contact on edges of the shell
+
+  /// Returns an energy divided by the stored one; finite also where the shell moves as a rigid body.
+  double over_stored(double part) const {
+    const double stored = std::max(energy.total(), rounding_energy);
+    return part == 0 ? 0 : part / stored;
+  }
+};
+
+/// Refers all moments in `summary`, also of contact zones, to `point` [m]. The certificate's balance stays about the
+/// origin.
+void take_moments_about(const Vector3d& point, Summary& summary);
+
+}  // namespace plastron::solution

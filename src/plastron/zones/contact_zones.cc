@@ -1,0 +1,156 @@
+#include <plastron/zones/contact_zones.hpp>
+
+#include <plastron/solution/nodal_solution.hpp>
+#include <plastron/solution/place_order.hpp>
+#include <plastron/zones/contact_lines.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace plastron::zones {
+
+namespace {
+
+/// A node that touches the obstacle, with its owner's data.
+struct TouchingNode {
+  int zone;
+  const assembly::NodalPoint& point;
+  const obstacle::Gap& gap;
+  double pressure;
+};
+
+/// Calls visit(TouchingNode) for the owned nodes that touch an obstacle.
+template <class Visit>
+void for_touching_nodes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                        std::size_t obstacle, const ZoneLabels& labels, Visit&& visit) {
+  const auto block = static_cast<std::size_t>(solution.touching.block());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+    if (!discrete.coordinates.tied[i] && solution.touching.local()[i * block + obstacle] != 0)
+      visit(TouchingNode{labels.of_node[i], discrete.points[i], discrete.coordinates.gaps[obstacle][i],
+                         solution.pressure.local()[i * block + obstacle]});
+}
+
+using ZoneSums = Eigen::Matrix<double, 16, 1>;  // weight, nodes, force, moment, carried, carried x, weight x, peak
+
+/// Adds up the sums of all ranks; the last entry becomes the largest of all ranks.
+std::vector<ZoneSums> over_ranks(const std::vector<ZoneSums>& mine, MPI_Comm comm) {
+  const auto entries = static_cast<std::size_t>(ZoneSums::RowsAtCompileTime), count = mine.size();
+  std::vector<double> packed;
+  for (const ZoneSums& s : mine) packed.insert(packed.end(), s.begin(), s.end());
+  const auto all = algebra::gather_over_ranks(packed, comm);
+  std::vector<ZoneSums> sums(count, ZoneSums::Zero());
+  for (std::size_t at = 0; at < all.size(); at += entries) {
+    const Eigen::Map<const ZoneSums> s(all.data() + at);
+    ZoneSums& sum = sums[at / entries % count];
+    const double peak = std::max(sum[15], s[15]);
+    sum += s;
+    sum[15] = peak;
+  }
+  return sums;
+}
+
+/// Computes all members of the zones except the area, the place of the peak and the lines.
+std::vector<solution::ContactZone> zone_totals(const assembly::DiscreteShell& discrete,
+                                               const solution::NodalSolution& solution, std::size_t obstacle,
+                                               const ZoneLabels& labels) {
+  std::vector<ZoneSums> sums(static_cast<std::size_t>(labels.count), ZoneSums::Zero());
+  for_touching_nodes(discrete, solution, obstacle, labels, [&](const TouchingNode& n) {
+    const double weight = n.point.weight, force = n.pressure * weight;
+    const Vector3d& place = n.gap.contact_point;
+    ZoneSums& s = sums[static_cast<std::size_t>(n.zone)];
+    s[0] += weight;
+    s[1] += 1;
+    s.segment<3>(2) += force * n.gap.normal;
+    s.segment<3>(5) += force * place.cross(n.gap.normal);
+    s[8] += force;
+    s.segment<3>(9) += force * place;
+    s.segment<3>(12) += weight * place;
+    s[15] = std::max(s[15], n.pressure);
+  });
+  std::vector<solution::ContactZone> zones;
+  for (const ZoneSums& s : over_ranks(sums, discrete.space().layout->comm))
+    zones.push_back({.nodal_area = s[0],
+                     .nodes = std::llround(s[1]),
+                     .reaction = {.force = s.segment<3>(2), .moment = s.segment<3>(5)},
+                     .centre = s[8] > 0 ? s.segment<3>(9) / s[8] : s.segment<3>(12) / s[0],
+                     .peak_pressure = s[15]});
+  return zones;
+}
+
+/// Half the width of a cube about the origin that contains the shell.
+double extent_of(const assembly::DiscreteShell& discrete) {
+  double most = 0;
+  for (const assembly::NodalPoint& p : discrete.points) most = std::max(most, p.phi.cwiseAbs().maxCoeff());
+  return algebra::max_over_ranks(most, discrete.space().layout->comm);
+}
+
+/// Finds the place of the peak. If several nodes share the peak up to rounding, takes the one whose place comes
+/// first.
+void find_peaks(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, std::size_t obstacle,
+                const ZoneLabels& labels, double size, std::vector<solution::ContactZone>& zones) {
+  constexpr double same = 1 - 1e-9;
+  constexpr std::size_t entries = 6;  // zone, x, place
+  std::vector<double> mine;
+  for_touching_nodes(discrete, solution, obstacle, labels, [&](const TouchingNode& n) {
+    if (n.pressure < same * zones[static_cast<std::size_t>(n.zone)].peak_pressure) return;
+    mine.push_back(n.zone);
+    mine.insert(mine.end(), n.point.x.begin(), n.point.x.end());
+    mine.insert(mine.end(), n.gap.contact_point.begin(), n.gap.contact_point.end());
+  });
+  const auto all = algebra::gather_over_ranks(mine, discrete.space().layout->comm);
+  std::vector<char> found(zones.size(), 0);
+  for (std::size_t i = 0; i < all.size(); i += entries) {
+    const auto k = static_cast<std::size_t>(all[i]);
+    const Vector3d place(all[i + 3], all[i + 4], all[i + 5]);
+    if (found[k] && solution::in_units(zones[k].peak_place, size) <= solution::in_units(place, size)) continue;
+    found[k] = 1;
+    zones[k].peak_x = {all[i + 1], all[i + 2]};
+    zones[k].peak_place = place;
+  }
+}
+
+std::vector<solution::ContactZone> zones_of(const assembly::DiscreteShell& discrete,
+                                            const solution::NodalSolution& solution, std::size_t obstacle,
+                                            double size) {
+  const TouchingNodes touching(discrete, solution, obstacle);
+  const ZoneLabels labels = zone_labels(discrete.space(), touching.inside());
+  std::vector<solution::ContactZone> zones = zone_totals(discrete, solution, obstacle, labels);
+  find_peaks(discrete, solution, obstacle, labels, size, zones);
+  const ZoneBoundaries boundaries = zone_boundaries(discrete, solution, obstacle, touching, labels);
+  std::vector<std::vector<Segment>> segments(zones.size());
+  for (const Segment& s : boundaries.segments) segments[static_cast<std::size_t>(s.zone)].push_back(s);
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    zones[k].lines = contact_lines(segments[k], size);
+    zones[k].area = boundaries.areas[k];
+  }
+  std::ranges::sort(zones, {}, [&](const solution::ContactZone& zone) {
+    return std::tuple(-solution::in_units(zone.area, size * size), solution::in_units(zone.centre, size));
+  });
+  return zones;
+}
+
+}  // namespace
+
+std::vector<std::vector<solution::ContactZone>> contact_zones(const assembly::DiscreteShell& discrete,
+                                                              const solution::NodalSolution& solution) {
+  std::vector<std::vector<solution::ContactZone>> all;
+  if (discrete.obstacles.empty()) return all;
+  const double size = extent_of(discrete);
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) all.push_back(zones_of(discrete, solution, k, size));
+  return all;
+}
+
+std::vector<double> contact_areas(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+  std::vector<double> areas;
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) {
+    const TouchingNodes touching(discrete, solution, k);
+    const ZoneLabels labels = zone_labels(discrete.space(), touching.inside());
+    const ZoneBoundaries boundaries = zone_boundaries(discrete, solution, k, touching, labels);
+    areas.push_back(std::accumulate(boundaries.areas.begin(), boundaries.areas.end(), 0.0));
+  }
+  return areas;
+}
+
+}  // namespace plastron::zones
