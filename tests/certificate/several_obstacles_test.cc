@@ -18,6 +18,7 @@ namespace plastron::certificate::several_obstacles_test {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using obstacle::Face;
 using obstacle::HalfSpace;

@@ -2,8 +2,8 @@
 // supports on curves that hanging nodes lie on, contact zones across them, and all that is recovered of them.
 #include <gtest/gtest.h>
 #include <plastron/algebra/hash.hpp>
+#include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/level.hpp>
-#include <plastron/computation/probes.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/description.hpp>

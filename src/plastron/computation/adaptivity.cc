@@ -1,7 +1,7 @@
 #include <plastron/computation/adaptivity.hpp>
 
 #include <plastron/algebra/vector.hpp>
-#include <plastron/computation/memory.hpp>
+#include <plastron/computation/resources.hpp>
 #include <plastron/estimation/goal_record.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/meshing/chord_cuts.hpp>

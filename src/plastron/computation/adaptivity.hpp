@@ -1,8 +1,8 @@
 // Decides from estimated errors on the next mesh: whether the accuracy is sufficient, which cells to divide, and when
 // to stop.
 #pragma once
+#include <plastron/computation/resources.hpp>
 #include <plastron/computation/result.hpp>
-#include <plastron/computation/stopwatch.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/meshing/start_mesh.hpp>

@@ -6,7 +6,7 @@
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/contact_forecast.hpp>
 #include <plastron/computation/relinearisation.hpp>
-#include <plastron/computation/stopwatch.hpp>
+#include <plastron/computation/resources.hpp>
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/kept_pins.hpp>

@@ -1,7 +1,6 @@
 // A discrete shell on one mesh at one instant: assemble, solve the contact problem, repeat the linearisation where
 // obstacles are curved, certify.
 #pragma once
-#include <plastron/computation/observer.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/estimation/functionals.hpp>

@@ -1,5 +1,5 @@
 // Checks elements and thickness: where elements without tying lock, and where rounding hides the solution.
-#include <plastron/computation/locking.hpp>
+#include <plastron/computation/warnings.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/meshing/cell_sizes.hpp>
 #include <plastron/meshing/extent.hpp>

@@ -1,6 +1,6 @@
 #include <plastron/io/line_table.hpp>
 
-#include <plastron/computation/probes.hpp>
+#include <plastron/computation/evaluation.hpp>
 #include <plastron/io/fields.hpp>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include <plastron/io/quantities.hpp>
 
-#include <plastron/computation/left_out.hpp>
+#include <plastron/computation/warnings.hpp>
 
 #include <algorithm>
 #include <cmath>

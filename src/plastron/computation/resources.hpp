@@ -1,10 +1,29 @@
-// Memory use of the computation, and its limit.
+// Time and memory of a computation.
 #pragma once
 #include <mpi.h>
 
+#include <chrono>
 #include <string>
 
 namespace plastron::computation {
+
+/// A stopwatch of wall time with laps.
+class Stopwatch {
+ public:
+  /// Seconds since the last lap, or since construction.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+  /// Seconds since the last lap, without starting a new one.
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
 
 /// Peak resident memory of all ranks together [bytes] (collective).
 double peak_memory(MPI_Comm comm);

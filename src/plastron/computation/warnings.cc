@@ -1,8 +1,12 @@
-#include <plastron/computation/doubts.hpp>
+#include <plastron/computation/warnings.hpp>
+
+#include <plastron/meshing/cell_sizes.hpp>
+#include <plastron/meshing/extent.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -71,7 +75,63 @@ std::vector<std::string> line_contact_warnings(const solution::Summary& summary)
   return warnings;
 }
 
+/// Limit below which a force counts as zero, relative to the sum of the norms of all loads.
+constexpr double negligible_force = 1e-6;
+
+/// Whether there are six components, all at points: then statics alone determines their forces.
+bool is_isostatic(const std::vector<assembly::Support>& supports) {
+  std::size_t components = 0;
+  for (const assembly::Support& support : supports) {
+    if (!support.point) return false;
+    components += support.components.size();
+  }
+  return components == 6;
+}
+
+/// Whether loads and the obstacle's reaction balance without the supports.
+bool in_equilibrium(const solution::Summary& s) {
+  solution::Wrench sum = s.loads;
+  sum += s.reaction;
+  sum.move_point(-s.moment_point);  // back to the origin
+  const double force = sum.force.norm(), moment = sum.moment.norm();
+  return force <= negligible_force * s.load_norms && moment <= negligible_force * s.load_norms * s.size;
+}
+
+/// Limit of the size h (e/L)^{-1/k} / L, at which locking costs a tenth of the deflection, measured for degree 1 to 3
+/// (docs/methods/triangles.md). The reason: the membrane and shear strains of a cell can only follow a bending to order
+/// h^k. The cell's energy is too large by (h^k / (e L^{k-1}))^2. Higher degrees did not lock on meshes of practical
+/// size.
+constexpr std::array<double, 3> largest_size = {0.7, 1.3, 1.7};
+
 }  // namespace
+
+std::vector<std::string> locking_warnings(const problem::Problem& problem) {
+  const problem::Discretisation& d = problem.discretisation;
+  const bool is_tied = d.tying && d.cells == fem::Shape::quadrilateral;
+  if (is_tied || d.degree > static_cast<int>(largest_size.size())) return {};
+  const double L = meshing::extent(problem);
+  double worst = 0, size = 0, limit = 0, thickness = 0;
+  for (const auto& [h, e] : meshing::cell_sizes(problem)) {
+    const double allowed = largest_size[static_cast<std::size_t>(d.degree - 1)] * L * std::pow(e / L, 1.0 / d.degree);
+    if (h / allowed <= worst) continue;
+    worst = h / allowed;
+    size = h;
+    limit = allowed;
+    thickness = e;
+  }
+  if (worst <= 1) return {};
+  const bool triangles = d.cells == fem::Shape::triangle;
+  return {fmt::format(
+      "{} of degree {} without tying are likely to lock: sides of the finest mesh are up to {:.3g} m long, {:.3g} "
+      "times the "
+      "thickness, and displacements in bending come out more than 10 % too small from about {:.2g} m on; {}, or "
+      "refine {} more time{}",
+      triangles ? "triangles" : "quadrilaterals", d.degree, size, size / thickness, limit,
+      triangles ? (d.degree == 1 ? "take cells = \"quadrilateral\" with tying, or degree 2"
+                                 : "take cells = \"quadrilateral\" with tying")
+                : "set tying = true",
+      std::ceil(std::log2(worst)), worst > 2 ? "s" : "")};
+}
 
 std::vector<std::string> sideways_warnings(const solution::Summary& summary) {
   std::vector<std::string> warnings;
@@ -137,18 +197,6 @@ std::vector<std::string> body_warnings(const solution::Summary& summary) {
   return warnings;
 }
 
-void judge_certificate(Result& result) {
-  result.limits = certificate::certificate_limits({.summary = result.summary, .certificate = result.certificate},
-                                                  result.formulation);
-  result.missed_limits.clear();
-  for (const auto& limit : result.limits)
-    if (!limit.holds())
-      result.missed_limits +=
-          fmt::format("{}{} ({})", result.missed_limits.empty() ? "" : "; ", limit.text(), limit.reason);
-  if (result.status == contact::Status::solved && !result.missed_limits.empty())
-    result.status = contact::Status::inaccurate;
-}
-
 std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked) {
   std::vector<std::string> warnings;
   const solution::Summary& s = result.summary;
@@ -172,6 +220,27 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
                     "nodes, signs of reactions hold to {:.1g} of the largest (asked: {:.1g} and {:.1g})",
                     used.gap, used.multiplier, asked.gap_tolerance, asked.multiplier_tolerance));
   return warnings;
+}
+
+std::vector<std::string> point_support_warnings(const Result& result, const std::vector<assembly::Support>& supports) {
+  const solution::Summary& s = result.summary;
+  if (s.point_reactions.empty() || s.is_unstrained) return {};
+  const auto most = std::ranges::max_element(
+      s.point_reactions, {}, [](const solution::PointReaction& reaction) { return reaction.force.norm(); });
+  const double force = most->force.norm();
+  double pressed = 0;  // force of obstacles, which may be the only load of the shell
+  for (const solution::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
+  if (force <= negligible_force * (s.load_norms + pressed)) return {};
+  const std::string what =
+      fmt::format("the support at the point ({:.6g}, {:.6g}) carries {:.4g} N", most->at[0], most->at[1], force);
+  if (is_isostatic(supports) && in_equilibrium(s))
+    return {what + fmt::format(", {:.1g} of the loads, though these are in equilibrium: on a curved shell the mesh "
+                               "misses so much of a rigid rotation; refine it or raise the degree",
+                               force / s.load_norms)};
+  return {
+      what +
+      ": a force at a point is singular in this model, the displacement under it grows without limit as the mesh is "
+      "refined; let the loads be in equilibrium, so that points hold the rigid motions alone, or support a boundary"};
 }
 
 }  // namespace plastron::computation

@@ -1,8 +1,8 @@
 // What a result says against itself: contact missed between nodes, the linear model left, reactions on edges, units.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <plastron/computation/doubts.hpp>
 #include <plastron/computation/solve.hpp>
+#include <plastron/computation/warnings.hpp>
 
 #include <fmt/format.h>
 

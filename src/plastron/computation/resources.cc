@@ -1,4 +1,4 @@
-#include <plastron/computation/memory.hpp>
+#include <plastron/computation/resources.hpp>
 
 #include <plastron/algebra/vector.hpp>
 
