@@ -4,7 +4,7 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/element/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/pieces.hpp>
 #include <plastron/geometry/piecewise.hpp>
 

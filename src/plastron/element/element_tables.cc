@@ -1,7 +1,6 @@
 #include <plastron/element/element_tables.hpp>
 
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/triangle_basis.hpp>
 
 #include <Eigen/LU>
 

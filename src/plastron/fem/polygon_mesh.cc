@@ -1,8 +1,6 @@
 // Polygons, meshed by Gmsh through its geometry interface. Gmsh never opens a file here, because it would execute
 // scripts (docs/decisions/0008-mesh-files.md).
-#include <plastron/fem/coarse_mesh.hpp>
-#include <plastron/fem/mesh_build.hpp>
-#include <plastron/fem/polygon.hpp>
+#include <plastron/fem/mesh_data.hpp>
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -105,38 +103,6 @@ void draw(const Polygon& polygon, double length, double scale) {
 }
 
 }  // namespace
-
-double signed_area(const Polygon& polygon) {
-  const auto& p = polygon.corners;
-  double area = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vector2d& q = p[(i + 1) % p.size()];
-    area += (p[i][0] * q[1] - q[0] * p[i][1]) / 2;
-  }
-  return area;
-}
-
-double perimeter(const Polygon& polygon) {
-  const auto& p = polygon.corners;
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) sum += (p[(i + 1) % p.size()] - p[i]).norm();
-  return sum;
-}
-
-double inner_width(const Polygon& polygon) { return 2 * std::abs(signed_area(polygon)) / perimeter(polygon); }
-
-bool is_convex_quadrilateral(const Polygon& polygon) {
-  const auto& p = polygon.corners;
-  if (p.size() != 4) return false;
-  double sign = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vector2d a = p[(i + 1) % 4] - p[i], b = p[(i + 2) % 4] - p[(i + 1) % 4];
-    const double turn = a[0] * b[1] - a[1] * b[0];
-    if (turn * sign < 0 || std::abs(turn) < 1e-3 * a.norm() * b.norm()) return false;
-    sign = turn;
-  }
-  return true;
-}
 
 CoarseMesh mesh_polygon(const Polygon& polygon, Shape shape) {
   if (is_convex_quadrilateral(polygon))
