@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string_view>
 
 namespace plastron::fem {
 
@@ -15,17 +17,31 @@ namespace {
 using Eigen::Vector3d;
 
 /// Gmsh's single global state for the duration of one meshing: silent, without the user's settings and start-up
-/// files.
+/// files. An error ends the meshing and is logged. Gmsh can throw errors instead, but not out of its parallel regions:
+/// that would end the process.
 class GmshSession {
  public:
   GmshSession() {
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.AbortOnError", 2);  // throws on errors
+    gmsh::option::setNumber("General.AbortOnError", 1);
+    gmsh::logger::start();
   }
-  ~GmshSession() { gmsh::finalize(); }
+  ~GmshSession() {
+    gmsh::logger::stop();
+    gmsh::finalize();
+  }
   GmshSession(const GmshSession&) = delete;
   GmshSession& operator=(const GmshSession&) = delete;
+
+  /// Throws the first error since the session began.
+  static void check() {
+    constexpr std::string_view mark = "Error: ";
+    std::vector<std::string> log;
+    gmsh::logger::get(log);
+    for (const std::string& entry : log)
+      if (entry.starts_with(mark)) throw std::runtime_error(entry.substr(mark.size()));
+  }
 };
 
 /// Adds the elements of the entities of one dimension; each entity's number is its group.
@@ -115,9 +131,11 @@ CoarseMesh gmsh_polygon(const Polygon& polygon, Shape shape, double length) {
   try {
     const double scale = scale_of(polygon);
     draw(polygon, length, scale);
+    GmshSession::check();
     gmsh::option::setNumber("Mesh.RecombineAll", shape == Shape::quadrilateral ? 1 : 0);
     gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", shape == Shape::quadrilateral ? 1 : 0);
     gmsh::model::mesh::generate(2);
+    GmshSession::check();
     MeshData data = meshed(scale);
     const auto names = boundary_names(Domain{polygon});
     for (std::size_t i = 0; i < names.size(); ++i) data.names[{1, static_cast<int>(i) + 1}] = names[i];
