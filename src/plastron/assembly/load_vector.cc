@@ -6,7 +6,6 @@
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/pieces.hpp>
-#include <plastron/geometry/piecewise.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
