@@ -3,7 +3,7 @@
 #include "terminal.hpp"
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/fem/shared_mesh.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <mpi.h>

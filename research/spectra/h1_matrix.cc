@@ -1,7 +1,6 @@
 #include <research/spectra/h1_matrix.hpp>
 
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <Eigen/Cholesky>
 

@@ -4,7 +4,7 @@
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <cmath>
 #include <map>

@@ -5,7 +5,7 @@
 #include <plastron/assembly/stiffness.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/description.hpp>
 

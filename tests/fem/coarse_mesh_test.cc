@@ -178,6 +178,21 @@ TEST(Polygon, that_is_small_is_meshed_like_a_large_one) {
   EXPECT_EQ(scaled(1024).cells.size(), cells);
 }
 
+/// Gmsh fails at the crossing. The case file's reader refuses such polygons before, but rows along sides may cross too.
+TEST(Polygon, whose_sides_cross_is_refused_with_the_words_of_gmsh) {
+  const Polygon crossed{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}};
+  for (const Shape shape : {Shape::quadrilateral, Shape::triangle}) {
+    std::string message;
+    try {
+      coarse_mesh(crossed, shape);
+    } catch (const DomainError& error) {
+      message = error.what();
+    }
+    EXPECT_THAT(message, testing::StartsWith("polygon: Gmsh cannot mesh it: Unable to recover the edge"));
+  }
+  EXPECT_GT(coarse_mesh(Polygon{polygons()[3].corners}, Shape::quadrilateral).cells.size(), 1u);
+}
+
 // ---- triangles -----------------------------------------------------------------------------------------------------
 
 TEST(Triangles, of_a_domain_are_its_quadrilaterals_cut_crosswise) {

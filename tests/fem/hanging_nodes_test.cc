@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <plastron/algebra/hash.hpp>
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/fem/ties.hpp>
 
 #include <algorithm>
 #include <cmath>

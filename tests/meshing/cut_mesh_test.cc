@@ -1,8 +1,8 @@
 // Chords of coarse meshes, and meshes that are cut along them.
 #include <gtest/gtest.h>
 #include <plastron/algebra/vector.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/cut_mesh.hpp>
-#include <plastron/fem/grid_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/meshing/chords.hpp>
 

@@ -1,5 +1,5 @@
 // Rows of thin cells along boundaries: they are as wide as asked for, and the mesh still is one of the whole domain.
-#include <plastron/fem/polygon.hpp>
+#include <plastron/fem/domain.hpp>
 #include <plastron/meshing/layered_mesh.hpp>
 
 #include <gtest/gtest.h>

@@ -4,9 +4,8 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/element/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/pieces.hpp>
-#include <plastron/geometry/piecewise.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

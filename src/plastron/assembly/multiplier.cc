@@ -1,6 +1,6 @@
 #include <plastron/assembly/multiplier.hpp>
 
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <cmath>
 

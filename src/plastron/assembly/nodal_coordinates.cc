@@ -6,8 +6,7 @@
 #include <plastron/assembly/carried_coordinates.hpp>
 #include <plastron/assembly/kinked_supports.hpp>
 #include <plastron/assembly/tied_supports.hpp>
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <fmt/format.h>

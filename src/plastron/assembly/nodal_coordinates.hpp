@@ -95,8 +95,8 @@ struct NodalCoordinates {
   /// Returns the coordinate that is component `axis` of the displacement, at a node that keeps the unknowns of a rigid
   /// body.
   int body_coordinate(std::size_t node, int axis) const;
-  /// Computes y = H G T z on local nodes. H are the ties of fem/ties.hpp, G is the matrix of carried nodes
-  /// (fem/carried_nodes.hpp). Needs z's ghosts; the result has valid ghosts.
+  /// Computes y = H G T z on local nodes. H are the ties, G is the matrix of carried nodes
+  /// (fem/constraints.hpp). Needs z's ghosts; the result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
   /// Computes z += T' G' H' f on owned nodes. f is complete on owned nodes; afterwards f contains G' H' f (collective
   /// where there are ties or carried nodes).

@@ -1,6 +1,6 @@
 #include <plastron/assembly/normal_rotation.hpp>
 
-#include <plastron/shell/normal_rotation.hpp>
+#include <plastron/shell/strain.hpp>
 
 #include <Eigen/Cholesky>
 

@@ -1,7 +1,7 @@
 #include <plastron/assembly/stiffness.hpp>
 
 #include <plastron/assembly/normal_rotation.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <Eigen/Cholesky>
 

@@ -3,7 +3,7 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/multiplier.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/obstacle/error.hpp>
 #include <plastron/solution/pushed_sideways.hpp>
 #include <plastron/zones/contact_zones.hpp>

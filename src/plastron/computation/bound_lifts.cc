@@ -2,8 +2,7 @@
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/cell_depths.hpp>
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>

@@ -4,8 +4,7 @@
 #include <plastron/assembly/pressing.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/relinearisation.hpp>
-#include <plastron/fem/kinks.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/problem/instants.hpp>
 
 #include <Eigen/QR>

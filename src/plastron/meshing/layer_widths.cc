@@ -1,7 +1,7 @@
 #include <plastron/meshing/layer_widths.hpp>
 
 #include <plastron/fem/coarse_mesh.hpp>
-#include <plastron/fem/polygon.hpp>
+#include <plastron/fem/domain.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/geometry/frame.hpp>
 

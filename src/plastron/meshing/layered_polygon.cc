@@ -1,10 +1,8 @@
 // Polygons with rows along their sides. Four convex corners make a grid of straight lines. For other polygons the
 // rows are cut off first and Gmsh meshes the rest.
+#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/domain.hpp>
-#include <plastron/fem/grid_mesh.hpp>
-#include <plastron/fem/mesh_validity.hpp>
-#include <plastron/fem/polygon.hpp>
-#include <plastron/fem/subdivided_mesh.hpp>
 #include <plastron/meshing/layered_mesh.hpp>
 
 #include <Eigen/LU>

@@ -1,7 +1,7 @@
 #include <plastron/meshing/start_mesh.hpp>
 
-#include <plastron/fem/kept_nodes.hpp>
-#include <plastron/fem/polygon.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/fem/domain.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

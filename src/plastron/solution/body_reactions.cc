@@ -1,7 +1,6 @@
 #include <plastron/solution/body_reactions.hpp>
 
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <algorithm>
 

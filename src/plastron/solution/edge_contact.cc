@@ -1,7 +1,7 @@
 #include <plastron/solution/edge_contact.hpp>
 
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/solution/nodal_solution.hpp>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 #include <plastron/solution/nodal_solution.hpp>
 
 #include <plastron/assembly/multiplier.hpp>
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 // Neighbours, nodes that are corners of one sub-cell, and sums over them.
 #pragma once
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/zones/sub_cells.hpp>
 
 namespace plastron::zones {
