@@ -6,7 +6,6 @@
 
 #include "mumps_factor.hpp"
 #include "petsc_use.hpp"
-#include "pinned_matrix.hpp"
 #include "supernodal_factor.hpp"
 
 namespace plastron::algebra {
