@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/eigenvalues.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <research/spectra/h1_matrix.hpp>
 

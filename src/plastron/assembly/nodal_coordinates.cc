@@ -2,9 +2,9 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/carried_coordinates.hpp>
 #include <plastron/assembly/kinked_supports.hpp>
+#include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
@@ -158,13 +158,6 @@ Eigen::Matrix<double, 6, 1> NodalCoordinates::direction(std::size_t node, int k)
   const auto* carried = space->carried ? space->carried->find(static_cast<algebra::LocalIndex>(node)) : nullptr;
   if (!carried) return basis[node].col(k);
   return carried->own * basis[node].col(k);
-}
-
-int NodalCoordinates::body_coordinate(std::size_t node, int axis) const {
-  for (int k = 0; k < width; ++k)
-    if (basis[node](axis, k) != 0) return k;
-  PLASTRON_ASSERT(false, node, axis);
-  return 0;
 }
 
 void NodalCoordinates::add_transposed(algebra::Vector& f, algebra::Vector& z) const {

@@ -92,9 +92,6 @@ struct NodalCoordinates {
   /// Returns the change of the node's own (u, r) with coordinate k: the column of T. It is zero where the coordinate is
   /// a motion of a rigid body, or where the node leaves it to a body.
   Eigen::Matrix<double, 6, 1> direction(std::size_t node, int k) const;
-  /// Returns the coordinate that is component `axis` of the displacement, at a node that keeps the unknowns of a rigid
-  /// body.
-  int body_coordinate(std::size_t node, int axis) const;
   /// Computes y = H G T z on local nodes. H are the ties of fem/ties.hpp, G is the matrix of carried nodes
   /// (fem/carried_nodes.hpp). Needs z's ghosts; the result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;

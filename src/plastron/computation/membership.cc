@@ -1,7 +1,7 @@
 #include <plastron/computation/membership.hpp>
 
-#include <plastron/assembly/multiplier.hpp>
-#include <plastron/assembly/pressing.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/fem/kinks.hpp>

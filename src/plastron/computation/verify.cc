@@ -1,6 +1,6 @@
 #include <plastron/computation/verify.hpp>
 
-#include <plastron/assembly/pressing.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/computation/doubts.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/membership.hpp>

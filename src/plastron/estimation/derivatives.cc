@@ -1,6 +1,6 @@
 #include <plastron/estimation/derivatives.hpp>
 
-#include <plastron/assembly/pressing.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/estimation/point_values.hpp>
 #include <plastron/estimation/reactions.hpp>
 #include <plastron/zones/contact_zones.hpp>

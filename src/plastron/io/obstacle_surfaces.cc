@@ -1,6 +1,6 @@
 #include <plastron/io/obstacle_surfaces.hpp>
 
-#include <plastron/assembly/bounding_box.hpp>
+#include <plastron/assembly/nodal_geometry.hpp>
 
 #include <fmt/format.h>
 

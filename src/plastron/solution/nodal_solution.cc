@@ -1,6 +1,6 @@
 #include <plastron/solution/nodal_solution.hpp>
 
-#include <plastron/assembly/multiplier.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/fem/carried_nodes.hpp>
 #include <plastron/fem/ties.hpp>
 
