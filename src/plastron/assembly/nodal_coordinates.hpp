@@ -1,6 +1,6 @@
 // The coordinates in which supports and contact are bounds (D4): y = T z at every node, with T and bounds from
 // node_coordinates.hpp. Non-penetration is a bound of the coordinate that a contact row names. A support is lower ==
-// upper.
+// upper. Without the coordinate r . a_3 the fields are those of V (M10).
 #pragma once
 #include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/node_coordinates.hpp>
