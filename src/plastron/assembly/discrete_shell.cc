@@ -47,8 +47,8 @@ std::vector<Eigen::Vector2d> DiscreteShell::support_points() const {
 }
 
 double DiscreteShell::nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const {
-  const Eigen::Map<const Vector3d> u(y.local().data() + 6 * node), r(y.local().data() + 6 * node + 3);
-  return coordinates.gaps[k][node](u, geometry::tangential(Vector3d(r), points[node].a3));
+  const Vector6 moved = node_values(y, node);
+  return coordinates.gaps[k][node](moved.head<3>(), geometry::tangential(moved.tail<3>(), points[node].a3));
 }
 
 double DiscreteShell::way_pressed(std::size_t k) const {

@@ -44,8 +44,7 @@ std::vector<ContactRow> no_rows(std::size_t obstacles) {
 
 }  // namespace
 
-obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
-                                 const Eigen::Matrix<double, 6, 1>& moved) {
+obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved) {
   return {phi, a3, thickness, moved.head<3>(), geometry::tangential(moved.tail<3>(), a3)};
 }
 
@@ -154,7 +153,7 @@ void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y
   fem::spread(*space, y);
 }
 
-Eigen::Matrix<double, 6, 1> NodalCoordinates::direction(std::size_t node, int k) const {
+Vector6 NodalCoordinates::direction(std::size_t node, int k) const {
   const auto* carried = space->carried ? space->carried->find(static_cast<algebra::LocalIndex>(node)) : nullptr;
   if (!carried) return basis[node].col(k);
   return carried->own * basis[node].col(k);

@@ -91,7 +91,7 @@ struct NodalCoordinates {
   std::vector<char> prescribed() const;
   /// Returns the change of the node's own (u, r) with coordinate k: the column of T. It is zero where the coordinate is
   /// a motion of a rigid body, or where the node leaves it to a body.
-  Eigen::Matrix<double, 6, 1> direction(std::size_t node, int k) const;
+  Vector6 direction(std::size_t node, int k) const;
   /// Computes y = H G T z on local nodes. H are the ties of fem/ties.hpp, G is the matrix of carried nodes
   /// (fem/carried_nodes.hpp). Needs z's ghosts; the result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
@@ -119,8 +119,7 @@ InCoordinates in_coordinates(const NodalCoordinates& coordinates, std::size_t ce
                              const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& cartesian);
 
 /// Returns a point of the shell after the motion (u, r) = `moved`.
-obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
-                                 const Eigen::Matrix<double, 6, 1>& moved);
+obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved);
 
 /// Returns the coordinates with the gaps against `obstacles` at their positions, linearised at `state` (collective).
 /// Throws SupportError, ObstacleError.

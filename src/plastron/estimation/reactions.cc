@@ -51,7 +51,7 @@ class Counted {
     boundary_ = static_cast<std::size_t>(found - shares_->boundaries().begin());
   }
   /// The part of a unit force along a direction of (u, r).
-  Vector3d operator()(std::size_t node, const Eigen::Matrix<double, 6, 1>& direction) const {
+  Vector3d operator()(std::size_t node, const assembly::Vector6& direction) const {
     if (!shares_) return direction.head<3>();
     const auto& all = shares_->at(node);
     const auto own = std::ranges::find(all, boundary_, &solution::SupportShares::Share::carrier);
