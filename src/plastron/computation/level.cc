@@ -9,7 +9,6 @@
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/kept_pins.hpp>
-#include <plastron/estimation/linearity.hpp>
 #include <plastron/problem/gap.hpp>
 
 namespace plastron::computation {
