@@ -5,8 +5,7 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/session.hpp>
-#include <plastron/assembly/discrete_shell.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/contact/kept_factor.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/problem/gap.hpp>

@@ -3,7 +3,7 @@
 #include "event_log.hpp"
 #include "layout.hpp"
 
-#include <plastron/algebra/launcher.hpp>
+#include <plastron/algebra/session.hpp>
 
 #include <fcntl.h>
 #include <signal.h>

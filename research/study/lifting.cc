@@ -1,6 +1,7 @@
 #include <research/study/lifting.hpp>
 
 #include <plastron/algebra/factorisation.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/contact/primal_dual_active_set.hpp>
 
 #include <algorithm>

@@ -4,9 +4,8 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
-#include <plastron/estimation/goal_names.hpp>
+#include <plastron/estimation/functionals.hpp>
 #include <plastron/estimation/kept_pins.hpp>
-#include <plastron/estimation/linearity.hpp>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

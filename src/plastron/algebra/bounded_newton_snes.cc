@@ -4,7 +4,6 @@
 
 #include "newton_callbacks.hpp"
 #include "petsc_use.hpp"
-#include "private_options.hpp"
 
 namespace plastron::algebra {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "mumps_factor.hpp"
 #include "petsc_use.hpp"
-#include "pinned_matrix.hpp"
 #include "supernodal_factor.hpp"
 
 namespace plastron::algebra {
@@ -89,7 +88,8 @@ Pinning Factorisation::pin(std::span<const char> pinned, double shift) {
 
 SoftestMotion Factorisation::softest_motion(const Operator& operate, std::span<const char> pinned,
                                             const Vector& diagonal) const {
-  return algebra::softest_motion(operate, *this, pinned, diagonal);
+  const Operator inverse = [this](const Vector& r, Vector& z) { solve(r, z); };
+  return algebra::softest_motion(operate, inverse, pinned, diagonal);
 }
 
 FactorisationCost Factorisation::cost() const {

@@ -9,7 +9,7 @@
 #include <exception>
 #include <vector>
 
-#include "petsc_check.hpp"
+#include "petsc_use.hpp"
 
 namespace plastron::algebra {
 

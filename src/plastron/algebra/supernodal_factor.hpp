@@ -1,6 +1,6 @@
 // Cholesky factor of one rank's matrix with some unknowns pinned, by CHOLMOD's supernodes. Unknowns whose pins will
-// probably change are eliminated last and pinned only in their Schur complement (tail_complement.hpp): one factor of
-// the rest serves all their pins. A few others that change nevertheless form a border (pin_border.hpp).
+// probably change are eliminated last and pinned only in their Schur complement: one factor of the rest serves all their
+// pins. A few others that change nevertheless form a border. Both are in pin_border.hpp.
 // Includes CHOLMOD: for .cc files only.
 #pragma once
 #include <plastron/algebra/factorisation.hpp>
@@ -11,7 +11,6 @@
 #include "elimination.hpp"
 #include "matrix_storage.hpp"
 #include "pin_border.hpp"
-#include "tail_complement.hpp"
 
 namespace plastron::algebra {
 

@@ -1,8 +1,8 @@
 #include <plastron/certificate/certificate.hpp>
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/assembly/bounding_box.hpp>
-#include <plastron/assembly/multiplier.hpp>
+#include <plastron/assembly/nodal_geometry.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/obstacle/error.hpp>
 #include <plastron/solution/pushed_sideways.hpp>

@@ -51,7 +51,7 @@ bool may_pass(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
       const double position = discrete.state.position(k) + discrete.way_pressed(k);
       const Moving moving{obstacle.standing(from, position), obstacle.standing(to, position)};
       for (std::size_t i = 0; !may && i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-        const Vector3d u(Eigen::Map<const Vector3d>(y.local().data() + 6 * i));
+        const Vector3d u = assembly::node_values(y, i).head<3>();
         may = may_pass_at(moving, discrete.points[i], discrete.points[i].phi + u);
       }
     }

@@ -1,8 +1,7 @@
 #include <plastron/computation/level.hpp>
 
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/pressing.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/contact_forecast.hpp>
 #include <plastron/computation/relinearisation.hpp>
@@ -10,7 +9,6 @@
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/kept_pins.hpp>
-#include <plastron/estimation/linearity.hpp>
 #include <plastron/problem/gap.hpp>
 
 namespace plastron::computation {

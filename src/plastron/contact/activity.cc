@@ -1,6 +1,6 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/contact/activity.hpp>
 #include <plastron/contact/pressing.hpp>
 

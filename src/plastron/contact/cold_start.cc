@@ -1,6 +1,6 @@
 #include <plastron/contact/cold_start.hpp>
 
-#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -29,7 +29,6 @@ class DualSolver {
   /// coordinates have the values of `held` plus multiples of the shapes of pressed obstacles. Empty if the solver for
   /// linear equations fails.
   std::optional<algebra::Vector> solve(const DualLoad& dual);
-  const contact::ActiveSet& held_set() const { return set_; }
 
  private:
   struct Response {

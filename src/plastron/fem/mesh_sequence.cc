@@ -1,6 +1,6 @@
 #include <plastron/fem/mesh_sequence.hpp>
 
-#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/algebra/vector.hpp>
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/cut_mesh.hpp>

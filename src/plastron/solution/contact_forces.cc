@@ -30,19 +30,17 @@ ContactForce unpacked_force(const double* v) {
 }  // namespace
 
 std::vector<ContactForce> contact_forces(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
-  const auto block = static_cast<std::size_t>(solution.touching.block());
   std::vector<double> mine;
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
     for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-      if (discrete.coordinates.tied[i] || solution.touching.local()[i * block + k] == 0) continue;
+      if (discrete.coordinates.tied[i] || solution.touching.at(i)[k] == 0) continue;
       const assembly::NodalPoint& point = discrete.points[i];
       const obstacle::Gap& gap = discrete.coordinates.gaps[k][i];
-      const double pressure = solution.pressure.local()[i * block + k];
+      const double pressure = solution.pressure.at(i)[k];
       pack_force({.obstacle = k,
                   .x = point.x,
                   .place = gap.contact_point,
-                  .displacement =
-                      Vector3d(solution.y.local()[6 * i], solution.y.local()[6 * i + 1], solution.y.local()[6 * i + 2]),
+                  .displacement = assembly::node_values(solution.y, i).head<3>(),
                   .force = pressure * point.weight * gap.normal,
                   .pressure = pressure,
                   .area = point.weight},

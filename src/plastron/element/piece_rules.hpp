@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace plastron::assembly {
+namespace plastron::element {
 
 using Eigen::Vector2d;
 
@@ -45,4 +45,4 @@ PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const Pi
 std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int side, int degree,
                                               const Positions& positions);
 
-}  // namespace plastron::assembly
+}  // namespace plastron::element

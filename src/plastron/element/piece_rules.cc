@@ -1,4 +1,5 @@
-#include <plastron/assembly/piece_rules.hpp>
+#include <plastron/element/piece_rules.hpp>
+
 #include <plastron/element/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
 
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plastron::assembly {
+namespace plastron::element {
 
 namespace {
 
@@ -263,7 +264,7 @@ PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const Pi
   PieceRule rule;
   const double area = shape == fem::Shape::triangle ? 0.5 : 1;
   const Vector2d centre = shape == fem::Shape::triangle ? Vector2d(1.0 / 3, 1.0 / 3) : Vector2d(0.5, 0.5);
-  const auto add = [&](const element::CellPart& part) {
+  const auto add = [&](const CellPart& part) {
     if (std::abs(part.size) < small) {
       rule.xi.push_back(part.corner + part.size * centre);
       rule.weights.push_back(part.size * part.size * area);
@@ -274,12 +275,12 @@ PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const Pi
       rule.weights.push_back(part.size * part.size * of_cell.weights[q]);
     }
   };
-  std::vector<element::CellPart> crossed{element::CellPart{}}, quarters;
+  std::vector<CellPart> crossed{CellPart{}}, quarters;
   std::vector<Vector2d> points;
   for (int division = 0; division < most_divisions && !crossed.empty() && crossed.size() < most_parts; ++division) {
     quarters.clear();
-    for (const element::CellPart& part : crossed)
-      for (const element::CellPart& quarter : element::divided(shape, part)) {
+    for (const CellPart& part : crossed)
+      for (const CellPart& quarter : divided(shape, part)) {
         const Positions in_quarter = [&](std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) {
           points.clear();
           for (const Vector2d& point : xi) points.push_back(quarter.corner + quarter.size * point);
@@ -292,7 +293,7 @@ PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const Pi
       }
     std::swap(crossed, quarters);
   }
-  for (const element::CellPart& part : crossed) add(part);
+  for (const CellPart& part : crossed) add(part);
   return rule;
 }
 
@@ -312,4 +313,4 @@ std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem:
   return rule;
 }
 
-}  // namespace plastron::assembly
+}  // namespace plastron::element
