@@ -4,7 +4,7 @@
 #include "inquiries.hpp"
 #include "terminal.hpp"
 
-#include <plastron/contact/statuses.hpp>
+#include <plastron/contact/problem.hpp>
 #include <plastron/io/version.hpp>
 
 namespace plastron::app {

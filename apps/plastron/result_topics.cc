@@ -2,7 +2,7 @@
 #include "layout.hpp"
 #include "topic.hpp"
 
-#include <plastron/contact/statuses.hpp>
+#include <plastron/contact/problem.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/parts.hpp>
 

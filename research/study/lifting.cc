@@ -2,7 +2,7 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/box_problem.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/solve.hpp>
 
 #include <algorithm>
 #include <cmath>

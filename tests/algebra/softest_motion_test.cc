@@ -7,7 +7,7 @@
 namespace plastron::test {
 namespace {
 
-// Pinning one node of a beam leaves it free to rotate. Springs as weak as rounding make the factorisation go through: the
+// Fixing one node of a beam leaves it free to rotate. Springs as weak as rounding make the factorisation go through: the
 // operator alone knows that the rotation costs nothing.
 TEST(SoftestMotion, is_free_for_a_beam_that_can_rotate_though_its_matrix_was_factorised) {
   for (const GlobalIndex nodes : {11, 20, 57, 200, 999}) {

@@ -8,7 +8,7 @@
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/solve.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/solve.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 
 #include <fmt/format.h>

@@ -45,11 +45,11 @@ void declare_positive_definite(Mat mat) {
 
 }  // namespace
 
-std::vector<double> pinned_diagonal(const Matrix::Storage& A, std::span<const char> pinned) {
+std::vector<double> fixed_diagonal(const Matrix::Storage& A, std::span<const char> fixed) {
   const auto m = static_cast<std::size_t>(A.block);
   const auto owned = static_cast<std::size_t>(A.layout->owned) * m;
   in_agreement(A.layout->comm, [&] {
-    if (pinned.size() != owned) throw std::invalid_argument("one mark per owned unknown tells which are pinned");
+    if (fixed.size() != owned) throw std::invalid_argument("one mark per owned unknown tells which are fixed");
   });
   const auto diagonal_of = [&](std::size_t i) {
     return A.block_at(A.row_begin(static_cast<LocalIndex>(i / m)))[(i % m) * (m + 1)];
@@ -60,12 +60,12 @@ std::vector<double> pinned_diagonal(const Matrix::Storage& A, std::span<const ch
   if (!(largest > 0)) largest = 1;
   std::vector<double> result(A.global.size() * m, 0.0);
   for (std::size_t i = 0; i < owned; ++i)
-    if (pinned[i]) result[i] = diagonal_of(i) > 0 ? diagonal_of(i) : largest;
+    if (fixed[i]) result[i] = diagonal_of(i) > 0 ? diagonal_of(i) : largest;
   A.wide->exchange().to_ghosts(result, A.block);
   return result;
 }
 
-PinnedMatrix::PinnedMatrix(const Matrix::Storage& A) {
+PetscMatrix::PetscMatrix(const Matrix::Storage& A) {
   const GlobalIndex unknowns = A.layout->global_size * A.block;
   if (unknowns > std::numeric_limits<PetscInt>::max())
     throw std::runtime_error("more unknowns than PETSc's 32-bit indices can number");
@@ -73,9 +73,9 @@ PinnedMatrix::PinnedMatrix(const Matrix::Storage& A) {
   declare_positive_definite(mat_);
 }
 
-PinnedMatrix::~PinnedMatrix() { MatDestroy(&mat_); }
+PetscMatrix::~PetscMatrix() { MatDestroy(&mat_); }
 
-void PinnedMatrix::create(const Matrix::Storage& A) {
+void PetscMatrix::create(const Matrix::Storage& A) {
   const LocalIndex owned = A.layout->owned;
   std::vector<PetscInt> blocks_here(static_cast<std::size_t>(owned), 0);
   std::vector<PetscInt> blocks_elsewhere = blocks_here;
@@ -90,15 +90,15 @@ void PinnedMatrix::create(const Matrix::Storage& A) {
   fill_rows(A);  // for PETSc the pattern exists only once it has values
 }
 
-void PinnedMatrix::fill(const Matrix::Storage& A, std::vector<double> pinned_diagonal, double shift) {
+void PetscMatrix::fill(const Matrix::Storage& A, std::vector<double> fixed_diagonal, double shift) {
   diagonal_factor_ = 1 + shift;
-  pinned_diagonal_ = std::move(pinned_diagonal);
+  fixed_diagonal_ = std::move(fixed_diagonal);
   fill_rows(A);
 }
 
-void PinnedMatrix::fill_rows(const Matrix::Storage& A) {
+void PetscMatrix::fill_rows(const Matrix::Storage& A) {
   const auto m = static_cast<std::size_t>(A.block);
-  if (pinned_diagonal_.empty()) pinned_diagonal_.assign(A.global.size() * m, 0.0);
+  if (fixed_diagonal_.empty()) fixed_diagonal_.assign(A.global.size() * m, 0.0);
   std::vector<PetscInt> columns;
   std::vector<double> values;
   for (LocalIndex row = 0; row < A.layout->owned; ++row) {
@@ -110,7 +110,7 @@ void PinnedMatrix::fill_rows(const Matrix::Storage& A) {
       columns.push_back(static_cast<PetscInt>(A.global[static_cast<std::size_t>(A.column[k])]));
       double* target = values.data() + (k - begin) * m;
       for (std::size_t a = 0; a < m; ++a) std::copy_n(A.block_at(k) + a * m, m, target + a * width);
-      replace_pinned(static_cast<std::size_t>(row) * m, static_cast<std::size_t>(A.column[k]) * m, m, target, width);
+      replace_fixed(static_cast<std::size_t>(row) * m, static_cast<std::size_t>(A.column[k]) * m, m, target, width);
     }
     const auto row_global = static_cast<PetscInt>(A.global[static_cast<std::size_t>(row)]);
     petsc_check(MatSetValuesBlocked(mat_, 1, &row_global, static_cast<PetscInt>(columns.size()), columns.data(),
@@ -121,16 +121,16 @@ void PinnedMatrix::fill_rows(const Matrix::Storage& A) {
   petsc_check(MatAssemblyEnd(mat_, MAT_FINAL_ASSEMBLY), "assembling a distributed matrix");
 }
 
-// Applies the pins and the shift to one block. Its first unknowns are `row` and `column`, and its rows have distance
-// `stride`.
-void PinnedMatrix::replace_pinned(std::size_t row, std::size_t column, std::size_t block, double* values,
-                                  std::size_t stride) const {
+// Applies fixed unknowns and the shift to one block. Its first unknowns are `row` and `column`, and its rows have
+// distance `stride`.
+void PetscMatrix::replace_fixed(std::size_t row, std::size_t column, std::size_t block, double* values,
+                                std::size_t stride) const {
   for (std::size_t a = 0; a < block; ++a)
     for (std::size_t b = 0; b < block; ++b) {
       const bool is_diagonal = row + a == column + b;
       double& value = values[a * stride + b];
-      if (pinned_diagonal_[row + a] != 0 || pinned_diagonal_[column + b] != 0)
-        value = is_diagonal ? pinned_diagonal_[row + a] : 0.0;
+      if (fixed_diagonal_[row + a] != 0 || fixed_diagonal_[column + b] != 0)
+        value = is_diagonal ? fixed_diagonal_[row + a] : 0.0;
       else if (is_diagonal)
         value *= diagonal_factor_;
     }
@@ -155,8 +155,8 @@ void MumpsFactor::analyse() {
 }
 
 // PETSc blocks further calls of MUMPS after a failure. Therefore each failure is followed by a new analysis.
-bool MumpsFactor::factorise(std::vector<double> pinned_diagonal, double shift) {
-  copy_.fill(A_, std::move(pinned_diagonal), shift);
+bool MumpsFactor::factorise(std::vector<double> fixed_diagonal, double shift) {
+  copy_.fill(A_, std::move(fixed_diagonal), shift);
   for (;; extra_memory_ *= 2, analyse()) {
     petsc_check(MatCholeskyFactorNumeric(factor_, copy_.mat(), &info_), "factorising with MUMPS");
     const PetscInt outcome = mumps_info(factor_, 1);

@@ -19,7 +19,7 @@ struct SoftestMotion {
 };
 
 /// Computes the motion by two steps of inverse iteration from arbitrary values. `apply` is A, `solve` the inverse of F,
-/// factorised with the unknowns of `fixed` pinned; it is applied twice. (collective)
+/// factorised while the unknowns of `fixed` are fixed; it is applied twice. (collective)
 SoftestMotion softest_motion(const Operator& apply, const Operator& solve, std::span<const char> fixed,
                              const Vector& diagonal);
 

@@ -1,7 +1,7 @@
 #include <plastron/assembly/normal_rotation.hpp>
 
-#include <plastron/shell/strain.hpp>
 #include <plastron/fem/constraints.hpp>
+#include <plastron/shell/strain.hpp>
 
 #include <Eigen/Cholesky>
 

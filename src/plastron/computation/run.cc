@@ -58,7 +58,7 @@ LevelTask Run::task(int number) const {
 
 LevelTask Run::task_after_first_level(int number) const {
   LevelTask next = task(number);
-  if (supports_hold(result.levels.front().history, problem.contact.solver)) next.settings.detect_free_motions = false;
+  if (supports_hold(result.levels.front().history, problem.contact)) next.settings.detect_free_motions = false;
   return next;
 }
 

@@ -2,9 +2,9 @@
 
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/computation/evaluation.hpp>
-#include <plastron/computation/warnings.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/membership.hpp>
+#include <plastron/computation/warnings.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/description.hpp>
 #include <plastron/problem/instants.hpp>

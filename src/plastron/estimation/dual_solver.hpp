@@ -45,7 +45,7 @@ class DualSolver {
   contact::BoxProblem dual_;
   contact::Settings settings_;
   contact::SubproblemSolver solver_;
-  bool is_pinned_ = false;
+  bool is_factorised_ = false;
   std::vector<Response> responses_{};
 };
 

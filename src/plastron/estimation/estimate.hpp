@@ -9,7 +9,7 @@
 
 namespace plastron::estimation {
 
-/// Computes the estimates (collective). `preconditioner` belongs to solved.box.matrix. It is pinned again for the
+/// Computes the estimates (collective). `preconditioner` belongs to solved.box.matrix. It is factorised again for the
 /// final set if there is a dual problem.
 Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner, std::span<const Goal> goals);
 

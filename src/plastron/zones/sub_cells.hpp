@@ -1,9 +1,9 @@
 // Sub-cells: a cell of degree k is divided into k^2 sub-cells with nodes at their corners. Each side is shared with a
 // neighbour. Nodes are neighbours if they are corners of one sub-cell. Zones are connected components of neighbours.
 #pragma once
+#include <plastron/fem/constraints.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/fem/space.hpp>
-#include <plastron/fem/constraints.hpp>
 
 #include <array>
 #include <span>

@@ -1,21 +1,22 @@
-#include <plastron/contact/scaled_unknowns.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
+#include <research/referees/faces.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace plastron::contact {
+namespace plastron::referees {
 namespace {
 
 using algebra::Vector;
 
-Vector root_of_diagonal(const BoxProblem& problem) {
+Vector root_of_diagonal(const contact::BoxProblem& problem) {
   Vector root = positive_diagonal(problem);
   for (double& d : root.owned()) d = std::sqrt(d);
   return root;
 }
 
 /// Returns b - A p where nothing is prescribed.
-Vector first_residual(const BoxProblem& problem) {
+Vector first_residual(const contact::BoxProblem& problem) {
   Vector p(problem.load.layout(), problem.load.block()), r = p;
   const auto lower = problem.lower.owned(), upper = problem.upper.owned();
   for (std::size_t i = 0; i < lower.size(); ++i)
@@ -29,7 +30,7 @@ Vector first_residual(const BoxProblem& problem) {
 
 }  // namespace
 
-Vector positive_diagonal(const BoxProblem& problem) {
+Vector positive_diagonal(const contact::BoxProblem& problem) {
   Vector diagonal = problem.matrix.diagonal();
   double largest = 0;
   for (const double d : diagonal.owned()) largest = std::max(largest, d);
@@ -39,7 +40,8 @@ Vector positive_diagonal(const BoxProblem& problem) {
   return diagonal;
 }
 
-ScaledUnknowns::ScaledUnknowns(const BoxProblem& problem) : problem_(problem), root_(root_of_diagonal(problem)) {
+ScaledUnknowns::ScaledUnknowns(const contact::BoxProblem& problem)
+    : problem_(problem), root_(root_of_diagonal(problem)) {
   const double size = algebra::norm(times(-1, 1, first_residual(problem)));
   if (size > 0 && std::isfinite(size)) size_ = size;
   z_ = force_ = Vector(root_.layout(), root_.block());
@@ -83,4 +85,61 @@ void ScaledUnknowns::apply(const Vector& x, Vector& y) const {
   times(-1, 1, force_, y);
 }
 
-}  // namespace plastron::contact
+void split_gradient(const Vector& lower, const Vector& upper, const Vector& x, const Vector& gradient, double alpha,
+                    SplitGradient& split) {
+  split.active.assign(x.owned().size(), 0);
+  for (Vector* part : {&split.free, &split.chopped}) {
+    if (!part->layout()) *part = Vector(x.layout(), x.block());
+    part->fill(0);
+  }
+  split.reduced_product = 0;
+  for (std::size_t i = 0; i < x.owned().size(); ++i) {
+    const double g = gradient.owned()[i], z = x.owned()[i];
+    const bool at_lower = z <= lower.owned()[i], at_upper = z >= upper.owned()[i];
+    split.active[i] = at_lower || at_upper;
+    if (!split.active[i]) {
+      split.free.owned()[i] = g;
+      const double room = (g > 0 ? z - lower.owned()[i] : upper.owned()[i] - z) / alpha;
+      split.reduced_product += std::min(room, std::abs(g)) * std::abs(g);
+    } else if (at_lower != at_upper) {
+      split.chopped.owned()[i] = at_lower ? std::min(g, 0.0) : std::max(g, 0.0);
+    }
+  }
+  split.reduced_product = algebra::sum_over_ranks(split.reduced_product, x.layout()->comm);
+  split.chopped_square = algebra::dot(split.chopped, split.chopped);
+}
+
+double largest_eigenvalue(const algebra::Operator& apply, const Vector& like) {
+  constexpr int steps = 20;
+  Vector v(like.layout(), like.block()), Av = v;
+  algebra::fill_with_pseudo_random_values(v);
+  double value = 0;
+  for (int step = 0; step < steps; ++step) {
+    const double size = algebra::norm(v);
+    if (!(size > 0)) break;
+    for (double& entry : v.owned()) entry /= size;
+    v.update_ghosts();
+    apply(v, Av);
+    value = algebra::dot(v, Av);
+    v = Av;
+  }
+  return value > 0 ? value : 1;
+}
+
+bool FacePreconditioner::fix(const contact::BoxProblem& problem, const contact::ActiveSet& set,
+                             bool detect_free_motions) {
+  fixed_ = contact::fixed_by(set);
+  return preconditioner_.fix(fixed_, problem.shift) &&
+         !(detect_free_motions && preconditioner_.softest_motion(problem.apply, fixed_, diagonal_).is_free());
+}
+
+void FacePreconditioner::apply(const Vector& r, Vector& z) const {
+  on_free_ = r;
+  for (std::size_t i = 0; i < fixed_.size(); ++i)
+    if (fixed_[i]) on_free_.owned()[i] = 0;
+  preconditioner_.apply(on_free_, z);
+  for (std::size_t i = 0; i < fixed_.size(); ++i)
+    if (fixed_[i]) z.owned()[i] = r.owned()[i] / diagonal_.owned()[i];
+}
+
+}  // namespace plastron::referees

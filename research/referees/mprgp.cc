@@ -1,11 +1,13 @@
+// Modified proportioning with reduced gradient projections, preconditioned in the face. One factorisation serves all
+// faces. Every other step costs products with A. Sources: Dostal and Schoeberl, Minimizing quadratic functions subject
+// to bound constraints with the rate of convergence and finite termination (2005); Dostal, Optimal quadratic
+// programming algorithms (2009), both bounds: section 5.8, faces preconditioned: section 5.10; the projected
+// conjugate-gradient step: Kruzik, Horak, Cermak, Pospisil, Pecha (2020). Symbols are as in docs/methods/mprgp.md.
 #include <plastron/algebra/krylov.hpp>
-#include <plastron/contact/dual_ascent.hpp>
-#include <plastron/contact/face_preconditioner.hpp>
-#include <plastron/contact/mprgp.hpp>
-#include <plastron/contact/pressing_search.hpp>
-#include <plastron/contact/scaled_unknowns.hpp>
-#include <plastron/contact/split_gradient.hpp>
-#include <plastron/contact/subproblem.hpp>
+#include <plastron/contact/pressing.hpp>
+#include <plastron/contact/searches.hpp>
+#include <research/referees/faces.hpp>
+#include <research/referees/solvers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +15,24 @@
 #include <optional>
 #include <set>
 
-namespace plastron::contact {
+namespace plastron::referees {
 namespace {
 
 using algebra::Vector;
+using contact::ActiveSet;
+using contact::Activity;
+using contact::BoxProblem;
+using contact::BoxSolution;
+using contact::Observer;
+using contact::Settings;
+using contact::Status;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Curvature limit, in unknowns of unit diagonal. Below it the stiffness of a motion is only rounding.
 constexpr double no_stiffness = 4 * epsilon;
+/// Most conjugate-gradient steps and expansions in one face, and number of those without progress that end a face.
+constexpr int most_steps = 2000, patience = 200;
 
 /// Proportioning in the unknowns x of ScaledUnknowns, from a feasible point.
 class Mprgp {
@@ -43,7 +54,7 @@ class Mprgp {
         As_(x_),
         force_(x_),
         original_(x_),
-        set_(everything_at_bounds(problem, solution.z)) {
+        set_(contact::everything_at_bounds(problem, solution.z)) {
     step_length_ = 1.8 / largest_eigenvalue([this](const Vector& v, Vector& y) { scaled_.apply(v, y); }, x_);
     restart();
     const double energy =
@@ -59,7 +70,7 @@ class Mprgp {
         move_in_face();
       else
         let_go(split_.chopped);
-      if (!outcome_ && steps_ >= settings_.max_iterative_steps) outcome_ = Status::linear_solver_stalled;
+      if (!outcome_ && steps_ >= most_steps) outcome_ = Status::linear_solver_stalled;
     }
     return *outcome_;
   }
@@ -78,8 +89,8 @@ class Mprgp {
   void look_around() {
     split_gradient(scaled_.lower(), scaled_.upper(), x_, gradient_, step_length_, split_);
     precondition(split_.free, z_);
-    for (std::size_t i = 0; i < split_.held.size(); ++i)
-      if (split_.held[i]) z_.owned()[i] = 0;
+    for (std::size_t i = 0; i < split_.active.size(); ++i)
+      if (split_.active[i]) z_.owned()[i] = 0;
     z_.update_ghosts();
     phi_z_ = algebra::dot(split_.free, z_);
     if (!(phi_z_ >= 0)) outcome_ = std::isfinite(phi_z_) ? Status::linear_solver_stalled : Status::not_finite;
@@ -103,7 +114,6 @@ class Mprgp {
 
   bool face_is_solved() const {
     constexpr double nearly = 1e-9, rounding = 64 * epsilon;
-    constexpr int patience = 200;
     return std::sqrt(phi_z_) <= std::max(nearly * reference_, rounding * algebra::norm(x_)) || since_halved_ > patience;
   }
 
@@ -113,7 +123,7 @@ class Mprgp {
     p_.update_ghosts();
     scaled_.apply(p_, Ap_);
     const double pAp = algebra::dot(p_, Ap_), slope = algebra::dot(gradient_, p_);
-    const double feasible = largest_feasible_step(scaled_.lower(), scaled_.upper(), x_, p_);
+    const double feasible = contact::largest_feasible_step(scaled_.lower(), scaled_.upper(), x_, p_);
     const double step = pAp > no_stiffness * algebra::dot(p_, p_) ? slope / pAp : infinity;
     if (step == infinity && feasible == infinity) {
       outcome_ = Status::not_held;
@@ -133,16 +143,16 @@ class Mprgp {
   // takes the half-step and a projected step along the free gradient.
   void expand(double step, double feasible, double change_of_half_step) {
     if (std::isfinite(step)) {
-      Vector candidate = clamped_step(scaled_.lower(), scaled_.upper(), x_, p_, step);
+      Vector candidate = contact::clamped_step(scaled_.lower(), scaled_.upper(), x_, p_, step);
       if (energy_change(candidate) < change_of_half_step) {
         x_ = std::move(candidate);
         return restart();
       }
     }
-    x_ = clamped_step(scaled_.lower(), scaled_.upper(), x_, p_, feasible);
+    x_ = contact::clamped_step(scaled_.lower(), scaled_.upper(), x_, p_, feasible);
     restart();
     for (;; step_length_ /= 2) {
-      Vector candidate = clamped_step(scaled_.lower(), scaled_.upper(), x_, split_.free, step_length_);
+      Vector candidate = contact::clamped_step(scaled_.lower(), scaled_.upper(), x_, split_.free, step_length_);
       // The estimate of |A| is a lower bound. A step that does not lower the energy shows that it is too small.
       if (!(energy_change(candidate) > 0) || step_length_ < epsilon) {
         x_ = std::move(candidate);
@@ -166,13 +176,13 @@ class Mprgp {
     direction.update_ghosts();
     scaled_.apply(direction, Ad);
     const double dAd = algebra::dot(direction, Ad), slope = algebra::dot(gradient_, direction);
-    const double feasible = largest_feasible_step(scaled_.lower(), scaled_.upper(), x_, direction);
+    const double feasible = contact::largest_feasible_step(scaled_.lower(), scaled_.upper(), x_, direction);
     const double step = dAd > no_stiffness * algebra::dot(direction, direction) ? slope / dAd : infinity;
     if (std::min(step, feasible) == infinity) {
       outcome_ = Status::not_held;
       return;
     }
-    x_ = clamped_step(scaled_.lower(), scaled_.upper(), x_, direction, std::min(step, feasible));
+    x_ = contact::clamped_step(scaled_.lower(), scaled_.upper(), x_, direction, std::min(step, feasible));
     restart();
     halved_ = infinity;
     since_halved_ = 0;
@@ -182,9 +192,9 @@ class Mprgp {
   void record_face() {
     const Vector z = scaled_.original(x_);
     const Vector force = scaled_.original_forces(gradient_);
-    const ActiveSet now = everything_at_bounds(problem_, z);
-    solution_.iterations.push_back({.active = count_active(problem_, now),
-                                    .changes = count_changes(problem_, set_, now),
+    const ActiveSet now = contact::everything_at_bounds(problem_, z);
+    solution_.iterations.push_back({.active = contact::count_active(problem_, now),
+                                    .changes = contact::count_changes(problem_, set_, now),
                                     .energy = 0.5 * (algebra::dot(z, force) - algebra::dot(z, problem_.load)),
                                     .linear_steps = steps_});
     solution_.z = z;
@@ -206,22 +216,21 @@ class Mprgp {
   // Computes the minimiser on this face to full accuracy, through problem.apply, and judges it as in the other solvers.
   void conclude() {
     Vector z = scaled_.original(x_);
-    const ActiveSet set = everything_at_bounds(problem_, z);
+    const ActiveSet set = contact::everything_at_bounds(problem_, z);
     const auto precondition = [this](const Vector& r, Vector& to) { preconditioner_.apply(r, to); };
-    constexpr int patience = 200;
     const auto linear = algebra::conjugate_gradients(
-        problem_.apply, precondition, problem_.load, held(set), diagonal_, z,
-        {.tolerance = settings_.linear_tolerance, .max_steps = settings_.max_iterative_steps, .patience = patience});
+        problem_.apply, precondition, problem_.load, contact::fixed_by(set), diagonal_, z,
+        {.tolerance = settings_.linear_tolerance, .max_steps = most_steps, .patience = patience});
     constexpr double usable = 1e-6;
     if (!linear.converged && !(linear.relative_residual <= usable)) {
       outcome_ = std::isfinite(linear.relative_residual) ? Status::linear_solver_stalled : Status::not_finite;
       return;
     }
-    SubproblemPoint point = assess(problem_, settings_, diagonal_, std::move(z), linear, set);
+    contact::SubproblemPoint point = contact::assess(problem_, settings_, diagonal_, std::move(z), linear, set);
     point.linear_steps += steps_;
-    const Verdict verdict = judge(problem_, point, set);
-    const bool seen_before = !concluded_.insert(fingerprint(problem_, set)).second;
-    const std::int64_t changes = record(problem_, std::move(point), set, verdict, observer_, solution_);
+    const contact::Verdict verdict = contact::judge(problem_, point, set);
+    const bool seen_before = !concluded_.insert(contact::fingerprint(problem_, set)).second;
+    const std::int64_t changes = contact::record(problem_, std::move(point), set, verdict, observer_, solution_);
     steps_ = 0;
     if (changes == 0) outcome_ = Status::solved;
     check_limits();
@@ -230,9 +239,9 @@ class Mprgp {
   }
 
   // Restarts from the face's minimiser, projected on the box; only the unknowns that judge() releases become free.
-  void go_on_from(const Verdict& verdict) {
+  void go_on_from(const contact::Verdict& verdict) {
     set_ = solution_.activity;
-    x_ = scaled_.unknowns(project(problem_, solution_.z));
+    x_ = scaled_.unknowns(contact::project(problem_, solution_.z));
     restart();
     halved_ = infinity;
     since_halved_ = 0;
@@ -262,15 +271,15 @@ class Mprgp {
   std::optional<Status> outcome_{};
 };
 
-/// Computes the minimiser on the pinned set by conjugate gradients.
+/// Computes the minimiser on the fixed set by conjugate gradients.
 algebra::CgResult first_minimiser(const BoxProblem& problem, const FacePreconditioner& preconditioner,
-                                  const ActiveSet& set, const Vector& diagonal, const Settings& settings, Vector& z) {
+                                  const ActiveSet& set, const Vector& diagonal, Vector& z) {
   for (std::size_t i = 0; i < set.size(); ++i)
-    if (set[i] != Activity::free) z.owned()[i] = held_at(problem, i, set[i]);
+    if (set[i] != Activity::free) z.owned()[i] = contact::bound_at(problem, i, set[i]);
   constexpr double rough = 1e-8;
   const auto precondition = [&](const Vector& r, Vector& to) { preconditioner.apply(r, to); };
-  return algebra::conjugate_gradients(problem.apply, precondition, problem.load, held(set), diagonal, z,
-                                      {.tolerance = rough, .max_steps = settings.max_iterative_steps, .patience = 200});
+  return algebra::conjugate_gradients(problem.apply, precondition, problem.load, contact::fixed_by(set), diagonal, z,
+                                      {.tolerance = rough, .max_steps = most_steps, .patience = patience});
 }
 
 }  // namespace
@@ -278,28 +287,28 @@ algebra::CgResult first_minimiser(const BoxProblem& problem, const FacePrecondit
 BoxSolution solve_mprgp(const BoxProblem& problem, std::span<const Activity> initial,
                         algebra::Preconditioner& preconditioner, const Settings& settings, const Observer& observer) {
   if (!problem.pressing.empty())
-    return solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_mprgp);
-  if (problem.equations) return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_mprgp);
-  BoxSolution solution = unsolved(problem, Status::infeasible);
-  if (!bounds_are_consistent(problem)) return solution;
+    return contact::solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_mprgp);
+  if (problem.equations)
+    return contact::solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_mprgp);
+  BoxSolution solution = contact::unsolved(problem, Status::infeasible);
+  if (!contact::bounds_are_consistent(problem)) return solution;
   const Vector diagonal = positive_diagonal(problem);
-  FacePreconditioner fixed(preconditioner, diagonal);
-  ActiveSet set = starting_set(problem, initial);
-  solution.status = fixed.pin(problem, set, settings.detect_free_motions);
-  if (solution.status == Status::singular) {
-    set = everything_active(problem);
-    solution.status = fixed.pin(problem, set, settings.detect_free_motions);
+  FacePreconditioner on_faces(preconditioner, diagonal);
+  ActiveSet set = contact::starting_set(problem, initial);
+  solution.status = Status::singular;
+  if (!on_faces.fix(problem, set, settings.detect_free_motions)) {
+    set = contact::everything_active(problem);
+    if (!on_faces.fix(problem, set, settings.detect_free_motions)) return solution;
   }
-  if (solution.status != Status::solved) return solution;
-  const auto linear = first_minimiser(problem, fixed, set, diagonal, settings, solution.z);
-  solution.z = project(problem, std::move(solution.z));
+  const auto linear = first_minimiser(problem, on_faces, set, diagonal, solution.z);
+  solution.z = contact::project(problem, std::move(solution.z));
   if (!std::isfinite(linear.relative_residual)) {
     solution.status = Status::not_finite;
     return solution;
   }
   const ScaledUnknowns scaled(problem);
-  solution.status = Mprgp(problem, scaled, fixed, diagonal, settings, observer, solution).run();
+  solution.status = Mprgp(problem, scaled, on_faces, diagonal, settings, observer, solution).run();
   return solution;
 }
 
-}  // namespace plastron::contact
+}  // namespace plastron::referees

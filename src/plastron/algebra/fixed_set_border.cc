@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "pin_border.hpp"
+#include "fixed_set_border.hpp"
 
 namespace plastron::algebra {
 namespace {
@@ -63,10 +63,10 @@ TailComplement::TailComplement(std::size_t size, std::vector<double> factor)
   BLASsyrk_(&blas_lower, &blas_plain, &n, &n, &unit, factor_.data(), &n, &zero, complement_.data(), &n);
 }
 
-bool TailComplement::pin(const std::vector<char>& pinned) {
+bool TailComplement::fix(const std::vector<char>& fixed) {
   free_.clear();
   for (std::size_t i = 0; i < size_; ++i)
-    if (!pinned[i]) free_.push_back(i);
+    if (!fixed[i]) free_.push_back(i);
   const std::size_t n = free_.size();
   free_factor_.resize(n * n);
   for (std::size_t j = 0; j < n; ++j)
@@ -156,7 +156,7 @@ SparseVector lower_solve(const cholmod_factor& L, const SparseVector& w, std::sp
 std::vector<const BorderColumn*> BorderColumns::of(std::span<const std::size_t> unknowns) {
   std::vector<std::size_t> let_go;
   for (const std::size_t i : unknowns)
-    if (!made_.contains(i) && is_pinned(i)) let_go.push_back(i);
+    if (!made_.contains(i) && is_fixed(i)) let_go.push_back(i);
   std::vector<SparseVector> w = matrix_columns(*A_, shift_, let_go);
   for (std::size_t c = 0; c < let_go.size(); ++c) make(let_go[c], std::move(w[c]));
   std::vector<const BorderColumn*> columns;
@@ -172,20 +172,20 @@ void BorderColumns::make(std::size_t unknown, SparseVector w) {
   made_.emplace(unknown, BorderColumn{std::move(w), std::move(y)});
 }
 
-/// Omits the unknowns that the factor has pinned.
+/// Omits the unknowns that the factor has fixed.
 SparseVector BorderColumns::answer(const SparseVector& w) {
   work_.resize(L_->n, 0.0);
   SparseVector placed;
   for (std::size_t e = 0; e < w.rows.size(); ++e)
-    if (!is_pinned(w.rows[e])) placed.push_back(static_cast<std::size_t>(place_[w.rows[e]]), w.values[e]);
+    if (!is_fixed(w.rows[e])) placed.push_back(static_cast<std::size_t>(place_[w.rows[e]]), w.values[e]);
   return lower_solve(*L_, placed, work_);
 }
 
-PinBorder::PinBorder(std::vector<std::size_t> let_go, std::span<const std::size_t> pinned, BorderColumns& columns,
-                     const TailComplement& tail, std::size_t size)
+FixedSetBorder::FixedSetBorder(std::vector<std::size_t> let_go, std::span<const std::size_t> fixed,
+                               BorderColumns& columns, const TailComplement& tail, std::size_t size)
     : let_go_(std::move(let_go)), tail_begin_(size - tail.size()), tail_size_(tail.size()) {
   std::vector<std::size_t> all = let_go_;
-  all.insert(all.end(), pinned.begin(), pinned.end());
+  all.insert(all.end(), fixed.begin(), fixed.end());
   if (all.empty()) return;
   const std::vector<const BorderColumn*> members = columns.of(all);
   take_columns(members, tail);
@@ -198,7 +198,7 @@ PinBorder::PinBorder(std::vector<std::size_t> let_go, std::span<const std::size_
   is_regular_ = outcome == 0;
 }
 
-void PinBorder::take_columns(std::span<const BorderColumn* const> members, const TailComplement& tail) {
+void FixedSetBorder::take_columns(std::span<const BorderColumn* const> members, const TailComplement& tail) {
   tails_.assign(members.size() * tail_size_, 0.0);
   for (std::size_t c = 0; c < members.size(); ++c) {
     const SparseVector& y = members[c]->y;
@@ -211,7 +211,7 @@ void PinBorder::take_columns(std::span<const BorderColumn* const> members, const
 }
 
 /// Computes - Y' T Y, both halves.
-void PinBorder::take_products() {
+void FixedSetBorder::take_products() {
   const std::size_t k = columns_.size();
   border_.assign(k * k, 0.0);
   std::vector<double> Ty(tail_begin_ + tail_size_, 0.0);
@@ -225,7 +225,7 @@ void PinBorder::take_products() {
 }
 
 /// Adds A_JJ.
-void PinBorder::take_block(std::span<const BorderColumn* const> members) {
+void FixedSetBorder::take_block(std::span<const BorderColumn* const> members) {
   std::unordered_map<std::size_t, std::size_t> number;
   for (std::size_t r = 0; r < let_go_.size(); ++r) number.emplace(let_go_[r], r);
   for (std::size_t c = 0; c < let_go_.size(); ++c) {
@@ -236,7 +236,7 @@ void PinBorder::take_block(std::span<const BorderColumn* const> members) {
   }
 }
 
-void PinBorder::correct(std::span<double> Ty, std::span<double> at_let_go) const {
+void FixedSetBorder::correct(std::span<double> Ty, std::span<double> at_let_go) const {
   if (columns_.empty()) return;
   std::vector<double> t;
   for (std::size_t c = 0; c < columns_.size(); ++c)
