@@ -4,7 +4,7 @@
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
-#include <plastron/meshing/chords.hpp>
+#include <plastron/meshing/chord_cuts.hpp>
 
 #include <cmath>
 #include <set>

@@ -1,7 +1,6 @@
 #include <plastron/computation/warnings.hpp>
 
-#include <plastron/meshing/cell_sizes.hpp>
-#include <plastron/meshing/extent.hpp>
+#include <plastron/meshing/sizes.hpp>
 
 #include <fmt/format.h>
 
