@@ -1,11 +1,5 @@
 #include <plastron/certificate/certificate.hpp>
 
-#include <plastron/algebra/agreement.hpp>
-#include <plastron/assembly/nodal_geometry.hpp>
-#include <plastron/assembly/normal_rotation.hpp>
-#include <plastron/fem/constraints.hpp>
-#include <plastron/obstacle/error.hpp>
-#include <plastron/solution/summary.hpp>
 #include <plastron/certificate/inside_obstacles.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/zones/contact_zones.hpp>
