@@ -21,6 +21,11 @@ namespace plastron::computation {
 
 namespace {
 
+bool has_point_supports(const problem::Problem& problem) {
+  return std::ranges::any_of(problem.shell.supports,
+                             [](const assembly::Support& support) { return support.point.has_value(); });
+}
+
 /// Ratio of the witness's unknowns to the unknowns of a space.
 double growth_to_witness(const problem::Problem& problem, const fem::Space& space) {
   return std::pow(1 + static_cast<double>(degrees_of_witness(problem)) / space.degree, 2);
@@ -28,9 +33,7 @@ double growth_to_witness(const problem::Problem& problem, const fem::Space& spac
 
 }  // namespace
 
-int degrees_of_witness(const problem::Problem& problem) {
-  return std::ranges::any_of(problem.supports, [](const assembly::Support& s) { return s.point.has_value(); }) ? 2 : 1;
-}
+int degrees_of_witness(const problem::Problem& problem) { return has_point_supports(problem) ? 2 : 1; }
 
 bool wants_witness(const problem::Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
                    const solution::Summary& summary) {
@@ -145,7 +148,7 @@ std::vector<double> AccuracyLoop::changes(std::size_t goal, std::size_t count) c
 // Cells with nodes inside are not counted: these nodes are fixed there, and smaller cells do not help.
 std::string AccuracyLoop::missed_contact(const Result& result, const fem::Space& space) {
   entered_.clear();
-  if (!result.solution || problem_.linearisation.once) return {};
+  if (!result.solution || problem_.shell.obstacles.are_linear) return {};
   const Solution& solution = *result.solution;
   for (const certificate::CellGap& cell : solution.entered) {
     const double allowed = certificate::least_gap_allowed(result.summary, result.summary.obstacles[cell.obstacle]);
@@ -230,14 +233,13 @@ void AccuracyLoop::cut(const fem::Space& space, const estimation::Estimates& est
   whole = algebra::sum_over_ranks(whole, comm);
   divided = algebra::sum_over_ranks(divided, comm);
   cells = algebra::sum_over_ranks(cells, comm);
-  const auto is_held_at_point = [](const assembly::Support& support) { return support.point.has_value(); };
   const fem::Surface surface(space.coarse, problem_.charts);
   cuts_ = meshing::chord_cuts(space, surface,
                               {.shares = shares,
                                .estimates = estimates,
                                .share = share_to_divide(),
                                .per_cell = cells > 0 && whole > 0 ? divided / whole / (3 * cells) : 0,
-                               .halves_only = std::ranges::any_of(problem_.supports, is_held_at_point),
+                               .halves_only = has_point_supports(problem_),
                                .are_met = std::ranges::all_of(goals_, &estimation::GoalRecord::is_met),
                                .at_edges = wants_edges_});
 }

@@ -18,7 +18,6 @@
 #include <plastron/computation/stopwatch.hpp>
 #include <plastron/computation/zones.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 #include <plastron/problem/goal_names.hpp>
 #include <plastron/problem/instants.hpp>
 #include <plastron/solution/summary.hpp>
@@ -64,14 +63,13 @@ class Computation {
         comm_(comm),
         asked_(observer),
         observer_(with_time_limit(observer)),
-        shell_(problem::shell_description(problem)),
         instants_(problem::instants(problem)),
         meshes_(meshing::mesh_sequence(problem, comm)),
         surface_(std::make_shared<const fem::Surface>(meshes_.space()->coarse, problem.charts)) {}
 
   Result run() {
-    result_.has_obstacle = !problem_.obstacles.empty();
-    result_.formulation = problem_.discretisation.tangency.formulation;
+    result_.has_obstacle = !problem_.shell.obstacles.empty();
+    result_.formulation = problem_.shell.tangency.formulation;
     result_.warnings = locking_warnings(problem_);
     MPI_Comm_size(comm_, &result_.ranks);
     bool goes_on = problem_.accuracy ? meshes_by_accuracy() : uniform_meshes();
@@ -86,7 +84,7 @@ class Computation {
       warn(contact_warnings(result_, problem_.contact), observer_, result_);
       warn(sideways_warnings(result_.summary), observer_, result_);
       warn(body_warnings(result_.summary), observer_, result_);
-      warn(point_support_warnings(result_, problem_.supports), observer_, result_);
+      warn(point_support_warnings(result_, problem_.shell.supports), observer_, result_);
       if (result_.history.empty()) recover();
       find_stress_peak(result_);
       warn(strain_warnings(result_), observer_, result_);
@@ -201,14 +199,14 @@ class Computation {
   std::vector<estimation::Goal> goals() const {
     if (problem_.accuracy) return problem::estimated_goals(problem_);
     std::vector<estimation::Goal> goals{{"energy", estimation::Energy{}}};
-    if (!problem_.obstacles.empty()) goals.push_back({"reaction", estimation::ObstacleForce{}});
+    if (!problem_.shell.obstacles.empty()) goals.push_back({"reaction", estimation::ObstacleForce{}});
     return goals;
   }
 
   /// Returns the positions of pressed obstacles, for the linearisation there. Empty if gaps are linearised at the
   /// start.
   std::vector<double> positions() const {
-    return problem_.linearisation.once ? std::vector<double>{} : result_.solution->discrete->positions();
+    return problem_.shell.obstacles.are_linear ? std::vector<double>{} : result_.solution->discrete->positions();
   }
 
   /// Solves an instant, by default the first, on the next mesh. First guess and state come from the previous mesh.
@@ -227,7 +225,7 @@ class Computation {
     if (number > 0) refine(task, start);
     task.seconds.mesh = watch.lap();
     if (observer_.phase) observer_.phase(number, "geometry");
-    auto discrete = assembly::discretise(meshes_.space(), surface_, shell_, std::move(start));
+    auto discrete = assembly::discretise(meshes_.space(), surface_, problem_.shell, std::move(start));
     if (number == 0 && !start_out(discrete, *on_mesh_)) {
       if (result_.levels.empty()) result_.solution.reset();
       return false;
@@ -285,8 +283,8 @@ class Computation {
                    .valued = goals()};
     if (supports_hold(result_.levels.front().history, problem_.contact.solver))
       task.settings.detect_free_motions = false;
-    const LevelResult witness =
-        solve_level(task, assembly::discretise(std::move(space), surface_, shell_, std::move(start)), observer_);
+    const LevelResult witness = solve_level(
+        task, assembly::discretise(std::move(space), surface_, problem_.shell, std::move(start)), observer_);
     for (std::size_t g = 0; g < witness.values.size(); ++g)
       result_.estimates->goals[g].at_higher_degree = witness.values[g];
     if (!witness.values.empty())
@@ -368,7 +366,8 @@ class Computation {
   /// shell of the present solution.
   bool start_out(std::unique_ptr<assembly::DiscreteShell>& discrete, const problem::Instant& to) {
     if (problem_.steps.empty()) return true;
-    const problem::Instant start{.load_factor = 0, .force_factors = std::vector<double>(problem_.obstacles.size(), 0)};
+    const problem::Instant start{.load_factor = 0,
+                                 .force_factors = std::vector<double>(problem_.shell.obstacles.all.size(), 0)};
     const algebra::Vector undeformed(discrete->space().layout, 6);
     const double first = next_part(*discrete, undeformed, start, to, 0);
     if (first == 1) return true;
@@ -504,7 +503,6 @@ class Computation {
   double end_of_meshes_ =
       std::numeric_limits<double>::infinity();  ///< [s since the start]; none before the first mesh is finished
   Observer observer_;                           ///< the caller's observer with the time limit
-  assembly::ShellDescription shell_;
   std::vector<problem::Instant> instants_;
   fem::MeshSequence meshes_;
   bool meshes_are_ahead_ = false;  ///< whether the clock stopped a mesh after the one of the solution

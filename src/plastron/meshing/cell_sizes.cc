@@ -27,7 +27,7 @@ CornerPoints corner_points(const problem::Problem& problem, const fem::Surface& 
   CornerPoints corners{.phi = {}, .thickness = std::vector<double>(xi.size())};
   surface.jets(cell, xi, jets, false);
   surface.positions(cell, xi, x, y);
-  problem.sections.at(surface.coarse(), cell).thickness.evaluate(x, y, corners.thickness);
+  problem.shell.sections.at(surface.coarse(), cell).thickness.evaluate(x, y, corners.thickness);
   for (const geometry::SurfaceJet& jet : jets) corners.phi.push_back(jet.value);
   return corners;
 }
