@@ -7,7 +7,6 @@
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/obstacle/surface_mesh.hpp>
-#include <plastron/problem/gap.hpp>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -67,7 +66,7 @@ double factorisation(int refinements, std::int64_t& nodes) {
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   nodes = meshes.space()->layout->global_size;
-  const assembly::ShellDescription shell{.sections = problem.sections, .supports = problem.supports};
+  const assembly::ShellDescription shell{.sections = problem.shell.sections, .supports = problem.shell.supports};
   const auto discrete = assembly::discretise(meshes.space(), surface, shell);
   const algebra::Matrix A = assembly::stiffness_matrix(*discrete);
   algebra::Factorisation F(A);

@@ -22,11 +22,11 @@ inline assembly::Support clamped(const std::string& boundary) {
 
 inline problem::Problem pressed(double load) {
   problem::Problem problem;
-  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   assembly::AreaLoad weight;
   weight.force[2] = geometry::Expression(-load);
-  problem.area_loads = {weight};
-  problem.obstacles = {obstacle::Obstacle{}};
+  problem.shell.loads.on_areas = {weight};
+  problem.shell.obstacles.all = {obstacle::Obstacle{}};
   return problem;
 }
 
@@ -38,9 +38,9 @@ inline problem::Problem cap(double e, int degree, int refinements) {
   problem.domain = fem::Disk{.radius = std::sin(0.5)};
   const geometry::Constants constants{{"z0", 1 + e / 2 + 0.01}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0 - sqrt(1 - x^2 - y^2)"}, constants));
-  problem.sections.common.thickness = geometry::Expression(e);
-  problem.supports = {clamped("rim")};
-  problem.discretisation = {.degree = degree, .tying = true, .refinements = refinements};
+  problem.shell.sections.common.thickness = geometry::Expression(e);
+  problem.shell.supports = {clamped("rim")};
+  problem.discretisation = {.degree = degree, .refinements = refinements};
   return problem;
 }
 
@@ -56,10 +56,10 @@ inline problem::Problem barrel(int degree, int refinements) {
   problem::Problem problem = pressed(8e-4);
   problem.domain = fem::Rectangle{.to = {0.5, 0.5}, .cells = {9, 9}};
   problem.charts.emplace("", geometry::Chart({"sin(x)", "y", "z0 - cos(x)"}, {{"z0", 1 + e / 2 + 0.01}}));
-  problem.sections.common.thickness = geometry::Expression(e);
-  problem.supports = {mirrored("left", assembly::Direction::x), mirrored("bottom", assembly::Direction::y),
-                      clamped("right")};
-  problem.discretisation = {.degree = degree, .tying = true, .refinements = refinements};
+  problem.shell.sections.common.thickness = geometry::Expression(e);
+  problem.shell.supports = {mirrored("left", assembly::Direction::x), mirrored("bottom", assembly::Direction::y),
+                            clamped("right")};
+  problem.discretisation = {.degree = degree, .refinements = refinements};
   return problem;
 }
 
@@ -68,10 +68,10 @@ inline problem::Problem strip(double e, int degree, int refinements, std::array<
   problem::Problem problem = pressed(3 * e * e * e);
   problem.domain = fem::Rectangle{.to = {1, 0.25}, .cells = cells};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", e / 2 + 0.01}}));
-  problem.sections.common.thickness = geometry::Expression(e);
-  problem.supports = {clamped("left"), clamped("right")};
-  for (const char* side : {"bottom", "top"}) problem.supports.push_back(mirrored(side, assembly::Direction::y));
-  problem.discretisation = {.degree = degree, .tying = true, .refinements = refinements};
+  problem.shell.sections.common.thickness = geometry::Expression(e);
+  problem.shell.supports = {clamped("left"), clamped("right")};
+  for (const char* side : {"bottom", "top"}) problem.shell.supports.push_back(mirrored(side, assembly::Direction::y));
+  problem.discretisation = {.degree = degree, .refinements = refinements};
   return problem;
 }
 

@@ -8,7 +8,6 @@
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/contact/subproblem.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
-#include <plastron/problem/gap.hpp>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -37,11 +36,7 @@ void report(int degree, int refinements) {
   fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, problem.discretisation.cells), degree, MPI_COMM_WORLD);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
-  const assembly::ShellDescription shell{.sections = problem.sections,
-                                         .supports = problem.supports,
-                                         .area_loads = problem.area_loads,
-                                         .obstacles = problem::rigid_obstacles(problem)};
-  const auto discrete = assembly::discretise(meshes.space(), surface, shell);
+  const auto discrete = assembly::discretise(meshes.space(), surface, problem.shell);
   const algebra::Matrix A = assembly::stiffness_matrix(*discrete);
   const contact::BoxProblem box = assembly::box_problem(*discrete, A);
   algebra::Factorisation F(A);

@@ -18,7 +18,7 @@
 namespace plastron::app {
 
 Progress::Progress(const problem::Problem& problem, bool quiet)
-    : has_obstacle_(!problem.obstacles.empty()),
+    : has_obstacle_(!problem.shell.obstacles.empty()),
       quiet_(quiet),
       is_by_accuracy_(problem.accuracy.has_value()),
       status_(quiet),

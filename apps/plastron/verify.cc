@@ -141,11 +141,11 @@ ExitCode verify(const Options& options) {
 
   const auto cells = c.problem.accuracy ? io::stored_cells(claims.solution, MPI_COMM_WORLD) : computation::MeshCells{};
   const computation::FinestMesh mesh = computation::finest_mesh(c.problem, MPI_COMM_WORLD, cells);
-  const bool is_mixed = c.problem.discretisation.tangency.formulation == element::Formulation::mixed;
+  const bool is_mixed = c.problem.shell.tangency.formulation == element::Formulation::mixed;
   auto solution = io::read_solution(claims.solution, mesh.space,
-                                    {.obstacles = static_cast<int>(c.problem.obstacles.size()),
+                                    {.obstacles = static_cast<int>(c.problem.shell.obstacles.all.size()),
                                      .has_multiplier = is_mixed,
-                                     .has_lifts = c.problem.admissible && !c.problem.obstacles.empty()});
+                                     .has_lifts = c.problem.admissible && !c.problem.shell.obstacles.empty()});
   const computation::Verification verification = computation::verify(c.problem, mesh, std::move(solution));
   Failures failures;
   judge_rows(verification, claims.results, options.quiet, failures);

@@ -152,7 +152,7 @@ std::vector<MeshPicture> first_middle_last(std::vector<MeshPicture> all,
 
 problem::Accuracy default_accuracy(const problem::Problem& problem) {
   problem::Accuracy accuracy{.goals = {{"energy", 1e-3}}};
-  if (!problem.obstacles.empty()) accuracy.goals.push_back({"reaction", 1e-3});
+  if (!problem.shell.obstacles.empty()) accuracy.goals.push_back({"reaction", 1e-3});
   return accuracy;
 }
 

@@ -158,9 +158,9 @@ Report compare(const problem::Problem& problem, const StudyOptions&, MPI_Comm co
     report.table.claims.push_back(formulation == Formulation::penalised ? is_within_the_mesh_error(run, tangent)
                                                                         : closes_in(run, tangent, formulation));
   }
-  report.table.remarks.push_back("differences are relative to the tangent formulation on the same mesh; p = " +
-                                 fmt::format("{:g}, rho = {:g}", problem.discretisation.tangency.penalty,
-                                             problem.discretisation.tangency.stabilisation));
+  report.table.remarks.push_back(
+      "differences are relative to the tangent formulation on the same mesh; p = " +
+      fmt::format("{:g}, rho = {:g}", problem.shell.tangency.penalty, problem.shell.tangency.stabilisation));
   return report;
 }
 

@@ -66,7 +66,7 @@ class Continuity {
   Continuity(const problem::Problem& problem, const StudyOptions& options, MPI_Comm comm, const StudyObserver& observer)
       : problem_(problem), options_(options), comm_(comm), observer_(observer), random_(options.seed) {
     problem_.probes.clear();
-    problem_.linearisation.once = true;  // the bounds are those of one variational inequality
+    problem_.shell.obstacles.are_linear = true;  // the bounds are those of one variational inequality
     report_.table = {.name = "continuity",
                      .title = "Does the solution depend continuously on load, thickness and obstacle?",
                      .columns = {{"sample", "", "1"},
@@ -90,7 +90,7 @@ class Continuity {
     examine("thickness",
             "a relative change of the stiffness changes the solution by no more than that part of its norm",
             &Continuity::thickness);
-    if (!problem_.obstacles.empty())
+    if (!problem_.shell.obstacles.empty())
       examine("height",
               "a shift of the obstacle changes the solution by no more than the softest lifting of the contact zone",
               &Continuity::height);
@@ -135,13 +135,13 @@ class Continuity {
       return amplitude * field(x, y);
     }};
     problem::Problem linear = with_loads_scaled(linear_and_homogeneous(problem_), 0);
-    linear.area_loads = {extra};
+    linear.shell.loads.on_areas = {extra};
     const computation::Result w = solve_for(linear, "its dual norm");
     if (w.status == Status::singular)
       return leave_out("the load: without contact a rigid motion is free, so no bound is finite");
     if (w.status != Status::solved) return failed(w.status);
     problem::Problem changed = problem_;
-    changed.area_loads.push_back(extra);
+    changed.shell.loads.on_areas.push_back(extra);
     const auto solution = solve_changed(changed);
     if (!solution) return {};
     return change_to(*solution, options_.size, std::sqrt(std::max(0.0, w.summary.load_work)));
@@ -151,7 +151,7 @@ class Continuity {
   std::optional<Change> thickness() {
     const double factor = 1 + options_.size * random_();
     problem::Problem changed = with_thickness_scaled(problem_, factor);
-    changed.face_scale /= factor;
+    changed.shell.obstacles.face_scale /= factor;
     const auto solution = solve_changed(changed);
     if (!solution) return {};
     const double kappa = std::max(std::abs(factor - 1), std::abs(factor * factor * factor - 1));
@@ -160,12 +160,12 @@ class Continuity {
 
   /// a(U_2 - U_1, U_2 - U_1) <= a(U_2 - U_1, W) for any W that lifts the nodes in contact before or after by the shift.
   std::optional<Change> height() {
-    if (problem_.obstacles.size() > 1 || !problem_.obstacles.front().is_plane())
+    if (problem_.shell.obstacles.all.size() > 1 || !problem_.shell.obstacles.all.front().is_plane())
       return leave_out("the height: its bound is proved for one half-space");
     const double relative = options_.size * random_();
     const double shift = relative * (largest_ > 0 ? largest_ : base_.solution->discrete->points.front().thickness);
     problem::Problem changed = problem_;
-    raise(changed.obstacles.front(), shift);
+    raise(changed.shell.obstacles.all.front(), shift);
     const auto solution = solve_changed(changed);
     if (!solution) return {};
     std::vector<char> contact(static_cast<std::size_t>(solution->nodal.touching.layout()->owned));
@@ -226,7 +226,7 @@ class Continuity {
 
   /// A force per area that does work like the loads: 2 W over area and largest displacement [Pa].
   double typical_load() const {
-    return largest_ > 0 ? norm_ * norm_ / (largest_ * area()) : problem_.sections.softest().mu * 1e-6;
+    return largest_ > 0 ? norm_ * norm_ / (largest_ * area()) : problem_.shell.sections.softest().mu * 1e-6;
   }
 
   /// |V|_a with the a of the unchanged shell, the form of (M13) or (M14) included [J^{1/2}].
@@ -270,7 +270,7 @@ class Continuity {
 
 std::vector<Variant> continuity_variants(const problem::Problem& problem, const StudyOptions& options) {
   problem::Problem thick = with_thickness_scaled(problem, 1 + options.size);
-  thick.face_scale /= 1 + options.size;
+  thick.shell.obstacles.face_scale /= 1 + options.size;
   return {{fmt::format("{:g} times the thickness", 1 + options.size), thick}};
 }
 

@@ -216,18 +216,18 @@ Report convergence(const problem::Problem& problem, const StudyOptions& options,
       "right side: (interpolation^2 + reaction^2)^(1/2), reaction^2 with the sign of reaction; consistency: 2 kappa, "
       "what tying, quadrature and tangency at nodes may add to its square");
   problem::Problem alone = problem;
-  alone.obstacles.clear();
+  alone.shell.obstacles.all.clear();
   if (observer.stage) observer.stage("without obstacle");
   const Sequence free = error_sequence(alone, options.reference, length, comm, observer.solve);
   const bool held = free.status != contact::Status::singular;
-  if (held || problem.obstacles.empty()) {
+  if (held || problem.shell.obstacles.empty()) {
     report.status = free.status;
     if (free.status != contact::Status::solved) return report;
     add(free, false, degree, report);
   } else {
     report.table.remarks.push_back("the supports alone do not hold the shell, so it is solved with the obstacle only");
   }
-  if (!problem.obstacles.empty()) {
+  if (!problem.shell.obstacles.empty()) {
     if (observer.stage) observer.stage("with obstacle");
     const Sequence pressed = error_sequence(problem, options.reference, length, comm, observer.solve);
     report.status = pressed.status;

@@ -2,7 +2,6 @@
 
 #include <plastron/element/formulation.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 #include <research/study/nearest_admissible.hpp>
 #include <research/study/nodal_interpolant.hpp>
 
@@ -102,7 +101,7 @@ class Evaluation {
  public:
   Evaluation(const problem::Problem& problem, const computation::Solution& reference,
              const ReferenceStrains& reference_strains, const SeenSolution& seen_reference)
-      : description_(problem::shell_description(problem)),
+      : shell_(problem.shell),
         charts_(problem.charts),
         reference_(reference),
         reference_strains_(reference_strains),
@@ -110,7 +109,7 @@ class Evaluation {
 
   Interpolant interpolant(const CoarseSolution& coarse) const {
     const auto surface = std::make_shared<const fem::Surface>(coarse.space->coarse, charts_);
-    const auto discrete = assembly::discretise(coarse.space, surface, description_, coarse.state);
+    const auto discrete = assembly::discretise(coarse.space, surface, shell_, coarse.state);
     const algebra::Vector W_h =
         nearest_admissible(*discrete, values_at_nodes(*coarse.space, reference_.discrete->shell, reference_.nodal.y));
     return {.y = discrete->shell.interpolation().interpolated(W_h),
@@ -138,7 +137,7 @@ class Evaluation {
   }
 
  private:
-  assembly::ShellDescription description_;
+  const assembly::ShellDescription& shell_;
   const std::map<std::string, geometry::Chart>& charts_;
   const computation::Solution& reference_;
   const ReferenceStrains& reference_strains_;
@@ -148,10 +147,10 @@ class Evaluation {
 }  // namespace
 
 std::string why_without_falk(const problem::Problem& problem) {
-  if (element::is_relaxed(problem.discretisation.tangency.formulation))
+  if (element::is_relaxed(problem.shell.tangency.formulation))
     return "a relaxed formulation's form has a part that the energy norm leaves out";
   if (!problem.rigid_bodies.empty()) return "interpolation does not keep the edges of rigid bodies rigid";
-  if (std::ranges::any_of(problem.obstacles, &obstacle::Obstacle::is_pressed))
+  if (std::ranges::any_of(problem.shell.obstacles.all, &obstacle::Obstacle::is_pressed))
     return "positions of pressed obstacles are unknowns beside U";
   return "";
 }

@@ -7,7 +7,7 @@
 namespace plastron::study {
 
 problem::Problem in_formulation(problem::Problem problem, element::Formulation formulation) {
-  problem.discretisation.tangency.formulation = formulation;
+  problem.shell.tangency.formulation = formulation;
   return problem;
 }
 

@@ -37,7 +37,7 @@ struct Tangent {
 };
 
 Tangent solve_tangent(problem::Problem problem, MPI_Comm comm, computation::Observer observer) {
-  problem.discretisation.tangency = {.formulation = Formulation::tangent};
+  problem.shell.tangency = {.formulation = Formulation::tangent};
   problem.probes.clear();
   Tangent tangent;
   observer.solution = [&](int, const computation::Solution& s) { tangent.fields.push_back(s.nodal.y); };
@@ -47,7 +47,7 @@ Tangent solve_tangent(problem::Problem problem, MPI_Comm comm, computation::Obse
 
 Sample solve_penalised(problem::Problem problem, double p, const Tangent& tangent, MPI_Comm comm,
                        computation::Observer observer) {
-  problem.discretisation.tangency = {.formulation = Formulation::penalised, .penalty = p};
+  problem.shell.tangency = {.formulation = Formulation::penalised, .penalty = p};
   problem.probes.clear();
   Sample sample{.p = p};
   observer.solution = [&](int level, const computation::Solution& s) {

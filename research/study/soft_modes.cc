@@ -6,7 +6,6 @@
 #include <plastron/geometry/frame.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/meshing/sizes.hpp>
-#include <plastron/problem/description.hpp>
 #include <research/spectra/soft_modes.hpp>
 #include <research/study/exponents.hpp>
 #include <research/study/formulations.hpp>
@@ -79,11 +78,9 @@ double mesh_size(const assembly::DiscreteShell& discrete) {
 
 /// The shell in one formulation, with nothing that holds or loads it.
 assembly::ShellDescription free_shell(const problem::Problem& problem, Formulation formulation) {
-  assembly::ShellDescription shell = problem::shell_description(in_formulation(problem, formulation));
+  assembly::ShellDescription shell = in_formulation(problem, formulation).shell;
   shell.supports.clear();
-  shell.area_loads.clear();
-  shell.edge_loads.clear();
-  shell.gravity.setZero();
+  shell.loads = {};
   shell.obstacles = {};
   return shell;
 }

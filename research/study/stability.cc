@@ -98,7 +98,7 @@ void examine_coercivity(const Samples& samples, const problem::Problem& problem,
     return;
   }
   // Short waves of s across their direction cost mu e^3 / 12 on any shell: no alpha is larger in the limit of fine meshes.
-  const shell::Material& material = problem.sections.softest();
+  const shell::Material& material = problem.shell.sections.softest();
   const double of_short_waves = material.mu / (12 * material.young());
   table.claims.push_back(does_not_degrade(samples, &Sample::relative_alpha, symbol, 0.5,
                                           std::min(samples.front().relative_alpha, of_short_waves)));
@@ -185,7 +185,7 @@ Report stability(const problem::Problem& problem, const StudyOptions& options, M
       length));
   examine_coercivity(samples, problem, report.table);
   examine_tangency(samples, report.table);
-  examine_contact(samples, !problem.obstacles.empty(), report.table);
+  examine_contact(samples, !problem.shell.obstacles.empty(), report.table);
   report.plot = plot_of(samples);
   return report;
 }

@@ -1,7 +1,6 @@
 #include <research/study/stability_samples.hpp>
 
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 #include <research/spectra/inf_sup.hpp>
 #include <research/spectra/soft_modes.hpp>
 #include <research/study/formulations.hpp>
@@ -17,10 +16,8 @@ namespace plastron::study {
 namespace {
 
 assembly::ShellDescription without_loads(const problem::Problem& problem, bool with_gap) {
-  assembly::ShellDescription shell = problem::shell_description(problem);
-  shell.area_loads.clear();
-  shell.edge_loads.clear();
-  shell.gravity.setZero();
+  assembly::ShellDescription shell = problem.shell;
+  shell.loads = {};
   if (!with_gap) shell.obstacles = {};
   return shell;
 }
@@ -72,8 +69,8 @@ class Stability {
     StabilitySample sample{.factor = factor, .level = level, .nodes = space->layout->global_size};
     measure_size(*discrete, sample);
     sample.alpha = spectra::softest_modes(*discrete, 1, length_).at(0).stiffness;
-    sample.relative_alpha = sample.alpha / (problem_.sections.softest().young() * std::pow(sample.thickness, 3));
-    if (problem_.obstacles.empty()) return sample;
+    sample.relative_alpha = sample.alpha / (problem_.shell.sections.softest().young() * std::pow(sample.thickness, 3));
+    if (problem_.shell.obstacles.empty()) return sample;
     tell(level, fmt::format("inf-sup constant of c, thickness times {:g}", factor));
     measure_contact(space, thin, sample);
     return sample;

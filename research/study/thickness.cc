@@ -67,7 +67,7 @@ Sample sample_of(const computation::Result& result, const problem::Problem& prob
   const double energy = result.summary.energy.total() + result.summary.tangency_energy;
   const double noise = relative_noise(*result.solution, std::sqrt(2 * energy));
   // An error of so many J^{1/2} can all be shear: k mu e |2 delta|^2 <= its square.
-  const shell::Material& material = problem.sections.softest();
+  const shell::Material& material = problem.shell.sections.softest();
   const double shear_noise =
       noise * std::sqrt(2 * energy / (material.shear_correction * material.mu * m.mean_thickness));
   return {.factor = factor,
@@ -137,7 +137,7 @@ std::vector<double> stiffness_exponents(const std::vector<Sample>& samples) {
 std::string no_exponents(const std::vector<Sample>& samples, const problem::Problem& problem) {
   constexpr double tolerable = 1e-3;
   if (has_prescribed_motion(problem)) return "the supports prescribe motions, so the stiffness K has no meaning";
-  if (!problem.obstacles.empty())
+  if (!problem.shell.obstacles.empty())
     return "with an obstacle K is a secant stiffness at one load and bound to no power of e";
   if (samples.size() < 2) return "one thickness has no exponent; take more factors";
   const auto e = column(samples, [](const Sample& s) { return s.thickness; });
@@ -195,7 +195,7 @@ void warn(const std::vector<Sample>& samples, const problem::Problem& problem, T
                     "m wide: it is "
                     "not resolved; refine the mesh or end the study earlier",
                     spacing, thinnest.layer));
-  if (!problem.obstacles.empty() && spacing > thinnest.thickness / 2)
+  if (!problem.shell.obstacles.empty() && spacing > thinnest.thickness / 2)
     table.remarks.push_back(
         fmt::format("warning: at the smallest thickness the nodes are {:.2g} m apart and the layer at the edge of the "
                     "contact zone is "
@@ -215,7 +215,7 @@ void conclude(const std::vector<Sample>& samples, const problem::Problem& proble
   if (why_not.empty())
     table.remarks.push_back(fmt::format("exponent {:.2f} on the thinnest shells, {}", exponent, domination(exponent)));
   table.claims = {between_one_and_three(samples, why_not), koiter_limit(samples)};
-  if (!problem.obstacles.empty() && samples.front().touching > 0 && samples.back().touching == 0)
+  if (!problem.shell.obstacles.empty() && samples.front().touching > 0 && samples.back().touching == 0)
     table.remarks.push_back(
         "the thinnest shell no longer touches the obstacle: its load falls faster than its stiffness; for a membrane "
         "dominated shell take --load-exponent 1");
@@ -247,11 +247,11 @@ std::vector<Variant> thickness_study_variants(const problem::Problem& problem, c
 
 Report thickness(const problem::Problem& problem, const StudyOptions& options, MPI_Comm comm,
                  const StudyObserver& observer) {
-  const double exponent = options.load_exponent.value_or(problem.obstacles.empty() ? 0 : 3);
+  const double exponent = options.load_exponent.value_or(problem.shell.obstacles.empty() ? 0 : 3);
   Report report{.table = thickness_table(), .plot = {}};
   report.table.remarks.push_back(exponent == 0 ? std::string("loads are those of the case")
                                                : fmt::format("loads are the case's times factor^{:g}", exponent));
-  if (!problem.obstacles.empty())
+  if (!problem.shell.obstacles.empty())
     report.table.remarks.push_back("mid-surface and obstacle stay; the touching face moves with e/2");
   problem::Problem plain = problem;
   plain.probes.clear();

@@ -8,14 +8,6 @@ namespace plastron::study {
 
 namespace {
 
-void scale(assembly::VectorExpression& f, double factor) {
-  for (auto& component : f) component = component.scaled(factor);
-}
-
-void scale(assembly::VectorFunction& f, double factor) {
-  if (f) f = [f, factor](double x, double y) -> Eigen::Vector3d { return factor * f(x, y); };
-}
-
 /// Another shell under the same loads: rho e stays, so the weight does.
 void scale_thickness(assembly::CrossSection& section, double factor) {
   section.thickness = section.thickness.scaled(factor);
@@ -25,8 +17,8 @@ void scale_thickness(assembly::CrossSection& section, double factor) {
 }  // namespace
 
 problem::Problem with_thickness_scaled(problem::Problem problem, double factor) {
-  scale_thickness(problem.sections.common, factor);
-  for (auto& [name, section] : problem.sections.regions) scale_thickness(section, factor);
+  scale_thickness(problem.shell.sections.common, factor);
+  for (auto& [name, section] : problem.shell.sections.regions) scale_thickness(section, factor);
   return problem;
 }
 
@@ -44,28 +36,17 @@ void raise(obstacle::Obstacle& plane, double height) {
 }
 
 problem::Problem with_loads_scaled(problem::Problem problem, double factor) {
-  for (auto& load : problem.area_loads) {
-    scale(load.force, factor);
-    scale(load.couple, factor);
-    scale(load.force_function, factor);
-    scale(load.couple_function, factor);
-    load.pressure = load.pressure.scaled(factor);
-  }
-  for (auto& load : problem.edge_loads) {
-    scale(load.force, factor);
-    scale(load.couple, factor);
-  }
+  problem.shell.loads.scale(factor);
   for (fem::RigidBody& body : problem.rigid_bodies) {
     body.force *= factor;
     body.moment *= factor;
   }
-  problem.gravity *= factor;
   return problem;
 }
 
 problem::Problem linear_and_homogeneous(problem::Problem problem) {
-  problem.obstacles.clear();
-  for (auto& support : problem.supports)
+  problem.shell.obstacles.all.clear();
+  for (auto& support : problem.shell.supports)
     for (auto& component : support.components) component.value = {};
   for (fem::RigidBody& body : problem.rigid_bodies)
     for (auto& value : body.fixed)
@@ -76,7 +57,7 @@ problem::Problem linear_and_homogeneous(problem::Problem problem) {
 bool has_prescribed_motion(const problem::Problem& problem) {
   for (const fem::RigidBody& body : problem.rigid_bodies)
     if (std::ranges::any_of(body.fixed, [](const auto& value) { return value.value_or(0) != 0; })) return true;
-  return std::ranges::any_of(problem.supports, [](const assembly::Support& support) {
+  return std::ranges::any_of(problem.shell.supports, [](const assembly::Support& support) {
     return std::ranges::any_of(support.components, [](const assembly::PrescribedComponent& c) {
       return !c.value.is_constant() || c.value(0, 0) != 0;
     });

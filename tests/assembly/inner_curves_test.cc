@@ -53,7 +53,7 @@ Eigen::Matrix<double, 6, 1> total_of_load_on(const test::MeshedSurface& m, const
   load.force = {geometry::Expression("x^2 + y^2", {}), geometry::Expression(7.0), geometry::Expression(-2.0)};
   load.couple[1] = geometry::Expression(3.0);
   const ShellOperator shell(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false);
-  return total(load_vector(shell, {}, {load}));
+  return total(load_vector(shell, {.on_edges = {load}}));
 }
 
 TEST(InnerCurve, CarriesALineLoadAndACoupleOnce) {

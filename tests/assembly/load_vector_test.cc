@@ -28,7 +28,7 @@ TEST(LoadVector, AConstantForceSumsToForceTimesArea) {
   AreaLoad load;
   load.force[2] = geometry::Expression(-3.0);
   load.couple[0] = geometry::Expression(0.5);
-  const auto sum = total(load_vector(cap_on_disk(4, 2), {load}, {}));
+  const auto sum = total(load_vector(cap_on_disk(4, 2), {.on_areas = {load}}));
   EXPECT_NEAR(sum[2], -3 * cap_area, 1e-9);
   EXPECT_NEAR(sum[3], 0.5 * cap_area, 1e-9);
   EXPECT_NEAR(sum[0], 0, 1e-12);
@@ -39,7 +39,7 @@ TEST(LoadVector, APressureSumsToPressureTimesProjectedArea) {
   const auto shell = cap_on_disk(4, 2);
   AreaLoad load;
   load.pressure = geometry::Expression(2.0);
-  const auto sum = total(load_vector(shell, {load}, {}));
+  const auto sum = total(load_vector(shell, {.on_areas = {load}}));
   EXPECT_NEAR(sum[2], 2 * std::numbers::pi * 0.64, 1e-9);
 }
 
@@ -47,7 +47,7 @@ TEST(LoadVector, AnEdgeLoadSumsToForceTimesLengthOfTheCurveInSpace) {
   EdgeLoad load{.boundary = "rim"};
   load.force[1] = geometry::Expression(7.0);
   load.couple[2] = geometry::Expression("x^2", {});
-  const auto sum = total(load_vector(cap_on_disk(4, 2), {}, {load}));
+  const auto sum = total(load_vector(cap_on_disk(4, 2), {.on_edges = {load}}));
   const double length = 2 * std::numbers::pi * 0.8;
   EXPECT_NEAR(sum[1], 7 * length, 1e-9);
   EXPECT_NEAR(sum[5], 0.64 / 2 * length, 1e-6);
@@ -59,7 +59,7 @@ TEST(LoadVector, TrianglesCarryTheSameTotals) {
   pressure.pressure = geometry::Expression(2.0);
   EdgeLoad rim{.boundary = "rim"};
   rim.force[1] = geometry::Expression(7.0);
-  const auto sum = total(load_vector(shell, {pressure}, {rim}));
+  const auto sum = total(load_vector(shell, {.on_areas = {pressure}, .on_edges = {rim}}));
   EXPECT_NEAR(sum[2], 2 * std::numbers::pi * 0.64, 1e-8);
   EXPECT_NEAR(sum[1], 7 * 2 * std::numbers::pi * 0.8, 1e-8);
 }
@@ -69,7 +69,7 @@ TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
   AreaLoad text, function;
   text.force = {geometry::Expression("x*y", {}), geometry::Expression("sin(x)", {}), geometry::Expression("1 + y", {})};
   function.force_function = [](double x, double y) { return Eigen::Vector3d(x * y, std::sin(x), 1 + y); };
-  const auto a = load_vector(shell, {text}, {}), b = load_vector(shell, {function}, {});
+  const auto a = load_vector(shell, {.on_areas = {text}}), b = load_vector(shell, {.on_areas = {function}});
   for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-15);
 }
 
@@ -87,7 +87,7 @@ TEST(PiecewiseLoad, SumsToItsIntegralThoughItJumpsInsideOfCells) {
   load.couple[0] = geometry::Expression("abs(x - 0.3)", {});
   for (const fem::Shape shape : {test::quadrilateral, test::triangle})
     for (const int degree : {1, 2}) {
-      const auto sum = total(load_vector(plate(degree, shape), {load}, {}));
+      const auto sum = total(load_vector(plate(degree, shape), {.on_areas = {load}}));
       EXPECT_NEAR(sum[2], 1.0 / 3 + (1 - 0.49), 1e-3);
       EXPECT_NEAR(sum[3], (0.09 + 0.49) / 2, 1e-6);
     }
@@ -98,7 +98,7 @@ TEST(PiecewiseLoad, OnAnEdgeSumsToItsIntegral) {
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   load.couple[1] = geometry::Expression("max(x - 0.3, 0)", {});
   for (const fem::Shape shape : {test::quadrilateral, test::triangle}) {
-    const auto sum = total(load_vector(plate(2, shape), {}, {load}));
+    const auto sum = total(load_vector(plate(2, shape), {.on_edges = {load}}));
     EXPECT_NEAR(sum[2], 1.0 / 3, 2e-6);
     EXPECT_NEAR(sum[4], 0.49 / 2, 1e-6);
   }
@@ -112,7 +112,8 @@ TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
   EdgeLoad rim{.boundary = "rim"}, smooth_rim{.boundary = "rim"};
   rim.force[0] = geometry::Expression("max(x^2, -1)", {});
   smooth_rim.force[0] = geometry::Expression("x^2", {});
-  const auto a = load_vector(shell, {piecewise}, {rim}), b = load_vector(shell, {smooth}, {smooth_rim});
+  const auto a = load_vector(shell, {.on_areas = {piecewise}, .on_edges = {rim}}),
+             b = load_vector(shell, {.on_areas = {smooth}, .on_edges = {smooth_rim}});
   for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-8);
 }
 
@@ -120,7 +121,7 @@ TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
 double pressed(const std::string& pressure, fem::Shape shape = test::quadrilateral) {
   AreaLoad load;
   load.pressure = geometry::Expression(pressure, {{"a", 0.3141592653}, {"b", 0.6180339887}});
-  return total(load_vector(plate(2, shape), {load}, {}))[2];
+  return total(load_vector(plate(2, shape), {.on_areas = {load}}))[2];
 }
 
 TEST(PiecewiseLoad, OnANarrowPatchSumsToItsIntegral) {
@@ -145,7 +146,8 @@ TEST(PiecewiseLoad, OnAShortPartOfAnEdgeSumsToItsIntegral) {
     for (const double start : {0.1234567, 0.25, 0.6180339887, 0.99}) {
       EdgeLoad load{.boundary = "bottom"};
       load.force[1] = geometry::Expression("x > a && x < a + w ? 1 : 0", {{"a", start}, {"w", length}});
-      EXPECT_NEAR(total(load_vector(plate(2, test::quadrilateral), {}, {load}))[1] / length, 1, 1e-6) << start;
+      EXPECT_NEAR(total(load_vector(plate(2, test::quadrilateral), {.on_edges = {load}}))[1] / length, 1, 1e-6)
+          << start;
     }
 }
 
@@ -154,7 +156,8 @@ TEST(PiecewiseLoad, IsIntegratedAlikeWithCovariantInterpolation) {
   const ShellOperator covariant(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, true);
   AreaLoad load;
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
-  const auto a = load_vector(covariant, {load}, {}), b = load_vector(plate(2, test::quadrilateral), {load}, {});
+  const auto a = load_vector(covariant, {.on_areas = {load}}),
+             b = load_vector(plate(2, test::quadrilateral), {.on_areas = {load}});
   for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-14);
 }
 
@@ -163,15 +166,31 @@ TEST(LoadVector, OfALoadThatIsNotFiniteSaysWhere) {
   area.pressure = geometry::Expression("log(x - 0.6)", {});
   EdgeLoad edge{.boundary = "left"};
   edge.couple[0] = geometry::Expression("sqrt(y - 0.9)", {});
-  for (const auto& [areas, edges] :
-       std::vector<std::pair<std::vector<AreaLoad>, std::vector<EdgeLoad>>>{{{area}, {}}, {{}, {edge}}}) {
+  for (const Loads& loads : {Loads{.on_areas = {area}}, Loads{.on_edges = {edge}}}) {
     try {
-      load_vector(plate(2, test::quadrilateral), areas, edges);
+      load_vector(plate(2, test::quadrilateral), loads);
       FAIL() << "accepted";
     } catch (const LoadError& error) {
       EXPECT_NE(std::string(error.what()).find("not a number near x = 0"), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(Loads, NameTheirExpressionsAndPlaces) {
+  const Loads loads{.on_areas = {{.regions = {"a", "b"}}}, .on_edges = {{.boundary = "rim"}}};
+  std::vector<std::string> names;
+  loads.for_each_expression([&](const geometry::Expression&, const std::string& name, const LoadPlace& place) {
+    names.push_back(name);
+    EXPECT_EQ(place.boundary, names.size() > 7 ? "rim" : "");
+    EXPECT_EQ(place.regions.size(), names.size() > 7 ? 0u : 2u);
+  });
+  ASSERT_EQ(names.size(), 13u);
+  EXPECT_EQ(names[2], "the z component of a load's force");
+  EXPECT_EQ(names[3], "a load's pressure");
+  EXPECT_EQ(names[7], "the x component of a load's force");
+  EXPECT_EQ(names[12], "the z component of a load's couple");
+  EXPECT_EQ(loads.region_names(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(loads.boundary_names(), std::vector<std::string>{"rim"});
 }
 
 }  // namespace

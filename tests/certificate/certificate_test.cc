@@ -93,7 +93,7 @@ Solved solve(const Sample& sample) {
                                     {.sections = test::steel_of(geometry::Expression(0.1)),
                                      .tangency = {.formulation = sample.formulation},
                                      .supports = {test::clamp(sample.clamped)},
-                                     .area_loads = {load},
+                                     .loads = {.on_areas = {load}},
                                      .obstacles = {.all = {{.shape = table}}}});
   const algebra::Matrix A = assembly::stiffness_matrix(*s.discrete);
   algebra::Factorisation F(A);

@@ -45,7 +45,7 @@ std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, bool with_
                               {.sections = test::steel_of(geometry::Expression(thickness)),
                                .tangency = {.formulation = scene.formulation},
                                .supports = {test::clamp("left")},
-                               .area_loads = {load},
+                               .loads = {.on_areas = {load}},
                                .obstacles = {.all = with_obstacles ? scene.obstacles : decltype(scene.obstacles){}}});
 }
 

@@ -8,7 +8,6 @@
 #include <plastron/meshing/chord_cuts.hpp>
 #include <plastron/meshing/marks.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 #include <plastron/problem/goal_names.hpp>
 
 #include <algorithm>
@@ -99,8 +98,7 @@ TEST(Accuracy, IsConfirmedByOneDegreeMore) {
     meshes.refine({}, marks);
   }
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, higher.charts);
-  const LevelResult alone =
-      solve_level({}, assembly::discretise(meshes.space(), surface, problem::shell_description(higher), {}), {});
+  const LevelResult alone = solve_level({}, assembly::discretise(meshes.space(), surface, higher.shell, {}), {});
   EXPECT_NEAR(alone.record.energy, *result.estimates->goals[0].at_higher_degree, 1e-9 * bowl_energy);
 }
 
@@ -138,7 +136,8 @@ TEST(Accuracy, OfTheEnergyIsThatOfContactEdgesToo) {
 TEST(Accuracy, HasAWitnessThatKeepsPointsWhereTheyAreHeld) {
   problem::Problem p = pressed_strip();
   EXPECT_EQ(degrees_of_witness(p), 1);
-  p.supports.push_back({.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(0, 0)});
+  p.shell.supports.push_back(
+      {.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(0, 0)});
   EXPECT_EQ(degrees_of_witness(p), 2);
 }
 
@@ -165,11 +164,11 @@ TEST(Accuracy, OfALineOfContactBetweenNodesIsEstimated) {
   p.charts.clear();
   p.charts.emplace("", Chart({"x", "y", "0"}, {}));
   p.domain = fem::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
-  p.sections.common.thickness = Expression(0.1);
-  p.area_loads.clear();
-  p.obstacles = {{.shape = obstacle::Cylinder{.point = {0.13, 0, 0.1}, .axis = {0, 1, 0}, .radius = 0.1},
-                  .face = obstacle::Face::upper}};
-  p.linearisation.once = true;
+  p.shell.sections.common.thickness = Expression(0.1);
+  p.shell.loads.on_areas.clear();
+  p.shell.obstacles.all = {{.shape = obstacle::Cylinder{.point = {0.13, 0, 0.1}, .axis = {0, 1, 0}, .radius = 0.1},
+                            .face = obstacle::Face::upper}};
+  p.shell.obstacles.are_linear = true;
   constexpr double energy = 7.165791e-07, reaction = 3.050698e-05;  // degree 4, energy and reaction to 1e-6
   for (const int degree : {2, 4}) {
     p.discretisation = {.degree = degree, .refinements = degree == 2 ? 3 : 2};
@@ -187,9 +186,10 @@ TEST(Accuracy, OfALineOfContactBetweenNodesIsEstimated) {
 TEST(Accuracy, OfACircleOfContactIsReachedInTruth) {
   problem::Problem p = with_chart(accurate_bowl(1e-3), {"x", "y", "-1.01 + sqrt(1 - x^2 - y^2)"});
   p.discretisation.degree = 4;
-  p.area_loads.clear();
-  p.obstacles = {{.shape = obstacle::Ball{.centre = {0, 0, 0.4}, .radius = 0.5}, .face = obstacle::Face::upper}};
-  p.linearisation.once = true;
+  p.shell.loads.on_areas.clear();
+  p.shell.obstacles.all = {
+      {.shape = obstacle::Ball{.centre = {0, 0, 0.4}, .radius = 0.5}, .face = obstacle::Face::upper}};
+  p.shell.obstacles.are_linear = true;
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   constexpr double energy = 1.2206129e-05, reaction = 3.636427e-04;  // energy and reaction to 1e-5
@@ -202,12 +202,12 @@ TEST(Accuracy, OfALineReactionOnTheRimIsEstimatedAsThatOfTheEnergy) {
   problem::Problem p = pressed_bowl();
   p.charts.clear();
   p.charts.emplace("", Chart({"x", "y", "-0.8556429978431134 + sqrt(1 - x^2 - y^2)"}, {}));
-  p.sections.common.thickness = Expression(0.05);
-  p.supports = {
+  p.shell.sections.common.thickness = Expression(0.05);
+  p.shell.supports = {
       {.components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::displacement, Direction::y)},
        .point = Eigen::Vector2d(0, 0)},
       {.components = {fixed(Unknown::displacement, Direction::y)}, .point = Eigen::Vector2d(0.479425538604203, 0)}};
-  p.area_loads = {force(0, 0, -1.25e-4)};
+  p.shell.loads.on_areas = {force(0, 0, -1.25e-4)};
   p.discretisation = {.degree = 2, .refinements = 2};
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
@@ -221,13 +221,14 @@ TEST(Accuracy, OfALineReactionOnTheRimIsEstimatedAsThatOfTheEnergy) {
 TEST(Accuracy, AsksForNoEdgesOfZonesThatAreLines) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0"});
   p.domain = fem::Disk{.radius = 1};
-  p.sections.common.thickness = Expression(0.02);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {clamped("rim")};
-  p.area_loads = {force(0, 0, 0)};
-  p.area_loads[0].force[2] = Expression("-50*0.02^3*cos(2*pi*sqrt(x^2 + y^2))", {});
-  p.obstacles = {{.name = "floor", .shape = obstacle::HalfSpace{.point = {0, 0, -0.02}}},
-                 {.name = "ceiling", .shape = obstacle::HalfSpace{.point = {0, 0, 0.015}, .normal = {0, 0, -1}}}};
+  p.shell.sections.common.thickness = Expression(0.02);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("rim")};
+  p.shell.loads.on_areas = {force(0, 0, 0)};
+  p.shell.loads.on_areas[0].force[2] = Expression("-50*0.02^3*cos(2*pi*sqrt(x^2 + y^2))", {});
+  p.shell.obstacles.all = {
+      {.name = "floor", .shape = obstacle::HalfSpace{.point = {0, 0, -0.02}}},
+      {.name = "ceiling", .shape = obstacle::HalfSpace{.point = {0, 0, 0.015}, .normal = {0, 0, -1}}}};
   p.discretisation = {.degree = 4, .layers = problem::Layers::automatic, .refinements = 0};
   p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-2}, {"reaction", 1e-2}}, .max_unknowns = 30000};
   const Result result = solve(p, MPI_COMM_WORLD);
@@ -283,7 +284,7 @@ TEST(Memory, OfTheNextMeshIsForeseen) {
 TEST(Accuracy, TellsWhereTheErrorIsThatStays) {
   problem::Problem p = cantilever_plate();
   p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
-  p.supports = {clamped(fem::boundary_names(p.domain).front())};
+  p.shell.supports = {clamped(fem::boundary_names(p.domain).front())};
   p.discretisation = {.degree = 3, .refinements = 1};
   p.probes = {{"corner", {1, 1}}};
   p.accuracy = problem::Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}, .max_unknowns = 6000};
@@ -297,7 +298,7 @@ TEST(Accuracy, TellsWhereTheErrorIsThatStays) {
 TEST(Accuracy, IsGivenUpForWhatHasNoLimit) {
   problem::Problem p = cantilever_plate();
   p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
-  p.supports = {clamped(fem::boundary_names(p.domain).front())};
+  p.shell.supports = {clamped(fem::boundary_names(p.domain).front())};
   p.discretisation = {.degree = 3, .refinements = 0};
   p.probes = {{"corner", {1, 1}}};
   p.accuracy = problem::Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}};
@@ -324,7 +325,7 @@ TEST(Accuracy, TakesNumbersThatVanish) {
 /// Of every name that can be asked for, the value is that of the results.
 TEST(Accuracy, MeansTheNumbersOfTheResults) {
   problem::Problem p = accurate_bowl(0.3);
-  p.obstacles[0].name = "table";
+  p.shell.obstacles.all[0].name = "table";
   p.probes = {{"halfway", {0.2, 0.1}}};
   p.accuracy->goals.clear();
   for (const std::string& name : problem::goal_names(p)) p.accuracy->goals.push_back({name, 0.4});
@@ -344,11 +345,12 @@ TEST(Accuracy, MeansTheNumbersOfTheResults) {
 
 TEST(Accuracy, HoldsForTrianglesAndJoinedEdgesOnEvenMeshes) {
   problem::Problem p = pressed_bowl();
-  p.discretisation = {.cells = fem::Shape::triangle, .degree = 2, .tying = false, .refinements = 0};
-  p.sections.common.thickness = Expression(0.1);
+  p.discretisation = {.cells = fem::Shape::triangle, .degree = 2, .refinements = 0};
+  p.shell.tying = false;
+  p.shell.sections.common.thickness = Expression(0.1);
   p.charts.clear();
   p.charts.emplace("", Chart({"x", "y", "0.06 + 1 - sqrt(1 - x^2 - y^2)"}, {}));
-  p.area_loads = {force(0, 0, -2e-2)};
+  p.shell.loads.on_areas = {force(0, 0, -2e-2)};
   p.accuracy = problem::Accuracy{.goals = {{"energy", 0.05}}};
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
@@ -377,16 +379,16 @@ TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
   problem::Problem p = with_chart(free_plate(), {"sin(x)", "y", "1.01 - cos(x)"});
   p.domain = fem::Rectangle{.from = {-pi, 0}, .to = {pi, width}, .cells = {16, 1}};
   p.joins = {{{"left", "right"}}};
-  p.sections.common.thickness = Expression(0.02);
-  p.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
-  p.supports = {in_plane("bottom"), in_plane("top")};
+  p.shell.sections.common.thickness = Expression(0.02);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
+  p.shell.supports = {in_plane("bottom"), in_plane("top")};
   for (const double x : {0.0, -pi})
-    p.supports.push_back(
+    p.shell.supports.push_back(
         {.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(x, width / 2)});
-  p.obstacles = {{.name = "plate",
-                  .shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}},
-                  .force = {0, 0, -pressing}},
-                 {.name = "floor"}};
+  p.shell.obstacles.all = {{.name = "plate",
+                            .shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}},
+                            .force = {0, 0, -pressing}},
+                           {.name = "floor"}};
   p.discretisation = {.degree = 4, .refinements = 0};
   p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-3}, {"reaction", 1e-3}}};
   const Result result = solve(p, MPI_COMM_WORLD);

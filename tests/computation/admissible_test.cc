@@ -35,40 +35,41 @@ problem::Problem with(problem::Problem p, int degree, int refinements, fem::Shap
 
 problem::Problem bowl(element::Formulation formulation) {
   problem::Problem p = with(pressed_bowl(), 2, 1);
-  p.discretisation.tangency.formulation = formulation;
+  p.shell.tangency.formulation = formulation;
   return p;
 }
 
 /// A strip that is pressed on waves, or on a ball under its middle: gaps are linearised again.
 problem::Problem on_waves() {
   problem::Problem p = pressed_strip();
-  p.obstacles = {waves("0.004 * sin(9 * X) * cos(4 * Y) - 0.004")};
+  p.shell.obstacles.all = {waves("0.004 * sin(9 * X) * cos(4 * Y) - 0.004")};
   return p;
 }
 
 problem::Problem on_ball() {
   problem::Problem p = pressed_strip();
-  p.obstacles = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {0.5, 0.0625, -1}, .radius = 1}}};
+  p.shell.obstacles.all = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {0.5, 0.0625, -1}, .radius = 1}}};
   return p;
 }
 
 /// A wavy strip whose lower face lies on a floor and whose upper one on a ceiling.
 problem::Problem between_planes() {
   problem::Problem p = with_chart(pressed_strip(), {"x", "y", "0.09 + 0.03*sin(2*pi*x)"});
-  p.sections.common.thickness = Expression(0.1);
-  p.area_loads = {assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression("0.05*sin(2*pi*x)", {})}}};
-  p.obstacles = {{.name = "floor"},
-                 {.name = "ceiling",
-                  .shape = obstacle::HalfSpace{.point = {0, 0, 0.175}, .normal = {0, 0, -1}},
-                  .face = obstacle::Face::upper}};
+  p.shell.sections.common.thickness = Expression(0.1);
+  p.shell.loads.on_areas = {
+      assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression("0.05*sin(2*pi*x)", {})}}};
+  p.shell.obstacles.all = {{.name = "floor"},
+                           {.name = "ceiling",
+                            .shape = obstacle::HalfSpace{.point = {0, 0, 0.175}, .normal = {0, 0, -1}},
+                            .face = obstacle::Face::upper}};
   return p;
 }
 
 /// A force presses a ball on the strip, which nothing else loads.
 problem::Problem under_pressed_ball() {
   problem::Problem p = pressed_strip();
-  p.area_loads.clear();
-  p.obstacles = {obstacle::Obstacle{
+  p.shell.loads.on_areas.clear();
+  p.shell.obstacles.all = {obstacle::Obstacle{
       .name = "ball", .shape = obstacle::Ball{.centre = {0.5, 0.0625, 0.37}, .radius = 0.3}, .force = {0, 0, -2e-5}}};
   return p;
 }
@@ -76,7 +77,7 @@ problem::Problem under_pressed_ball() {
 /// The ball comes down in two parts of a step.
 problem::Problem in_steps() {
   problem::Problem p = on_ball();
-  p.obstacles[0].motions = {obstacle::Motion{.translation = {0, 0, 0.002}}};
+  p.shell.obstacles.all[0].motions = {obstacle::Motion{.translation = {0, 0, 0.002}}};
   p.steps = {{.name = "lift", .load_factor = 1, .parts = 2}};
   return p;
 }
@@ -226,7 +227,7 @@ TEST(AdmissibleSolution, IsTheSameOnEveryNumberOfRanks) {
 
 TEST(AdmissibleSolution, IsNotClaimedWhereASupportHoldsTheShellInsideBetweenNodes) {
   problem::Problem p = with(pressed_strip(), 1, 1);  // nodes of the clamped end at y = 0, 1/16, 1/8
-  p.obstacles = {waves("0.014 * exp(-(X^2 + (Y - 1/32)^2) / 0.0002)")};
+  p.shell.obstacles.all = {waves("0.014 * exp(-(X^2 + (Y - 1/32)^2) / 0.0002)")};
   const Result without = solved(p, false), lifted = solved(p, true);
   EXPECT_EQ(without.status, contact::Status::solved) << status_text(without);
   EXPECT_EQ(lifted.status, contact::Status::inaccurate);

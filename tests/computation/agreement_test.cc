@@ -23,14 +23,14 @@ bool is_last() {
 Problem plate() {
   Problem problem;
   problem.charts.emplace("", geometry::Chart({"x", "y", "0"}, {}));
-  problem.sections.common.thickness = geometry::Expression(0.1);
-  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  problem.shell.sections.common.thickness = geometry::Expression(0.1);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   assembly::Support clamped{.boundary = "left", .components = {}};
   using assembly::Direction, assembly::Unknown;
   for (const auto unknown : {Unknown::displacement, Unknown::rotation})
     for (const auto direction : {Direction::x, Direction::y, Direction::z})
       clamped.components.push_back({unknown, direction, {}});
-  problem.supports = {clamped};
+  problem.shell.supports = {clamped};
   problem.discretisation = {.degree = 1, .refinements = 1};
   return problem;
 }
@@ -64,7 +64,7 @@ TEST(MeshFile, ThatIsAnotherOneOnOneRankIsAnErrorOfAll) {
 
 TEST(Load, ThatThrowsInOneCellIsAnErrorOfAllRanks) {
   Problem problem = plate();
-  problem.area_loads.emplace_back().force_function = [](double x, double y) -> Eigen::Vector3d {
+  problem.shell.loads.on_areas.emplace_back().force_function = [](double x, double y) -> Eigen::Vector3d {
     if (x > 0.8 && y > 0.8) throw std::out_of_range("the table of winds ends here");
     return {0, 0, -1e-6};
   };
@@ -73,14 +73,14 @@ TEST(Load, ThatThrowsInOneCellIsAnErrorOfAllRanks) {
 
 TEST(Load, ThatIsInfiniteInOneCellIsAnErrorOfAllRanksThatNamesThePlace) {
   Problem problem = plate();
-  problem.area_loads.emplace_back().force[2] =
+  problem.shell.loads.on_areas.emplace_back().force[2] =
       geometry::Expression("x > 0.8 ? (y > 0.8 ? 1e300^2 : 0) : 0", geometry::Constants{});
   expect_error<assembly::LoadError>(problem, "near x = 0.8");
 }
 
 TEST(Support, ThatContradictsAnotherAtOneNodeIsAnErrorOfAllRanks) {
   Problem problem = plate();
-  problem.supports.push_back(
+  problem.shell.supports.push_back(
       {.boundary = "top",
        .components = {{assembly::Unknown::displacement, assembly::Direction::z, geometry::Expression(0.01)}}});
   expect_error<assembly::SupportError>(problem, "");

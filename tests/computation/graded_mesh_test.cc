@@ -6,7 +6,6 @@
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 #include <plastron/recovery/recovery.hpp>
 #include <plastron/zones/contact_zones.hpp>
 
@@ -49,7 +48,7 @@ LevelResult solve_graded(const problem::Problem& problem, const Rule& rule, int 
   EXPECT_TRUE(meshes.space()->has_ties);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   const LevelTask task{.settings = problem.contact, .linearisation = problem.linearisation};
-  return solve_level(task, assembly::discretise(meshes.space(), surface, problem::shell_description(problem)), {});
+  return solve_level(task, assembly::discretise(meshes.space(), surface, problem.shell), {});
 }
 
 /// Covariant interpolation holds translations on curved shells only up to its order: `balance`.
@@ -69,7 +68,8 @@ class GradedShell : public testing::TestWithParam<element::Formulation> {};
 
 TEST_P(GradedShell, IsAsGoodAsAUniformOne) {
   problem::Problem p = pressed_bowl();
-  p.discretisation = {.degree = 2, .tangency = {.formulation = GetParam()}, .refinements = 2};
+  p.discretisation = {.degree = 2, .refinements = 2};
+  p.shell.tangency = {.formulation = GetParam()};
   for (const Rule& rule : {Rule(at_zone_edge), Rule(is_scattered)}) {
     const LevelResult graded = solve_graded(p, rule, 2);
     expect_certified(graded, GetParam() == element::Formulation::classical ? 1e-5 : 1e-9);
@@ -85,7 +85,8 @@ TEST_P(GradedShell, IsAsGoodAsAUniformOne) {
 
 TEST_P(GradedShell, IsTheSameOnAnyNumberOfRanks) {
   problem::Problem p = pressed_bowl();
-  p.discretisation = {.degree = 3, .tangency = {.formulation = GetParam()}, .refinements = 1};
+  p.discretisation = {.degree = 3, .refinements = 1};
+  p.shell.tangency = {.formulation = GetParam()};
   const LevelResult together = solve_graded(p, is_scattered, 2);
   const LevelResult alone = solve_graded(p, is_scattered, 2, MPI_COMM_SELF);
   EXPECT_EQ(together.record.unknowns, alone.record.unknowns);
@@ -106,8 +107,8 @@ TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
   const fem::CoarseMesh coarse = fem::coarse_mesh(p.domain, fem::Shape::quadrilateral);
   p.charts.clear();
   for (const std::string& region : coarse.regions) p.charts.emplace(region, Chart({"x", "y", "0"}, {}));
-  p.supports = {clamped("junction")};
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.supports = {clamped("junction")};
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   double at_curve = 0;  // x of the junction
   for (const fem::BoundaryEdge& edge : coarse.edges)
     if (coarse.boundaries[static_cast<std::size_t>(edge.boundary)] == "junction")
@@ -134,11 +135,11 @@ TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
 /// A plate bent to constant curvature has constant moments, on whatever mesh.
 TEST(GradedMesh, GivesConstantResultantsExactly) {
   problem::Problem p = free_plate();
-  p.supports = {clamped("left")};
+  p.shell.supports = {clamped("left")};
   assembly::EdgeLoad bending{.boundary = "right"};
   bending.couple = vector(1, 0, 0);
-  p.edge_loads = {bending};
-  p.sections.common.material = shell::Material::from_young_poisson(1e4, 0, 1);
+  p.shell.loads.on_edges = {bending};
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1e4, 0, 1);
   p.discretisation = {.degree = 2, .refinements = 1};
   const LevelResult level = solve_graded(p, is_scattered, 3);
   expect_certified(level);

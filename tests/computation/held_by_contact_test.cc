@@ -21,12 +21,13 @@ problem::Problem panel(const std::string& height) {
   problem::Problem p;
   p.domain = fem::Rectangle{.from = {-side / 2, -side / 2}, .to = {side / 2, side / 2}, .cells = {4, 4}};
   p.charts = {{"", Chart({"x", "y", height}, {})}};
-  p.sections.common.thickness = Expression(e);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.area_loads = {force(0, 0, -weight)};
-  p.supports = {{.components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::displacement, Direction::y)},
-                 .point = Eigen::Vector2d(0, 0)},
-                {.components = {fixed(Unknown::displacement, Direction::y)}, .point = Eigen::Vector2d(side / 2, 0)}};
+  p.shell.sections.common.thickness = Expression(e);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.loads.on_areas = {force(0, 0, -weight)};
+  p.shell.supports = {
+      {.components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::displacement, Direction::y)},
+       .point = Eigen::Vector2d(0, 0)},
+      {.components = {fixed(Unknown::displacement, Direction::y)}, .point = Eigen::Vector2d(side / 2, 0)}};
   p.discretisation = {.degree = 2, .refinements = 1};
   return p;
 }
@@ -50,7 +51,7 @@ class PanelOnThreeBalls : public testing::TestWithParam<const char*> {};
 
 TEST_P(PanelOnThreeBalls, ComesToRestWithEachBallAtItsShare) {
   problem::Problem p = panel(GetParam());
-  for (const auto& [x, y] : places) p.obstacles.push_back(ball_at(x, y));
+  for (const auto& [x, y] : places) p.shell.obstacles.all.push_back(ball_at(x, y));
   const Result r = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(r.status, Status::solved) << r.missed_limits;
   const double total = r.summary.reaction.force[2];
@@ -70,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Curved, PanelOnThreeBalls, testing::Values("0.025 + 0.0
 // The middle of the weight is beyond the line between two balls.
 TEST(APanelOnTwoBallsAndOneFarAway, TipsOff) {
   problem::Problem p = panel("0.025");
-  p.obstacles = {ball_at(0.2, 0.2), ball_at(0.3, -0.2), ball_at(0.45, 0)};
+  p.shell.obstacles.all = {ball_at(0.2, 0.2), ball_at(0.3, -0.2), ball_at(0.45, 0)};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::not_held);
 }
@@ -80,10 +81,10 @@ problem::Problem strip_pressed_by(double force, const fem::Rectangle& domain, co
   problem::Problem p;
   p.domain = domain;
   p.charts = {{"", Chart(chart, {})}};
-  p.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
-  p.supports = {in_plane("bottom"), in_plane("top")};
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
+  p.shell.supports = {in_plane("bottom"), in_plane("top")};
   p.discretisation = {.degree = 4, .refinements = 1};
-  p.obstacles = {{.name = "press", .force = {0, 0, -force}}};
+  p.shell.obstacles.all = {{.name = "press", .force = {0, 0, -force}}};
   return p;
 }
 
@@ -102,11 +103,11 @@ TEST(ATubeBetweenPlates, StartsWhereItTouches) {
   problem::Problem p = strip_pressed_by(0.01, {.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}},
                                         {"sin(x)", "y", "1.01 - cos(x)"});
   p.joins = {{{"left", "right"}}};
-  p.sections.common.thickness = Expression(0.02);
-  p.supports.push_back(kept_from_sliding(0, length / 2));
-  p.supports.push_back(kept_from_sliding(-pi, length / 2));
-  p.obstacles.at(0).shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}};
-  p.obstacles.push_back({.name = "floor"});
+  p.shell.sections.common.thickness = Expression(0.02);
+  p.shell.supports.push_back(kept_from_sliding(0, length / 2));
+  p.shell.supports.push_back(kept_from_sliding(-pi, length / 2));
+  p.shell.obstacles.all.at(0).shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}};
+  p.shell.obstacles.all.push_back({.name = "floor"});
   expect_few_steps(solve(p, MPI_COMM_SELF), 10);
 }
 
@@ -114,14 +115,14 @@ TEST(APanelOnTwoRollersPressedByAThird, StartsWhereItTouches) {
   const double width = 0.2, radius = 0.05;
   problem::Problem p =
       strip_pressed_by(0.1, {.from = {-0.6, 0}, .to = {0.6, width}, .cells = {12, 1}}, {"x", "y", "0"});
-  p.sections.common.thickness = Expression(e);
-  p.supports.push_back(kept_from_sliding(0, width / 2));
+  p.shell.sections.common.thickness = Expression(e);
+  p.shell.supports.push_back(kept_from_sliding(0, width / 2));
   const auto roller = [&](double x, double z) {
     return obstacle::Cylinder{.point = {x, 0, z}, .axis = {0, 1, 0}, .radius = radius};
   };
-  p.obstacles.at(0).shape = roller(0, e / 2 + radius);
-  p.obstacles.push_back({.name = "left", .shape = roller(-0.5, -e / 2 - radius)});
-  p.obstacles.push_back({.name = "right", .shape = roller(0.5, -e / 2 - radius)});
+  p.shell.obstacles.all.at(0).shape = roller(0, e / 2 + radius);
+  p.shell.obstacles.all.push_back({.name = "left", .shape = roller(-0.5, -e / 2 - radius)});
+  p.shell.obstacles.all.push_back({.name = "right", .shape = roller(0.5, -e / 2 - radius)});
   expect_few_steps(solve(p, MPI_COMM_SELF), 10);
 }
 

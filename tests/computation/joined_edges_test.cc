@@ -16,19 +16,20 @@ using element::Formulation;
 /// x = 0 to 2, pressed on a table; curved, clamped at one end, a load that varies.
 problem::Problem of_chart(const std::string& x) {
   problem::Problem p;
-  p.sections.common.thickness = Expression("0.1", {});
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 5.0 / 6);
+  p.shell.sections.common.thickness = Expression("0.1", {});
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 5.0 / 6);
   p.charts = {{"", Chart({x, "y", "0.051 + 0.1*" + x + "^2"}, {})}};
-  p.area_loads = {force(0, 0, -2e-3)};
-  p.obstacles = {obstacle::Obstacle{}};
+  p.shell.loads.on_areas = {force(0, 0, -2e-3)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   return p;
 }
 
 problem::Problem in_one_piece(fem::Shape cells, int degree, Formulation formulation) {
   problem::Problem p = of_chart("x");
   p.domain = fem::Rectangle{.to = {2, 1}, .cells = {4, 2}};
-  p.supports = {clamped("left"), clamped("right")};
-  p.discretisation = {.cells = cells, .degree = degree, .tangency = {.formulation = formulation}, .refinements = 1};
+  p.shell.supports = {clamped("left"), clamped("right")};
+  p.discretisation = {.cells = cells, .degree = degree, .refinements = 1};
+  p.shell.tangency = {.formulation = formulation};
   p.probes = {{.name = "seam", .at = {1, 0.5}}};
   return p;
 }
@@ -38,8 +39,9 @@ problem::Problem in_two_pieces(fem::Shape cells, int degree, Formulation formula
   p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/two-squares.msh"};
   p.charts = {{"first", p.charts.at("")}, {"second", of_chart("(x - 1)").charts.at("")}};
   p.joins = {{{"seam_a", "seam_b"}}};
-  p.supports = {clamped("west"), clamped("east")};
-  p.discretisation = {.cells = cells, .degree = degree, .tangency = {.formulation = formulation}, .refinements = 1};
+  p.shell.supports = {clamped("west"), clamped("east")};
+  p.discretisation = {.cells = cells, .degree = degree, .refinements = 1};
+  p.shell.tangency = {.formulation = formulation};
   p.probes = {{.name = "seam", .at = {1, 0.5}}};
   return p;
 }
@@ -106,7 +108,7 @@ TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
   problem::Problem one = in_one_piece(fem::Shape::quadrilateral, 3, Formulation::tangent),
                    two = in_two_pieces(fem::Shape::quadrilateral, 3, Formulation::tangent);
   for (problem::Problem* p : {&one, &two}) {
-    p->obstacles.clear();
+    p->shell.obstacles.all.clear();
     p->discretisation.refinements = 0;
     p->accuracy = problem::Accuracy{.goals = {{"energy", 1e-4}}};
   }
@@ -127,11 +129,11 @@ problem::Problem tube() {
   problem::Problem p;
   p.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 1}, .cells = {8, 2}};
   p.charts = {{"", Chart({"sin(x)", "y", "cos(x)"}, {})}};
-  p.sections.common.thickness = Expression("0.01", {});
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0, 1);
+  p.shell.sections.common.thickness = Expression("0.01", {});
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0, 1);
   p.joins = {{{"left", "right"}}};
-  p.supports = {{.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::y)}}};
-  p.area_loads = {assembly::AreaLoad{.pressure = Expression(1e-4)}};
+  p.shell.supports = {{.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::y)}}};
+  p.shell.loads.on_areas = {assembly::AreaLoad{.pressure = Expression(1e-4)}};
   p.discretisation = {.degree = 4, .refinements = 1};
   return p;
 }
@@ -148,7 +150,7 @@ TEST(JoinedEdges, MakeATubeWhoseOnlyFreeMotionsAreThoseOfATube) {
 TEST(JoinedEdges, MakeATubeThatCarriesPressureAsAMembrane) {
   problem::Problem p = tube();
   // Nothing moves along the ends or out of them.
-  p.supports.push_back(
+  p.shell.supports.push_back(
       {.boundary = "top",
        .components = {fixed(Unknown::displacement, Direction::tangent), fixed(Unknown::displacement, Direction::y)}});
   const Result result = solve(p, MPI_COMM_WORLD);

@@ -5,7 +5,6 @@
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 #include <research/spectra/soft_modes.hpp>
 
 #include <cmath>
@@ -27,8 +26,8 @@ problem::Problem of_squares(const std::string& mesh, const std::map<std::string,
   problem::Problem p;
   p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/" + mesh};
   for (const auto& [region, chart] : charts) p.charts.emplace(region, Chart(chart, {}));
-  p.sections.common.thickness = Expression(thickness);
-  p.sections.common.material = shell::Material::from_young_poisson(young, 0, 1);
+  p.shell.sections.common.thickness = Expression(thickness);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(young, 0, 1);
   p.discretisation = {.degree = 2, .refinements = 0};
   return p;
 }
@@ -63,7 +62,7 @@ problem::Problem box_corner() {
 int motions_without_strain(const problem::Problem& p) {
   const auto meshes = meshing::mesh_sequence(p, MPI_COMM_WORLD);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, p.charts);
-  const auto discrete = assembly::discretise(meshes.space(), surface, problem::shell_description(p), {});
+  const auto discrete = assembly::discretise(meshes.space(), surface, p.shell, {});
   int count = 0;
   for (const spectra::Mode& mode : spectra::softest_modes(*discrete, 8, 1)) count += mode.stiffness == 0;
   return count;
@@ -76,7 +75,7 @@ TEST(KinkedJoins, LeaveSixMotionsFreeOfStrain) {
   EXPECT_EQ(motions_without_strain(box_corner()), 6);
   problem::Problem triangles = box_corner();
   triangles.discretisation.cells = fem::Shape::triangle;
-  triangles.discretisation.tying = false;
+  triangles.shell.tying = false;
   EXPECT_EQ(motions_without_strain(triangles), 6);
 }
 
@@ -85,8 +84,8 @@ TEST(KinkedJoins, CarryTheMomentOfAFoldedCantilever) {
   for (const Formulation formulation : {Formulation::tangent, Formulation::penalised, Formulation::mixed})
     for (const double angle : {0.5, 1.5707963, -2.0}) {
       problem::Problem p = folded(angle);
-      p.discretisation.tangency.formulation = formulation;
-      p.supports = {clamped("west")};
+      p.shell.tangency.formulation = formulation;
+      p.shell.supports = {clamped("west")};
       const double c = std::stod(std::to_string(std::cos(angle))), s = std::stod(std::to_string(std::sin(angle)));
       constexpr double moment = 1e-3, bend = moment / bending_stiffness;
       p.rigid_bodies = {
@@ -110,8 +109,8 @@ TEST(KinkedJoins, CarryTheMomentOfAFoldedCantilever) {
 TEST(KinkedJoins, OfThreeSheetsAreOneWhateverPairsAreNamed) {
   const auto energy = [](const std::vector<fem::Join>& joins, MPI_Comm comm) {
     problem::Problem p = star(joins);
-    p.supports = {clamped("a_east"), clamped("b_east")};
-    p.area_loads = {force(1e-3, 3e-4, -2e-3)};
+    p.shell.supports = {clamped("a_east"), clamped("b_east")};
+    p.shell.loads.on_areas = {force(1e-3, 3e-4, -2e-3)};
     const Result result = solve(p, comm);
     EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
     EXPECT_LT(result.certificate.moment_balance, 1e-9);
@@ -130,16 +129,16 @@ TEST(KinkedJoins, OfThreeSheetsAreOneWhateverPairsAreNamed) {
 TEST(KinkedJoins, AreHeldThroughEitherSheet) {
   const auto energy = [](const std::string& seam) {
     problem::Problem p = folded(1);
-    p.supports = {clamped(seam)};
-    p.area_loads = {force(1e-4, 2e-4, -1e-3)};
+    p.shell.supports = {clamped(seam)};
+    p.shell.loads.on_areas = {force(1e-4, 2e-4, -1e-3)};
     const Result result = solve(p, MPI_COMM_WORLD);
     EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
     EXPECT_LT(result.certificate.moment_balance, 1e-9);
     return result.summary.energy.total();
   };
   problem::Problem both = folded(1);
-  both.supports = {clamped("seam_a"), clamped("seam_b")};
-  both.area_loads = {force(1e-4, 2e-4, -1e-3)};
+  both.shell.supports = {clamped("seam_a"), clamped("seam_b")};
+  both.shell.loads.on_areas = {force(1e-4, 2e-4, -1e-3)};
   const double of_both = solve(both, MPI_COMM_WORLD).summary.energy.total(), a = energy("seam_a"), b = energy("seam_b");
   EXPECT_GE(a, of_both * (1 - 1e-12));
   EXPECT_GE(b, of_both * (1 - 1e-12));
@@ -149,12 +148,12 @@ TEST(KinkedJoins, AreHeldThroughEitherSheet) {
 
 TEST(KinkedJoins, PressTheirEdgeOnATable) {
   problem::Problem p = folded(-1);
-  p.supports = {clamped("west"), clamped("east")};
+  p.shell.supports = {clamped("west"), clamped("east")};
   p.charts.clear();
   p.charts.emplace("first", Chart({"x", "y", "0.03 + 0.5*(1 - x)"}, {}));
   p.charts.emplace("second", Chart({"x - 1", "y", "0.03 + 0.5*(x - 2)"}, {}));
-  p.area_loads = {force(0, 0, -20)};
-  p.obstacles = {obstacle::Obstacle{}};
+  p.shell.loads.on_areas = {force(0, 0, -20)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   const Result here = solve(p, MPI_COMM_SELF), all = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(all.status, contact::Status::solved) << all.missed_limits;
   EXPECT_GT(all.summary.touching_nodes, 0);

@@ -19,8 +19,9 @@ using testing::IsEmpty;
 /// A cantilever of side 1 with 2^(refinements + 1) cells along it.
 problem::Problem cantilever(fem::Shape cells, int degree, double thickness, int refinements, bool tying = false) {
   problem::Problem p = cantilever_plate();
-  p.sections.common.thickness = Expression(thickness);
-  p.discretisation = {.cells = cells, .degree = degree, .tying = tying, .refinements = refinements};
+  p.shell.sections.common.thickness = Expression(thickness);
+  p.discretisation = {.cells = cells, .degree = degree, .refinements = refinements};
+  p.shell.tying = tying;
   return p;
 }
 

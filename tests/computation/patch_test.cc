@@ -47,10 +47,12 @@ Support prescribed(const std::string& boundary, const State& state) {
 problem::Problem patch(const fem::Domain& domain, const State& state, int degree, bool tying, int refinements = 1) {
   problem::Problem p = free_plate();
   p.domain = domain;
-  p.discretisation = {.degree = degree, .tying = tying, .refinements = refinements};
-  p.area_loads.resize(1);
-  p.area_loads[0].couple = vector(state.couple[0], state.couple[1], state.couple[2]);
-  for (const std::string& boundary : fem::boundary_names(domain)) p.supports.push_back(prescribed(boundary, state));
+  p.discretisation = {.degree = degree, .refinements = refinements};
+  p.shell.tying = tying;
+  p.shell.loads.on_areas.resize(1);
+  p.shell.loads.on_areas[0].couple = vector(state.couple[0], state.couple[1], state.couple[2]);
+  for (const std::string& boundary : fem::boundary_names(domain))
+    p.shell.supports.push_back(prescribed(boundary, state));
   return p;
 }
 

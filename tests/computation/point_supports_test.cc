@@ -25,7 +25,7 @@ constexpr auto X = Direction::x, Y = Direction::y, Z = Direction::z;
 
 /// 3-2-1 at corners of the square that lie in no line in space.
 problem::Problem held_in_three_points(problem::Problem p) {
-  p.supports = {at_point(0, 0, {X, Y, Z}), at_point(1, 0, {Y, Z}), at_point(0, 1, {Z})};
+  p.shell.supports = {at_point(0, 0, {X, Y, Z}), at_point(1, 0, {Y, Z}), at_point(0, 1, {Z})};
   return p;
 }
 
@@ -50,7 +50,7 @@ problem::Problem free_panel(const Eigen::Matrix3d& R = Eigen::Matrix3d::Identity
         Expression(fmt::format("{:.17g}*({}) + {:.17g}*({})", R(i, 0), f[0].text(), R(i, 2), f[2].text()), {});
   }
   problem::Problem p = held_in_three_points(with_chart(free_plate(), chart));
-  p.area_loads = {load};
+  p.shell.loads.on_areas = {load};
   return p;
 }
 
@@ -66,8 +66,9 @@ TEST(FreePanel, under_loads_in_equilibrium_needs_no_reaction) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle})
     for (const auto formulation : {element::Formulation::tangent, element::Formulation::classical}) {
       problem::Problem p = free_panel();
-      p.discretisation = {.cells = shape, .degree = 2, .tying = shape == fem::Shape::quadrilateral, .refinements = 2};
-      p.discretisation.tangency.formulation = formulation;
+      p.discretisation = {.cells = shape, .degree = 2, .refinements = 2};
+      p.shell.tying = shape == fem::Shape::quadrilateral;
+      p.shell.tangency.formulation = formulation;
       const Result result = solve(p, MPI_COMM_WORLD);
       expect_no_reaction(result);
       EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
@@ -79,9 +80,9 @@ TEST(FreePanel, under_loads_in_equilibrium_needs_no_reaction) {
 TEST(FreePanel, of_relaxed_formulations_needs_r_a3_on_a_boundary) {
   for (const auto formulation : {element::Formulation::penalised, element::Formulation::mixed}) {
     problem::Problem p = free_panel();
-    p.discretisation.tangency.formulation = formulation;
+    p.shell.tangency.formulation = formulation;
     EXPECT_TRUE(has_errors(examination::examine(p)));
-    p.supports.push_back({.boundary = "left", .components = {fixed(Unknown::rotation, Direction::normal)}});
+    p.shell.supports.push_back({.boundary = "left", .components = {fixed(Unknown::rotation, Direction::normal)}});
     EXPECT_FALSE(has_errors(examination::examine(p)));
     expect_no_reaction(solve(p, MPI_COMM_WORLD));
   }
@@ -101,8 +102,8 @@ TEST(FreePanel, has_the_same_strains_whichever_points_hold_it) {
   problem::Problem p = free_panel();
   const double energy = solve(p, MPI_COMM_WORLD).summary.energy.total();
   // Middles of sides and of the square: corners of cells. And prescribed motions, as long as they are rigid.
-  p.supports = {at_point(0.5, 0.5, {X, Y, Z}), at_point(0.5, 1, {X, Z}), at_point(0, 0.5, {Z})};
-  p.supports[0].components[2].value = Expression(0.3);
+  p.shell.supports = {at_point(0.5, 0.5, {X, Y, Z}), at_point(0.5, 1, {X, Z}), at_point(0, 0.5, {Z})};
+  p.shell.supports[0].components[2].value = Expression(0.3);
   EXPECT_FALSE(has_errors(examination::examine(p)));
   const Result other = solve(p, MPI_COMM_WORLD);
   expect_no_reaction(other);
@@ -115,7 +116,7 @@ problem::Problem curved_panel(int degree) {
   // Along y, with resultant and moments zero as the surface element is one and the section symmetric.
   assembly::AreaLoad load;
   load.force[1] = Expression("cos(2*(x - 0.5)) * (2*y - 1)", {});
-  p.area_loads = {load};
+  p.shell.loads.on_areas = {load};
   p.discretisation.degree = degree;
   return p;
 }
@@ -132,7 +133,7 @@ TEST(CurvedPanel, needs_reactions_no_larger_than_what_its_mesh_misses) {
 // Statics: the weight 0.1 in the middle is carried by the two ends of the diagonal.
 TEST(Points, under_a_weight_carry_it_and_say_that_this_is_singular) {
   problem::Problem p = held_in_three_points(free_plate());
-  p.area_loads = {force(0, 0, -0.1)};
+  p.shell.loads.on_areas = {force(0, 0, -0.1)};
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.summary.point_reactions.size(), 3u);
   const std::array<Vector3d, 3> expected{Vector3d::Zero(), Vector3d(0, 0, 0.05), Vector3d(0, 0, 0.05)};
@@ -147,7 +148,7 @@ TEST(Points, under_a_weight_carry_it_and_say_that_this_is_singular) {
 
 TEST(Points, that_move_a_shell_rigidly_are_nothing_to_warn_of) {
   problem::Problem p = held_in_three_points(free_plate());
-  p.supports[2].components[0].value = Expression(0.01);
+  p.shell.supports[2].components[0].value = Expression(0.01);
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   EXPECT_TRUE(result.warnings.empty());
@@ -157,7 +158,7 @@ TEST(Points, that_move_a_shell_rigidly_are_nothing_to_warn_of) {
 
 TEST(Points, must_be_nodes_that_all_meshes_have) {
   const auto error = [](problem::Problem p, double x, double y) {
-    p.supports.push_back(at_point(x, y, {Z}));
+    p.shell.supports.push_back(at_point(x, y, {Z}));
     for (const auto& finding : examination::examine(p))
       if (finding.severity == examination::Severity::error) return finding.text;
     return std::string();
@@ -169,7 +170,7 @@ TEST(Points, must_be_nodes_that_all_meshes_have) {
   EXPECT_NE(error(p, 0.25, 0.5 + 1e-3).find("the nearest one is"), std::string::npos);
   EXPECT_EQ(error(p, 0.5, 1), "");
   EXPECT_EQ(error(p, 0.5 + 1e-10, 1), "");
-  p.supports.push_back(at_point(0.3, 0.3, {Z}));
+  p.shell.supports.push_back(at_point(0.3, 0.3, {Z}));
   EXPECT_THROW(solve(p, MPI_COMM_WORLD), assembly::SupportError);
 }
 

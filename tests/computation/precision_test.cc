@@ -21,8 +21,8 @@ problem::Problem bent_strip(double e, double unit = 1) {
   problem::Problem p =
       with_chart(pressed_strip(), {"unit*x*cos(0.3)", "unit*y", "unit*(0.01 + x*sin(0.3) + e/2*cos(0.3))"},
                  {{"unit", unit}, {"e", e}});
-  p.sections.common.thickness = Expression(e * unit);
-  p.area_loads = {force(0, 0, -20 * e * e * e)};
+  p.shell.sections.common.thickness = Expression(e * unit);
+  p.shell.loads.on_areas = {force(0, 0, -20 * e * e * e)};
   p.discretisation.degree = 3;
   p.discretisation.refinements = 1;
   return p;

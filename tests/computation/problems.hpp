@@ -63,8 +63,8 @@ inline Problem free_plate() {
   Problem p;
   p.domain = fem::Rectangle{.cells = {2, 2}};
   p.charts.emplace("", Chart({"x", "y", "0"}, {}));
-  p.sections.common.thickness = Expression(0.1);
-  p.sections.common.material = shell::Material::from_young_poisson(1e4, 0.3, 1);
+  p.shell.sections.common.thickness = Expression(0.1);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1e4, 0.3, 1);
   p.discretisation = {.degree = 2, .refinements = 1};
   return p;
 }
@@ -78,8 +78,8 @@ inline Problem with_chart(Problem p, const std::array<std::string, 3>& chart, co
 /// The square clamped at x = 0 under its weight.
 inline Problem cantilever_plate() {
   Problem p = free_plate();
-  p.supports = {clamped("left")};
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.supports = {clamped("left")};
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   return p;
 }
 
@@ -87,11 +87,11 @@ inline Problem cantilever_plate() {
 inline Problem pressed_strip() {
   Problem p = with_chart(free_plate(), {"x", "y", "0.01 + e/2"}, {{"e", 0.05}});
   p.domain = fem::Rectangle{.to = {1, 0.125}, .cells = {8, 1}};
-  p.sections.common.thickness = Expression(0.05);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
-  p.area_loads = {force(0, 0, -4e-3)};
-  p.obstacles = {obstacle::Obstacle{}};
+  p.shell.sections.common.thickness = Expression(0.05);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
+  p.shell.loads.on_areas = {force(0, 0, -4e-3)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   return p;
 }
 
@@ -100,11 +100,11 @@ inline Problem pressed_bowl() {
   Problem p = with_chart(free_plate(), {"x", "y", "clearance + e/2 + R - sqrt(R^2 - x^2 - y^2)"},
                          {{"R", 1}, {"e", 0.02}, {"clearance", 0.01}});
   p.domain = fem::Disk{.radius = 0.479425538604203};
-  p.sections.common.thickness = Expression(0.02);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {clamped("rim")};
-  p.area_loads = {force(0, 0, -2e-3)};
-  p.obstacles = {obstacle::Obstacle{}};
+  p.shell.sections.common.thickness = Expression(0.02);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("rim")};
+  p.shell.loads.on_areas = {force(0, 0, -2e-3)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   return p;
 }
 

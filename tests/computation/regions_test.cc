@@ -30,9 +30,9 @@ problem::Problem two_spans() {
   problem::Problem p = free_plate();
   p.domain =
       fem::Rectangle{.to = {first + second, width}, .cells = {5, 1}, .breaks = {first}, .regions = {"stiff", "soft"}};
-  p.sections.common = soft.section();
-  p.sections.regions["stiff"] = stiff.section();
-  p.supports = {clamped("left")};
+  p.shell.sections.common = soft.section();
+  p.shell.sections.regions["stiff"] = stiff.section();
+  p.shell.supports = {clamped("left")};
   p.probes = {{.name = "tip", .at = {first + second, width / 2}}};
   p.discretisation = {.degree = 3, .refinements = 1};
   return p;
@@ -61,7 +61,7 @@ double tip(const problem::Problem& p) {
 
 problem::Problem with_end_force() {
   problem::Problem p = two_spans();
-  p.edge_loads = {{.boundary = "right", .force = vector(0, 0, 1)}};
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(0, 0, 1)}};
   return p;
 }
 
@@ -70,7 +70,7 @@ TEST(TwoSpans, bend_under_an_end_force_as_a_beam_in_every_formulation) {
   const double exact = deflection_under_end_force();
   for (const auto formulation : {element::Formulation::tangent, element::Formulation::penalised,
                                  element::Formulation::mixed, element::Formulation::classical}) {
-    p.discretisation.tangency.formulation = formulation;
+    p.shell.tangency.formulation = formulation;
     EXPECT_NEAR(tip(p) / exact, 1, 1e-8) << element::to_string(formulation);
   }
 }
@@ -78,18 +78,19 @@ TEST(TwoSpans, bend_under_an_end_force_as_a_beam_in_every_formulation) {
 TEST(TwoSpans, under_a_load_on_one_of_them_bend_as_a_beam) {
   problem::Problem p = two_spans();
   p.discretisation.degree = 4;
-  p.area_loads = {force(0, 0, 1)};
-  p.area_loads.front().regions = {"soft"};
+  p.shell.loads.on_areas = {force(0, 0, 1)};
+  p.shell.loads.on_areas.front().regions = {"soft"};
   EXPECT_NEAR(tip(p) / deflection_under_load_on_the_second(), 1, 1e-8);
   // The same as two loads, one of which the other takes away on the first span.
-  p.area_loads = {force(0, 0, 1), force(0, 0, -1)};
-  p.area_loads.back().regions = {"stiff"};
+  p.shell.loads.on_areas = {force(0, 0, 1), force(0, 0, -1)};
+  p.shell.loads.on_areas.back().regions = {"stiff"};
   EXPECT_NEAR(tip(p) / deflection_under_load_on_the_second(), 1, 1e-8);
 }
 
 TEST(TwoSpans, of_triangles_converge_to_the_beam) {
   problem::Problem p = with_end_force();
-  p.discretisation = {.cells = fem::Shape::triangle, .degree = 2, .tying = false};
+  p.discretisation = {.cells = fem::Shape::triangle, .degree = 2};
+  p.shell.tying = false;
   const auto error = [&](int refinements) {
     p.discretisation.refinements = refinements;
     return std::abs(tip(p) / deflection_under_end_force() - 1);
@@ -114,8 +115,8 @@ TEST(TwoSpans, have_resultants_and_energy_of_their_own_material) {
 
 TEST(TwoSpans, that_a_region_makes_one_are_one) {
   problem::Problem p = with_end_force(), uniform = p;
-  p.sections.regions = {{"stiff", soft.section()}};
-  uniform.sections.regions.clear();
+  p.shell.sections.regions = {{"stiff", soft.section()}};
+  uniform.shell.sections.regions.clear();
   EXPECT_EQ(tip(p), tip(uniform));
 }
 
@@ -123,9 +124,10 @@ TEST(TwoSpans, that_a_region_makes_one_are_one) {
 TEST(NodalThickness, is_the_largest_where_regions_meet) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
     problem::Problem p = two_spans();
-    p.discretisation = {.cells = shape, .degree = 2, .tying = false, .refinements = 1};
+    p.discretisation = {.cells = shape, .degree = 2, .refinements = 1};
+    p.shell.tying = false;
     for (const bool is_first_thicker : {true, false}) {
-      if (!is_first_thicker) p.sections = {.common = stiff.section(), .regions = {{"stiff", soft.section()}}};
+      if (!is_first_thicker) p.shell.sections = {.common = stiff.section(), .regions = {{"stiff", soft.section()}}};
       const double at_first = is_first_thicker ? stiff.thickness : soft.thickness,
                    at_second = is_first_thicker ? soft.thickness : stiff.thickness;
       fem::MeshSequence meshes = meshing::mesh_sequence(p, MPI_COMM_WORLD);
@@ -133,7 +135,7 @@ TEST(NodalThickness, is_the_largest_where_regions_meet) {
       const fem::Surface surface(meshes.space()->coarse, p.charts);
       const auto tables = element::element_tables(shape, 2, false);
       int joint = 0;
-      for (const auto& point : assembly::nodal_geometry(*meshes.space(), surface, tables, p.sections)) {
+      for (const auto& point : assembly::nodal_geometry(*meshes.space(), surface, tables, p.shell.sections)) {
         const bool is_joint = std::abs(point.x[0] - first) < 1e-9;
         joint += is_joint;
         EXPECT_EQ(point.thickness, is_joint ? stiff.thickness : point.x[0] < first ? at_first : at_second);
@@ -145,13 +147,13 @@ TEST(NodalThickness, is_the_largest_where_regions_meet) {
 
 TEST(Contact, of_regions_of_different_thickness_begins_at_the_thicker_one) {
   problem::Problem p = with_chart(two_spans(), {"x", "y", "0.07"});  // the faces lie 0.01 and 0.02 above the table
-  p.obstacles = {obstacle::Obstacle{}};
-  p.area_loads = {force(0, 0, -1e-3)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
+  p.shell.loads.on_areas = {force(0, 0, -1e-3)};
   const Result free = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(free.summary.touching_nodes, 0);
   EXPECT_LT(free.certificate.min_gap_nodes, 0.0101);
-  p.supports = {clamped("left"), clamped("right")};
-  p.area_loads = {force(0, 0, -4)};
+  p.shell.supports = {clamped("left"), clamped("right")};
+  p.shell.loads.on_areas = {force(0, 0, -4)};
   const Result pressed = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(pressed.status, contact::Status::solved) << pressed.missed_limits;
   EXPECT_GT(pressed.summary.touching_nodes, 0);
@@ -167,22 +169,22 @@ TEST(Examination, sees_the_thickness_and_loads_of_each_region) {
   };
   problem::Problem p = with_end_force();
   EXPECT_EQ(texts(p), "");
-  p.sections.regions["stiff"].thickness = Expression("x < 0.33 ? 0.1 : 0.2", {});
+  p.shell.sections.regions["stiff"].thickness = Expression("x < 0.33 ? 0.1 : 0.2", {});
   EXPECT_NE(texts(p).find("jumps inside of a cell near x = 0.33"), std::string::npos) << texts(p);
   p = with_end_force();
-  p.sections.regions["soft"].thickness = Expression("1.5 - x", {});
+  p.shell.sections.regions["soft"].thickness = Expression("1.5 - x", {});
   EXPECT_NE(texts(p).find("it must be positive"), std::string::npos) << texts(p);
   // What is not smooth in the other region alone does no harm.
   p = with_end_force();
-  p.sections.regions["stiff"].thickness = Expression("x < 1.234 ? 0.12 : -1", {});
-  p.area_loads = {force(0, 0, 0)};
-  p.area_loads.front().pressure = Expression("1 / (x - 0.5)", {});
-  p.area_loads.front().regions = {"soft"};
+  p.shell.sections.regions["stiff"].thickness = Expression("x < 1.234 ? 0.12 : -1", {});
+  p.shell.loads.on_areas = {force(0, 0, 0)};
+  p.shell.loads.on_areas.front().pressure = Expression("1 / (x - 0.5)", {});
+  p.shell.loads.on_areas.front().regions = {"soft"};
   EXPECT_EQ(texts(p), "");
-  p.area_loads.front().regions = {"stiff"};
+  p.shell.loads.on_areas.front().regions = {"stiff"};
   EXPECT_NE(texts(p).find("on the region \"stiff\""), std::string::npos) << texts(p);
   p = with_end_force();
-  p.sections.regions["wing"] = soft.section();
+  p.shell.sections.regions["wing"] = soft.section();
   EXPECT_NE(texts(p).find("the region \"wing\", which the mesh does not have; it has: stiff, soft"), std::string::npos);
   EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
 }

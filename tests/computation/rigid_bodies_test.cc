@@ -7,7 +7,6 @@
 #include <plastron/examination/examine.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 
 #include <Eigen/Dense>
 
@@ -31,9 +30,9 @@ constexpr double bending_stiffness = young * width * thickness * thickness * thi
 problem::Problem beam(const fem::RigidBody& body) {
   problem::Problem p = free_plate();
   p.domain = fem::Rectangle{.to = {length, width}, .cells = {4, 1}};
-  p.sections.common.thickness = Expression(thickness);
-  p.sections.common.material = shell::Material::from_young_poisson(young, 0, 1);
-  p.supports = {clamped("left")};
+  p.shell.sections.common.thickness = Expression(thickness);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(young, 0, 1);
+  p.shell.supports = {clamped("left")};
   p.discretisation = {.degree = 3, .refinements = 1};
   p.rigid_bodies = {body};
   return p;
@@ -45,7 +44,7 @@ std::unique_ptr<assembly::DiscreteShell> discretised(const problem::Problem& p, 
   fem::MeshSequence meshes = meshing::mesh_sequence(p, comm);
   for (int i = 0; i < p.discretisation.refinements; ++i) meshes.refine({});
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, p.charts);
-  return assembly::discretise(meshes.space(), surface, problem::shell_description(p), {});
+  return assembly::discretise(meshes.space(), surface, p.shell, {});
 }
 
 void expect_sound(const Result& result) {
@@ -69,8 +68,8 @@ class RigidBody : public testing::TestWithParam<Element> {
     const auto [cells, degree, formulation] = GetParam();
     p.discretisation.cells = cells;
     p.discretisation.degree = degree;
-    p.discretisation.tangency.formulation = formulation;
-    if (cells == fem::Shape::triangle) p.discretisation.tying = false;
+    p.shell.tangency.formulation = formulation;
+    if (cells == fem::Shape::triangle) p.shell.tying = false;
     return p;
   }
 };
@@ -138,7 +137,7 @@ algebra::Vector coordinates_of_motion(const assembly::DiscreteShell& shell, cons
 TEST_P(RigidBody, LeavesAllRigidMotionsFreeOfStrain) {
   for (const bool is_flat : {true, false}) {
     problem::Problem p = on_cells(is_flat ? beam(end_plate()) : curved(beam(end_plate())));
-    p.supports.clear();
+    p.shell.supports.clear();
     p.rigid_bodies.push_back(
         {.name = "hinge", .boundaries = {"left"}, .reference = {-0.3, 0, 0.2}, .turns_normals = false});
     if (is_flat) p.rigid_bodies[1].fixed[4] = 0;  // its nodes lie on a line along y
@@ -174,7 +173,7 @@ TEST_P(RigidBody, LeavesTheFormSymmetricAndPositiveAndTheMatrixTheOperator) {
                             .reference = {0.5, 1, 1},
                             .turns_normals = false,
                             .fixed = {0.0, 0.0, 0.0, open, open, 0.01}});
-  p.supports.clear();
+  p.shell.supports.clear();
   p.domain = fem::Rectangle{.to = {length, width}, .cells = {4, 2}};
   p.rigid_bodies[0].boundaries = {"bottom"};
   const auto shell = discretised(p);
@@ -233,10 +232,10 @@ TEST(RigidBodies, TwistATubeWhoseSeamIsJoined) {
   problem::Problem p;
   p.domain = fem::Rectangle{.to = {2 * pi, 2}, .cells = {8, 2}};
   p.charts = {{"", Chart({"sin(x)", "y", "cos(x)"}, {})}};
-  p.sections.common.thickness = Expression(wall);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.sections.common.thickness = Expression(wall);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.joins = {{{"left", "right"}}};
-  p.supports = {clamped("bottom")};
+  p.shell.supports = {clamped("bottom")};
   p.discretisation = {.degree = 4, .refinements = 0};
   p.rigid_bodies = {{.name = "plate", .boundaries = {"top"}, .reference = {0, 2, 0}, .moment = {0, moment, 0}}};
   const Result result = solve(p, MPI_COMM_WORLD);
@@ -272,8 +271,9 @@ problem::Problem pressed_by_its_tip() {
   problem::Problem p = beam(body);
   p.discretisation.degree = 2;
   p.discretisation.refinements = 2;
-  p.sections.common.material = shell::Material::from_young_poisson(young, 0.3, 1);
-  p.obstacles = {obstacle::Obstacle{.shape = obstacle::HalfSpace{.point = {0.5, 0, -0.035}, .normal = {-0.2, 0, 1}}}};
+  p.shell.sections.common.material = shell::Material::from_young_poisson(young, 0.3, 1);
+  p.shell.obstacles.all = {
+      obstacle::Obstacle{.shape = obstacle::HalfSpace{.point = {0.5, 0, -0.035}, .normal = {-0.2, 0, 1}}}};
   return p;
 }
 
@@ -299,7 +299,7 @@ TEST(RigidBodies, MayBeHeldBySymmetryWhereTheyAreFixedAlike) {
   body.fixed = {open, 0.0, open, 0.0, open, 0.0};
   problem::Problem p = beam(body);
   p.domain = fem::Rectangle{.to = {length, width / 2}, .cells = {4, 1}};
-  p.supports.push_back(symmetry("bottom"));
+  p.shell.supports.push_back(symmetry("bottom"));
   const Result half = solve(p, MPI_COMM_WORLD);
   expect_sound(half);
   EXPECT_NEAR(2 * half.summary.energy.total(), whole.summary.energy.total(), 1e-9 * whole.summary.energy.total());
@@ -343,7 +343,7 @@ TEST(RigidBodies, AreRefusedWhereTheyMakeNoSense) {
 
 TEST(RigidBodies, AreNotHeldBySupportsOfTheirNodes) {
   problem::Problem p = beam(end_plate());
-  p.supports.push_back(held("right", {Direction::z}));
+  p.shell.supports.push_back(held("right", {Direction::z}));
   EXPECT_THAT(refusal(p), HasSubstr("where the rigid body \"plate\" carries it"));
   p.rigid_bodies[0].fixed = {open, open, -0.01, 0.0, 0.0, open};
   EXPECT_THAT(refusal(p), HasSubstr("a support contradicts the rigid body \"plate\""));
@@ -353,7 +353,7 @@ TEST(RigidBodies, AreNotHeldBySupportsOfTheirNodes) {
 
 TEST(RigidBodies, HoldTheShellAgainstRigidMotions) {
   problem::Problem p = beam(end_plate());
-  p.supports.clear();
+  p.shell.supports.clear();
   const auto errors = [&] {
     int count = 0;
     for (const auto& finding : examination::examine(p)) count += finding.severity == examination::Severity::error;

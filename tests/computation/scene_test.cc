@@ -29,13 +29,13 @@ problem::Problem bowl(const Matrix3d& R, const std::vector<obstacle::Obstacle>& 
     turned[i] =
         fmt::format("({:.17g})*{} + ({:.17g})*{} + ({:.17g})*{}", R(i, 0), own[0], R(i, 1), own[1], R(i, 2), own[2]);
   p.charts = {{"", Chart({turned[0], turned[1], turned[2]}, {})}};
-  p.sections.common.thickness = Expression(0.04);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {clamped("rim")};
+  p.shell.sections.common.thickness = Expression(0.04);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("rim")};
   const Vector3d load = R * Vector3d(2e-4, 0, -4e-3);
-  p.area_loads = {force(load[0], load[1], load[2])};
-  p.obstacles = bodies;
-  for (obstacle::Obstacle& o : p.obstacles) o.placement = {R, Vector3d::Zero()};
+  p.shell.loads.on_areas = {force(load[0], load[1], load[2])};
+  p.shell.obstacles.all = bodies;
+  for (obstacle::Obstacle& o : p.shell.obstacles.all) o.placement = {R, Vector3d::Zero()};
   p.discretisation = {.degree = 3, .refinements = 1};
   return p;
 }
@@ -157,7 +157,7 @@ TEST(AMomentPoint, IsAsGoodAsMovingTheScene) {
   const Result a = solve(p, MPI_COMM_SELF);
   p.output.moment_point = Vector3d::Zero();
   p.charts = {{"", Chart({"x - 0.3", "y + 0.2", "1.03 - sqrt(1 - x^2 - y^2) - 1.5"}, {})}};
-  p.obstacles[0].placement = {Matrix3d::Identity(), -point};
+  p.shell.obstacles.all[0].placement = {Matrix3d::Identity(), -point};
   const Result b = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(b.status, contact::Status::solved) << b.missed_limits;
   const auto expect_equal = [](const solution::Wrench& found, const solution::Wrench& wanted) {
@@ -181,12 +181,13 @@ TEST(APanelSqueezedBetweenTwoPlates, HasMirrorEqualReactions) {
   problem::Problem p;
   p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
   p.charts = {{"", Chart({"x", "y", "0.02*cos(2*pi*x)"}, {})}};
-  p.sections.common.thickness = Expression(0.04);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {held("bottom", {Direction::y}), held("left", {Direction::x})};
+  p.shell.sections.common.thickness = Expression(0.04);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {held("bottom", {Direction::y}), held("left", {Direction::x})};
   const double slot = 0.07;  // of the wave's 0.08
-  p.obstacles = {{.name = "floor", .shape = obstacle::HalfSpace{.point = {0, 0, -slot / 2}}},
-                 {.name = "ceiling", .shape = obstacle::HalfSpace{.point = {0, 0, slot / 2}, .normal = {0, 0, -1}}}};
+  p.shell.obstacles.all = {
+      {.name = "floor", .shape = obstacle::HalfSpace{.point = {0, 0, -slot / 2}}},
+      {.name = "ceiling", .shape = obstacle::HalfSpace{.point = {0, 0, slot / 2}, .normal = {0, 0, -1}}}};
   p.discretisation = {.degree = 4, .refinements = 1};
   const Result r = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;

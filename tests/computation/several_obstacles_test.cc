@@ -16,18 +16,18 @@ problem::Problem strip(const std::string& height, const std::string& load, doubl
   problem::Problem p;
   p.domain = fem::Rectangle{.to = {1, width}, .cells = {8, 1}};
   p.charts = {{"", Chart({"x", "y", height}, {})}};
-  p.sections.common.thickness = Expression(thick);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {clamped("left"), clamped("right")};
+  p.shell.sections.common.thickness = Expression(thick);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("left"), clamped("right")};
   for (const char* side : {"bottom", "top"})
-    p.supports.push_back(
+    p.shell.supports.push_back(
         {.boundary = side,
          .components = {fixed(Unknown::displacement, Direction::y), fixed(Unknown::rotation, Direction::y)}});
-  p.area_loads = {assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression(load, {})}}};
-  p.obstacles = {{.name = "floor"},
-                 {.name = "ceiling",
-                  .shape = obstacle::HalfSpace{.point = {0, 0, ceiling}, .normal = {0, 0, -1}},
-                  .face = obstacle::Face::upper}};
+  p.shell.loads.on_areas = {assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression(load, {})}}};
+  p.shell.obstacles.all = {{.name = "floor"},
+                           {.name = "ceiling",
+                            .shape = obstacle::HalfSpace{.point = {0, 0, ceiling}, .normal = {0, 0, -1}},
+                            .face = obstacle::Face::upper}};
   p.discretisation = {.degree = 3, .refinements = 3};
   return p;
 }
@@ -81,12 +81,12 @@ problem::Problem plate_on_rollers(const std::vector<double>& places, double radi
   problem::Problem p;
   p.domain = fem::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
   p.charts = {{"", Chart({"x", "y", "0"}, {})}};
-  p.sections.common.thickness = Expression(thick);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {held("left", {Direction::x, Direction::y}), in_plane("bottom"), in_plane("top")};
-  p.area_loads = {force(0, 0, -1e-5)};
+  p.shell.sections.common.thickness = Expression(thick);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {held("left", {Direction::x, Direction::y}), in_plane("bottom"), in_plane("top")};
+  p.shell.loads.on_areas = {force(0, 0, -1e-5)};
   for (const double x : places)
-    p.obstacles.push_back(
+    p.shell.obstacles.all.push_back(
         {.name = "roller at " + std::to_string(x),
          .shape = obstacle::Cylinder{.point = {x, 0, -radius - thick / 2}, .axis = {0, 1, 0}, .radius = radius}});
   p.discretisation = {.degree = 2, .refinements = 2};
@@ -107,7 +107,7 @@ TEST(ThreeRollers, WhoseNormalsLieInOnePlaneCarryAPlateAtThreePlaces) {
 TEST(AFarRoller, ChangesNothing) {
   const Result two = solve(plate_on_rollers({-0.75, 0.75}, 0.05), MPI_COMM_SELF);
   problem::Problem p = plate_on_rollers({-0.75, 0.75}, 0.05);
-  p.obstacles.push_back(
+  p.shell.obstacles.all.push_back(
       {.name = "far", .shape = obstacle::Cylinder{.point = {0.1, 0, -3}, .axis = {0, 1, 0}, .radius = 0.5}});
   const Result three = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(two.status, contact::Status::solved);
@@ -122,16 +122,16 @@ TEST(ATubeBetweenPlates, GetsShorterAsARingDoes) {
   p.domain = fem::Rectangle{.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}};
   p.joins = {{{"left", "right"}}};
   p.charts = {{"", Chart({"sin(x)", "y", "1.01 - cos(x)"}, {})}};
-  p.sections.common.thickness = Expression(thickness);
-  p.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
-  p.supports = {in_plane("bottom"), in_plane("top")};
+  p.shell.sections.common.thickness = Expression(thickness);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
+  p.shell.supports = {in_plane("bottom"), in_plane("top")};
   for (const double x : {0.0, -pi})
-    p.supports.push_back(
+    p.shell.supports.push_back(
         {.components = {fixed(Unknown::displacement, Direction::x)}, .point = Eigen::Vector2d(x, length / 2)});
-  p.obstacles = {{.name = "floor"},
-                 {.name = "plate",
-                  .shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}},
-                  .force = {0, 0, -force}}};
+  p.shell.obstacles.all = {{.name = "floor"},
+                           {.name = "plate",
+                            .shape = obstacle::HalfSpace{.point = {0, 0, 2.02}, .normal = {0, 0, -1}},
+                            .force = {0, 0, -force}}};
   p.discretisation = {.degree = 4, .refinements = 1};
   const Result r = solve(p, MPI_COMM_SELF);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;

@@ -28,10 +28,10 @@ constexpr double e = 0.05;
 problem::Problem strip(double length = 1, double modulus = 1) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0"}, {});
   p.domain = fem::Rectangle{.to = {length, 0.125 * length}, .cells = {8, 1}};
-  p.sections.common.thickness = Expression(e * length);
-  p.sections.common.material = shell::Material::from_young_poisson(modulus, 0.3, 1);
-  p.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
-  p.area_loads.clear();
+  p.shell.sections.common.thickness = Expression(e * length);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(modulus, 0.3, 1);
+  p.shell.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
+  p.shell.loads.on_areas.clear();
   p.discretisation = {.degree = 2, .refinements = 1};
   return p;
 }
@@ -47,7 +47,7 @@ Obstacle box(double width, double height, double depth) {
 }
 
 Result solved(problem::Problem p, const Obstacle& obstacle) {
-  p.obstacles = {obstacle};
+  p.shell.obstacles.all = {obstacle};
   return solve(p, MPI_COMM_WORLD);
 }
 
@@ -110,7 +110,7 @@ TEST(AWire, FromAboveIsTheMirrorImage) {
 TEST(AWire, IsMetOnTrianglesToo) {
   problem::Problem p = strip();
   p.discretisation.cells = fem::Shape::triangle;
-  p.discretisation.tying = false;
+  p.shell.tying = false;
   const Result r = solved(p, wire(0.01, 0.015)), thick = solved(p, wire(0.2, 0.015));
   ASSERT_EQ(r.status, Status::solved) << status_text(r);
   EXPECT_NEAR(upward(r) / upward(thick), 1, 2e-2);
@@ -138,7 +138,7 @@ TEST(AWire, IsMetByACurvedShellThatIsTurnedInSpace) {
                    is_turned ? std::array<std::string, 3>{x, "R - R*cos(x)", y} : std::array<std::string, 3>{x, y, z},
                    {{"R", 1}});
     p.domain = fem::Rectangle{.from = {-0.5, 0}, .to = {0.5, 0.125}, .cells = {8, 1}};
-    p.supports = {clamped("left"), clamped("right")};
+    p.shell.supports = {clamped("left"), clamped("right")};
     p.discretisation.refinements = 1;
     return p;
   };
@@ -181,7 +181,7 @@ TEST(AWire, ThatAllNodesMissIsNamedWithItsPlace) {
   EXPECT_EQ(r.status, Status::inaccurate);
   EXPECT_THAT(r.missed_limits, HasSubstr("min_gap_between"));
   EXPECT_THAT(r.missed_limits, HasSubstr("the obstacle \"wire\" at x = 0.51"));
-  p.obstacles = {wire(0.004, 0.015, between_nodes)};
+  p.shell.obstacles.all = {wire(0.004, 0.015, between_nodes)};
   const Verification v =
       verify(p, finest_mesh(p, MPI_COMM_WORLD), {.state = r.solution->discrete->state, .nodal = r.solution->nodal});
   EXPECT_EQ(v.result.status, Status::inaccurate);
@@ -201,7 +201,7 @@ TEST(AWire, ThatNodesMissIsRefinedTowards) {
 TEST(AWire, ThatALoadMovesTheShellPastIsNotCalledSolved) {
   problem::Problem p = strip();
   p.discretisation.refinements = 0;
-  p.area_loads = {force(0, 0, -3e-4)};
+  p.shell.loads.on_areas = {force(0, 0, -3e-4)};
   Obstacle below = wire(0.004, -0.004, between_nodes);
   const Result free = solve(p, MPI_COMM_WORLD);
   ASSERT_GT(free.summary.max_displacement, e / 2 + 0.012);
@@ -214,8 +214,8 @@ TEST(ABall, ThatGoesFartherThanItIsThickIsFollowed) {
   for (const int parts : {1, 2}) {
     SCOPED_TRACE(fmt::format("{} parts", parts));
     problem::Problem p = strip();
-    p.obstacles = {wire(0.02, 0)};
-    p.obstacles[0].motions = {{.translation = {0, 0, 0.1}}};
+    p.shell.obstacles.all = {wire(0.02, 0)};
+    p.shell.obstacles.all[0].motions = {{.translation = {0, 0, 0.1}}};
     p.steps = {{.name = "up", .parts = parts}};
     const Result r = solve(p, MPI_COMM_WORLD), roller = solved(strip(), wire(0.2, 0.1));
     ASSERT_EQ(r.status, Status::solved) << status_text(r);
@@ -228,8 +228,8 @@ TEST(ABall, IsFollowedWhereAccuracyIsAskedFor) {
   problem::Problem p = strip();
   p.discretisation.refinements = 0;
   p.accuracy = problem::Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 4e4};
-  p.obstacles = {wire(0.02, 0)};
-  p.obstacles[0].motions = {{.translation = {0, 0, 0.1}}};
+  p.shell.obstacles.all = {wire(0.02, 0)};
+  p.shell.obstacles.all[0].motions = {{.translation = {0, 0, 0.1}}};
   p.steps = {{.name = "up", .parts = 2}};
   const Result r = solve(p, MPI_COMM_WORLD), roller = solved(strip(), wire(0.2, 0.1));
   ASSERT_EQ(r.status, Status::solved) << status_text(r);

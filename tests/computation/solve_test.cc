@@ -25,8 +25,8 @@ constexpr double shear_stiffness = E / 2 * thickness;  // k_s e mu with nu = 0, 
 problem::Problem beam() {
   problem::Problem p = free_plate();
   p.domain = fem::Rectangle{.to = {length, width}, .cells = {3, 1}};
-  p.sections.common.material = shell::Material::from_young_poisson(E, 0, 1);
-  p.supports = {clamped("left")};
+  p.shell.sections.common.material = shell::Material::from_young_poisson(E, 0, 1);
+  p.shell.supports = {clamped("left")};
   p.probes = {{.name = "tip", .at = {length, width / 2}},
               {.name = "root", .at = {0, 0}},
               {.name = "between", .at = {0.77, 0.1}}};
@@ -37,7 +37,7 @@ problem::Problem beam() {
 TEST(Beam, under_an_end_couple_bends_to_a_parabola) {
   problem::Problem p = beam();
   const double couple = 0.2;
-  p.edge_loads = {{.boundary = "right", .force = {}, .couple = vector(couple, 0, 0)}};
+  p.shell.loads.on_edges = {{.boundary = "right", .force = {}, .couple = vector(couple, 0, 0)}};
   for (const int degree : {2, 3, 4}) {
     p.discretisation.degree = degree;
     for (const ProbeValue& v : solve(p, MPI_COMM_SELF).probes) {
@@ -53,7 +53,7 @@ TEST(Beam, under_an_end_couple_bends_to_a_parabola) {
 TEST(Beam, under_an_end_force_bends_and_shears) {
   problem::Problem p = beam();
   const double F = 0.3;
-  p.edge_loads = {{.boundary = "right", .force = vector(0, 0, F), .couple = {}}};
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(0, 0, F), .couple = {}}};
   for (const ProbeValue& v : solve(p, MPI_COMM_SELF).probes) {
     const double x = v.values.x[0];
     EXPECT_NEAR(v.values.u[2], F * x * x * (3 * length - x) / (6 * bending_stiffness) + F * x / shear_stiffness, 1e-9)
@@ -66,7 +66,7 @@ TEST(Beam, under_an_end_force_bends_and_shears) {
 
 TEST(Beam, under_an_end_pull_stretches) {
   problem::Problem p = beam();
-  p.edge_loads = {{.boundary = "right", .force = vector(5, 0, 0), .couple = {}}};
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(5, 0, 0), .couple = {}}};
   for (const ProbeValue& v : solve(p, MPI_COMM_SELF).probes) {
     EXPECT_NEAR(v.values.u[0], 5 * v.values.x[0] / (E * thickness), 1e-12);
     EXPECT_NEAR(v.values.N[0], 5, 1e-9);
@@ -75,9 +75,9 @@ TEST(Beam, under_an_end_pull_stretches) {
 
 TEST(Beam, that_is_turned_in_space_deflects_alike) {
   problem::Problem flat = beam(), turned = with_chart(beam(), {"c*x", "s*x", "y"}, {{"c", 0.6}, {"s", 0.8}});
-  flat.edge_loads = {{.boundary = "right", .force = vector(0.1, 0.2, 0.3), .couple = {}}};
+  flat.shell.loads.on_edges = {{.boundary = "right", .force = vector(0.1, 0.2, 0.3), .couple = {}}};
   // x -> (c, s, 0), y -> e_z, a_3 = (s, -c, 0)
-  turned.edge_loads = {
+  turned.shell.loads.on_edges = {
       {.boundary = "right", .force = vector(0.1 * 0.6 + 0.3 * 0.8, 0.1 * 0.8 - 0.3 * 0.6, 0.2), .couple = {}}};
   const Result a = solve(flat, MPI_COMM_SELF), b = solve(turned, MPI_COMM_SELF);
   EXPECT_NEAR(a.summary.energy.total(), b.summary.energy.total(), 1e-10 * a.summary.energy.total());
@@ -116,7 +116,7 @@ TEST(Solution, satisfies_the_energy_identity) {
     EXPECT_LT(r.certificate.energy_identity, 1e-8);
     EXPECT_LT(r.certificate.stationarity, 1e-8);
     EXPECT_GT(r.summary.energy.total(), 0);
-    if (!p.obstacles.empty()) continue;
+    if (!p.shell.obstacles.empty()) continue;
     EXPECT_NEAR(2 * r.summary.energy.total(), r.summary.load_work, 1e-8 * r.summary.load_work);
   }
 }
@@ -124,7 +124,7 @@ TEST(Solution, satisfies_the_energy_identity) {
 TEST(Solution, is_linear_in_the_load_where_there_is_no_obstacle) {
   problem::Problem once = cantilever_plate(), twice = cantilever_plate();
   once.probes = twice.probes = {{.name = "tip", .at = {1, 0.5}}};
-  twice.area_loads.push_back(twice.area_loads[0]);
+  twice.shell.loads.on_areas.push_back(twice.shell.loads.on_areas[0]);
   const Result a = solve(once, MPI_COMM_SELF), b = solve(twice, MPI_COMM_SELF);
   EXPECT_LT((2 * a.probes[0].values.u - b.probes[0].values.u).norm(), 1e-10 * b.probes[0].values.u.norm());
   EXPECT_NEAR(4 * a.summary.energy.total(), b.summary.energy.total(), 1e-10 * b.summary.energy.total());
@@ -154,11 +154,11 @@ TEST(Contact, obeys_its_conditions_at_every_node) {  // g >= 0, eta >= 0, g eta 
 
 TEST(Contact, does_not_occur_under_a_load_that_lifts) {
   problem::Problem p = pressed_strip();
-  p.area_loads = {force(0, 0, 4e-3)};
+  p.shell.loads.on_areas = {force(0, 0, 4e-3)};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::solved);
   EXPECT_EQ(r.summary.touching_nodes, 0);
-  p.obstacles.clear();
+  p.shell.obstacles.all.clear();
   EXPECT_NEAR(solve(p, MPI_COMM_SELF).summary.energy.total(), r.summary.energy.total(),
               1e-12 * r.summary.energy.total());
 }
@@ -166,9 +166,9 @@ TEST(Contact, does_not_occur_under_a_load_that_lifts) {
 TEST(Contact, on_the_upper_face_under_a_ceiling_mirrors_that_on_the_lower_face_over_a_table) {
   problem::Problem below = pressed_strip(),
                    above = with_chart(pressed_strip(), {"x", "y", "-0.01 - e/2"}, {{"e", 0.05}});
-  above.area_loads = {force(0, 0, 4e-3)};
-  above.obstacles = {obstacle::Obstacle{.shape = obstacle::HalfSpace{.point = {0, 0, 0}, .normal = {0, 0, -1}},
-                                        .face = obstacle::Face::upper}};
+  above.shell.loads.on_areas = {force(0, 0, 4e-3)};
+  above.shell.obstacles.all = {obstacle::Obstacle{
+      .shape = obstacle::HalfSpace{.point = {0, 0, 0}, .normal = {0, 0, -1}}, .face = obstacle::Face::upper}};
   const Result a = solve(below, MPI_COMM_SELF), b = solve(above, MPI_COMM_SELF);
   EXPECT_EQ(a.summary.touching_nodes, b.summary.touching_nodes);
   EXPECT_NEAR(a.summary.energy.total(), b.summary.energy.total(), 1e-9 * a.summary.energy.total());
@@ -179,17 +179,17 @@ TEST(Contact, on_the_upper_face_under_a_ceiling_mirrors_that_on_the_lower_face_o
 
 TEST(Outcome, of_a_plate_that_nothing_holds_is_singular) {
   problem::Problem p = free_plate();
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::singular);
   EXPECT_EQ(r.levels.size(), 1u);  // no finer mesh would help
-  p.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
   EXPECT_EQ(solve(p, MPI_COMM_SELF).status, Status::singular);
 }
 
 TEST(Outcome, of_a_plate_that_only_the_obstacle_holds_is_a_solution) {
   problem::Problem p = pressed_strip();
-  p.supports = {held("left", {Direction::x, Direction::y}), held("bottom", {Direction::y})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y}), held("bottom", {Direction::y})};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::solved);
   EXPECT_NEAR(r.summary.reaction.force[2], 4e-3 * 0.125, 1e-9);
@@ -197,7 +197,7 @@ TEST(Outcome, of_a_plate_that_only_the_obstacle_holds_is_a_solution) {
 
 TEST(Outcome, of_an_edge_held_inside_of_the_obstacle_is_infeasible) {
   problem::Problem p = pressed_strip();
-  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point[2] = 0.02;
+  std::get<obstacle::HalfSpace>(p.shell.obstacles.all.at(0).shape).point[2] = 0.02;
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::infeasible);
   EXPECT_EQ(r.levels.size(), 1u);
@@ -211,10 +211,10 @@ TEST(Outcome, of_too_few_iterations_says_so) {
 
 TEST(Outcome, of_wrong_input_is_an_exception) {
   problem::Problem p = cantilever_plate();
-  p.supports.push_back(clamped("rim"));
+  p.shell.supports.push_back(clamped("rim"));
   EXPECT_THROW(solve(p, MPI_COMM_SELF), assembly::SupportError);
   p = cantilever_plate();
-  p.supports.push_back(
+  p.shell.supports.push_back(
       {.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
   EXPECT_THROW(solve(p, MPI_COMM_SELF), assembly::SupportError);
   p = cantilever_plate();

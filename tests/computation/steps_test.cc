@@ -15,12 +15,12 @@ problem::Problem plate() {
   problem::Problem p;
   p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
   p.charts = {{"", Chart({"x", "y", "0"}, {})}};
-  p.sections.common.thickness = Expression(0.05);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
-  p.area_loads = {force(0, 0, -1.2e-4)};
-  p.obstacles = {{.name = "table", .shape = obstacle::HalfSpace{.point = {0, 0, -0.032}}},
-                 {.name = "ball", .shape = obstacle::Ball{.centre = {0.25, 0, 0.33}, .radius = 0.3}}};
+  p.shell.sections.common.thickness = Expression(0.05);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  p.shell.loads.on_areas = {force(0, 0, -1.2e-4)};
+  p.shell.obstacles.all = {{.name = "table", .shape = obstacle::HalfSpace{.point = {0, 0, -0.032}}},
+                           {.name = "ball", .shape = obstacle::Ball{.centre = {0.25, 0, 0.33}, .radius = 0.3}}};
   p.discretisation = {.degree = 2, .refinements = 2};
   return p;
 }
@@ -45,9 +45,9 @@ TEST(Instants, GoInEqualPartsFromWhatWasToWhatTheStepSays) {
 TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
   problem::Problem many = plate(), one = plate();
   many.steps = {{.name = "weight", .load_factor = 1, .parts = 2}, {.name = "press", .load_factor = 1, .parts = 3}};
-  many.obstacles[0].motions = {obstacle::Motion{}, obstacle::Motion{}};
-  many.obstacles[1].motions = {obstacle::Motion{}, down(0.0115)};
-  one.obstacles[1].placement.translation = {0, 0, -0.0115};
+  many.shell.obstacles.all[0].motions = {obstacle::Motion{}, obstacle::Motion{}};
+  many.shell.obstacles.all[1].motions = {obstacle::Motion{}, down(0.0115)};
+  one.shell.obstacles.all[1].placement.translation = {0, 0, -0.0115};
   const Result a = solve(many, MPI_COMM_WORLD), b = solve(one, MPI_COMM_WORLD);
   ASSERT_EQ(a.status, contact::Status::solved);
   ASSERT_EQ(a.history.size(), 5U);
@@ -69,10 +69,10 @@ TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
 
 TEST(ForceOverWay, IsMonotoneAndComesBackTheSameWay) {
   problem::Problem p = plate();
-  p.area_loads.clear();
-  p.obstacles.erase(p.obstacles.begin());
+  p.shell.loads.on_areas.clear();
+  p.shell.obstacles.all.erase(p.shell.obstacles.all.begin());
   p.steps = {{.name = "press", .parts = 4}, {.name = "release", .parts = 4}};
-  p.obstacles[0].motions = {down(0.012), down(-0.012)};
+  p.shell.obstacles.all[0].motions = {down(0.012), down(-0.012)};
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved);
   ASSERT_EQ(r.history.size(), 8U);
@@ -86,7 +86,7 @@ TEST(ForceOverWay, IsMonotoneAndComesBackTheSameWay) {
 // leave open needs no other factor.
 TEST(AStep, TakesOneFactorisationForEachOfItsPartsAndFewActiveSets) {
   problem::Problem p = plate();
-  p.obstacles.erase(p.obstacles.begin() + 1);
+  p.shell.obstacles.all.erase(p.shell.obstacles.all.begin() + 1);
   p.discretisation = {.degree = 2, .refinements = 4};
   p.steps = {{.name = "press", .load_factor = 4, .parts = 12}};
   const Result r = solve(p, MPI_COMM_WORLD);
@@ -119,7 +119,7 @@ TEST(TheObserver, HearsOfEveryInstantWithItsSolution) {
 TEST(Steps, EndWhereOneIsNotSolved) {
   problem::Problem p = plate();
   p.steps = {{.name = "press", .parts = 1}, {.name = "through the rim", .parts = 2}};
-  p.obstacles[0].motions = {obstacle::Motion{}, down(-0.01)};  // the table enters the clamped edge
+  p.shell.obstacles.all[0].motions = {obstacle::Motion{}, down(-0.01)};  // the table enters the clamped edge
   const Result r = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(r.status, contact::Status::infeasible);
   EXPECT_EQ(r.history.size(), 3U);

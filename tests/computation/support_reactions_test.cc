@@ -20,10 +20,10 @@ problem::Problem supported_plate(const fem::Domain& domain, const std::vector<st
                                  int refinements = 1) {
   problem::Problem p = free_plate();
   p.domain = domain;
-  p.sections.common.thickness = Expression(0.02);
-  for (const std::string& edge : edges) p.supports.push_back(held(edge, {Direction::z}));
-  p.supports.push_back(held(edges.front(), {Direction::x, Direction::y}));
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.sections.common.thickness = Expression(0.02);
+  for (const std::string& edge : edges) p.shell.supports.push_back(held(edge, {Direction::z}));
+  p.shell.supports.push_back(held(edges.front(), {Direction::x, Direction::y}));
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   p.discretisation = {.degree = 4, .refinements = refinements};
   return p;
 }
@@ -89,8 +89,8 @@ TEST(SupportReactions, of_equal_edges_are_equal_whatever_their_order_and_angle) 
 
 TEST(SupportReactions, have_the_directions_that_are_fixed) {
   problem::Problem p = free_plate();
-  p.supports = {held("bottom", {Direction::y}), clamped("left")};
-  p.area_loads = {force(0.1, 0.2, -1)};
+  p.shell.supports = {held("bottom", {Direction::y}), clamped("left")};
+  p.shell.loads.on_areas = {force(0.1, 0.2, -1)};
   const Result result = solve(p, MPI_COMM_WORLD);
   expect_sum(result);
   const auto forces = edge_forces(result);
@@ -101,8 +101,8 @@ TEST(SupportReactions, have_the_directions_that_are_fixed) {
 
 TEST(SupportReactions, share_at_a_corner_what_both_edges_fix) {
   problem::Problem p = free_plate();
-  p.supports = {clamped("left"), held("left", {Direction::z}), held("bottom", {Direction::y})};
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.supports = {clamped("left"), held("left", {Direction::z}), held("bottom", {Direction::y})};
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   const Result result = solve(p, MPI_COMM_WORLD);
   expect_sum(result);
   ASSERT_EQ(result.summary.support_reactions.size(), 2u);
@@ -112,12 +112,12 @@ TEST(SupportReactions, share_at_a_corner_what_both_edges_fix) {
 
 TEST(SupportReactions, leave_a_point_on_an_edge_what_the_edge_does_not_hold) {
   problem::Problem p = supported_plate(fem::Rectangle{.cells = {2, 2}}, sides);
-  p.supports.pop_back();
+  p.shell.supports.pop_back();
   Support pin = held("", {Direction::x, Direction::y, Direction::z}), guide = held("", {Direction::y});
   pin.point = Eigen::Vector2d(0, 0.5);
   guide.point = Eigen::Vector2d(1, 0.5);
-  p.supports.insert(p.supports.begin(), {pin, guide});
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.supports.insert(p.shell.supports.begin(), {pin, guide});
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   const Result result = solve(p, MPI_COMM_WORLD);
   expect_sum(result);
   ASSERT_EQ(result.summary.point_reactions.size(), 2u);

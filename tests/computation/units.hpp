@@ -15,12 +15,12 @@ inline Problem panel(const Units& units) {
   const double L = units.length, F = units.force, pressure = F / (L * L);
   Problem p = with_chart(free_plate(), {"x", "y", "0.02*L + e/2 + 0.2*x^2/L"}, {{"L", L}, {"e", 0.1 * L}});
   p.domain = fem::Rectangle{.to = {L, L}, .cells = {2, 2}};
-  p.sections.common.thickness = Expression(0.1 * L);
-  p.sections.common.material = shell::Material::from_young_poisson(1e4 * pressure, 0.3, 1);
-  p.supports = {clamped("left"), held("right", {Direction::x, Direction::y, Direction::z})};
-  p.area_loads = {force(0, 0, -60 * pressure)};
-  p.edge_loads = {{.boundary = "top", .force = vector(0, 0, -3 * F / L), .couple = vector(0.1 * F, 0, 0)}};
-  p.obstacles = {obstacle::Obstacle{}};
+  p.shell.sections.common.thickness = Expression(0.1 * L);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1e4 * pressure, 0.3, 1);
+  p.shell.supports = {clamped("left"), held("right", {Direction::x, Direction::y, Direction::z})};
+  p.shell.loads.on_areas = {force(0, 0, -60 * pressure)};
+  p.shell.loads.on_edges = {{.boundary = "top", .force = vector(0, 0, -3 * F / L), .couple = vector(0.1 * F, 0, 0)}};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   p.probes = {{.name = "middle", .at = {0.5 * L, 0.4 * L}}};
   p.discretisation = {.degree = 2, .refinements = 1};
   return p;

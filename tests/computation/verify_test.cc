@@ -39,7 +39,7 @@ Verification verified(const problem::Problem& problem, const Change& change = {}
 problem::Problem with_formulation(element::Formulation formulation) {
   problem::Problem p = pressed_bowl();
   p.discretisation.refinements = 1;
-  p.discretisation.tangency.formulation = formulation;
+  p.shell.tangency.formulation = formulation;
   return p;
 }
 
@@ -47,7 +47,7 @@ problem::Problem with_formulation(element::Formulation formulation) {
 problem::Problem strip_on_ball() {
   problem::Problem p = pressed_strip();
   p.discretisation.refinements = 1;
-  p.obstacles = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {0.5, 0.0625, -1}, .radius = 1}}};
+  p.shell.obstacles.all = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {0.5, 0.0625, -1}, .radius = 1}}};
   return p;
 }
 
@@ -77,13 +77,14 @@ TEST(Verification, PassesWhatWasSolved) {
 TEST(Verification, PassesTrianglesCovariantComponentsTwoFacesAndCurvedObstacles) {
   problem::Problem triangles = pressed_strip(), covariant = pressed_strip(), between = pressed_strip();
   triangles.discretisation.cells = fem::Shape::triangle;
-  covariant.discretisation.tangency.formulation = element::Formulation::classical;
-  between.obstacles = {obstacle::Obstacle{.name = "lower", .face = obstacle::Face::lower},
-                       obstacle::Obstacle{.name = "upper",
-                                          .shape = obstacle::HalfSpace{.point = {0, 0, 0.0601}, .normal = {0, 0, -1}},
-                                          .face = obstacle::Face::upper}};
+  covariant.shell.tangency.formulation = element::Formulation::classical;
+  between.shell.obstacles.all = {
+      obstacle::Obstacle{.name = "lower", .face = obstacle::Face::lower},
+      obstacle::Obstacle{.name = "upper",
+                         .shape = obstacle::HalfSpace{.point = {0, 0, 0.0601}, .normal = {0, 0, -1}},
+                         .face = obstacle::Face::upper}};
   problem::Problem once = strip_on_ball();
-  once.linearisation.once = true;
+  once.shell.obstacles.are_linear = true;
   for (const problem::Problem& p : {triangles, covariant, between, strip_on_ball(), once}) {
     const Verification v = verified(p);
     EXPECT_THAT(failing(v), IsEmpty());
@@ -129,16 +130,16 @@ TEST(Verification, FailsWhereGapsAreLinearisedElsewhere) {
   };
   EXPECT_THAT(failing(verified(strip_on_ball(), shifted)), Contains("linearisation_error"));
   problem::Problem once = strip_on_ball();
-  once.linearisation.once = true;
+  once.shell.obstacles.are_linear = true;
   EXPECT_THAT(failing(verified(once, shifted)), Contains("linearisation_error"));
 }
 
 TEST(Verification, FailsWhereTheMixedFormulationWasLeftWithoutItsConstraint) {
   // With p = rho = 1 the penalised solution solves the mixed equations with lambda = 0, but for b(U, q) = 0.
   problem::Problem penalised = with_formulation(element::Formulation::penalised);
-  penalised.discretisation.tangency.penalty = penalised.discretisation.tangency.stabilisation = 1;
+  penalised.shell.tangency.penalty = penalised.shell.tangency.stabilisation = 1;
   problem::Problem mixed = penalised;
-  mixed.discretisation.tangency.formulation = element::Formulation::mixed;
+  mixed.shell.tangency.formulation = element::Formulation::mixed;
   Result result = solve(penalised, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   const FinestMesh mesh = finest_mesh(mixed, MPI_COMM_WORLD);
@@ -150,15 +151,15 @@ TEST(Verification, FailsWhereTheMixedFormulationWasLeftWithoutItsConstraint) {
 TEST(Verification, FailsWhereAnotherProblemIsSolved) {
   const problem::Problem solved = pressed_strip();
   const std::vector<std::pair<const char*, std::function<void(problem::Problem&)>>> others{
-      {"load", [](problem::Problem& p) { p.area_loads = {force(0, 0, -4.01e-3)}; }},
-      {"thickness", [](problem::Problem& p) { p.sections.common.thickness = Expression(0.0501); }},
+      {"load", [](problem::Problem& p) { p.shell.loads.on_areas = {force(0, 0, -4.01e-3)}; }},
+      {"thickness", [](problem::Problem& p) { p.shell.sections.common.thickness = Expression(0.0501); }},
       {"supports",
        [](problem::Problem& p) {
-         p.supports.pop_back();
-         p.supports.push_back(clamped("top"));
+         p.shell.supports.pop_back();
+         p.shell.supports.push_back(clamped("top"));
        }},
       {"obstacle", [](problem::Problem& p) {
-         p.obstacles.front() =
+         p.shell.obstacles.all.front() =
              obstacle::Obstacle{.shape = obstacle::HalfSpace{.point = {0, 0, 1e-4}, .normal = {0, 0, 1}}};
        }}};
   Result result = solve(solved, MPI_COMM_WORLD);

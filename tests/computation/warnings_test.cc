@@ -28,9 +28,9 @@ using testing::Not;
 problem::Problem bumpy_plate(int cells, double depth) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0.07 - depth*(sin(pi*x)*sin(pi*y))^2"}, {{"depth", depth}});
   p.domain = fem::Rectangle{.cells = {cells, cells}};
-  for (const char* side : {"left", "right", "bottom", "top"}) p.supports.push_back(clamped(side));
-  p.area_loads = {force(0, 0, -1e-6)};
-  p.obstacles = {obstacle::Obstacle{}};
+  for (const char* side : {"left", "right", "bottom", "top"}) p.shell.supports.push_back(clamped(side));
+  p.shell.loads.on_areas = {force(0, 0, -1e-6)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   p.discretisation = {.degree = 1, .refinements = 0};
   return p;
 }
@@ -42,7 +42,7 @@ TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
     problem::Problem p =
         with_chart(bumpy_plate(1, 0), {"x", "y", "0.07 - 0.06*(sin(n*pi*x)*sin(n*pi*y))^2"}, {{"n", bumps}});
     p.discretisation.cells = shape;
-    p.discretisation.tying = shape == fem::Shape::quadrilateral;
+    p.shell.tying = shape == fem::Shape::quadrilateral;
     const Result missed = solve(p, MPI_COMM_SELF);
     EXPECT_EQ(missed.summary.touching_nodes, 0);
     EXPECT_EQ(missed.status, Status::inaccurate);
@@ -59,11 +59,11 @@ TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
 problem::Problem dome_under_box(double depth) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "-1.025 + sqrt(1 - x^2 - y^2)"}, {});
   p.domain = fem::Disk{.radius = std::sin(0.5)};
-  p.sections.common.thickness = Expression(0.05);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {clamped("rim")};
-  p.area_loads.clear();
-  p.obstacles = {obstacle::Obstacle{
+  p.shell.sections.common.thickness = Expression(0.05);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("rim")};
+  p.shell.loads.on_areas.clear();
+  p.shell.obstacles.all = {obstacle::Obstacle{
       .name = "box", .shape = obstacle::Box{.centre = {0.03, 0.02, 0.15 - depth}, .size = {0.2, 0.3, 0.3}}}};
   p.discretisation = {.degree = 2, .refinements = 1};
   return p;
@@ -73,7 +73,7 @@ TEST(ABoxThatBeginsInside, PushesTheShellOutAlongItsFibresAsItDoesStepByStep) {
   for (const double depth : {0.03, 0.05}) {
     problem::Problem slowly = dome_under_box(0);
     slowly.steps = {{.name = "down", .parts = 6}};
-    slowly.obstacles[0].motions = {{.translation = {0, 0, -depth}}};
+    slowly.shell.obstacles.all[0].motions = {{.translation = {0, 0, -depth}}};
     const Result at_once = solve(dome_under_box(depth), MPI_COMM_SELF), r = solve(slowly, MPI_COMM_SELF);
     for (const Result* result : {&at_once, &r}) {
       EXPECT_EQ(result->status, Status::solved) << status_text(*result);
@@ -99,14 +99,14 @@ LeftOut left_out_of(const Result& r) { return left_out(r.summary, r.last_level()
 /// A strip from the left, that bends freely: no length changes although the rotations would stretch it.
 TEST(LinearModel, of_a_plate_that_bends_freely_is_left_with_its_rotations_and_not_with_its_stretch) {
   problem::Problem p = cantilever_plate();
-  p.sections.common.thickness = Expression(0.01);
-  p.area_loads = {force(0, 0, -0.0005)};
+  p.shell.sections.common.thickness = Expression(0.01);
+  p.shell.loads.on_areas = {force(0, 0, -0.0005)};
   const Result bent = solve(p, MPI_COMM_SELF);
   EXPECT_GT(left_out_of(bent).stretch, 5);
   EXPECT_LT(*left_out_of(bent).remaining_stretch, 0.01);
   EXPECT_LT(left_out_of(bent).largest(), 0.05);
   EXPECT_THAT(bent.warnings, IsEmpty());
-  p.area_loads = {force(0, 0, -0.1)};
+  p.shell.loads.on_areas = {force(0, 0, -0.1)};
   std::vector<std::string> told;
   Observer observer;
   observer.warning = [&](std::string_view text) { told.emplace_back(text); };
@@ -121,10 +121,10 @@ problem::Problem bent_disk(double thicknesses) {
   problem::Problem p = free_plate();
   const double e = 0.02, stiffness = e * e * e / (12 * (1 - 0.09));
   p.domain = fem::Disk{.radius = 1};
-  p.sections.common.thickness = Expression(e);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {clamped("rim")};
-  p.area_loads = {force(0, 0, -64 * stiffness * thicknesses * e)};
+  p.shell.sections.common.thickness = Expression(e);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("rim")};
+  p.shell.loads.on_areas = {force(0, 0, -64 * stiffness * thicknesses * e)};
   p.discretisation = {.degree = 4, .refinements = 1};
   return p;
 }
@@ -147,9 +147,10 @@ TEST(LinearModel, does_not_depend_on_units_or_on_the_turn_of_the_scene) {
   for (const double s : {1e-6, 1e3}) {
     problem::Problem p = with_chart(pressed_bowl(), {"y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)", "x"}, {{"s", s}});
     p.domain = fem::Disk{.radius = 0.479425538604203 * s};
-    p.sections.common.thickness = Expression(0.02 * s);
-    p.area_loads = {force(0, -2e-3, 0)};
-    p.obstacles[0].placement.rotation = Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    p.shell.sections.common.thickness = Expression(0.02 * s);
+    p.shell.loads.on_areas = {force(0, -2e-3, 0)};
+    p.shell.obstacles.all[0].placement.rotation =
+        Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
     const LeftOut turned = left_out_of(solve(p, MPI_COMM_SELF));
     EXPECT_NEAR(turned.work, metres.work, 1e-6 * metres.work) << s;
     EXPECT_NEAR(turned.stretch, metres.stretch, 1e-6 * metres.stretch) << s;
@@ -159,12 +160,12 @@ TEST(LinearModel, does_not_depend_on_units_or_on_the_turn_of_the_scene) {
 
 TEST(LinearModel, of_a_rigid_rotation_is_left_and_at_rest_it_is_not) {
   problem::Problem p = free_plate();
-  p.supports = {clamped("left")};
+  p.shell.supports = {clamped("left")};
   EXPECT_EQ(left_out_of(solve(p, MPI_COMM_SELF)).largest(), 0);
   Support turned = held("left", {Direction::x, Direction::y, Direction::z});
   turned.components.push_back(fixed(Unknown::rotation, Direction::x, Expression(0.5)));
   turned.components.push_back(fixed(Unknown::rotation, Direction::y));
-  p.supports = {turned};
+  p.shell.supports = {turned};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_GT(left_out_of(r).stretch, 1e3);
   EXPECT_TRUE(std::isfinite(left_out_of(r).stretch));
@@ -175,12 +176,12 @@ TEST(LinearModel, of_a_rigid_rotation_is_left_and_at_rest_it_is_not) {
 /// A strip in plane strain between hinges, pushed by `force` [N/m].
 problem::Problem pushed_strip(double force) {
   problem::Problem p = pressed_strip();
-  p.obstacles.clear();
-  p.area_loads.clear();
-  p.sections.common.thickness = Expression(0.1);
-  p.supports = {held("left", {Direction::x, Direction::z}), held("right", {Direction::z}), in_plane("bottom"),
-                in_plane("top")};
-  p.edge_loads = {{.boundary = "right", .force = vector(-force, 0, 0)}};
+  p.shell.obstacles.all.clear();
+  p.shell.loads.on_areas.clear();
+  p.shell.sections.common.thickness = Expression(0.1);
+  p.shell.supports = {held("left", {Direction::x, Direction::z}), held("right", {Direction::z}), in_plane("bottom"),
+                      in_plane("top")};
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(-force, 0, 0)}};
   return p;
 }
 
@@ -212,11 +213,11 @@ problem::Problem standing_dome(int refinements) {
   problem::Problem p =
       with_chart(free_plate(), {"x", "y", "sqrt(1 - x^2 - y^2) - cos(a) + e/2*cos(a)"}, {{"a", 0.5}, {"e", 0.05}});
   p.domain = fem::Disk{.radius = std::sin(0.5)};
-  p.sections.common.thickness = Expression(0.05);
-  p.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  p.supports = {held("rim", {Direction::tangent})};
-  p.area_loads = {force(0, 0, -1e-4)};
-  p.obstacles = {obstacle::Obstacle{}};
+  p.shell.sections.common.thickness = Expression(0.05);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {held("rim", {Direction::tangent})};
+  p.shell.loads.on_areas = {force(0, 0, -1e-4)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   p.discretisation = {.degree = 2, .refinements = refinements};
   return p;
 }
@@ -250,7 +251,7 @@ TEST(ContactSet, does_not_depend_on_the_unit_of_length) {
   for (const double s : {1e-12, 1e-9, 1e-6, 1e6}) {
     problem::Problem p = with_chart(pressed_bowl(), {"x", "y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)"}, {{"s", s}});
     p.domain = fem::Disk{.radius = 0.479425538604203 * s};
-    p.sections.common.thickness = Expression(0.02 * s);
+    p.shell.sections.common.thickness = Expression(0.02 * s);
     const Result r = solve(p, MPI_COMM_SELF);
     EXPECT_EQ(r.status, Status::solved) << s << ": " << status_text(r);
     EXPECT_EQ(r.summary.touching_nodes, metres.summary.touching_nodes) << s;
@@ -260,9 +261,9 @@ TEST(ContactSet, does_not_depend_on_the_unit_of_length) {
 
 TEST(Certificate, of_a_shell_too_thin_for_double_precision_does_not_pass) {
   problem::Problem p = with_chart(pressed_strip(), {"x", "y", "0.01 + 0.3*x"});
-  p.sections.common.thickness = Expression(1e-7);
-  p.supports = {clamped("left"), in_plane("bottom"), in_plane("top")};
-  p.area_loads = {force(0, 0, -4e-21)};
+  p.shell.sections.common.thickness = Expression(1e-7);
+  p.shell.supports = {clamped("left"), in_plane("bottom"), in_plane("top")};
+  p.shell.loads.on_areas = {force(0, 0, -4e-21)};
   p.discretisation.refinements = 1;
   p.contact.max_iterations = 10;
   const Result r = solve(p, MPI_COMM_SELF);
@@ -276,7 +277,7 @@ TEST(Certificate, of_a_rigid_motion_that_supports_prescribe_passes) {
   for (const Direction d : {Direction::x, Direction::y, Direction::z})
     all.components.push_back(fixed(Unknown::displacement, d, Expression(0.1)));
   for (const Direction d : {Direction::x, Direction::y}) all.components.push_back(fixed(Unknown::rotation, d));
-  p.supports = {all};
+  p.shell.supports = {all};
   const Result r = solve(p, MPI_COMM_SELF);
   EXPECT_EQ(r.status, Status::solved) << r.missed_limits;
 }
@@ -284,8 +285,8 @@ TEST(Certificate, of_a_rigid_motion_that_supports_prescribe_passes) {
 /// A strip that its weight presses on a thin roller across its middle.
 problem::Problem strip_on_roller(int refinements) {
   problem::Problem p = pressed_strip();
-  p.obstacles[0].shape = obstacle::Cylinder{.point = {0.5, 0, -0.02}, .axis = {0, 1, 0}, .radius = 0.02};
-  p.obstacles[0].name = "roller";
+  p.shell.obstacles.all[0].shape = obstacle::Cylinder{.point = {0.5, 0, -0.02}, .axis = {0, 1, 0}, .radius = 0.02};
+  p.shell.obstacles.all[0].name = "roller";
   p.discretisation = {.degree = 2, .refinements = refinements};
   return p;
 }
@@ -314,10 +315,10 @@ TEST(Contact, along_a_line_inside_the_shell_has_a_reaction_by_length_and_no_pres
 
 TEST(TheLargestStress, leaves_out_places_where_stresses_have_no_limit_and_names_them) {
   problem::Problem cantilever = cantilever_plate(), square = free_plate(), ell = free_plate();
-  square.area_loads = ell.area_loads = cantilever.area_loads;
-  for (const char* side : {"left", "right", "bottom", "top"}) square.supports.push_back(clamped(side));
+  square.shell.loads.on_areas = ell.shell.loads.on_areas = cantilever.shell.loads.on_areas;
+  for (const char* side : {"left", "right", "bottom", "top"}) square.shell.supports.push_back(clamped(side));
   ell.domain = fem::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
-  for (int k = 1; k <= 6; ++k) ell.supports.push_back(clamped(fmt::format("edge{}", k)));
+  for (int k = 1; k <= 6; ++k) ell.shell.supports.push_back(clamped(fmt::format("edge{}", k)));
   const Result a = solve(cantilever, MPI_COMM_SELF), b = solve(square, MPI_COMM_SELF), c = solve(ell, MPI_COMM_SELF);
   ASSERT_EQ(a.singular_places.size(), 2u);
   for (const auto& place : a.singular_places) {
@@ -337,9 +338,9 @@ TEST(TheLargestStress, leaves_out_places_where_stresses_have_no_limit_and_names_
 // 6 M/e^2 with the other principal one nu sigma.
 TEST(TheLargestStress, of_a_run_to_an_accuracy_is_as_accurate_as_it_says_and_is_that_of_probes) {
   problem::Problem p = free_plate();
-  p.sections.common.thickness = Expression(0.02);
-  for (const char* side : {"left", "right", "bottom", "top"}) p.supports.push_back(clamped(side));
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.sections.common.thickness = Expression(0.02);
+  for (const char* side : {"left", "right", "bottom", "top"}) p.shell.supports.push_back(clamped(side));
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   p.probes = {{"edge", {0, 0.5}}};
   p.discretisation = {.degree = 4, .layers = problem::Layers::automatic, .refinements = 0};
   p.accuracy =

@@ -16,7 +16,7 @@ Case parsed(const std::string& more = "") {
 }
 
 TEST(Shell, TakesYoungAndPoisson) {
-  const auto& material = parsed().problem.sections.common.material;
+  const auto& material = parsed().problem.shell.sections.common.material;
   EXPECT_DOUBLE_EQ(material.mu, 0.8);
   EXPECT_DOUBLE_EQ(material.lambda, 0.8);
   EXPECT_EQ(material.shear_correction, 1);
@@ -27,10 +27,10 @@ TEST(Shell, TakesLameConstantsAndAShearCorrection) {
       parse_case("[shell]\nlambda = \"-1/2\"\nmu = 3\nshear_correction = \"5/6\"\nthickness = \"0.1*(1 + x^2)\"\n" +
                      geometry_section,
                  "case.toml");
-  EXPECT_EQ(c.problem.sections.common.material.lambda, -0.5);
-  EXPECT_EQ(c.problem.sections.common.material.mu, 3);
-  EXPECT_DOUBLE_EQ(c.problem.sections.common.material.shear_correction, 5.0 / 6);
-  EXPECT_DOUBLE_EQ(c.problem.sections.common.thickness(2, 7), 0.5);
+  EXPECT_EQ(c.problem.shell.sections.common.material.lambda, -0.5);
+  EXPECT_EQ(c.problem.shell.sections.common.material.mu, 3);
+  EXPECT_DOUBLE_EQ(c.problem.shell.sections.common.material.shear_correction, 5.0 / 6);
+  EXPECT_DOUBLE_EQ(c.problem.shell.sections.common.thickness(2, 7), 0.5);
 }
 
 TEST(Constants, MayUseThoseAboveThemInTheOrderOfTheFile) {
@@ -51,12 +51,12 @@ TEST(Constants, StandInChartsLoadsAndThickness) {
       "domain = { disk = { radius = \"R/2\" } }\nchart = [\"x\", \"y\", \"R - sqrt(R^2 - x^2 - y^2)\"]\n"
       "[[load]]\nforce = [0, \"x\", \"-R*y\"]\n",
       "case.toml");
-  EXPECT_DOUBLE_EQ(c.problem.sections.common.thickness(0, 0), 0.02);
-  EXPECT_TRUE(c.problem.sections.common.thickness.is_constant());
+  EXPECT_DOUBLE_EQ(c.problem.shell.sections.common.thickness(0, 0), 0.02);
+  EXPECT_TRUE(c.problem.shell.sections.common.thickness.is_constant());
   EXPECT_EQ(std::get<fem::Disk>(c.problem.domain).radius, 1);
   const auto jet = c.problem.charts.at("")(0, 0);
   EXPECT_NEAR(jet.dd[0][2], 0.5, 1e-15);
-  EXPECT_DOUBLE_EQ(c.problem.area_loads[0].force[2](0, 3), -6);
+  EXPECT_DOUBLE_EQ(c.problem.shell.loads.on_areas[0].force[2](0, 3), -6);
 }
 
 /// A rectangle of the regions a and b, E = 2, density 7.
@@ -76,15 +76,15 @@ TEST(Loads, ActOnTheAreaOrOnABoundary) {
                            "[[load]]\nforce = [0, 0, -1]\n[[load]]\npressure = \"x\"\ncouple = [1, 0, 0]\n"
                            "[[load]]\nboundary = \"rim\"\nforce = [\"y\", 2, 3]\n")
                            .problem;
-  ASSERT_EQ(problem.area_loads.size(), 2u);
-  EXPECT_EQ(problem.area_loads[0].force[2](0, 0), -1);
-  EXPECT_EQ(problem.area_loads[0].pressure(0, 0), 0);
-  EXPECT_EQ(problem.area_loads[1].pressure(4, 0), 4);
-  EXPECT_EQ(problem.area_loads[1].couple[0](0, 0), 1);
-  ASSERT_EQ(problem.edge_loads.size(), 1u);
-  EXPECT_EQ(problem.edge_loads[0].boundary, "rim");
-  EXPECT_EQ(problem.edge_loads[0].force[0](0, 5), 5);
-  EXPECT_EQ(problem.edge_loads[0].couple[2](0, 5), 0);
+  ASSERT_EQ(problem.shell.loads.on_areas.size(), 2u);
+  EXPECT_EQ(problem.shell.loads.on_areas[0].force[2](0, 0), -1);
+  EXPECT_EQ(problem.shell.loads.on_areas[0].pressure(0, 0), 0);
+  EXPECT_EQ(problem.shell.loads.on_areas[1].pressure(4, 0), 4);
+  EXPECT_EQ(problem.shell.loads.on_areas[1].couple[0](0, 0), 1);
+  ASSERT_EQ(problem.shell.loads.on_edges.size(), 1u);
+  EXPECT_EQ(problem.shell.loads.on_edges[0].boundary, "rim");
+  EXPECT_EQ(problem.shell.loads.on_edges[0].force[0](0, 5), 5);
+  EXPECT_EQ(problem.shell.loads.on_edges[0].couple[2](0, 5), 0);
 }
 
 TEST(Loads, ActOnRegionsAndOnListsOfBoundaries) {
@@ -92,13 +92,13 @@ TEST(Loads, ActOnRegionsAndOnListsOfBoundaries) {
                            "[[load]]\nregion = \"b\"\npressure = 1\n[[load]]\nregion = [\"b\", \"a\"]\npressure = 2\n"
                            "[[load]]\nboundary = [\"top\", \"left\"]\nforce = [0, 0, \"x\"]\n")
                            .problem;
-  ASSERT_EQ(problem.area_loads.size(), 2u);
-  EXPECT_EQ(problem.area_loads[0].regions, std::vector<std::string>{"b"});
-  EXPECT_EQ(problem.area_loads[1].regions, (std::vector<std::string>{"b", "a"}));
-  ASSERT_EQ(problem.edge_loads.size(), 2u);
-  EXPECT_EQ(problem.edge_loads[0].boundary, "top");
-  EXPECT_EQ(problem.edge_loads[1].boundary, "left");
-  EXPECT_EQ(problem.edge_loads[1].force[2](3, 0), 3);
+  ASSERT_EQ(problem.shell.loads.on_areas.size(), 2u);
+  EXPECT_EQ(problem.shell.loads.on_areas[0].regions, std::vector<std::string>{"b"});
+  EXPECT_EQ(problem.shell.loads.on_areas[1].regions, (std::vector<std::string>{"b", "a"}));
+  ASSERT_EQ(problem.shell.loads.on_edges.size(), 2u);
+  EXPECT_EQ(problem.shell.loads.on_edges[0].boundary, "top");
+  EXPECT_EQ(problem.shell.loads.on_edges[1].boundary, "left");
+  EXPECT_EQ(problem.shell.loads.on_edges[1].force[2](3, 0), 3);
 }
 
 TEST(Regions, HaveOfTheShellWhatTheyDoNotGive) {
@@ -106,7 +106,7 @@ TEST(Regions, HaveOfTheShellWhatTheyDoNotGive) {
                            "[[region]]\nname = \"b\"\nthickness = \"0.5 + x\"\ndensity = 3\n[[region]]\nname = \"a\"\n"
                            "E = 8\nnu = 0.25\n[gravity]\nacceleration = [0, 1, -2]\n")
                            .problem;
-  const auto& [common, regions] = problem.sections;
+  const auto& [common, regions] = problem.shell.sections;
   ASSERT_EQ(regions.size(), 2u);
   EXPECT_EQ(regions.at("b").thickness(1, 0), 1.5);
   EXPECT_EQ(regions.at("b").material.mu, common.material.mu);
@@ -116,20 +116,21 @@ TEST(Regions, HaveOfTheShellWhatTheyDoNotGive) {
   EXPECT_EQ(regions.at("a").material.shear_correction, 0.5);
   EXPECT_EQ(regions.at("a").density, 7);
   EXPECT_EQ(common.density, 7);
-  EXPECT_EQ(problem.gravity, Eigen::Vector3d(0, 1, -2));
-  EXPECT_EQ(parsed().problem.gravity, Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(problem.shell.loads.gravity, Eigen::Vector3d(0, 1, -2));
+  EXPECT_EQ(parsed().problem.shell.loads.gravity, Eigen::Vector3d(0, 0, 0));
 }
 
 TEST(Obstacle, HasAUnitNormal) {
   const auto problem =
       parsed("[[obstacle]]\nhalf_space = { point = [0, 0, 1], normal = [0, 3, -4] }\nface = \"upper\"\n").problem;
-  ASSERT_EQ(problem.obstacles.size(), 1U);
-  EXPECT_EQ(problem.obstacles.at(0).face, obstacle::Face::upper);
-  EXPECT_EQ(std::get<obstacle::HalfSpace>(problem.obstacles.at(0).shape).point, Eigen::Vector3d(0, 0, 1));
+  ASSERT_EQ(problem.shell.obstacles.all.size(), 1U);
+  EXPECT_EQ(problem.shell.obstacles.all.at(0).face, obstacle::Face::upper);
+  EXPECT_EQ(std::get<obstacle::HalfSpace>(problem.shell.obstacles.all.at(0).shape).point, Eigen::Vector3d(0, 0, 1));
   EXPECT_NEAR(
-      (std::get<obstacle::HalfSpace>(problem.obstacles.at(0).shape).normal - Eigen::Vector3d(0, 0.6, -0.8)).norm(), 0,
-      1e-15);
-  EXPECT_TRUE(parsed().problem.obstacles.empty());
+      (std::get<obstacle::HalfSpace>(problem.shell.obstacles.all.at(0).shape).normal - Eigen::Vector3d(0, 0.6, -0.8))
+          .norm(),
+      0, 1e-15);
+  EXPECT_TRUE(parsed().problem.shell.obstacles.empty());
 }
 
 TEST(MeshAndSolver, TakeWhatTheyAreGiven) {
@@ -138,7 +139,7 @@ TEST(MeshAndSolver, TakeWhatTheyAreGiven) {
                            "linear_tolerance = 1e-9\ngap_tolerance = 1e-8\nmultiplier_tolerance = \"1e-7\"\n")
                            .problem;
   EXPECT_EQ(problem.discretisation.degree, 4);
-  EXPECT_FALSE(problem.discretisation.tying);
+  EXPECT_FALSE(problem.shell.tying);
   EXPECT_EQ(problem.discretisation.refinements, 3);
   EXPECT_EQ(problem.contact.max_iterations, 7);
   EXPECT_EQ(problem.contact.linear_tolerance, 1e-9);
@@ -150,7 +151,7 @@ TEST(Triangles, AreNotTied) {
   for (const char* mesh : {"cells = \"triangle\"\n", "tying = false\ndegree = 1\ncells = \"triangle\"\n"}) {
     const Case c = parsed(std::string("[mesh]\n") + mesh);
     EXPECT_EQ(c.problem.discretisation.cells, fem::Shape::triangle);
-    EXPECT_FALSE(c.problem.discretisation.tying);
+    EXPECT_FALSE(c.problem.shell.tying);
     EXPECT_EQ(c.effective["mesh"]["tying"], false);
     EXPECT_EQ(c.effective["mesh"]["cells"], "triangle");
   }
@@ -228,13 +229,13 @@ TEST(Effective, IsACaseOfItsOwnWithTheSameSettings) {
   for (const auto& [key, value] : c.effective.items()) text += key + " = " + in_toml(value) + "\n";
   const Case again = parse_case(text, "effective.toml");
   EXPECT_EQ(again.effective, c.effective) << text;
-  EXPECT_EQ(again.problem.sections.common.thickness(1, 0), c.problem.sections.common.thickness(1, 0));
-  EXPECT_EQ(again.problem.sections.regions.at("two").thickness(1, 3), 6);
+  EXPECT_EQ(again.problem.shell.sections.common.thickness(1, 0), c.problem.shell.sections.common.thickness(1, 0));
+  EXPECT_EQ(again.problem.shell.sections.regions.at("two").thickness(1, 3), 6);
   EXPECT_EQ(c.effective["load"][1]["boundary"], (nlohmann::json{"top", "right"}));
   EXPECT_EQ(c.effective["load"][2]["region"], nlohmann::json::array({"one"}));
   EXPECT_EQ(c.effective["support"][0]["boundary"], "left");
   EXPECT_EQ(c.effective["support"][2]["point"], (nlohmann::json{0.5, 0.0}));
-  EXPECT_EQ(again.problem.supports[1].components[2].value(3, 0), 3);
+  EXPECT_EQ(again.problem.shell.supports[1].components[2].value(3, 0), 3);
 }
 
 }  // namespace

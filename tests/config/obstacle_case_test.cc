@@ -21,7 +21,7 @@ Obstacle read(const std::string& lines) {
              "chart = [\"x\", \"y\", 0]\n[[obstacle]]\n" +
                  lines,
              PLASTRON_SOURCE_DIR "/tests/config/case.toml")
-      .problem.obstacles.at(0);
+      .problem.shell.obstacles.all.at(0);
 }
 
 double distance(const std::string& lines, const Vector3d& X) { return read(lines).nearest(X).distance; }

@@ -47,16 +47,19 @@ TEST(Defaults, OfTheFileAreThoseOfTheProgram) {
       "case.toml");
   const problem::Problem fresh;
   EXPECT_EQ(c.problem.discretisation.degree, fresh.discretisation.degree);
-  EXPECT_EQ(c.problem.discretisation.tying, fresh.discretisation.tying);
+  EXPECT_EQ(c.problem.shell.tying, fresh.shell.tying);
   EXPECT_EQ(c.problem.discretisation.refinements, fresh.discretisation.refinements);
   EXPECT_EQ(c.problem.contact.max_iterations, fresh.contact.max_iterations);
   EXPECT_EQ(c.problem.contact.gap_tolerance, fresh.contact.gap_tolerance);
   EXPECT_EQ(c.problem.contact.multiplier_tolerance, fresh.contact.multiplier_tolerance);
   EXPECT_EQ(c.problem.contact.linear_tolerance, fresh.contact.linear_tolerance);
-  EXPECT_EQ(c.problem.sections.common.material.shear_correction, fresh.sections.common.material.shear_correction);
-  EXPECT_EQ(c.problem.obstacles.at(0).face, obstacle::Obstacle{}.face);
-  EXPECT_EQ(std::get<obstacle::HalfSpace>(c.problem.obstacles.at(0).shape).point, obstacle::HalfSpace{}.point);
-  EXPECT_EQ(std::get<obstacle::HalfSpace>(c.problem.obstacles.at(0).shape).normal, obstacle::HalfSpace{}.normal);
+  EXPECT_EQ(c.problem.shell.sections.common.material.shear_correction,
+            fresh.shell.sections.common.material.shear_correction);
+  EXPECT_EQ(c.problem.shell.obstacles.all.at(0).face, obstacle::Obstacle{}.face);
+  EXPECT_EQ(std::get<obstacle::HalfSpace>(c.problem.shell.obstacles.all.at(0).shape).point,
+            obstacle::HalfSpace{}.point);
+  EXPECT_EQ(std::get<obstacle::HalfSpace>(c.problem.shell.obstacles.all.at(0).shape).normal,
+            obstacle::HalfSpace{}.normal);
 }
 
 TEST(Manual, IsWhatTheDeclarationsSay) {

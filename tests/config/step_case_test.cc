@@ -22,8 +22,8 @@ problem::Problem problem_with(const std::string& lines) {
 TEST(ACaseWithoutSteps, HasNone) {
   const auto problem = problem_with("");
   EXPECT_TRUE(problem.steps.empty());
-  EXPECT_TRUE(problem.obstacles.back().is_pressed());
-  EXPECT_TRUE(problem.obstacles.back().motions.empty());
+  EXPECT_TRUE(problem.shell.obstacles.all.back().is_pressed());
+  EXPECT_TRUE(problem.shell.obstacles.all.back().motions.empty());
 }
 
 TEST(Steps, KeepLoadsAndForcesUntilTheyAreGivenAnew) {
@@ -47,12 +47,14 @@ TEST(Moves, GoOnFromWhereTheStepBeforeHasLeftTheObstacle) {
       "[[step]]\n[[step.move]]\nobstacle = \"tool\"\nrotate = { axis = [0, 2, 0], angle = \"pi/2\" }\n[[step]]\n"
       "[[step.move]]\nobstacle = \"tool\"\ntranslate = [0, 0, 1]\n[[step.move]]\nobstacle = \"floor\"\n"
       "translate = [0, 0, 5]\n");
-  const obstacle::Obstacle& tool = problem.obstacles.back();
+  const obstacle::Obstacle& tool = problem.shell.obstacles.all.back();
   EXPECT_NEAR(tool.standing(1).nearest({3, 0, 0}).distance, -1, 1e-15);
   EXPECT_NEAR(tool.standing(2).nearest({3, 0, 1}).distance, -1, 1e-15);
   for (int face : {0, 1}) {  // both faces' obstacles move
-    EXPECT_NEAR(problem.obstacles[static_cast<std::size_t>(face)].standing(1).nearest({0, 0, 0}).distance, 0, 1e-15);
-    EXPECT_NEAR(problem.obstacles[static_cast<std::size_t>(face)].standing(2).nearest({0, 0, 0}).distance, -5, 1e-15);
+    EXPECT_NEAR(problem.shell.obstacles.all[static_cast<std::size_t>(face)].standing(1).nearest({0, 0, 0}).distance, 0,
+                1e-15);
+    EXPECT_NEAR(problem.shell.obstacles.all[static_cast<std::size_t>(face)].standing(2).nearest({0, 0, 0}).distance, -5,
+                1e-15);
   }
 }
 

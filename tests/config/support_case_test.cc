@@ -14,7 +14,7 @@ std::vector<assembly::Support> supports(const std::string& text) {
              "chart = [\"x\", \"y\", 0]\n[[support]]\nboundary = \"left\"\n" +
                  text,
              "case.toml")
-      .problem.supports;
+      .problem.shell.supports;
 }
 
 // "u.x = 0" and so on, for one support.

@@ -37,7 +37,7 @@ class SolvedSaddle {
     assembly::ShellDescription shell{.sections = test::steel_of(geometry::Expression(0.1)),
                                      .tying = choice.tying,
                                      .supports = {test::clamp("left"), test::clamp("right")},
-                                     .area_loads = {load}};
+                                     .loads = {.on_areas = {load}}};
     if (choice.has_obstacle) {
       obstacle::Obstacle table{};
       table.placement.translation = {0, 0, 0.3};

@@ -35,17 +35,17 @@ std::vector<problem::Problem> good_problems() {
   all.push_back(with_chart(cantilever_plate(), {"2*sin(x/2)", "y", "2*cos(x/2)"}));
   all.push_back(with_chart(cantilever_plate(), {"x", "y", "x^2 - y^2"}));
   problem::Problem quarter = free_plate();
-  quarter.supports = {symmetry("left"), symmetry("bottom"), held("right", {Direction::z})};
+  quarter.shell.supports = {symmetry("left"), symmetry("bottom"), held("right", {Direction::z})};
   all.push_back(quarter);
   problem::Problem quarter_cylinder = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
-  quarter_cylinder.supports = {symmetry("left"), symmetry("bottom"), clamped("top")};
+  quarter_cylinder.shell.supports = {symmetry("left"), symmetry("bottom"), clamped("top")};
   all.push_back(quarter_cylinder);
   problem::Problem probed = cantilever_plate();
   probed.probes = {{.name = "corner", .at = {1, 1}}, {.name = "middle", .at = {0.5, 0.5}}};
   all.push_back(probed);
   problem::Problem polygon = cantilever_plate();
   polygon.domain = fem::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
-  polygon.supports = {clamped("edge6")};
+  polygon.shell.supports = {clamped("edge6")};
   all.push_back(polygon);
   return all;
 }
@@ -76,7 +76,7 @@ TEST(Examination, finds_a_chart_with_parallel_tangents) {
 
 TEST(Examination, finds_a_chart_that_is_degenerate_at_an_edge_only) {
   problem::Problem polar = with_chart(cantilever_plate(), {"x*cos(y)", "x*sin(y)", "0"});
-  polar.supports = {clamped("right")};
+  polar.shell.supports = {clamped("right")};
   EXPECT_THAT(errors(polar), ElementsAre(AllOf(HasSubstr("degenerate"), HasSubstr("x = 0,"))));
 }
 
@@ -90,12 +90,12 @@ TEST(Examination, finds_a_pole_whose_tangent_is_zero_up_to_rounding) {
 
 TEST(Examination, finds_a_plate_that_is_thicker_than_a_shell_may_be) {
   problem::Problem p = with_chart(cantilever_plate(), {"500*x", "500*y", "0"});
-  p.sections.common.thickness = Expression(600.0);
+  p.shell.sections.common.thickness = Expression(600.0);
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("600 m thick"), HasSubstr("707"), HasSubstr("units"))));
-  p.sections.common.thickness = Expression(200.0);
+  p.shell.sections.common.thickness = Expression(200.0);
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("200 m thick")));
-  p.sections.common.thickness = Expression(100.0);
+  p.shell.sections.common.thickness = Expression(100.0);
   EXPECT_THAT(warnings(p), IsEmpty());
 }
 
@@ -111,10 +111,10 @@ TEST(Examination, finds_where_the_chart_is_finite_but_its_derivatives_are_not) {
 
 TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
   problem::Problem p = with_chart(cantilever_plate(), {"sin(x)", "8*y", "cos(x)"});
-  p.sections.common.thickness = Expression(2.0);
+  p.shell.sections.common.thickness = Expression(2.0);
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("too thick for its curvature"), HasSubstr("thickness 2"),
                                            HasSubstr("curvature 1"))));
-  p.sections.common.thickness = Expression(1.98);
+  p.shell.sections.common.thickness = Expression(1.98);
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("reaches 0.99")));
 }
@@ -122,7 +122,7 @@ TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
 TEST(Examination, finds_where_the_thickness_is_not_positive) {
   for (const std::string thickness : {"0.1 - 0.2*x", "0", "-1", "sqrt(0.5 - x)", "0.1*x"}) {
     problem::Problem p = cantilever_plate();
-    p.sections.common.thickness = Expression(thickness, {});
+    p.shell.sections.common.thickness = Expression(thickness, {});
     EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the thickness is "), HasSubstr("must be positive"))))
         << thickness;
   }
@@ -153,8 +153,8 @@ TEST(Examination, finds_a_region_without_a_chart) {
 
 TEST(Examination, finds_boundaries_that_are_not_there) {
   problem::Problem p = cantilever_plate();
-  p.supports.push_back(clamped("lfet"));
-  p.edge_loads.push_back({.boundary = "rim"});
+  p.shell.supports.push_back(clamped("lfet"));
+  p.shell.loads.on_edges.push_back({.boundary = "rim"});
   EXPECT_THAT(errors(p),
               ElementsAre(AllOf(HasSubstr("a support"), HasSubstr("\"lfet\""), HasSubstr("left, right, bottom, top")),
                           AllOf(HasSubstr("a load"), HasSubstr("\"rim\""))));
@@ -174,7 +174,7 @@ TEST(Examination, finds_a_mesh_file_that_is_not_there) {
 
 TEST(Examination, finds_a_clamped_edge_inside_of_the_obstacle) {
   problem::Problem p = pressed_strip();
-  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point[2] = 0.02;
+  std::get<obstacle::HalfSpace>(p.shell.obstacles.all.at(0).shape).point[2] = 0.02;
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("the boundary \"left\""),
                                            HasSubstr("inside of the obstacle at x = 0"), HasSubstr("0.01 m deep"))));
 }
@@ -190,9 +190,9 @@ TEST(Examination, warns_where_the_free_side_of_an_obstacle_changes_within_the_sh
   const auto slab = std::make_shared<const geometry::SpaceFunction>("abs(Z) - 0.1", geometry::Constants{});
   const auto at_height = [&](const std::string& z) {
     problem::Problem p = with_chart(pressed_strip(), {"x", "y", z});
-    p.obstacles.at(0).shape = obstacle::DistanceField(slab);
-    p.obstacles.at(0).face = obstacle::Face::nearer;
-    p.supports = {clamped("left")};
+    p.shell.obstacles.all.at(0).shape = obstacle::DistanceField(slab);
+    p.shell.obstacles.all.at(0).face = obstacle::Face::nearer;
+    p.shell.supports = {clamped("left")};
     return p;
   };
   const auto both_ways = AllOf(HasSubstr("which side of the obstacle is the free one"), HasSubstr("along (0, 0, 1) at"),
@@ -204,24 +204,25 @@ TEST(Examination, warns_where_the_free_side_of_an_obstacle_changes_within_the_sh
 
 TEST(Examination, says_that_corners_of_a_surface_were_joined) {
   problem::Problem p = pressed_strip();
-  p.obstacles.at(0).shape = obstacle::TriangleSurface({.points = {{0, 0, -9}, {9, 0, -9}, {0, 9, -9}, {0, 0, -1}},
-                                                       .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
-                                                       .joined = 2,
-                                                       .joined_over = 3e-6});
+  p.shell.obstacles.all.at(0).shape =
+      obstacle::TriangleSurface({.points = {{0, 0, -9}, {9, 0, -9}, {0, 9, -9}, {0, 0, -1}},
+                                 .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+                                 .joined = 2,
+                                 .joined_over = 3e-6});
   EXPECT_THAT(texts(p, Severity::note),
               testing::Contains(HasSubstr("2 corners at open sides were joined with others up to 3e-06 m away")));
 }
 
 TEST(Examination, finds_supports_that_contradict_each_other) {
   problem::Problem p = cantilever_plate();
-  p.supports.push_back(
+  p.shell.supports.push_back(
       {.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("contradict"), HasSubstr("x = 0, y = 0"))));
 }
 
 TEST(Examination, finds_symmetry_on_an_edge_that_lies_in_no_plane) {
   problem::Problem p = pressed_bowl();
-  p.supports = {symmetry("rim"), held("rim", {Direction::z})};
+  p.shell.supports = {symmetry("rim"), held("rim", {Direction::z})};
   EXPECT_THAT(errors(p), testing::Contains(AllOf(HasSubstr("\"rim\" is no symmetry plane"), HasSubstr("turns"))));
 }
 
@@ -235,13 +236,13 @@ TEST(FreeRigidMotions, are_all_six_without_a_support) {
 
 TEST(FreeRigidMotions, about_a_hinge_is_the_rotation_about_it) {
   problem::Problem p = free_plate();
-  p.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (0, 1, 0)")));
 }
 
 TEST(FreeRigidMotions, on_a_knife_edge_are_four) {  // u.z = 0 along x = 0
   problem::Problem p = free_plate();
-  p.supports = {held("left", {Direction::z})};
+  p.shell.supports = {held("left", {Direction::z})};
   EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"),
                                                        HasSubstr("translation along (0, 1, 0)"),
                                                        HasSubstr("rotation about the axis (0, 0, 1)"),
@@ -250,7 +251,7 @@ TEST(FreeRigidMotions, on_a_knife_edge_are_four) {  // u.z = 0 along x = 0
 
 TEST(FreeRigidMotions, in_the_plane_are_three) {
   problem::Problem p = free_plate();
-  for (const char* b : {"left", "right", "bottom", "top"}) p.supports.push_back(held(b, {Direction::z}));
+  for (const char* b : {"left", "right", "bottom", "top"}) p.shell.supports.push_back(held(b, {Direction::z}));
   EXPECT_THAT(errors(p), testing::UnorderedElementsAre(HasSubstr("translation along (1, 0, 0)"),
                                                        HasSubstr("translation along (0, 1, 0)"),
                                                        HasSubstr("rotation about the axis (0, 0, 1)")));
@@ -258,20 +259,20 @@ TEST(FreeRigidMotions, in_the_plane_are_three) {
 
 TEST(FreeRigidMotions, of_a_quarter_with_two_symmetries_is_the_translation_along_both_planes) {
   problem::Problem p = free_plate();
-  p.supports = {symmetry("left"), symmetry("bottom")};
+  p.shell.supports = {symmetry("left"), symmetry("bottom")};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("translation along (0, 0, 1)")));
 }
 
 TEST(FreeRigidMotions, of_a_bowl_whose_rim_may_turn_is_the_rotation_about_its_axis) {
   problem::Problem p = pressed_bowl();
-  p.obstacles.clear();
-  p.supports = {held("rim", {Direction::z, Direction::conormal})};
+  p.shell.obstacles.all.clear();
+  p.shell.supports = {held("rim", {Direction::z, Direction::conormal})};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (0, 0, 1)")));
 }
 
 TEST(FreeRigidMotions, that_only_the_obstacle_can_stop_are_named) {
   problem::Problem p = pressed_strip();
-  p.supports = {held("left", {Direction::x, Direction::y})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y})};
   const auto only_held = [](const problem::Problem& problem) {
     auto notes = texts(problem, Severity::note);
     std::erase_if(notes, [](const std::string& text) { return !text.starts_with("only the obstacle holds"); });
@@ -279,7 +280,7 @@ TEST(FreeRigidMotions, that_only_the_obstacle_can_stop_are_named) {
   };
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(only_held(p), SizeIs(3));
-  p.supports.clear();
+  p.shell.supports.clear();
   EXPECT_THAT(errors(p), SizeIs(3));  // along the table and about its normal
   EXPECT_THAT(only_held(p), SizeIs(3));
 }
@@ -288,10 +289,10 @@ TEST(FreeRigidMotions, do_not_depend_on_units_of_length) {
   for (const char* scale : {"1e-4", "1e4"}) {
     const std::string s = scale;
     problem::Problem p = with_chart(free_plate(), {s + "*x", s + "*y", "0"});
-    p.sections.common.thickness = Expression("0.1*" + s, {});
-    p.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
+    p.shell.sections.common.thickness = Expression("0.1*" + s, {});
+    p.shell.supports = {held("left", {Direction::x, Direction::y, Direction::z})};
     EXPECT_THAT(errors(p), SizeIs(1)) << scale;
-    p.supports = {clamped("left")};
+    p.shell.supports = {clamped("left")};
     EXPECT_THAT(errors(p), IsEmpty()) << scale;
   }
 }
@@ -301,9 +302,9 @@ TEST(FreeRigidMotions, do_not_depend_on_units_of_length) {
 /// The bowl, held against sliding alone: it may lift and tilt.
 problem::Problem loose_bowl(const std::string& load) {
   problem::Problem p = pressed_bowl();
-  p.supports = {held("rim", {Direction::x, Direction::y})};
-  p.area_loads = {force(0, 0, 0)};
-  p.area_loads[0].force[2] = Expression(load, {});
+  p.shell.supports = {held("rim", {Direction::x, Direction::y})};
+  p.shell.loads.on_areas = {force(0, 0, 0)};
+  p.shell.loads.on_areas[0].force[2] = Expression(load, {});
   return p;
 }
 
@@ -330,11 +331,11 @@ TEST(LooseShell, is_refused_where_the_loads_lift_it) {
 TEST(LooseShell, is_judged_up_to_the_load_that_just_tips_it) {
   problem::Problem flat = with_chart(free_plate(), {"x", "y", "0.1"});
   flat.domain = fem::Rectangle{.from = {-1, -1}, .to = {1, 1}, .cells = {2, 2}};
-  flat.supports = {held("left", {Direction::x, Direction::y})};
-  flat.obstacles = {obstacle::Obstacle{}};
-  flat.area_loads = {force(0, 0, 0)};
+  flat.shell.supports = {held("left", {Direction::x, Direction::y})};
+  flat.shell.obstacles.all = {obstacle::Obstacle{}};
+  flat.shell.loads.on_areas = {force(0, 0, 0)};
   const auto with_load = [&](const std::string& load) {
-    flat.area_loads[0].force[2] = Expression(load, {});
+    flat.shell.loads.on_areas[0].force[2] = Expression(load, {});
     return flat;
   };
   EXPECT_THAT(errors(with_load("-1-2.99*x")), IsEmpty());  // I = A / 3
@@ -354,10 +355,10 @@ TEST(LooseShell, is_warned_of_where_the_loads_do_no_work) {
 
 TEST(LooseShell, may_be_pressed_by_its_edges_and_by_couples) {
   problem::Problem p = loose_bowl("0");
-  p.edge_loads = {{.boundary = "rim", .force = vector(0, 0, -1), .couple = {}}};
+  p.shell.loads.on_edges = {{.boundary = "rim", .force = vector(0, 0, -1), .couple = {}}};
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(warnings(p), IsEmpty());
-  p.edge_loads[0].couple[1] = Expression(1.0);  // works on r.y, hence on a rotation about -x
+  p.shell.loads.on_edges[0].couple[1] = Expression(1.0);  // works on r.y, hence on a rotation about -x
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("rotation about the axis (-1, 0, 0)")));
 }
 
@@ -366,8 +367,8 @@ TEST(LooseShell, is_judged_alike_in_every_formulation_and_on_triangles) {
        {element::Formulation::penalised, element::Formulation::mixed, element::Formulation::classical})
     for (const char* load : {"-1e-3", "-1e-3-1e-2*x"}) {
       problem::Problem p = loose_bowl(load);
-      p.supports[0].components.push_back(fixed(Unknown::rotation, Direction::normal));
-      p.discretisation.tangency.formulation = formulation;
+      p.shell.supports[0].components.push_back(fixed(Unknown::rotation, Direction::normal));
+      p.shell.tangency.formulation = formulation;
       EXPECT_THAT(errors(p), SizeIs(load == std::string("-1e-3") ? 0 : 1));
       p.discretisation.cells = fem::Shape::triangle;
       EXPECT_THAT(errors(p), SizeIs(load == std::string("-1e-3") ? 0 : 1));
@@ -379,21 +380,22 @@ TEST(LooseShell, is_judged_alike_in_every_formulation_and_on_triangles) {
 /// The chart with its parameters exchanged: the same surface, a_3 turned round.
 problem::Problem turned(problem::Problem p) {
   auto [x, y, z] = p.charts.at("").components();
-  return with_chart(std::move(p), {y, x, z}, {{"R", 1}, {"e", p.sections.common.thickness(0, 0)}, {"clearance", 0.01}});
+  return with_chart(std::move(p), {y, x, z},
+                    {{"R", 1}, {"e", p.shell.sections.common.thickness(0, 0)}, {"clearance", 0.01}});
 }
 
 TEST(Face, that_is_the_far_one_is_an_error_that_says_where_a3_points) {
   for (problem::Problem p : {turned(pressed_bowl()), turned(pressed_strip())}) {
     EXPECT_THAT(errors(p), IsEmpty());  // the nearer face, unless one is named
-    p.obstacles.at(0).face = obstacle::Face::lower;
+    p.shell.obstacles.all.at(0).face = obstacle::Face::lower;
     EXPECT_THAT(errors(p), testing::Contains(AllOf(HasSubstr("the lower face is to touch"), HasSubstr("the far one"),
                                                    HasSubstr("a_3 = (0, 0, -1)"), HasSubstr("face = \"upper\""))));
     problem::Problem mended = p;
-    mended.obstacles.at(0).face = obstacle::Face::upper;
+    mended.shell.obstacles.all.at(0).face = obstacle::Face::upper;
     EXPECT_THAT(errors(mended), IsEmpty());
   }
   problem::Problem wrong = pressed_bowl();
-  wrong.obstacles.at(0).face = obstacle::Face::upper;
+  wrong.shell.obstacles.all.at(0).face = obstacle::Face::upper;
   EXPECT_THAT(errors(wrong), ElementsAre(AllOf(HasSubstr("face = \"lower\""), HasSubstr("away from"))));
 }
 
@@ -401,7 +403,7 @@ TEST(Face, that_is_near_is_described) {
   problem::Problem p = pressed_bowl();
   EXPECT_THAT(texts(p, Severity::note), testing::Contains(HasSubstr("the lower face looks at the obstacle")));
   EXPECT_THAT(texts(turned(p), Severity::note), testing::Contains(HasSubstr("the upper face looks at the obstacle")));
-  p.obstacles.at(0).face = obstacle::Face::lower;
+  p.shell.obstacles.all.at(0).face = obstacle::Face::lower;
   EXPECT_THAT(texts(p, Severity::note),
               testing::Contains(AllOf(HasSubstr("a_3 = (0, 0, 1)"), HasSubstr("the lower face is 0.02 m nearer"))));
 }
@@ -409,18 +411,18 @@ TEST(Face, that_is_near_is_described) {
 TEST(Face, is_judged_only_where_the_obstacle_is_near) {  // the upper half of a tube is farther than its thickness
   problem::Problem tube = with_chart(free_plate(), {"sin(x)", "-y", "1.1 - cos(x)"});
   tube.domain = fem::Rectangle{.from = {-3, 0}, .to = {3, 1}, .cells = {12, 2}};
-  tube.supports = {clamped("left"), clamped("right")};
-  tube.obstacles = {obstacle::Obstacle{.face = obstacle::Face::upper}};
+  tube.shell.supports = {clamped("left"), clamped("right")};
+  tube.shell.obstacles.all = {obstacle::Obstacle{.face = obstacle::Face::upper}};
   EXPECT_THAT(errors(tube), IsEmpty());
-  tube.obstacles.at(0).face = obstacle::Face::lower;
+  tube.shell.obstacles.all.at(0).face = obstacle::Face::lower;
   EXPECT_THAT(errors(tube), ElementsAre(HasSubstr("face = \"upper\"")));
 }
 
 TEST(Face, of_an_upright_shell_may_be_either) {
   problem::Problem wall = with_chart(free_plate(), {"x", "0", "y + 0.01"});
-  wall.supports = {clamped("top")};
+  wall.shell.supports = {clamped("top")};
   for (const auto face : {obstacle::Face::lower, obstacle::Face::upper}) {
-    wall.obstacles = {obstacle::Obstacle{.face = face}};
+    wall.shell.obstacles.all = {obstacle::Obstacle{.face = face}};
     EXPECT_THAT(errors(wall), IsEmpty());
     EXPECT_THAT(texts(wall, Severity::note), testing::Contains(HasSubstr("about equally near")));
   }
@@ -430,19 +432,19 @@ TEST(Face, of_an_inclined_strip_is_the_lower_one) {
   for (const double slope : {0.3, 1.0, 1.4}) {
     problem::Problem strip = with_chart(pressed_strip(), {"x*cos(s)", "y", "0.05 + x*sin(s)"}, {{"s", slope}});
     EXPECT_THAT(errors(strip), IsEmpty()) << slope;
-    strip.obstacles.at(0).face = obstacle::Face::upper;
+    strip.shell.obstacles.all.at(0).face = obstacle::Face::upper;
     EXPECT_THAT(errors(strip), SizeIs(1)) << slope;
   }
 }
 
 TEST(InitialGap, that_is_negative_everywhere_asks_for_a_reversed_normal) {
   problem::Problem p = pressed_strip();
-  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).normal = {0, 0, -1};
-  p.obstacles.at(0).face = obstacle::Face::upper;
+  std::get<obstacle::HalfSpace>(p.shell.obstacles.all.at(0).shape).normal = {0, 0, -1};
+  p.shell.obstacles.all.at(0).face = obstacle::Face::upper;
   EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("inside of the obstacle"), HasSubstr("is a normal reversed"))));
   problem::Problem lifted = pressed_strip();  // by its supports, out of the obstacle
-  std::get<obstacle::HalfSpace>(lifted.obstacles.at(0).shape).point[2] = 0.02;
-  for (Support& s : lifted.supports)
+  std::get<obstacle::HalfSpace>(lifted.shell.obstacles.all.at(0).shape).point[2] = 0.02;
+  for (Support& s : lifted.shell.supports)
     for (auto& c : s.components)
       if (c.unknown == Unknown::displacement && c.direction == Direction::z) c.value = Expression(0.03);
   EXPECT_THAT(errors(lifted), IsEmpty());
@@ -456,11 +458,11 @@ TEST(Examination, warns_where_nodes_may_miss_a_small_obstacle) {
         .name = "roller",
         .shape = obstacle::Cylinder{.point = {0.51, 0, -radius}, .axis = {0, 1, 0}, .radius = radius}};
   };
-  p.obstacles = {roller(0.01)};
+  p.shell.obstacles.all = {roller(0.01)};
   EXPECT_THAT(warnings(p), ElementsAre(AllOf(HasSubstr("all nodes may miss it"), HasSubstr("radius 0.01 m"))));
-  p.obstacles = {roller(0.02)};
+  p.shell.obstacles.all = {roller(0.02)};
   EXPECT_THAT(warnings(p), IsEmpty());
-  p.obstacles = {roller(0.01)};
+  p.shell.obstacles.all = {roller(0.01)};
   p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-3}}};
   EXPECT_THAT(warnings(p), IsEmpty());
 }
@@ -474,8 +476,8 @@ problem::Problem in_units(const problem::Problem& p, const std::string& scale,
                           const std::array<std::string, 3>& chart) {
   problem::Problem q = with_chart(p, {times(scale, chart[0]), times(scale, chart[1]), times(scale, chart[2])});
   const double s = std::stod(scale);
-  q.sections.common.thickness = Expression(s * p.sections.common.thickness(0, 0));
-  if (!q.obstacles.empty()) std::get<obstacle::HalfSpace>(q.obstacles.at(0).shape).point *= s;
+  q.shell.sections.common.thickness = Expression(s * p.shell.sections.common.thickness(0, 0));
+  if (!q.shell.obstacles.empty()) std::get<obstacle::HalfSpace>(q.shell.obstacles.all.at(0).shape).point *= s;
   return q;
 }
 
@@ -490,7 +492,7 @@ TEST(Units, of_length_change_no_finding) {
   const std::array<std::string, 3> inside{"x", "y", "0.035 - 1e-4*x*(1-x)"};
   const std::array<std::string, 3> deep{"x", "y", "0.02"};
   problem::Problem loose = pressed_strip();
-  loose.supports = {held("left", {Direction::x, Direction::y})};
+  loose.shell.supports = {held("left", {Direction::x, Direction::y})};
   for (const char* scale : {"1e-12", "1e-6", "1e6"}) {
     for (const auto& [problem, chart] :
          std::vector<std::pair<problem::Problem, std::array<std::string, 3>>>{{pressed_bowl(), bowl},
@@ -509,7 +511,7 @@ TEST(Units, of_length_hide_no_jump_between_regions) {
     problem::Problem p = two_regions({s + "*x", s + "*y", s + "*1e-4"});
     p.charts.erase("flat");
     p.charts.emplace("flat", Chart({s + "*x", s + "*y", "0*x"}, {}));
-    p.sections.common.thickness = Expression(0.1 * std::stod(s));
+    p.shell.sections.common.thickness = Expression(0.1 * std::stod(s));
     EXPECT_THAT(errors(p), ElementsAre(HasSubstr("do not meet at x = 1"))) << s;
   }
 }
@@ -518,7 +520,7 @@ TEST(Units, of_length_hide_no_support_inside_of_the_obstacle) {
   for (const double s : {1e-12, 1e-6, 1e6}) {
     problem::Problem p = in_units(pressed_strip(), std::to_string(1), {"x", "y", "0.035"});
     p = with_chart(p, {fmt::format("{}*x", s), fmt::format("{}*y", s), fmt::format("{}*(0.025 - 1e-9)", s)});
-    p.sections.common.thickness = Expression(0.05 * s);
+    p.shell.sections.common.thickness = Expression(0.05 * s);
     EXPECT_THAT(errors(p), ElementsAre(HasSubstr("inside of the obstacle"))) << s;
     p = with_chart(p, {fmt::format("{}*x", s), fmt::format("{}*y", s), fmt::format("{}*0.025", s)});
     EXPECT_THAT(errors(p), IsEmpty()) << s;
@@ -529,12 +531,12 @@ TEST(Units, of_length_hide_no_support_inside_of_the_obstacle) {
 problem::Problem tube_on_floor(double half) {
   problem::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "1 + e/2 - cos(x)"}, {{"e", 0.02}});
   p.domain = fem::Rectangle{.from = {-half, 0}, .to = {half, 1}, .cells = {8, 2}};
-  p.sections.common.thickness = Expression(0.02);
+  p.shell.sections.common.thickness = Expression(0.02);
   if (half > 3) p.joins = {{{"left", "right"}}};
-  p.supports = {held("bottom", {assembly::Direction::y}),
-                {.components = {fixed(assembly::Unknown::displacement, assembly::Direction::x)},
-                 .point = Eigen::Vector2d(0, 0.5)}};
-  p.obstacles = {obstacle::Obstacle{}};
+  p.shell.supports = {held("bottom", {assembly::Direction::y}),
+                      {.components = {fixed(assembly::Unknown::displacement, assembly::Direction::x)},
+                       .point = Eigen::Vector2d(0, 0.5)}};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   return p;
 }
 

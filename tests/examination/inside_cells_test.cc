@@ -24,12 +24,12 @@ constexpr auto both_shapes = {fem::Shape::quadrilateral, fem::Shape::triangle};
 
 problem::Problem with_thickness(const std::string& e) {
   problem::Problem p = cantilever_plate();
-  p.sections.common.thickness = Expression(e, {});
+  p.shell.sections.common.thickness = Expression(e, {});
   return p;
 }
 problem::Problem with_pressure(const std::string& pressure) {
   problem::Problem p = cantilever_plate();
-  p.area_loads[0].pressure = Expression(pressure, {});
+  p.shell.loads.on_areas[0].pressure = Expression(pressure, {});
   return p;
 }
 
@@ -78,7 +78,7 @@ TEST(InsideACell, a_fold_that_is_rounded_off_is_no_kink) {
   for (const char* z :
        {"sqrt((x - 0.3)^2 + 1e-2)", "0.05*tanh(50*(x - 0.3))", "sin(20*x)*0.1", "exp(-200*(x-0.4)^2)"}) {
     problem::Problem p = with_chart(cantilever_plate(), {"x", "y", z});
-    p.sections.common.thickness = Expression(1e-3);
+    p.shell.sections.common.thickness = Expression(1e-3);
     EXPECT_THAT(errors(p), IsEmpty()) << z;
     EXPECT_THAT(warnings(p), IsEmpty()) << z;
   }
@@ -118,8 +118,8 @@ TEST(InsideACell, a_jump_of_a_load_is_noted) {
       texts(with_pressure("x < 0.3 ? 1 : 0"), Severity::note),
       testing::Contains(AllOf(HasSubstr("a load's pressure"), HasSubstr("near x = 0.3, "), HasSubstr("divided"))));
   problem::Problem p = cantilever_plate();
-  p.edge_loads = {{.boundary = "right"}};
-  p.edge_loads[0].force[2] = Expression("sign(y - 0.7)", {});
+  p.shell.loads.on_edges = {{.boundary = "right"}};
+  p.shell.loads.on_edges[0].force[2] = Expression("sign(y - 0.7)", {});
   EXPECT_THAT(texts(p, Severity::note),
               testing::Contains(AllOf(HasSubstr("z component of a load's force on the boundary \"right\""),
                                       HasSubstr("near x = 1, y = 0.7"))));
@@ -132,17 +132,17 @@ TEST(Load, that_is_not_finite_is_an_error_with_its_place_and_its_key) {
                                 HasSubstr("must be finite"))));
   EXPECT_THAT(errors(with_pressure("log(x - 0.5)")), ElementsAre(HasSubstr("nan at x = ")));
   problem::Problem p = cantilever_plate();
-  p.area_loads[0].couple[1] = Expression("sqrt(y - 0.99)", {});
-  p.edge_loads = {{.boundary = "right"}};
-  p.edge_loads[0].force[0] = Expression("log(-y)", {});
+  p.shell.loads.on_areas[0].couple[1] = Expression("sqrt(y - 0.99)", {});
+  p.shell.loads.on_edges = {{.boundary = "right"}};
+  p.shell.loads.on_edges[0].force[0] = Expression("log(-y)", {});
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("the y component of a load's couple"),
                                      AllOf(HasSubstr("the x component of a load's force"), HasSubstr("\"right\""))));
 }
 
 TEST(Support, that_prescribes_no_finite_value_is_an_error_with_its_place_and_its_key) {
   problem::Problem p = cantilever_plate();
-  p.supports.push_back(held("right", {Direction::z}));
-  p.supports[1].components[0].value = Expression("1/y", {});
+  p.shell.supports.push_back(held("right", {Direction::z}));
+  p.shell.supports[1].components[0].value = Expression("1/y", {});
   EXPECT_THAT(errors(p),
               testing::Contains(AllOf(HasSubstr("the value of u.z on the boundary \"right\", \"1/y\", is inf"),
                                       HasSubstr("at x = 1, y = 0"))));

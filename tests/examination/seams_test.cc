@@ -30,8 +30,8 @@ problem::Problem rolled(double turns, double radius, fem::Shape cells = fem::Sha
   p.domain = fem::Rectangle{.to = {turns, 1}};
   p.charts.clear();
   p.charts.emplace("", Chart({"R*sin(w*x)", "R*y", "R*cos(w*x)"}, constants));
-  p.sections.common.thickness = Expression(0.01 * radius);
-  p.supports = {clamped("bottom")};
+  p.shell.sections.common.thickness = Expression(0.01 * radius);
+  p.shell.supports = {clamped("bottom")};
   p.discretisation.cells = cells;
   return p;
 }

@@ -66,9 +66,9 @@ class Damage {
 std::vector<Problem> problems() {
   std::vector<Problem> all{pressed_plate({.refinements = 1}), pressed_plate({.refinements = 1})};
   Problem& over_ball = all.back();
-  over_ball.obstacles = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {1, 0.5, -5}, .radius = 5}}};
+  over_ball.shell.obstacles.all = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {1, 0.5, -5}, .radius = 5}}};
   over_ball.admissible = true;
-  over_ball.discretisation.tangency.formulation = element::Formulation::mixed;
+  over_ball.shell.tangency.formulation = element::Formulation::mixed;
   return all;
 }
 
@@ -80,7 +80,7 @@ bool is_judged(const std::filesystem::path& path, const Problem& problem, const 
         problem, mesh,
         read_solution(path, mesh.space,
                       {.obstacles = 1,
-                       .has_multiplier = problem.discretisation.tangency.formulation == element::Formulation::mixed,
+                       .has_multiplier = problem.shell.tangency.formulation == element::Formulation::mixed,
                        .has_lifts = problem.admissible}));
     EXPECT_GT(compare_numbers(claimed, verification.result).size(), 50U);
     return true;

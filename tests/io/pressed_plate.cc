@@ -8,19 +8,19 @@ problem::Problem pressed_plate(const PressedPlate& options) {
   problem::Problem problem;
   problem.domain = fem::Rectangle{.cells = {options.cells, options.cells}};
   problem.charts.emplace("", geometry::Chart({"2 * x", "y", "0.012"}, {}));
-  problem.sections.common.thickness = geometry::Expression(0.02);
-  problem.sections.common.material = shell::Material::from_young_poisson(1e9, 0.3, 1);
+  problem.shell.sections.common.thickness = geometry::Expression(0.02);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(1e9, 0.3, 1);
   for (const char* boundary : {"left", "right", "bottom", "top"}) {
     assembly::Support support{.boundary = boundary, .components = {}};
     for (const Unknown unknown : {Unknown::displacement, Unknown::rotation})
       for (const Direction direction : {Direction::x, Direction::y, Direction::z})
         support.components.push_back({.unknown = unknown, .direction = direction});
-    problem.supports.push_back(support);
+    problem.shell.supports.push_back(support);
   }
   assembly::AreaLoad load;
   load.force[2] = geometry::Expression(-6e3);
-  problem.area_loads.push_back(load);
-  if (options.obstacle) problem.obstacles = {obstacle::Obstacle{}};
+  problem.shell.loads.on_areas.push_back(load);
+  if (options.obstacle) problem.shell.obstacles.all = {obstacle::Obstacle{}};
   problem.probes.push_back({.name = "centre", .at = {0.5, 0.5}});
   problem.discretisation = {.cells = options.shape, .degree = options.degree, .refinements = options.refinements};
   return problem;

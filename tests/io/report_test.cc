@@ -200,7 +200,7 @@ TEST(Report, stays_below_twelve_megabytes_for_a_hundred_thousand_points) {
 TEST(Report, of_texts_that_look_like_markup_shows_them_as_text) {
   const std::string evil = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\" ' & {{script}} <!-- \xff";
   problem::Problem problem = pressed_plate({.degree = 1, .refinements = 1});
-  problem.obstacles.front().name = evil;
+  problem.shell.obstacles.all.front().name = evil;
   problem.probes.front().name = evil;
   const ScratchDirectory scratch("evil");
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);

@@ -25,8 +25,8 @@ using testing::HasSubstr;
 constexpr std::size_t header_bytes = 72 + 16, head_bytes = 64;  // one obstacle
 
 SolutionShape shape_of(const Problem& problem) {
-  return {.obstacles = static_cast<int>(problem.obstacles.size()),
-          .has_multiplier = problem.discretisation.tangency.formulation == element::Formulation::mixed,
+  return {.obstacles = static_cast<int>(problem.shell.obstacles.all.size()),
+          .has_multiplier = problem.shell.tangency.formulation == element::Formulation::mixed,
           .has_lifts = problem.admissible};
 }
 
@@ -43,8 +43,9 @@ void write(const Solution& solution, const std::filesystem::path& path, MPI_Comm
 /// A plate over a plane, or over a ball, against which its gaps are linearised again.
 Problem plate(element::Formulation formulation, fem::Shape shape, bool over_ball = false) {
   Problem p = pressed_plate({.shape = shape});
-  p.discretisation.tangency.formulation = formulation;
-  if (over_ball) p.obstacles = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {1, 0.5, -5}, .radius = 5}}};
+  p.shell.tangency.formulation = formulation;
+  if (over_ball)
+    p.shell.obstacles.all = {obstacle::Obstacle{.shape = obstacle::Ball{.centre = {1, 0.5, -5}, .radius = 5}}};
   return p;
 }
 

@@ -19,7 +19,7 @@ problem::Problem layered(const fem::Domain& domain, const std::array<std::string
                          double unit = 1) {
   problem::Problem p = with_chart(test::free_plate(), chart, {{"L", unit}});
   p.domain = domain;
-  p.sections.common.thickness = geometry::Expression(thickness);
+  p.shell.sections.common.thickness = geometry::Expression(thickness);
   p.discretisation = {.degree = 4, .layers = problem::Layers::automatic, .refinements = 0};
   return p;
 }
@@ -81,7 +81,7 @@ TEST(StartMesh, HasRowsAlongEveryEdgeOfAThinShellAndNoneOfAPlate) {
 
 TEST(StartMesh, HasNoRowsWhereTheShellGoesOn) {
   problem::Problem p = saddle(1e-3);
-  p.supports = {clamped("left"), symmetry("bottom")};
+  p.shell.supports = {clamped("left"), symmetry("bottom")};
   const auto rows = meshing::start_mesh(p).rows;
   ASSERT_EQ(rows.size(), 3u);
   for (const meshing::EdgeLayer& row : rows) EXPECT_NE(row.boundary, 2);
@@ -93,8 +93,8 @@ TEST(StartMesh, OfRegionsHasRowsThatFollowTheirThickness) {
   const auto chart = p.charts.begin()->second;
   p.charts.clear();
   for (const char* name : {"thin", "thick"}) p.charts.emplace(name, chart);
-  p.sections.regions["thick"] = p.sections.common;
-  p.sections.regions["thick"].thickness = geometry::Expression(4e-4);
+  p.shell.sections.regions["thick"] = p.shell.sections.common;
+  p.shell.sections.regions["thick"].thickness = geometry::Expression(4e-4);
   const auto layers = meshing::edge_layers(p);
   ASSERT_EQ(layers.size(), 6u);
   EXPECT_NEAR(layers[1].width / layers[0].width, 2, 1e-6);
@@ -123,8 +123,8 @@ TEST(StartMesh, IsFinerInsideForThinnerShellsAndCoarserWhereItWillBeRefined) {
 
 TEST(StartMesh, KeepsPointsThatAreHeldAmongItsNodes) {
   problem::Problem p = saddle(1e-3);
-  p.supports = {{.components = {test::fixed(assembly::Unknown::displacement, assembly::Direction::z)},
-                 .point = Eigen::Vector2d(0.123, 0)}};
+  p.shell.supports = {{.components = {test::fixed(assembly::Unknown::displacement, assembly::Direction::z)},
+                       .point = Eigen::Vector2d(0.123, 0)}};
   EXPECT_FALSE(meshing::start_mesh(p).no_rows.empty());
 }
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 #include <research/study/nearest_admissible.hpp>
 #include <research/study/nodal_interpolant.hpp>
 
@@ -38,7 +37,7 @@ struct TwoMeshes {
   std::unique_ptr<assembly::DiscreteShell> discretised(const Problem& problem) const {
     return assembly::discretise(sequence.space(),
                                 std::make_shared<const fem::Surface>(sequence.space()->coarse, problem.charts),
-                                problem::shell_description(problem));
+                                problem.shell);
   }
 
   fem::MeshSequence sequence;

@@ -25,11 +25,11 @@ struct Element {
 /// A small shell above a table, clamped at two sides and pressed on it.
 Problem small_panel(const Element& element) {
   Problem p = with_chart(free_plate(), {"x", "y", "0.06 + 0.2*x^2"});
-  p.supports = {clamped("left"), clamped("right")};
-  p.area_loads = {force(0, 0, -100)};
-  p.obstacles = {obstacle::Obstacle{}};
+  p.shell.supports = {clamped("left"), clamped("right")};
+  p.shell.loads.on_areas = {force(0, 0, -100)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
   p.domain = fem::Rectangle{.cells = {2, 2}};
-  p.discretisation = {.cells = element.cells, .degree = element.degree, .tying = true, .refinements = 1};
+  p.discretisation = {.cells = element.cells, .degree = element.degree, .refinements = 1};
   return p;
 }
 
@@ -68,7 +68,7 @@ TEST(EveryStudy, TakesTheFormulationOfTheCase) {
   for (const Formulation formulation : {Formulation::penalised, Formulation::mixed, Formulation::classical})
     for (const Shape cells : {Shape::triangle, Shape::quadrilateral}) {
       Problem p = small_panel({cells, 2});
-      p.discretisation.tangency.formulation = formulation;
+      p.shell.tangency.formulation = formulation;
       p.discretisation.refinements = 0;
       for (const Kind* kind : all_kinds()) expect_computed(*kind, p);
     }

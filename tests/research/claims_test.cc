@@ -31,14 +31,14 @@ StudyOptions few() {
 /// A shallow shell, clamped at one side, that nothing loads.
 problem::Problem unloaded() {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
-  p.area_loads.clear();
+  p.shell.loads.on_areas.clear();
   return p;
 }
 
 /// A strip so far above the table that it never gets there.
 problem::Problem strip_in_the_air() {
   problem::Problem p = pressed_strip();
-  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point = {0, 0, -1};
+  std::get<obstacle::HalfSpace>(p.shell.obstacles.all.at(0).shape).point = {0, 0, -1};
   p.discretisation.refinements = 1;
   return p;
 }
@@ -65,7 +65,7 @@ TEST(EveryStudy, OfAShellThatDoesNotMoveCanJudgeNoSolution) {
 
 TEST(EveryStudy, OfAShellThatMovesRigidlyCanJudgeNoSolution) {
   problem::Problem p = unloaded();
-  p.supports.front().components[2].value = Expression(0.3);
+  p.shell.supports.front().components[2].value = Expression(0.3);
   for (const std::string name : {"convergence", "penalty", "thickness", "compare"}) {
     SCOPED_TRACE(name);
     for (const Claim& claim : run(name, p, few()).table.claims)
@@ -105,9 +105,9 @@ TEST(Convergence, OfAShellWithCornersDoesNotHaveTheOrderOfSmoothSolutions) {
 // A plate stretched evenly: its strains are in every space.
 TEST(Convergence, WhoseErrorsAreRoundingSaysSo) {
   problem::Problem p = free_plate();
-  p.supports = {held("left", {Direction::x}), held("bottom", {Direction::y, Direction::z})};
-  p.supports.push_back({.boundary = "left", .components = {fixed(Unknown::displacement, Direction::z)}});
-  p.edge_loads = {{.boundary = "right", .force = vector(1, 0, 0), .couple = vector(0, 0, 0)}};
+  p.shell.supports = {held("left", {Direction::x}), held("bottom", {Direction::y, Direction::z})};
+  p.shell.supports.push_back({.boundary = "left", .components = {fixed(Unknown::displacement, Direction::z)}});
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(1, 0, 0), .couple = vector(0, 0, 0)}};
   const Table table = run("convergence", p, few()).table;
   expect_none_judged(table, "rounding");
   EXPECT_TRUE(std::isnan(table.fits.front().exponent));
@@ -122,7 +122,7 @@ TEST(Continuity, OfAStripInTheAirSaysNothingOfTheObstaclesHeight) {
 
 TEST(Continuity, GivesTheReasonForAKindThatItLeavesOut) {
   problem::Problem p = pressed_strip();
-  p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
   const Claim load = claim_on(run("continuity", p, few()).table, "load");
   EXPECT_EQ(load.verdict, Verdict::cannot_be_judged);
   EXPECT_THAT(load.reason, HasSubstr("rigid motion"));
@@ -131,8 +131,8 @@ TEST(Continuity, GivesTheReasonForAKindThatItLeavesOut) {
 // Stretched in its plane a plate does not rotate.
 TEST(Thickness, WithoutRotationSaysNothingOfKoiters) {
   problem::Problem p = free_plate();
-  p.supports = {clamped("left")};
-  p.area_loads = {force(1, 0, 0)};
+  p.shell.supports = {clamped("left")};
+  p.shell.loads.on_areas = {force(1, 0, 0)};
   const Table table = run("thickness", p, few()).table;
   EXPECT_EQ(claim_on(table, "Koiter").verdict, Verdict::cannot_be_judged);
   EXPECT_EQ(claim_on(table, "stiffness").verdict, Verdict::holds);
@@ -140,14 +140,14 @@ TEST(Thickness, WithoutRotationSaysNothingOfKoiters) {
 
 TEST(Thickness, IsJudgedByTheWholeEnergyInRelaxedFormulations) {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
-  p.discretisation.tangency.formulation = element::Formulation::penalised;
+  p.shell.tangency.formulation = element::Formulation::penalised;
   const Claim claim = claim_on(run("thickness", p, few()).table, "stiffness");
   EXPECT_EQ(claim.verdict, Verdict::holds) << claim.measured << claim.reason;
 }
 
 TEST(Stability, WithoutObstacleOrHeldRotationSaysSo) {
   problem::Problem p = cantilever_plate();
-  p.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
   const Table table = run("stability", p, few()).table;
   EXPECT_THAT(claim_on(table, "beta_b").reason, HasSubstr("no support holds a rotation"));
   EXPECT_THAT(claim_on(table, "beta_c").reason, HasSubstr("without obstacle"));
@@ -167,11 +167,11 @@ TEST(Compare, OfEqualSolutionsSaysNothing) { expect_none_judged(run("compare", c
 // On a fine mesh p = 1 is what one sees, not the mesh.
 TEST(Compare, FindsAPenaltyTooWeakForTheMesh) {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
-  p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
-  p.sections.common.thickness = Expression(0.2);
+  p.shell.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  p.shell.sections.common.thickness = Expression(0.2);
   p.discretisation.degree = 6;
   p.discretisation.refinements = 2;
-  p.discretisation.tangency.penalty = 1;
+  p.shell.tangency.penalty = 1;
   const Claim claim = claim_on(run("compare", p).table, "penalised");
   EXPECT_EQ(claim.verdict, Verdict::does_not_hold) << claim.measured << claim.reason;
 }
@@ -188,7 +188,7 @@ std::vector<std::string> errors(const std::string& name, const problem::Problem&
 
 TEST(EveryStudy, StopsWithTheMessageOfRun) {
   problem::Problem p = cantilever_plate();
-  p.supports.clear();
+  p.shell.supports.clear();
   const auto of_run = examination::examine(p);
   ASSERT_TRUE(examination::has_errors(of_run));
   for (const Kind& kind : kinds()) {
@@ -200,7 +200,7 @@ TEST(EveryStudy, StopsWithTheMessageOfRun) {
 
 TEST(Penalty, IsStoppedWhereThePenalisedFormulationIsRefused) {
   problem::Problem p = cantilever_plate();
-  p.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
   EXPECT_TRUE(errors("convergence", p).empty());
   EXPECT_THAT(errors("penalty", p), testing::ElementsAre(HasSubstr("sees only the gradient of r . a3")));
 }

@@ -79,7 +79,7 @@ TEST(CompareSolvers, FindsThatAllSolversLayABowlAlike) {
 TEST(CompareSolvers, FindsThatAllSolversLayABowlAlikeInTheMixedFormulation) {
   problem::Problem p = pressed_bowl();
   p.discretisation.refinements = 1;
-  p.discretisation.tangency.formulation = element::Formulation::mixed;
+  p.shell.tangency.formulation = element::Formulation::mixed;
   const Report report = compare_solvers(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(report.status, contact::Status::solved);
   expect_all_hold(report.table);
@@ -87,7 +87,7 @@ TEST(CompareSolvers, FindsThatAllSolversLayABowlAlikeInTheMixedFormulation) {
 
 TEST(Compare, LeavesOutWhatTheCaseRulesOutAndSaysWhy) {
   problem::Problem p = cantilever_plate();
-  p.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
   const Report report = compare(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(report.status, contact::Status::solved);
   EXPECT_EQ(formulations_of(report.table), (std::set<std::string>{"tangent", "classical"}));
@@ -97,8 +97,8 @@ TEST(Compare, LeavesOutWhatTheCaseRulesOutAndSaysWhy) {
 
 TEST(Compare, OfATangentNormalAloneHoldsTheRelaxedFormulations) {
   problem::Problem p = cantilever_plate();
-  p.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
-  p.supports.push_back({.boundary = "top", .components = {fixed(Unknown::rotation, Direction::normal)}});
+  p.shell.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
+  p.shell.supports.push_back({.boundary = "top", .components = {fixed(Unknown::rotation, Direction::normal)}});
   const Report report = compare(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(formulations_of(report.table).size(), 4U);
   for (std::size_t row = 0; row < report.table.rows.size(); ++row)
@@ -128,8 +128,8 @@ TEST(Penalty, FollowsPUntilTheMeshLocks) {
 /// Clamped all around, with a chart that is a polynomial: the discrete space has fields with r . a_3 = 0 everywhere.
 problem::Problem curved_plate() {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
-  p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
-  p.sections.common.thickness = Expression(0.2);
+  p.shell.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  p.shell.sections.common.thickness = Expression(0.2);
   p.discretisation.degree = 6;
   return p;
 }

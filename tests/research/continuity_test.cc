@@ -66,7 +66,7 @@ TEST(Continuity, depends_on_its_seed_alone) {
 
 TEST(Continuity, leaves_out_loads_that_only_the_obstacle_bears) {
   problem::Problem p = pressed_strip();
-  p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
   StudyOptions options;
   options.samples = 1;
   const Report report = continuity(p, options, MPI_COMM_SELF, {});

@@ -20,8 +20,8 @@ using testing::HasSubstr;
 /// A square plate clamped all round.
 problem::Problem clamped_plate(int degree) {
   problem::Problem p = free_plate();
-  p.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   p.discretisation = {.degree = degree, .refinements = 3};
   return p;
 }
@@ -29,8 +29,8 @@ problem::Problem clamped_plate(int degree) {
 /// A plate strip clamped at its ends whose solution varies along it alone and is smooth.
 problem::Problem smooth_strip(int degree) {
   problem::Problem p = pressed_strip();
-  p.obstacles.clear();
-  p.area_loads.front() = {.force = {Expression(), Expression(), Expression("-1e-3 * sin(5*x)", {})}};
+  p.shell.obstacles.all.clear();
+  p.shell.loads.on_areas.front() = {.force = {Expression(), Expression(), Expression("-1e-3 * sin(5*x)", {})}};
   p.discretisation = {.degree = degree, .refinements = 2};
   return p;
 }
@@ -71,7 +71,7 @@ TEST(Convergence, of_a_pressed_strip_holds_with_and_without_obstacle) {
 
 TEST(Convergence, leaves_out_the_free_shell_that_nothing_but_the_obstacle_holds) {
   problem::Problem p = pressed_strip();
-  p.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
+  p.shell.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
   p.discretisation.refinements = 0;
   const Report report = convergence(p, {}, MPI_COMM_SELF, {});
   EXPECT_THAT(report.table.remarks, Contains(HasSubstr("do not hold")));
@@ -81,7 +81,7 @@ TEST(Convergence, leaves_out_the_free_shell_that_nothing_but_the_obstacle_holds)
 
 TEST(Convergence, tells_how_a_computation_failed) {
   problem::Problem p = free_plate();
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   EXPECT_EQ(convergence(p, {}, MPI_COMM_SELF, {}).status, contact::Status::singular);
   p = pressed_strip();
   p.contact.max_iterations = 1;
@@ -93,7 +93,8 @@ TEST(Convergence, tells_how_a_computation_failed) {
 // What it says of a pressed strip needs the reaction: the interpolation error alone is less than the error.
 TEST(FalksEstimate, of_a_pressed_strip_holds_by_its_reaction) {
   problem::Problem p = pressed_strip();
-  p.discretisation = {.degree = 2, .tying = false, .refinements = 3};
+  p.discretisation = {.degree = 2, .refinements = 3};
+  p.shell.tying = false;
   const Table table = convergence(p, {}, MPI_COMM_SELF, {}).table;
   const auto left = numbers(table, "energy", "with"), right = numbers(table, "right side", "with");
   const auto interpolation = numbers(table, "interpolation", "with"), reaction = numbers(table, "reaction", "with");
@@ -114,7 +115,7 @@ TEST(FalksEstimate, of_a_pressed_strip_holds_by_its_reaction) {
 // Without contact it is Cea's lemma: U_h is nearest to U of all fields of its space, so interpolation is farther.
 TEST(FalksEstimate, without_contact_is_that_of_cea) {
   problem::Problem p = clamped_plate(2);
-  p.discretisation.tying = false;
+  p.shell.tying = false;
   p.discretisation.refinements = 2;
   const Table table = convergence(p, {}, MPI_COMM_SELF, {}).table;
   const auto left = numbers(table, "energy"), right = numbers(table, "right side");
@@ -129,10 +130,11 @@ TEST(FalksEstimate, without_contact_is_that_of_cea) {
 // Nested spaces, one form and one load: between meshes of a flat plate without tying nothing differs but the spaces.
 TEST(FalksEstimate, has_no_consistency_error_on_a_flat_plate_without_tying) {
   problem::Problem p = pressed_strip();
-  p.discretisation = {.degree = 3, .tying = false, .refinements = 1};
+  p.discretisation = {.degree = 3, .refinements = 1};
+  p.shell.tying = false;
   const Table flat = convergence(p, {}, MPI_COMM_SELF, {}).table;
   for (const double c : numbers(flat, "consistency")) EXPECT_NEAR(c, 0, 1e-12);
-  p.discretisation.tying = true;
+  p.shell.tying = true;
   const Table tied = convergence(p, {}, MPI_COMM_SELF, {}).table;
   EXPECT_GT(std::abs(numbers(tied, "consistency", "with").front()), 1e-8);
 }
@@ -148,9 +150,9 @@ TEST(FalksEstimate, holds_for_every_element_and_says_where_it_cannot_be_evaluate
   p.discretisation.cells = fem::Shape::triangle;
   EXPECT_EQ(falk().verdict, Verdict::holds) << falk().measured << falk().reason;
   p.discretisation.cells = fem::Shape::quadrilateral;
-  p.discretisation.tangency.formulation = element::Formulation::classical;
+  p.shell.tangency.formulation = element::Formulation::classical;
   EXPECT_EQ(falk().verdict, Verdict::holds) << falk().measured << falk().reason;
-  p.discretisation.tangency.formulation = element::Formulation::penalised;
+  p.shell.tangency.formulation = element::Formulation::penalised;
   EXPECT_EQ(falk().verdict, Verdict::cannot_be_judged);
   EXPECT_THAT(falk().reason, HasSubstr("relaxed"));
 }

@@ -74,7 +74,7 @@ TEST(Ranks, do_not_change_a_pressed_bowl_in_any_formulation) {
   for (const auto formulation :
        {element::Formulation::penalised, element::Formulation::mixed, element::Formulation::classical}) {
     problem::Problem p = pressed_bowl();
-    p.discretisation.tangency.formulation = formulation;
+    p.shell.tangency.formulation = formulation;
     expect_same_alone_and_together(p);
   }
 }
@@ -119,10 +119,10 @@ TEST(Ranks, find_the_same_when_they_examine) {
 
 TEST(Ranks, all_say_that_a_problem_has_no_solution) {
   problem::Problem p = free_plate();
-  p.area_loads = {force(0, 0, -1)};
+  p.shell.loads.on_areas = {force(0, 0, -1)};
   EXPECT_EQ(solve(p, MPI_COMM_WORLD).status, contact::Status::singular);
   p = pressed_strip();
-  std::get<obstacle::HalfSpace>(p.obstacles.at(0).shape).point[2] = 0.02;
+  std::get<obstacle::HalfSpace>(p.shell.obstacles.all.at(0).shape).point[2] = 0.02;
   EXPECT_EQ(solve(p, MPI_COMM_WORLD).status, contact::Status::infeasible);
 }
 
@@ -146,15 +146,15 @@ TEST(Ranks, all_throw_for_a_probe_outside) {
 
 TEST(Ranks, all_throw_for_a_load_that_is_not_finite_on_one) {
   problem::Problem p = cantilever_plate();
-  p.area_loads[0].pressure = Expression("x > 0.9 && y > 0.9 ? log(-x) : 1", {});
+  p.shell.loads.on_areas[0].pressure = Expression("x > 0.9 && y > 0.9 ? log(-x) : 1", {});
   EXPECT_THROW(solve(p, MPI_COMM_WORLD), assembly::LoadError);
 }
 
 TEST(Ranks, divide_cells_alike_where_a_load_jumps) {
   problem::Problem p = cantilever_plate();
-  p.area_loads[0].pressure = Expression("x + y > 0.87 ? 1 : 0", {});
-  p.edge_loads = {{.boundary = "right", .force = vector(0, 0, 0), .couple = {}}};
-  p.edge_loads[0].force[2] = Expression("max(y - 0.3, 0)", {});
+  p.shell.loads.on_areas[0].pressure = Expression("x + y > 0.87 ? 1 : 0", {});
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(0, 0, 0), .couple = {}}};
+  p.shell.loads.on_edges[0].force[2] = Expression("max(y - 0.3, 0)", {});
   expect_same_alone_and_together(p);
 }
 

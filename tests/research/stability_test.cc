@@ -29,7 +29,7 @@ TEST(Stability, OfSeveralObstaclesIsThatOfTheWorst) {
   StudyOptions options;
   options.factors = {1};
   const auto constant = [&](std::vector<obstacle::Obstacle> obstacles) {
-    p.obstacles = std::move(obstacles);
+    p.shell.obstacles.all = std::move(obstacles);
     return numbers(stability(p, options, MPI_COMM_SELF, {}).table, "inf-sup c").at(0);
   };
   // Against a wall that stands steep on the shell, w = n . (v + z s) leaves the multiplier weaker.
@@ -60,7 +60,7 @@ TEST(SoftModesStudy, OfACylinderFindsTheSeventhModeOfTheRelaxedFormulations) {
 
 TEST(SoftModesStudy, OfACapFindsSixEverywhere) {
   problem::Problem p = pressed_bowl();
-  p.sections.common.thickness = Expression(0.05);
+  p.shell.sections.common.thickness = Expression(0.05);
   p.discretisation = {.degree = 2, .refinements = 3};
   expect_all_hold(soft_modes(p, {}, MPI_COMM_SELF, {}).table);
 }

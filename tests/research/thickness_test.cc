@@ -27,9 +27,9 @@ StudyOptions halvings(int steps) {
 // Clamped along one generator the cylinder rolls up without stretching.
 TEST(Thickness, of_a_cylinder_held_along_a_generator_is_bending_dominated) {
   problem::Problem p = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
-  p.supports = {clamped("left")};
-  p.area_loads = {force(0, 0, -1e-6)};
-  p.sections.common.thickness = Expression(0.02);
+  p.shell.supports = {clamped("left")};
+  p.shell.loads.on_areas = {force(0, 0, -1e-6)};
+  p.shell.sections.common.thickness = Expression(0.02);
   p.discretisation = {.degree = 3, .refinements = 2};
   const Report report = thickness(p, halvings(3), MPI_COMM_SELF, {});
   ASSERT_EQ(report.status, contact::Status::solved);
@@ -41,7 +41,7 @@ TEST(Thickness, of_a_cylinder_held_along_a_generator_is_bending_dominated) {
 
 TEST(Thickness, of_a_clamped_dome_is_membrane_dominated) {
   problem::Problem p = pressed_bowl();
-  p.obstacles.clear();
+  p.shell.obstacles.all.clear();
   p.discretisation = {.degree = 4, .refinements = 2};
   const Report report = thickness(p, halvings(3), MPI_COMM_SELF, {});
   ASSERT_EQ(report.status, contact::Status::solved);
@@ -72,7 +72,7 @@ TEST(Thickness, with_an_obstacle_keeps_the_shell_in_contact_when_the_load_goes_w
 
 TEST(Thickness, does_not_judge_the_stiffness_of_prescribed_motions) {
   problem::Problem p = cantilever_plate();
-  p.supports.push_back(
+  p.shell.supports.push_back(
       {.boundary = "right", .components = {fixed(Unknown::displacement, Direction::z, Expression(0.1))}});
   const Report report = thickness(p, halvings(1), MPI_COMM_SELF, {});
   EXPECT_EQ(claim_on(report.table, "stiffness").verdict, Verdict::cannot_be_judged);

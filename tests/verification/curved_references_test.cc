@@ -56,13 +56,13 @@ problem::Problem problem_of(const Indented& p) {
   problem.domain = fem::Disk{.radius = p.dome ? std::sin(0.5) : 1.0};
   problem.charts.emplace("", p.dome ? geometry::Chart({"x", "y", "-1 - e/2 + sqrt(1 - x^2 - y^2)"}, constants)
                                     : geometry::Chart({"x", "y", "-e/2"}, constants));
-  problem.sections.common.thickness = Expression(p.thickness);
-  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  problem.supports = {clamped("rim")};
-  problem.obstacles = {{.name = "ball",
-                        .shape = obstacle::Ball{.centre = {0, 0, p.radius - p.depth}, .radius = p.radius},
-                        .face = Face::upper}};
-  problem.linearisation.once = p.once;
+  problem.shell.sections.common.thickness = Expression(p.thickness);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  problem.shell.supports = {clamped("rim")};
+  problem.shell.obstacles.all = {{.name = "ball",
+                                  .shape = obstacle::Ball{.centre = {0, 0, p.radius - p.depth}, .radius = p.radius},
+                                  .face = Face::upper}};
+  problem.shell.obstacles.are_linear = p.once;
   problem.probes = {{.name = "apex", .at = {0, 0}}};
   problem.discretisation.degree = 4;
   problem.discretisation.refinements = 3;
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(All, PressedShell,
 TEST_P(PressedShell, CarriesTheForceAtTheDepthOfTheReference) {
   const Pressed& p = GetParam();
   auto problem = problem_of({p.name, p.thickness, p.radius, 0, p.dome, p.once});
-  problem.obstacles[0].force = {0, 0, -p.force};
+  problem.shell.obstacles.all[0].force = {0, 0, -p.force};
   const computation::Result r = computation::solve(problem, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
   EXPECT_LE(r.levels.back().unknowns, 60'000);
@@ -175,19 +175,19 @@ TEST_P(PlaneProblem, HasTheEnergyAndTheReactionOfTheReference) {
   const double width = 0.1;
   problem.domain = fem::Rectangle{.from = {p.from, 0}, .to = {1, width}, .cells = {32, 1}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", p.height}}));
-  problem.sections.common.thickness = Expression(p.thickness);
-  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  problem.shell.sections.common.thickness = Expression(p.thickness);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   assembly::AreaLoad load{};
   load.force = {Expression(0.0), Expression(0.0), Expression("-(" + p.load + ")", {})};
-  problem.area_loads = {load};
-  problem.supports = {clamped("left"), clamped("right")};
+  problem.shell.loads.on_areas = {load};
+  problem.shell.supports = {clamped("left"), clamped("right")};
   for (const char* edge : {"bottom", "top"})
-    problem.supports.push_back(
+    problem.shell.supports.push_back(
         {.boundary = edge,
          .components = {{assembly::Unknown::displacement, assembly::Direction::y, Expression(0.0)},
                         {assembly::Unknown::rotation, assembly::Direction::y, Expression(0.0)}}});
-  problem.obstacles = {p.body};
-  problem.linearisation.once = p.once;
+  problem.shell.obstacles.all = {p.body};
+  problem.shell.obstacles.are_linear = p.once;
   problem.discretisation.degree = 4;
   problem.discretisation.refinements = 2;
   const computation::Result r = computation::solve(problem, MPI_COMM_WORLD);
@@ -200,11 +200,7 @@ TEST_P(PlaneProblem, HasTheEnergyAndTheReactionOfTheReference) {
 
 // ---- one obstacle in several forms ---------------------------------------------------------------------------------------
 
-problem::Problem cap_over_the_table() {
-  problem::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
-  problem.linearisation = {};
-  return problem;
-}
+problem::Problem cap_over_the_table() { return contact_reference("R4cap_e0.1_p0.02", 2, 2).problem; }
 
 obstacle::TriangleMesh slab() {
   obstacle::TriangleMesh mesh;
@@ -231,7 +227,7 @@ TEST(Table, in_every_form_gives_the_same_numbers) {
   for (const auto& [name, shape] : forms) {
     SCOPED_TRACE(name);
     problem::Problem other = table;
-    other.obstacles.at(0).shape = shape;
+    other.shell.obstacles.all.at(0).shape = shape;
     const computation::Result r = computation::solve(other, MPI_COMM_WORLD);
     ASSERT_EQ(r.status, contact::Status::solved);
     EXPECT_EQ(r.summary.touching_nodes, expected.summary.touching_nodes);
@@ -247,7 +243,7 @@ TEST(Table, is_the_limit_of_balls_that_grow) {
   double last = 0;
   for (const double radius : {1e3, 1e4, 1e5}) {
     problem::Problem other = table;
-    other.obstacles.at(0).shape = obstacle::Ball{.centre = {0, 0, -radius}, .radius = radius};
+    other.shell.obstacles.all.at(0).shape = obstacle::Ball{.centre = {0, 0, -radius}, .radius = radius};
     const computation::Result r = computation::solve(other, MPI_COMM_WORLD);
     ASSERT_EQ(r.status, contact::Status::solved);
     const double difference = std::abs(r.summary.energy.total() / expected - 1);
@@ -273,14 +269,14 @@ problem::Problem resting(const std::string& height, double load) {
   problem::Problem problem;
   problem.domain = fem::Disk{.radius = std::sin(0.5)};
   problem.charts.emplace("", geometry::Chart({"x", "y", height}, {}));
-  problem.sections.common.thickness = Expression(0.05);
-  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  problem.shell.sections.common.thickness = Expression(0.05);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   assembly::AreaLoad weight{};
   weight.force = {Expression(0.0), Expression(0.0), Expression(-load)};
-  problem.area_loads = {weight};
-  problem.supports = {at_point({0, 0}, {assembly::Direction::x, assembly::Direction::y}),
-                      at_point({std::sin(0.5), 0}, {assembly::Direction::y})};
-  problem.obstacles = {obstacle::Obstacle{}};
+  problem.shell.loads.on_areas = {weight};
+  problem.shell.supports = {at_point({0, 0}, {assembly::Direction::x, assembly::Direction::y}),
+                            at_point({std::sin(0.5), 0}, {assembly::Direction::y})};
+  problem.shell.obstacles.all = {obstacle::Obstacle{}};
   problem.discretisation.degree = 4;
   problem.discretisation.refinements = 3;
   return problem;

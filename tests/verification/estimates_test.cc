@@ -112,7 +112,7 @@ void expect_accuracy(problem::Problem problem, double exact, std::int64_t most_u
   constexpr double tolerance = 1e-3;
   problem.discretisation.layers = problem::Layers::automatic;
   problem.accuracy = problem::Accuracy{.goals = {{"energy", tolerance}}, .max_unknowns = 1e5};
-  if (!problem.obstacles.empty()) problem.accuracy->goals.push_back({"reaction", tolerance});
+  if (!problem.shell.obstacles.empty()) problem.accuracy->goals.push_back({"reaction", tolerance});
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   EXPECT_NEAR(result.levels.back().energy / exact, 1, tolerance);

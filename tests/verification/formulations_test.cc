@@ -37,9 +37,9 @@ std::vector<double> energy_errors(const Manufactured& exact, Formulation formula
   for (int refinements = first; refinements <= last; ++refinements) {
     problem::Problem problem = manufactured_problem(exact, degree, refinements);
     problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
-    problem.discretisation.tangency.formulation = formulation;
+    problem.shell.tangency.formulation = formulation;
     problem.discretisation.cells = shape;
-    if (shape == fem::Shape::triangle) problem.discretisation.tying = false;
+    if (shape == fem::Shape::triangle) problem.shell.tying = false;
     const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
     EXPECT_EQ(result.status, contact::Status::solved);
     errors.push_back(energy_error(*result.solution, exact));
@@ -78,7 +78,7 @@ TEST_P(InEachFormulation, TheManufacturedSolutionsAreReachedOnTriangles) {
 TEST_P(InEachFormulation, ContactReferencesAreMetAtDegreeTwo) {
   for (const char* name : {"R4cap_e0.1_p0.02", "R2incl_al0.3_e0.1_p0.02", "R3_e0.1_P0.5"}) {
     ContactReference reference = contact_reference(name, 2, 4);
-    reference.problem.discretisation.tangency.formulation = GetParam();
+    reference.problem.shell.tangency.formulation = GetParam();
     const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
     ASSERT_EQ(result.status, contact::Status::solved);
     EXPECT_LT(result.levels.back().unknowns, 60'000);
@@ -98,7 +98,7 @@ TEST_P(InEachFormulation, ContactReferencesAreMetAtDegreeTwo) {
 
 TEST_P(InEachFormulation, TheClampedSaddleHasItsDeflectionToFourDigits) {
   LinearReference reference = clamped_saddle(4, 4);
-  reference.problem.discretisation.tangency = {.formulation = GetParam(), .penalty = 1e-3};
+  reference.problem.shell.tangency = {.formulation = GetParam(), .penalty = 1e-3};
   const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   const double u = result.probes.front().values.u.dot(reference.direction);
@@ -129,7 +129,7 @@ algebra::Vector moment_potential_load(const computation::Solution& solution) {
 double multiplier_error(int refinements) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 3, refinements);
   const computation::Result tangent = computation::solve(reference.problem, MPI_COMM_WORLD);
-  reference.problem.discretisation.tangency.formulation = Formulation::mixed;
+  reference.problem.shell.tangency.formulation = Formulation::mixed;
   const computation::Result mixed = computation::solve(reference.problem, MPI_COMM_WORLD);
   EXPECT_EQ(tangent.status, contact::Status::solved);
   EXPECT_EQ(mixed.status, contact::Status::solved);
@@ -159,7 +159,7 @@ TEST(Multiplier, LambdaConvergesToTheSolutionOfItsOwnEquation) {
 
 TEST(Multiplier, LambdaVanishesOnAFlatShell) {
   ContactReference reference = contact_reference("R3_e0.1_P0.5", 2, 2);
-  reference.problem.discretisation.tangency.formulation = Formulation::mixed;
+  reference.problem.shell.tangency.formulation = Formulation::mixed;
   const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   ASSERT_GT(result.summary.load_work, 0);
@@ -168,7 +168,7 @@ TEST(Multiplier, LambdaVanishesOnAFlatShell) {
 
 TEST(Multiplier, EtaIntegratesToTheTotalReaction) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 3);
-  reference.problem.discretisation.tangency.formulation = Formulation::mixed;
+  reference.problem.shell.tangency.formulation = Formulation::mixed;
   const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   ASSERT_GT(result.summary.reaction.force[2], 0);
@@ -185,7 +185,7 @@ TEST(Multiplier, EtaIntegratesToTheTotalReaction) {
 TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidualIsEta) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 1);
   problem::Problem& problem = reference.problem;
-  problem.discretisation.tangency.formulation = Formulation::mixed;
+  problem.shell.tangency.formulation = Formulation::mixed;
   const computation::Result reduced = computation::solve(problem, MPI_COMM_SELF);
   ASSERT_EQ(reduced.status, contact::Status::solved);
   const auto& discrete = *reduced.solution->discrete;
@@ -263,7 +263,7 @@ TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) 
   };
   const auto solve_with = [](bool whole, double penalty) {
     problem::Problem problem = contact_reference("R4cap_e0.1_p0.02", 2, 2).problem;
-    problem.discretisation.tangency = {.formulation = Formulation::penalised, .penalty = penalty};
+    problem.shell.tangency = {.formulation = Formulation::penalised, .penalty = penalty};
     const computation::Result start = computation::solve(problem, MPI_COMM_WORLD);
     auto& discrete = *start.solution->discrete;
     if (whole)

@@ -14,8 +14,8 @@ namespace {
 /// The saddle clamped on one edge, on its start mesh of the recommended degree.
 problem::Problem saddle(double thickness) {
   problem::Problem p = hyperbolic_paraboloid(1e-3, ShearCorrection::one, false, 8, 0).problem;
-  p.sections.common.thickness = geometry::Expression(thickness);
-  p.area_loads.front().force[2] = geometry::Expression(-8000 * thickness);
+  p.shell.sections.common.thickness = geometry::Expression(thickness);
+  p.shell.loads.on_areas.front().force[2] = geometry::Expression(-8000 * thickness);
   p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}};
   p.discretisation.layers = problem::Layers::automatic;
   p.discretisation.degree = meshing::recommended_degree(p);

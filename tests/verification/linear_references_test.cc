@@ -59,7 +59,7 @@ TEST(Locking, WithoutTyingTheSameElementsLockTheMoreTheThinner) {
   double before = 0;
   for (const double thickness : {1e-2, 1e-3, 1e-4}) {
     LinearReference reference = saddle(thickness, 4);
-    reference.problem.discretisation.tying = false;
+    reference.problem.shell.tying = false;
     const double error = solve(reference).displacement;
     EXPECT_LT(error, before);
     expect_figure("locking", fmt::format("{:g}", thickness), "tying off", error);

@@ -25,7 +25,7 @@ Errors errors(const Manufactured& exact, int degree, bool tying, int first, int 
   Errors e;
   for (int refinements = first; refinements <= last; ++refinements) {
     problem::Problem problem = manufactured_problem(exact, degree, refinements);
-    problem.discretisation.tying = tying;
+    problem.shell.tying = tying;
     problem.discretisation.cells = cells;
     problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
     const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);

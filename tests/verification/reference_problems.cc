@@ -86,10 +86,10 @@ double radius_at(const ordered_json& entry, double t) {
 
 problem::Problem pressed_shell(const ordered_json& params) {
   problem::Problem problem;
-  problem.sections.common.thickness = Expression(params["e"].get<double>());
-  problem.sections.common.material = shell::Material::from_young_poisson(params["E"], params["nu"], params["ks"]);
-  problem.area_loads = {downward(params["p"])};
-  problem.obstacles = {obstacle::Obstacle{}};
+  problem.shell.sections.common.thickness = Expression(params["e"].get<double>());
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(params["E"], params["nu"], params["ks"]);
+  problem.shell.loads.on_areas = {downward(params["p"])};
+  problem.shell.obstacles.all = {obstacle::Obstacle{}};
   return problem;
 }
 
@@ -100,8 +100,8 @@ void make_strip(const ordered_json& entry, ContactReference& reference) {
   problem::Problem& problem = reference.problem;
   problem.domain = fem::Rectangle{.from = {from, 0}, .to = {to, width}, .cells = {8, 1}};
   problem.charts.emplace("", strip_chart(entry["profile"], constants_of(params["geometry"])));
-  problem.supports = {params["bc0"] == "sym" ? symmetry("left") : clamped("left"), clamped("right"), in_plane("bottom"),
-                      in_plane("top")};
+  problem.shell.supports = {params["bc0"] == "sym" ? symmetry("left") : clamped("left"), clamped("right"),
+                            in_plane("bottom"), in_plane("top")};
   reference.factor = 1 / width;
 }
 
@@ -109,7 +109,7 @@ void make_disk(const ordered_json& entry, ContactReference& reference) {
   problem::Problem& problem = reference.problem;
   problem.domain = fem::Disk{.radius = radius_at(entry, entry["params"]["t1"])};
   problem.charts.emplace("", disk_chart(entry["profile"], constants_of(entry["params"]["geometry"])));
-  problem.supports = {clamped("rim")};
+  problem.shell.supports = {clamped("rim")};
 }
 
 /// Half of a strip of the length 1 that is clamped at both ends and pressed down to a plane by p for each unit of area, of unit width (M11).
@@ -169,8 +169,8 @@ double pick(ShearCorrection k, double five_sixths, double one) { return k == She
 
 problem::Problem free_shell(double E, double nu, ShearCorrection k, double thickness, int degree, int refinements) {
   problem::Problem problem;
-  problem.sections.common.thickness = Expression(thickness);
-  problem.sections.common.material = shell::Material::from_young_poisson(E, nu, factor_of(k));
+  problem.shell.sections.common.thickness = Expression(thickness);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(E, nu, factor_of(k));
   problem.discretisation = {.degree = degree, .refinements = refinements};
   return problem;
 }
@@ -291,14 +291,14 @@ problem::Problem manufactured_problem(const Manufactured& exact, int degree, int
   problem::Problem problem;
   problem.domain = fem::Rectangle{.cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart(Manufactured::chart(), {}));
-  problem.sections.common.thickness = Expression(e);
-  problem.sections.common.material = shell::Material::from_young_poisson(E, nu, k_s);
-  problem.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
+  problem.shell.sections.common.thickness = Expression(e);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(E, nu, k_s);
+  problem.shell.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
   assembly::AreaLoad load{};
   load.force_function = [exact](double x, double y) { return exact.force(x, y); };
   load.couple_function = [exact](double x, double y) { return exact.couple(x, y); };
-  problem.area_loads = {load};
-  if (exact.solution() == ManufacturedSolution::contact) problem.obstacles = {obstacle::Obstacle{}};
+  problem.shell.loads.on_areas = {load};
+  if (exact.solution() == ManufacturedSolution::contact) problem.shell.obstacles.all = {obstacle::Obstacle{}};
   problem.discretisation = {.degree = degree, .refinements = refinements};
   return problem;
 }
@@ -310,9 +310,9 @@ LinearReference hyperbolic_paraboloid(double thickness, ShearCorrection k, bool 
   problem::Problem& problem = reference.problem;
   problem.domain = fem::Rectangle{.from = {-0.5, half ? 0 : -0.5}, .to = {0.5, 0.5}, .cells = {2, half ? 1 : 2}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "x^2 - y^2"}, {}));
-  problem.supports = {clamped("left")};
-  if (half) problem.supports.push_back(symmetry("bottom"));
-  problem.area_loads = {downward(8000 * thickness)};
+  problem.shell.supports = {clamped("left")};
+  if (half) problem.shell.supports.push_back(symmetry("bottom"));
+  problem.shell.loads.on_areas = {downward(8000 * thickness)};
   problem.probes = {{"free end", {0.5, 0}}};
   const auto [displacement, energy] = saddle_values(thickness, k);
   reference.displacement = displacement;
@@ -327,10 +327,10 @@ LinearReference free_hyperboloid(double thickness, ShearCorrection k, int degree
   problem::Problem& problem = reference.problem;
   problem.domain = fem::Rectangle{.from = {0, 0}, .to = {std::numbers::pi / 2, 1}, .cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart({"sqrt(1 + y^2)*cos(x)", "sqrt(1 + y^2)*sin(x)", "y"}, {}));
-  problem.supports = {symmetry("left"), symmetry("right"), symmetry("bottom")};  // y = 0, x = 0, z = 0
+  problem.shell.supports = {symmetry("left"), symmetry("right"), symmetry("bottom")};  // y = 0, x = 0, z = 0
   assembly::AreaLoad load{};
   load.pressure = Expression("p*cos(2*x)", {{"p", 1e4 * std::pow(thickness, 3)}});  // a_3 points away from the axis
-  problem.area_loads = {load};
+  problem.shell.loads.on_areas = {load};
   problem.probes = {{"waist", {0, 0}}};
   reference.displacement =
       thick(thickness, 0.1, 0.01) ? pick(k, 0.1895456673, 0.1889675821) : pick(k, 0.1504661764, 0.1504485744);
@@ -350,8 +350,8 @@ LinearReference scordelis_lo(ShearCorrection k, bool hard_diaphragm, int degree,
       .boundary = "top",
       .components = {zero(Unknown::displacement, Direction::x), zero(Unknown::displacement, Direction::z)}};
   if (hard_diaphragm) diaphragm.components.push_back(zero(Unknown::rotation, Direction::tangent));
-  problem.supports = {symmetry("left"), symmetry("bottom"), diaphragm};
-  problem.area_loads = {downward(90)};
+  problem.shell.supports = {symmetry("left"), symmetry("bottom"), diaphragm};
+  problem.shell.loads.on_areas = {downward(90)};
   problem.probes = {{"free edge", {half_arc, 0}}};
   reference.displacement = hard_diaphragm ? pick(k, 0.3014541527, 0.3013764662) : pick(k, 0.302025, 0.301897);
   return reference;
@@ -365,8 +365,8 @@ LinearReference clamped_plate(double thickness, ShearCorrection k, int degree, i
   problem::Problem& problem = reference.problem;
   problem.domain = fem::Rectangle{.from = {0, 0}, .to = {0.5, 0.5}, .cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "0"}, {}));
-  problem.supports = {clamped("left"), clamped("bottom"), symmetry("right"), symmetry("top")};
-  problem.area_loads = {downward(D)};
+  problem.shell.supports = {clamped("left"), clamped("bottom"), symmetry("right"), symmetry("top")};
+  problem.shell.loads.on_areas = {downward(D)};
   problem.probes = {{"centre", {0.5, 0.5}}};
   reference.displacement =
       thick(thickness, 0.1, 0.01) ? pick(k, 0.0015046257, 0.0014659242) : pick(k, 0.0012678586, 0.0012674363);
@@ -381,8 +381,8 @@ LinearReference clamped_saddle(int degree, int refinements) {
   const double corner = 50 * std::numbers::sqrt2;
   problem.domain = fem::Polygon{{{corner, 0}, {0, corner}, {-corner, 0}, {0, -corner}}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "c*(x^2 - y^2)/(2*b^2)"}, {{"b", 50}, {"c", 10}}));
-  for (const char* edge : {"edge1", "edge2", "edge3", "edge4"}) problem.supports.push_back(clamped(edge));
-  problem.area_loads = {downward(0.01)};
+  for (const char* edge : {"edge1", "edge2", "edge3", "edge4"}) problem.shell.supports.push_back(clamped(edge));
+  problem.shell.loads.on_areas = {downward(0.01)};
   problem.probes = {{"centre", {0, 0}}};
   reference.displacement = 0.0248389;
   return reference;

@@ -1,5 +1,5 @@
 // Problems whose answers are known: plane and axisymmetric contact problems solved to many digits by independent
-// one-dimensional methods (reference/README.md), and the classical linear shells. Each comes as a computation::Problem
+// one-dimensional methods (reference/README.md), and the classical linear shells. Each comes as a problem::Problem
 // together with the numbers it must reproduce.
 #pragma once
 #include "verification/manufactured.hpp"

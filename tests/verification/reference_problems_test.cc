@@ -12,8 +12,8 @@ namespace {
 
 obstacle::Gap gap_of(const problem::Problem& problem, double x, double y) {
   const geometry::SurfaceJet phi = problem.charts.at("")(x, y);
-  return obstacle::gap_at(problem.obstacles.at(0),
-                          {phi.value, geometry::unit_normal(phi), problem.sections.common.thickness(x, y)});
+  return obstacle::gap_at(problem.shell.obstacles.all.at(0),
+                          {phi.value, geometry::unit_normal(phi), problem.shell.sections.common.thickness(x, y)});
 }
 
 }  // namespace
@@ -62,7 +62,9 @@ TEST(ReferenceProblems, HaveTheStripInClosedFormAsTheyHaveItFromTheirSolver) {
     EXPECT_NEAR(strip.boundaries.front(), stored.boundaries.front(), 1e-11) << e;
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     EXPECT_NEAR(gap_of(strip.problem, 0, 0)(none, none), gap_of(stored.problem, 0, 0)(none, none), 1e-15) << e;
-    const auto load = [](const problem::Problem& problem) { return problem.area_loads.front().force[2](0, 0); };
+    const auto load = [](const problem::Problem& problem) {
+      return problem.shell.loads.on_areas.front().force[2](0, 0);
+    };
     EXPECT_NEAR(load(strip.problem) / load(stored.problem), 1, 1e-14) << e;
   }
 }
@@ -78,7 +80,7 @@ TEST(ReferenceProblems, NameBoundariesOfTheirDomains) {
   }
   for (const auto& problem : problems) {
     const auto names = fem::boundary_names(problem.domain);
-    for (const auto& support : problem.supports) EXPECT_TRUE(std::ranges::count(names, support.boundary) == 1);
+    for (const auto& support : problem.shell.supports) EXPECT_TRUE(std::ranges::count(names, support.boundary) == 1);
   }
 }
 
@@ -87,9 +89,9 @@ TEST(ReferenceProblems, ManufacturedProblemsHaveTheirExactGapsAndLoads) {
   const problem::Problem problem = manufactured_problem(exact, 2, 3);
   const double x = 0.2, y = 0.3;
   EXPECT_NEAR(gap_of(problem, x, y)(exact.u(x, y).value, exact.r(x, y).value), exact.gap(x, y), 1e-15);
-  EXPECT_EQ(problem.area_loads.at(0).force_function(x, y), exact.force(x, y));
-  EXPECT_EQ(problem.area_loads.at(0).couple_function(x, y), exact.couple(x, y));
-  EXPECT_TRUE(manufactured_problem({ManufacturedSolution::clamped, {}}, 2, 3).obstacles.empty());
+  EXPECT_EQ(problem.shell.loads.on_areas.at(0).force_function(x, y), exact.force(x, y));
+  EXPECT_EQ(problem.shell.loads.on_areas.at(0).couple_function(x, y), exact.couple(x, y));
+  EXPECT_TRUE(manufactured_problem({ManufacturedSolution::clamped, {}}, 2, 3).shell.obstacles.empty());
 }
 
 TEST(ReferenceProblems, RefuseAThicknessWithoutReference) {

@@ -7,13 +7,20 @@
 
 namespace plastron::assembly {
 
+RigidObstacles RigidObstacles::standing(const State& state) const {
+  RigidObstacles result{
+      .moved = std::vector<Vector3d>(all.size(), Vector3d::Zero()), .face_scale = face_scale, .are_linear = are_linear};
+  for (std::size_t k = 0; k < all.size(); ++k) result.all.push_back(all[k].standing(state.time, state.position(k)));
+  return result;
+}
+
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description, State state) {
   ShellOperator shell(std::move(space), std::move(surface), description.sections, description.tying,
                       description.tangency.formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
-  auto load = load_vector(shell, description.area_loads, description.edge_loads, description.gravity);
+  auto load = load_vector(shell, description.loads);
   auto discrete = std::make_unique<DiscreteShell>(DiscreteShell{.shell = std::move(shell),
                                                                 .points = std::move(points),
                                                                 .full_load = std::move(load),

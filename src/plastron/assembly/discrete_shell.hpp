@@ -1,6 +1,7 @@
 // A shell on one mesh, linearised at a state and ready to be solved: strains, nodal coordinates with their bounds,
 // loads.
 #pragma once
+#include <plastron/assembly/description.hpp>
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/assembly/shell_operator.hpp>
@@ -51,18 +52,6 @@ struct DiscreteShell {
 /// the loads. Strains are linear; with finite rotations their operator would change here too (collective). Throws
 /// SupportError, ObstacleError.
 void linearise(DiscreteShell& discrete, State state);
-
-/// All data of a discrete shell that do not depend on the mesh.
-struct ShellDescription {
-  CrossSections sections{};
-  bool tying = true;
-  element::Tangency tangency{};
-  std::vector<Support> supports{};
-  std::vector<AreaLoad> area_loads{};
-  std::vector<EdgeLoad> edge_loads{};
-  Vector3d gravity = Vector3d::Zero();  ///< g [m/s^2]
-  RigidObstacles obstacles{};
-};
 
 /// Returns the shell linearised at `state` (collective). Throws SupportError, ObstacleError.
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,

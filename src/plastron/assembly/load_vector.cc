@@ -245,14 +245,13 @@ class LoadSum {
 
 }  // namespace
 
-algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
-                            const std::vector<EdgeLoad>& edge_loads, const Vector3d& gravity) {
+algebra::Vector load_vector(const ShellOperator& shell, const Loads& loads) {
   algebra::Vector f(shell.space().layout, 6);
   // Loads may be functions of the caller, and only one rank may find a value that is not finite.
   algebra::in_agreement<LoadError>(shell.space().layout->comm, [&] {
     LoadSum sum(shell, f);
-    sum.add_area_loads(area_loads, gravity);
-    for (const EdgeLoad& load : edge_loads) sum.add_edge_load(load);
+    sum.add_area_loads(loads.on_areas, loads.gravity);
+    for (const EdgeLoad& load : loads.on_edges) sum.add_edge_load(load);
     sum.throw_if_not_finite();
   });
   f.accumulate_ghosts();

@@ -5,7 +5,6 @@
 #include <plastron/assembly/shell_operator.hpp>
 
 #include <stdexcept>
-#include <vector>
 
 namespace plastron::assembly {
 
@@ -19,9 +18,8 @@ struct LoadError : std::invalid_argument {
 
 /// Returns nodal forces and couples, six values for each node, complete on owned nodes (collective). Area loads name
 /// regions of the mesh, edge loads name boundaries. Loads of the space's rigid bodies are included. So is the weight
-/// rho e g of the cross-sections under the acceleration g [m/s^2]. Loads made of pieces (geometry::is_piecewise) are
+/// rho e g of the cross-sections. Loads made of pieces (geometry::is_piecewise) are
 /// integrated between the borders of the pieces, even if these are narrow. Throws LoadError on all ranks together.
-algebra::Vector load_vector(const ShellOperator& shell, const std::vector<AreaLoad>& area_loads,
-                            const std::vector<EdgeLoad>& edge_loads, const Vector3d& gravity = Vector3d::Zero());
+algebra::Vector load_vector(const ShellOperator& shell, const Loads& loads);
 
 }  // namespace plastron::assembly

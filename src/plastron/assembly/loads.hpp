@@ -36,4 +36,26 @@ struct EdgeLoad {
   VectorExpression couple{};  ///< k, does work on r [N m/m]
 };
 
+/// Where a load acts: on a boundary or, if that is empty, on regions.
+struct LoadPlace {
+  std::string boundary{};
+  std::vector<std::string> regions{};  ///< empty: everywhere
+};
+
+/// All loads of a shell at load factor 1, without those of rigid bodies.
+struct Loads {
+  std::vector<AreaLoad> on_areas{};
+  std::vector<EdgeLoad> on_edges{};
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g for the weight of the density [m/s^2]
+
+  /// Receives an expression, its name in messages such as "the z component of a load's force", and its place.
+  using Visit = std::function<void(const geometry::Expression& f, const std::string& name, const LoadPlace& place)>;
+  void for_each_expression(const Visit& visit) const;
+  /// Returns the names that the loads use, once for each use.
+  std::vector<std::string> region_names() const;
+  std::vector<std::string> boundary_names() const;
+  /// Multiplies all loads by a factor.
+  void scale(double factor);
+};
+
 }  // namespace plastron::assembly

@@ -47,6 +47,12 @@ obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double
   return {phi, a3, thickness, moved.head<3>(), geometry::tangential(moved.tail<3>(), a3)};
 }
 
+bool NodalCoordinates::is_held_inside(const ContactRow& row, const NodalPoint& point) const {
+  if (row.is_touchable() || row.is_left_out) return false;
+  const double initial = gaps[static_cast<std::size_t>(row.obstacle)][row.node].initial;
+  return row.bound_gap < -1e-12 * (point.phi.norm() + point.thickness + std::abs(initial));
+}
+
 NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_pointer, const fem::Surface& surface,
                                    const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
                                    const RigidObstacles& obstacles, element::Formulation formulation,

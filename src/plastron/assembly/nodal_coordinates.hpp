@@ -3,10 +3,9 @@
 // upper. Without the coordinate r . a_3 the fields are those of V (M10).
 #pragma once
 #include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/description.hpp>
 #include <plastron/assembly/node_coordinates.hpp>
 #include <plastron/assembly/state.hpp>
-#include <plastron/assembly/supports.hpp>
-#include <plastron/element/formulation.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -17,51 +16,6 @@
 namespace plastron::assembly {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// The obstacles of a shell.
-struct RigidObstacles {
-  std::vector<obstacle::Obstacle> all{};  ///< obstacles at the positions where their gaps are linearised
-  std::vector<Vector3d> moved{};          ///< displacement of each by its force since then; empty: zero [m]
-  double face_scale = 1;    ///< faces lie at this multiple of e/2; not 1 in studies that vary the stiffness alone
-  bool are_linear = false;  ///< gaps are linear: (M16) at the undeformed shell, in every state
-
-  bool empty() const { return all.empty(); }
-  Vector3d way(std::size_t k) const { return moved.empty() ? Vector3d(0, 0, 0) : moved[k]; }
-  /// Returns the gap (M16) against obstacle k, with the normals of the linearisation.
-  obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at) const {
-    at.thickness *= face_scale;
-    obstacle::Gap gap = obstacle::gap_at(all[k], at);
-    gap.initial -= gap.normal.dot(way(k));
-    return gap;
-  }
-  /// Returns the gap between the shell at `at` and obstacle k, whose present position is `now`. It is linearised only
-  /// if the gaps are linear, as with planes.
-  obstacle::FaceGap true_gap(std::size_t k, const obstacle::Obstacle& now, obstacle::ShellPoint at) const {
-    if (are_linear) {
-      obstacle::ShellPoint undeformed = at;
-      undeformed.u = undeformed.r = Vector3d::Zero();
-      const obstacle::Gap linear = gap(k, undeformed);
-      const double distance = linear(at.u, at.r);
-      return {.z = linear.z, .distance = distance, .normal = linear.normal, .clearance = distance};
-    }
-    at.thickness *= face_scale;
-    return obstacle::face_gap(now, at);
-  }
-  /// Returns obstacle k at its present position.
-  obstacle::Obstacle now(std::size_t k) const {
-    obstacle::Obstacle result = all[k];
-    result.placement.translation += way(k);
-    return result;
-  }
-  /// Returns the same obstacles at their positions in the state.
-  RigidObstacles standing(const State& state) const {
-    RigidObstacles result{.moved = std::vector<Vector3d>(all.size(), Vector3d::Zero()),
-                          .face_scale = face_scale,
-                          .are_linear = are_linear};
-    for (std::size_t k = 0; k < all.size(); ++k) result.all.push_back(all[k].standing(state.time, state.position(k)));
-    return result;
-  }
-};
 
 struct NodalCoordinates {
   int width = 5;                 ///< coordinates of a node: 6 where r . a_3 is a coordinate
@@ -82,6 +36,9 @@ struct NodalCoordinates {
   }
   /// Whether some contact row bounds a coordinate of the owned node.
   bool is_touchable(std::size_t node) const { return std::ranges::any_of(rows_of(node), &ContactRow::is_touchable); }
+  /// Whether the supports fix the row's face inside its obstacle, where no bound can move it out. `point` is the row's
+  /// node. The limit is the rounding of the gap's terms, for any unit of length.
+  bool is_held_inside(const ContactRow& row, const NodalPoint& point) const;
   /// Place of coordinate k of a node in z.
   std::size_t at(std::size_t node, int k) const {
     return node * static_cast<std::size_t>(width) + static_cast<std::size_t>(k);

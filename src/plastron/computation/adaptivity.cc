@@ -27,7 +27,9 @@ double growth_to_witness(const problem::Problem& problem, const fem::Space& spac
 }  // namespace
 
 int degrees_of_witness(const problem::Problem& problem) {
-  return std::ranges::any_of(problem.supports, [](const assembly::Support& s) { return s.point.has_value(); }) ? 2 : 1;
+  return std::ranges::any_of(problem.shell.supports, [](const assembly::Support& s) { return s.point.has_value(); })
+             ? 2
+             : 1;
 }
 
 bool wants_witness(const problem::Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
@@ -145,7 +147,7 @@ std::vector<double> AccuracyLoop::changes(std::size_t goal, std::size_t count) c
 // Cells with nodes inside are not counted: these nodes are fixed there, and smaller cells do not help.
 std::string AccuracyLoop::missed_contact(const Result& result, const fem::Space& space) {
   entered_.clear();
-  if (!result.solution || problem_.linearisation.once) return {};
+  if (!result.solution || problem_.shell.obstacles.are_linear) return {};
   const Solution& solution = *result.solution;
   for (const certificate::CellGap& cell : solution.entered) {
     const double allowed = certificate::least_gap_allowed(result.summary, result.summary.obstacles[cell.obstacle]);

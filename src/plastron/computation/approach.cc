@@ -109,7 +109,8 @@ bool approach(Run& run, const problem::Instant& from, const problem::Instant& to
 
 bool approach_from_start(Run& run, std::unique_ptr<assembly::DiscreteShell>& discrete, const problem::Instant& to) {
   if (run.problem.steps.empty()) return true;
-  const problem::Instant start{.load_factor = 0, .force_factors = std::vector<double>(run.problem.obstacles.size(), 0)};
+  const problem::Instant start{.load_factor = 0,
+                               .force_factors = std::vector<double>(run.problem.shell.obstacles.all.size(), 0)};
   const double first = next_part(*discrete, algebra::Vector(discrete->space().layout, 6), start, to, 0);
   if (first == 1) return true;
   const problem::Instant instant = problem::between(start, to, first);

@@ -9,7 +9,6 @@
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/kept_factorisation.hpp>
-#include <plastron/problem/gap.hpp>
 
 namespace plastron::computation {
 
@@ -21,7 +20,7 @@ bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   std::int64_t held = 0;
   for (const assembly::ContactRow& row : coordinates.rows)
-    if (problem::is_held_inside(coordinates, discrete.points[row.node], row)) ++held;
+    if (coordinates.is_held_inside(row, discrete.points[row.node])) ++held;
   return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
 }
 

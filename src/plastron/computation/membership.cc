@@ -123,7 +123,7 @@ double force_error(const assembly::DiscreteShell& discrete, const solution::Summ
 void add_linearisation(const problem::Problem& problem, const assembly::DiscreteShell& discrete,
                        const solution::NodalSolution& solution, std::vector<CertificateLimit>& rows) {
   if (!has_rows_to_meet(discrete)) return;
-  if (problem.linearisation.once) {
+  if (problem.shell.obstacles.are_linear) {
     rows.push_back({"linearisation_error", "m", moved(discrete), 0, false,
                     "the case wants the gaps linearised at the undeformed shell"});
     return;

@@ -4,7 +4,6 @@
 #include <plastron/computation/approach.hpp>
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 
 #include <fmt/format.h>
 
@@ -28,7 +27,6 @@ Meshes::Meshes(Run& run)
     : run_(run),
       sequence_(meshing::mesh_sequence(run.problem, run.comm)),
       surface_(std::make_shared<const fem::Surface>(sequence_.space()->coarse, run.problem.charts)),
-      shell_(problem::shell_description(run.problem)),
       instant_(&run.instants.front()) {}
 
 bool Meshes::solve() { return run_.problem.accuracy ? solve_to_accuracy() : solve_uniform(); }
@@ -94,7 +92,7 @@ bool Meshes::solve_next(int number) {
   if (number > 0) refine(task, start);
   task.seconds.mesh = watch.lap();
   if (run_.observer.phase) run_.observer.phase(number, "geometry");
-  auto discrete = assembly::discretise(sequence_.space(), surface_, shell_, std::move(start));
+  auto discrete = assembly::discretise(sequence_.space(), surface_, run_.problem.shell, std::move(start));
   if (number == 0 && !approach_from_start(run_, discrete, *instant_)) {
     if (result.levels.empty()) result.solution.reset();
     return false;
@@ -148,8 +146,8 @@ void Meshes::confirm(const problem::Instant& instant) {
   LevelTask task = run_.task_after_first_level(run_.last_level());
   task.zone = interpolated_zone(std::move(fields[0]), fields[1]);
   task.valued = run_.goals();
-  const LevelResult higher =
-      solve_level(task, assembly::discretise(std::move(space), surface_, shell_, std::move(start)), run_.observer);
+  const LevelResult higher = solve_level(
+      task, assembly::discretise(std::move(space), surface_, run_.problem.shell, std::move(start)), run_.observer);
   estimation::Estimates& estimates = *run_.result.estimates;
   for (std::size_t g = 0; g < higher.values.size(); ++g) estimates.goals[g].at_higher_degree = higher.values[g];
   if (!higher.values.empty())

@@ -41,7 +41,6 @@ class Meshes {
   Run& run_;
   fem::MeshSequence sequence_;
   std::shared_ptr<const fem::Surface> surface_;
-  assembly::ShellDescription shell_;
   const problem::Instant* instant_;
   std::vector<fem::Cuts> cuts_{};     ///< cuts for the next mesh, where an accuracy is requested
   std::vector<signed char> marks_{};  ///< marks of cells for the next mesh, where there are no cuts

@@ -45,7 +45,7 @@ bool Run::has_time_for(const problem::Instant& instant) {
 std::vector<estimation::Goal> Run::goals() const {
   if (problem.accuracy) return problem::estimated_goals(problem);
   std::vector<estimation::Goal> goals{{"energy", estimation::Energy{}}};
-  if (!problem.obstacles.empty()) goals.push_back({"reaction", estimation::ObstacleForce{}});
+  if (!problem.shell.obstacles.empty()) goals.push_back({"reaction", estimation::ObstacleForce{}});
   return goals;
 }
 
@@ -74,7 +74,7 @@ assembly::State Run::continued_at(const problem::Instant& instant) const {
 }
 
 std::vector<double> Run::positions() const {
-  return problem.linearisation.once ? std::vector<double>{} : solution().discrete->positions();
+  return problem.shell.obstacles.are_linear ? std::vector<double>{} : solution().discrete->positions();
 }
 
 std::unique_ptr<assembly::DiscreteShell> Run::relinearised(assembly::State state, const ContactTrend& expected,
@@ -132,7 +132,7 @@ Result Run::finish() {
     warn(contact_warnings(result, problem.contact));
     warn(sideways_warnings(result.summary));
     warn(body_warnings(result.summary));
-    warn(point_support_warnings(result, problem.supports));
+    warn(point_support_warnings(result, problem.shell.supports));
     if (result.history.empty()) recover();
     find_stress_peak(result);
     warn(strain_warnings(result));

@@ -6,7 +6,6 @@
 #include <plastron/computation/membership.hpp>
 #include <plastron/computation/warnings.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <plastron/problem/description.hpp>
 #include <plastron/problem/instants.hpp>
 #include <plastron/solution/summary.hpp>
 
@@ -47,8 +46,7 @@ FinestMesh finest_mesh(const problem::Problem& problem, MPI_Comm comm, const Mes
 
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
   solution.state.force_factors = problem::instants(problem).back().force_factors;
-  Solution found{.discrete = assembly::discretise(mesh.space, mesh.surface, problem::shell_description(problem),
-                                                  std::move(solution.state)),
+  Solution found{.discrete = assembly::discretise(mesh.space, mesh.surface, problem.shell, std::move(solution.state)),
                  .nodal = std::move(solution.nodal)};
   std::vector<double> ways;
   for (const std::size_t k : pressed_obstacles(*found.discrete)) ways.push_back(solution.ways.at(k));
@@ -57,8 +55,8 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
   Verification verification{.result = {.summary = verdict.summary,
                                        .certificate = verdict.certificate,
                                        .levels = {measured(*found.discrete, found.nodal, verdict)},
-                                       .has_obstacle = !problem.obstacles.empty(),
-                                       .formulation = problem.discretisation.tangency.formulation}};
+                                       .has_obstacle = !problem.shell.obstacles.empty(),
+                                       .formulation = problem.shell.tangency.formulation}};
   Result& result = verification.result;
   take_moments_about(problem.output.moment_point, result.summary);
   MPI_Comm_size(mesh.space->layout->comm, &result.ranks);

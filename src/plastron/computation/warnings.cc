@@ -106,7 +106,7 @@ constexpr std::array<double, 3> largest_size = {0.7, 1.3, 1.7};
 
 std::vector<std::string> locking_warnings(const problem::Problem& problem) {
   const problem::Discretisation& d = problem.discretisation;
-  const bool is_tied = d.tying && d.cells == fem::Shape::quadrilateral;
+  const bool is_tied = problem.shell.tying && d.cells == fem::Shape::quadrilateral;
   if (is_tied || d.degree > static_cast<int>(largest_size.size())) return {};
   const double L = meshing::extent(problem);
   double worst = 0, size = 0, limit = 0, thickness = 0;

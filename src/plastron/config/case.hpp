@@ -1,4 +1,4 @@
-// Reads a case file as a computation::Problem. Only this folder reads case files; the format is docs/case-file.md.
+// Reads a case file as a problem::Problem. Only this folder reads case files; the format is docs/case-file.md.
 #pragma once
 #include <plastron/config/input_file.hpp>
 #include <plastron/config/mistakes.hpp>

@@ -10,14 +10,15 @@ namespace {
 
 /// Checks triangles, which have degrees 1 and 2 and no tying. A default of `tying` is changed, a given value is an
 /// error.
-void check_triangles(Table& mesh, problem::Discretisation& d) {
-  if (d.degree > 2)
-    mesh.report("degree", fmt::format("degree {} is not available on triangles", d.degree), "1 <= degree <= 2",
+void check_triangles(Table& mesh, problem::Problem& problem) {
+  const int degree = problem.discretisation.degree;
+  if (degree > 2)
+    mesh.report("degree", fmt::format("degree {} is not available on triangles", degree), "1 <= degree <= 2",
                 "write cells = \"quadrilateral\" for a higher degree");
-  if (d.tying && mesh.has("tying"))
+  if (problem.shell.tying && mesh.has("tying"))
     mesh.report("tying", "the strains of triangles cannot be tied", "tying = false",
                 "leave tying out and use degree 2 on a mesh fine enough, or write cells = \"quadrilateral\"");
-  d.tying = false;
+  problem.shell.tying = false;
   mesh.effective["tying"] = false;
 }
 
@@ -40,11 +41,11 @@ void read_mesh(Table& root, problem::Problem& problem) {
   problem::Discretisation& d = problem.discretisation;
   if (mesh->text("cells") == "triangle") d.cells = fem::Shape::triangle;
   d.degree = mesh->integer("degree").value_or(d.degree);
-  d.tying = mesh->boolean("tying").value_or(d.tying);
+  problem.shell.tying = mesh->boolean("tying").value_or(problem.shell.tying);
   if (mesh->word_or_false("layers") == "auto") d.layers = problem::Layers::automatic;
   d.refinements = mesh->integer("refinements").value_or(d.refinements);
   if (root.has("accuracy") || !root.has("mesh")) suit_accuracy(*mesh, d);
-  if (d.cells == fem::Shape::triangle) check_triangles(*mesh, d);
+  if (d.cells == fem::Shape::triangle) check_triangles(*mesh, problem);
   root.effective["mesh"] = mesh->effective;
 }
 
@@ -114,7 +115,7 @@ void read_units(Table& root, problem::UnitNames& units) {
 void read_contact(Table& root, problem::Problem& problem) {
   auto contact = root.table("contact");
   if (!contact) return;
-  problem.linearisation.once = contact->boolean("linearised").value_or(false);
+  problem.shell.obstacles.are_linear = contact->boolean("linearised").value_or(false);
   problem.admissible = contact->boolean("admissible").value_or(false);
   root.effective["contact"] = contact->effective;
 }

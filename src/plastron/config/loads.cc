@@ -22,8 +22,8 @@ void read_edge_load(Table& load, const std::optional<fem::Domain>& domain, probl
   const assembly::EdgeLoad result{
       .boundary = "", .force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
   for (const std::string& boundary : boundaries.value_or(std::vector<std::string>{})) {
-    problem.edge_loads.push_back(result);
-    problem.edge_loads.back().boundary = boundary;
+    problem.shell.loads.on_edges.push_back(result);
+    problem.shell.loads.on_edges.back().boundary = boundary;
   }
 }
 
@@ -37,7 +37,7 @@ void read_area_load(Table& load, const std::optional<fem::Domain>& domain, probl
     const auto known = domain ? fem::region_names(*domain) : std::vector<std::string>{};
     result.regions = load.name_list("region", "region", known).value_or(std::vector<std::string>{});
   }
-  problem.area_loads.push_back(std::move(result));
+  problem.shell.loads.on_areas.push_back(std::move(result));
 }
 
 }  // namespace

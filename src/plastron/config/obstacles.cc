@@ -15,8 +15,8 @@ constexpr const char *of_lower_face = ", lower face", *of_upper_face = ", upper 
 
 std::vector<std::size_t> obstacles_named(const problem::Problem& problem, const std::string& name) {
   std::vector<std::size_t> found;
-  for (std::size_t k = 0; k < problem.obstacles.size(); ++k) {
-    const std::string& its = problem.obstacles[k].name;
+  for (std::size_t k = 0; k < problem.shell.obstacles.all.size(); ++k) {
+    const std::string& its = problem.shell.obstacles.all[k].name;
     if (its == name || its == name + of_lower_face || its == name + of_upper_face) found.push_back(k);
   }
   return found;
@@ -51,12 +51,12 @@ void add_faces(obstacle::Obstacle body, const std::string& face, problem::Proble
     other.name += of_upper_face;
     other.face = Face::upper;
     body.face = Face::lower;
-    problem.obstacles.push_back(std::move(body));
-    problem.obstacles.push_back(std::move(other));
+    problem.shell.obstacles.all.push_back(std::move(body));
+    problem.shell.obstacles.all.push_back(std::move(other));
     return;
   }
   body.face = face == "lower" ? Face::lower : face == "upper" ? Face::upper : Face::nearer;
-  problem.obstacles.push_back(std::move(body));
+  problem.shell.obstacles.all.push_back(std::move(body));
 }
 
 }  // namespace

@@ -39,11 +39,11 @@ void read_regions(Table& root, const std::optional<fem::Domain>& domain, problem
   const auto known = domain ? fem::region_names(*domain) : std::vector<std::string>{};
   for (Table& region : root.tables("region")) {
     const auto name = region.known_name("name", "region", known);
-    assembly::CrossSection section = problem.sections.common;
+    assembly::CrossSection section = problem.shell.sections.common;
     read_section(region, section);
     effective.push_back(region.effective);
     if (!name) continue;
-    if (!problem.sections.regions.emplace(*name, std::move(section)).second)
+    if (!problem.shell.sections.regions.emplace(*name, std::move(section)).second)
       region.report("name", fmt::format("two [[region]] are named \"{}\"", *name), "",
                     "write all that it has in one of them");
   }
@@ -57,7 +57,7 @@ void read_gravity(Table& root, problem::Problem& problem) {
                             "add density = 7850 to [shell] or to a [[region]]");
     auto gravity = root.table("gravity");
     if (!gravity) return;
-    if (const auto g = gravity->vector("acceleration")) problem.gravity = *g;
+    if (const auto g = gravity->vector("acceleration")) problem.shell.loads.gravity = *g;
     root.effective["gravity"] = gravity->effective;
   } else if (density) {
     root.reading().report(*density, "a density is given, but nothing pulls at it", "",

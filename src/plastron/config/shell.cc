@@ -23,7 +23,7 @@ void read_shell(Table& root, problem::Problem& problem) {
   auto shell = root.table("shell");
   if (!shell) return;
   const auto shear_correction = shell->number("shear_correction");
-  assembly::CrossSection& section = problem.sections.common;
+  assembly::CrossSection& section = problem.shell.sections.common;
   section.material.shear_correction = shear_correction.value_or(1);
   if (!has_elastic_constants(*shell))
     shell->reading().report(shell->place(), "[shell] has no elastic constants", "either E and nu, or lambda and mu",
@@ -31,7 +31,7 @@ void read_shell(Table& root, problem::Problem& problem) {
   read_material(*shell, "[shell]", section.material);
   if (const auto thickness = shell->field("thickness")) section.thickness = *thickness;
   if (const auto density = shell->number("density")) section.density = *density;
-  read_tangency(*shell, problem.discretisation.tangency);
+  read_tangency(*shell, problem.shell.tangency);
   root.effective["shell"] = shell->effective;
 }
 

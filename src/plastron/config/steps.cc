@@ -49,20 +49,20 @@ std::vector<std::size_t> moved_obstacles(Table& table, const problem::Problem& p
 void read_force(Table& table, const problem::Problem& problem, std::size_t k, problem::Step& step) {
   if (!table.has("force")) return;
   const auto factor = table.number("force");
-  if (!problem.obstacles[k].is_pressed())
-    table.report("force", fmt::format("no force presses the obstacle \"{}\"", problem.obstacles[k].name), "",
+  if (!problem.shell.obstacles.all[k].is_pressed())
+    table.report("force", fmt::format("no force presses the obstacle \"{}\"", problem.shell.obstacles.all[k].name), "",
                  "give the obstacle a force");
   if (factor) step.force_factors[k] = *factor;
 }
 
 void read_moves(Table& table, const std::vector<std::string>& known, problem::Problem& problem, problem::Step& step) {
-  for (obstacle::Obstacle& o : problem.obstacles) o.motions.emplace_back();
+  for (obstacle::Obstacle& o : problem.shell.obstacles.all) o.motions.emplace_back();
   auto& effective = table.effective["move"] = nlohmann::json::array();
   std::vector<std::string> seen;
   for (Table& move : table.tables("move")) {
     const auto motion = read_motion(move);
     for (const std::size_t k : moved_obstacles(move, problem, known, seen)) {
-      if (motion) problem.obstacles[k].motions.back() = *motion;
+      if (motion) problem.shell.obstacles.all[k].motions.back() = *motion;
       read_force(move, problem, k, step);
     }
     effective.push_back(move.effective);
@@ -73,7 +73,7 @@ void read_moves(Table& table, const std::vector<std::string>& known, problem::Pr
 
 void read_steps(Table& root, problem::Problem& problem) {
   auto& effective = root.effective["step"] = nlohmann::json::array();
-  problem::Step step{.force_factors = std::vector<double>(problem.obstacles.size(), 1)};
+  problem::Step step{.force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 1)};
   int parts = 0;
   for (Table& table : root.tables("step")) {
     step.name = read_step_name(table, problem);

@@ -182,10 +182,10 @@ void read_supports(Table& root, const std::optional<fem::Domain>& domain, proble
       if (!f.by_symmetry) values[f.name] = 0.0;
     read_values(support, *fixed, result, values);
     effective.push_back(support.effective);
-    if (places.point) problem.supports.push_back(result);
+    if (places.point) problem.shell.supports.push_back(result);
     for (const std::string& boundary : places.boundaries) {
-      problem.supports.push_back(result);
-      problem.supports.back().boundary = boundary;
+      problem.shell.supports.push_back(result);
+      problem.shell.supports.back().boundary = boundary;
     }
   }
 }

@@ -87,7 +87,7 @@ class ChartCheck {
     s.jets.resize(n);
     examined_.surface->positions(cell, xi, s.x, s.y);
     examined_.surface->jets(cell, xi, s.jets, second_derivatives);
-    examined_.problem.sections.at(*examined_.space->coarse, cell).thickness.evaluate(s.x, s.y, s.e);
+    examined_.problem.shell.sections.at(*examined_.space->coarse, cell).thickness.evaluate(s.x, s.y, s.e);
     return s;
   }
 

@@ -67,8 +67,9 @@ void note_faces(Examined& examined, const ExaminedNodes& nodes, std::size_t obst
 void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
   // Within 6 degrees of a right angle the distances of the faces differ by less than a tenth of e.
   constexpr double alike = 0.1;
-  const Face face = examined.problem.obstacles[obstacle].face;
-  if (examined.problem.obstacles[obstacle].is_for_both) return;  // no check: the other face may touch the same body
+  const obstacle::Obstacle& body = examined.problem.shell.obstacles.all[obstacle];
+  const Face face = body.face;
+  if (body.is_for_both) return;  // no check: the other face may touch the same body
   if (face == Face::nearer) return note_faces(examined, nodes, obstacle);
   const Nearest near = nearest(nodes, obstacle, face);
   const auto& point = nodes.points[near.node];

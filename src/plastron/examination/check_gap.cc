@@ -1,7 +1,6 @@
 // Checks the gap of the undeformed shell (M16): K must not be empty.
 #include <plastron/examination/checks.hpp>
 #include <plastron/meshing/sizes.hpp>
-#include <plastron/problem/gap.hpp>
 
 #include <fmt/ranges.h>
 
@@ -15,7 +14,7 @@ namespace {
 /// Returns the places of the supports that act at a node: 'the boundary "left"', "the point (0, 0)".
 std::string supports_of(std::size_t node, const Examined& examined, const ExaminedNodes& nodes) {
   std::vector<std::string> names;
-  for (const assembly::Support& support : examined.problem.supports) {
+  for (const assembly::Support& support : examined.problem.shell.supports) {
     const auto rows = assembly::node_supports(*examined.space, *examined.surface, nodes.points, {support});
     const std::string name = support.point
                                  ? fmt::format("the point ({:.6g}, {:.6g})", (*support.point)[0], (*support.point)[1])
@@ -31,9 +30,9 @@ std::string supports_of(std::size_t node, const Examined& examined, const Examin
 /// mesh is refined there.
 void check_roundness(Examined& examined, const assembly::NodalPoint& nearest, std::size_t obstacle) {
   const problem::Problem& problem = examined.problem;
-  if (problem.accuracy || problem.obstacles[obstacle].is_plane()) return;
+  if (problem.accuracy || problem.shell.obstacles.all[obstacle].is_plane()) return;
   const double radius =
-      obstacle::face_gap(problem.obstacles[obstacle], {nearest.phi, nearest.a3, nearest.thickness}).roundness;
+      obstacle::face_gap(problem.shell.obstacles.all[obstacle], {nearest.phi, nearest.a3, nearest.thickness}).roundness;
   double longest = 0;
   for (const meshing::CellSize& cell : meshing::cell_sizes(problem)) longest = std::max(longest, cell.longest_side);
   const double spacing = longest / problem.discretisation.degree;
@@ -59,8 +58,7 @@ void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obsta
           ? "; the whole shell lies inside of it: is a normal reversed, the obstacle's or the chart's?"
           : "";
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (const assembly::ContactRow& row = coordinates.rows_of(i)[obstacle];
-        problem::is_held_inside(coordinates, points[i], row))
+    if (const assembly::ContactRow& row = coordinates.rows_of(i)[obstacle]; coordinates.is_held_inside(row, points[i]))
       return examined.add(Severity::error,
                           "the support of {} holds the shell inside of {} at {}: its face "
                           "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",
@@ -71,8 +69,8 @@ void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obsta
   const auto& at = nearest.x;
   const bool reaches_in = least->initial < -rounding;
   examined.add(reaches_in ? Severity::warning : Severity::note, "initial gap{}: {:.4g} m (at {}) to {:.4g} m{}{}",
-               examined.problem.obstacles.size() == 1 ? "" : " to " + which, least->initial, examined.place(at),
-               most->initial,
+               examined.problem.shell.obstacles.all.size() == 1 ? "" : " to " + which, least->initial,
+               examined.place(at), most->initial,
                reaches_in ? "; the undeformed shell reaches into the obstacle and will be pushed out" : "", question);
 }
 

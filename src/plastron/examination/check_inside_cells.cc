@@ -92,7 +92,7 @@ double scale_of(const Examined& examined, const NamedExpression& e) {
 
 /// Returns the thicknesses that are not constant, each with the regions whose cells have it.
 std::vector<NamedExpression> thickness_expressions(const Examined& examined) {
-  const assembly::CrossSections& sections = examined.problem.sections;
+  const assembly::CrossSections& sections = examined.problem.shell.sections;
   std::vector<NamedExpression> all;
   NamedExpression common{.f = sections.common.thickness};
   for (const std::string& region : examined.space->coarse->regions) {

@@ -18,8 +18,8 @@ namespace {
 algebra::Vector load_of(const Examined& examined) {
   const problem::Problem& problem = examined.problem;
   constexpr bool tying = false, is_covariant = false;  // the work on rigid motions, which are Cartesian fields
-  const assembly::ShellOperator shell(examined.space, examined.surface, problem.sections, tying, is_covariant);
-  return assembly::load_vector(shell, problem.area_loads, problem.edge_loads, problem.gravity);
+  const assembly::ShellOperator shell(examined.space, examined.surface, problem.shell.sections, tying, is_covariant);
+  return assembly::load_vector(shell, problem.shell.loads);
 }
 
 void add_hold(const Pressing& pressing, const RigidMotions& motions, Examined& examined) {
@@ -59,7 +59,7 @@ class Rolling {
     for (const fem::Cell& cell : examined.space->cells) {
       examined.surface->jets(cell, xi, jets, false);
       examined.surface->positions(cell, xi, x, y);
-      examined.problem.sections.at(*examined.space->coarse, cell).thickness.evaluate(x, y, e);
+      examined.problem.shell.sections.at(*examined.space->coarse, cell).thickness.evaluate(x, y, e);
       for (std::size_t p = 0; p < xi.size(); ++p)
         for (const double side : {-0.5, 0.5}) faces_.push_back(jets[p].value + side * e[p] * unit_normal(jets[p]));
     }
@@ -88,7 +88,7 @@ class Rolling {
     Rest lowest;
     for (const Eigen::Vector3d& place : faces_) {
       const Eigen::Vector3d X = motions_.turned(place, motion, angle);
-      for (const obstacle::Obstacle& obstacle : examined_.problem.obstacles) {
+      for (const obstacle::Obstacle& obstacle : examined_.problem.shell.obstacles.all) {
         const obstacle::Nearest nearest = obstacle.nearest(X);
         if (nearest.distance < lowest.gap) lowest = {nearest.distance, nearest.normal};
       }
@@ -124,7 +124,7 @@ bool has_fast_distance(const obstacle::Obstacle& obstacle) {
 
 void check_rolling(Examined& examined, const RigidMotions& motions, const ExaminedNodes& nodes,
                    const std::vector<RigidMotion>& held, const algebra::Vector& load) {
-  if (!std::ranges::all_of(examined.problem.obstacles, has_fast_distance)) return;
+  if (!std::ranges::all_of(examined.problem.shell.obstacles.all, has_fast_distance)) return;
   const Rolling rolling(examined, motions, nodes, load);
   const auto is_possible = [&](const RigidMotion& motion) {
     try {

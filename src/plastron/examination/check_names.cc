@@ -32,17 +32,18 @@ void check_names(Examined& examined) {
       examined.add(Severity::error, "{} \"{}\", which the mesh does not have; it has: {}", what, name,
                    fmt::join(known, ", "));
   };
-  for (const auto& [name, section] : examined.problem.sections.regions)
+  for (const auto& [name, section] : examined.problem.shell.sections.regions)
     check(name, mesh.regions, "a thickness, material or density is given for the region");
-  for (const auto& l : examined.problem.area_loads)
-    for (const std::string& region : l.regions) check(region, mesh.regions, "a load names the region");
-  for (const auto& s : examined.problem.supports) {
+  const assembly::Loads& loads = examined.problem.shell.loads;
+  for (const std::string& region : loads.region_names()) check(region, mesh.regions, "a load names the region");
+  for (const auto& s : examined.problem.shell.supports) {
     if (s.point)
       check_point(examined, *s.point);
     else
       check(s.boundary, mesh.boundaries, "a support names the boundary");
   }
-  for (const auto& l : examined.problem.edge_loads) check(l.boundary, mesh.boundaries, "a load names the boundary");
+  for (const std::string& boundary : loads.boundary_names())
+    check(boundary, mesh.boundaries, "a load names the boundary");
 }
 
 void check_lines(Examined& examined) {

@@ -7,8 +7,8 @@ namespace plastron::examination {
 
 void check_symmetry(Examined& examined) {
   const auto points =
-      assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.sections);
-  for (const assembly::Support& support : examined.problem.supports) {
+      assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.shell.sections);
+  for (const assembly::Support& support : examined.problem.shell.supports) {
     if (!support.symmetry) continue;
     const auto rows = assembly::node_supports(*examined.space, *examined.surface, points, {support});
     const Eigen::Vector3d* first = nullptr;
@@ -28,7 +28,7 @@ void check_symmetry(Examined& examined) {
 
 void check_formulation(Examined& examined, const ExaminedNodes& nodes) {
   using element::Formulation;
-  const Formulation kind = examined.problem.discretisation.tangency.formulation;
+  const Formulation kind = examined.problem.shell.tangency.formulation;
   if (kind == Formulation::classical && examined.problem.charts.size() > 1)
     examined.add(Severity::error,
                  "the classical formulation needs a smooth chart, and the regions {} have charts of their own, where "

@@ -4,8 +4,8 @@
 namespace plastron::examination {
 
 void check_surfaces(Examined& examined) {
-  for (std::size_t k = 0; k < examined.problem.obstacles.size(); ++k) {
-    const auto* surface = std::get_if<obstacle::TriangleSurface>(&examined.problem.obstacles[k].shape);
+  for (std::size_t k = 0; k < examined.problem.shell.obstacles.all.size(); ++k) {
+    const auto* surface = std::get_if<obstacle::TriangleSurface>(&examined.problem.shell.obstacles.all[k].shape);
     if (!surface || surface->mesh().joined == 0) continue;
     examined.add(
         Severity::note,

@@ -6,7 +6,6 @@
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/meshing/start_mesh.hpp>
-#include <plastron/problem/gap.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +30,7 @@ void check_nodes(Examined& examined) {
   try {
     check_symmetry(examined);
     const ExaminedNodes nodes(examined);
-    for (std::size_t k = 0; k < examined.problem.obstacles.size(); ++k) {
+    for (std::size_t k = 0; k < examined.problem.shell.obstacles.all.size(); ++k) {
       check_gap(examined, nodes, k);
       check_face(examined, nodes, k);
       check_sides(examined, nodes, k);
@@ -76,14 +75,16 @@ std::string Examined::place(const Eigen::Vector2d& x) const {
 }
 
 ExaminedNodes::ExaminedNodes(const Examined& examined)
-    : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.sections)),
-      coordinates(assembly::nodal_coordinates(examined.space, *examined.surface, points, examined.problem.supports,
-                                              problem::rigid_obstacles(examined.problem),
-                                              examined.problem.discretisation.tangency.formulation)) {}
+    : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables,
+                                      examined.problem.shell.sections)),
+      coordinates(assembly::nodal_coordinates(examined.space, *examined.surface, points,
+                                              examined.problem.shell.supports, examined.problem.shell.obstacles,
+                                              examined.problem.shell.tangency.formulation)) {}
 
 std::string obstacle_text(const problem::Problem& problem, std::size_t obstacle) {
-  return problem.obstacles.size() == 1 ? "the obstacle"
-                                       : fmt::format("the obstacle \"{}\"", problem.obstacles[obstacle].name);
+  return problem.shell.obstacles.all.size() == 1
+             ? "the obstacle"
+             : fmt::format("the obstacle \"{}\"", problem.shell.obstacles.all[obstacle].name);
 }
 
 std::string vector_text(Eigen::Vector3d v, double size) {

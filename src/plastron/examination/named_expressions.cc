@@ -29,11 +29,6 @@ void add(const std::string& name, const Expression& f, NamedExpression where, st
   all.push_back(std::move(where));
 }
 
-void add(const std::string& name, const assembly::VectorExpression& f, const NamedExpression& where,
-         std::vector<NamedExpression>& all) {
-  for (std::size_t k = 0; k < 3; ++k) add(fmt::format("the {} component of {}", "xyz"[k], name), f[k], where, all);
-}
-
 std::string component_name(const assembly::PrescribedComponent& component) {
   const auto direction = [&] {
     switch (component.direction) {
@@ -64,7 +59,7 @@ std::string quoted(const Expression& f) {
 
 std::vector<NamedExpression> support_expressions(const problem::Problem& problem) {
   std::vector<NamedExpression> all;
-  for (const assembly::Support& support : problem.supports)
+  for (const assembly::Support& support : problem.shell.supports)
     for (const assembly::PrescribedComponent& component : support.components)
       add("the value of " + component_name(component), component.value,
           {.boundary = support.boundary, .point = support.point}, all);
@@ -73,17 +68,10 @@ std::vector<NamedExpression> support_expressions(const problem::Problem& problem
 
 std::vector<NamedExpression> load_expressions(const problem::Problem& problem) {
   std::vector<NamedExpression> all;
-  for (const assembly::AreaLoad& load : problem.area_loads) {
-    const NamedExpression where{.regions = load.regions};
-    add("a load's force", load.force, where, all);
-    add("a load's pressure", load.pressure, where, all);
-    add("a load's couple", load.couple, where, all);
-  }
-  for (const assembly::EdgeLoad& load : problem.edge_loads) {
-    const NamedExpression where{.boundary = load.boundary};
-    add("a load's force", load.force, where, all);
-    add("a load's couple", load.couple, where, all);
-  }
+  problem.shell.loads.for_each_expression(
+      [&](const Expression& f, const std::string& name, const assembly::LoadPlace& place) {
+        add(name, f, {.boundary = place.boundary, .regions = place.regions}, all);
+      });
   return all;
 }
 

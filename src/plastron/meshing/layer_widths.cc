@@ -159,7 +159,7 @@ std::vector<EdgeLayer> edge_layers(const problem::Problem& problem) {
   for (const Piece& piece : std::visit(Pieces{}, problem.domain)) {
     const std::string& region = region_name(names, piece.region);
     const geometry::Chart& chart = fem::chart_of_region(problem.charts, region);
-    layers.push_back(layer_along(piece, chart, thickness_of(problem.sections, region)));
+    layers.push_back(layer_along(piece, chart, thickness_of(problem.shell.sections, region)));
   }
   return layers;
 }
@@ -179,7 +179,7 @@ Interior interior(const problem::Problem& problem) {
     const fem::Cell cell{.coarse = static_cast<int>(c)};
     surface.parameter_jets(cell, xi, jets);
     surface.positions(cell, xi, x, y);
-    problem.sections.at(*coarse, cell).thickness.evaluate(x, y, e);
+    problem.shell.sections.at(*coarse, cell).thickness.evaluate(x, y, e);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const geometry::PlaneJet map = coarse->cells[c].map(xi[i]);
       const double weight = std::abs(map.d[0][0] * map.d[1][1] - map.d[0][1] * map.d[1][0]) / (n * n);

@@ -97,7 +97,7 @@ std::vector<fem::Cuts> cuts_by_errors(const problem::Problem& problem, const fem
                      .estimates = *task.estimates,
                      .share = share_to_divide(task.excess),
                      .per_cell = cells > 0 && whole > 0 ? divided / whole / (3 * cells) : 0,
-                     .halves_only = std::ranges::any_of(problem.supports, is_held_at_point),
+                     .halves_only = std::ranges::any_of(problem.shell.supports, is_held_at_point),
                      .are_met = std::ranges::all_of(task.goals, &estimation::GoalRecord::is_met),
                      .at_edges = task.wants_edges});
 }

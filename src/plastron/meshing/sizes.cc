@@ -69,7 +69,7 @@ std::vector<CellSize> cell_sizes(const problem::Problem& problem) {
   for (const fem::Cell& cell : meshes.space()->cells) {
     surface.jets(cell, xi, jets, false);
     surface.positions(cell, xi, x, y);
-    problem.sections.at(surface.coarse(), cell).thickness.evaluate(x, y, thickness);
+    problem.shell.sections.at(surface.coarse(), cell).thickness.evaluate(x, y, thickness);
     sizes.push_back({to_finest * longest_side(d.cells, jets), *std::ranges::min_element(thickness)});
   }
   return sizes;

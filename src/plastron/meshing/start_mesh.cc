@@ -42,7 +42,7 @@ std::set<int> boundaries_within(const problem::Problem& problem) {
     const auto place = std::ranges::find(names, name);
     if (place != names.end()) result.insert(static_cast<int>(place - names.begin()));
   };
-  for (const assembly::Support& support : problem.supports)
+  for (const assembly::Support& support : problem.shell.supports)
     if (support.symmetry) add(support.boundary);
   for (const fem::Join& join : problem.joins)
     for (const std::string& name : join.boundaries) add(name);
@@ -120,7 +120,7 @@ bool has_narrow_rows(const Rows& rows) {
 double size_inside(const problem::Problem& problem, const Interior& inside) {
   const int degree = problem.discretisation.degree;
   double size = constants.cell_size * degree * inside.width;
-  if (!problem.obstacles.empty() && !problem.accuracy)
+  if (!problem.shell.obstacles.empty() && !problem.accuracy)
     size = std::min(size, degree * std::sqrt(inside.area / constants.contact_nodes));
   return size;
 }
@@ -190,7 +190,7 @@ double largest_cell(const Interior& inside) { return std::sqrt(inside.area) / 2;
 bool has_points(const fem::CoarseMesh& coarse, const problem::Problem& problem) {
   const auto nodes = fem::kept_nodes(coarse, problem.discretisation.degree);
   const double tolerance = fem::point_tolerance(coarse);
-  return std::ranges::all_of(problem.supports, [&](const assembly::Support& s) {
+  return std::ranges::all_of(problem.shell.supports, [&](const assembly::Support& s) {
     return !s.point ||
            std::ranges::any_of(nodes, [&](const Vector2d& x) { return (x - *s.point).norm() <= tolerance; });
   });
@@ -228,7 +228,7 @@ StartMesh start_mesh(const problem::Problem& problem) {
 
 int recommended_degree(const problem::Problem& problem) {
   if (problem.discretisation.cells == fem::Shape::triangle) return constants.degree_of_triangles;
-  return problem.obstacles.empty() ? constants.degree_smooth : constants.degree_with_contact;
+  return problem.shell.obstacles.empty() ? constants.degree_smooth : constants.degree_with_contact;
 }
 
 std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinements) {
@@ -254,7 +254,7 @@ std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinemen
 std::string describe(const StartMesh& mesh, const problem::Problem& problem) {
   const problem::Discretisation& d = problem.discretisation;
   if (d.layers == problem::Layers::none) return "";
-  const int width = element::is_relaxed(d.tangency.formulation) ? 6 : 5;
+  const int width = element::is_relaxed(problem.shell.tangency.formulation) ? 6 : 5;
   const auto unknowns = [&](int refinements) { return width * node_count(mesh.coarse, d.degree, refinements); };
   const auto names = fem::boundary_names(problem.domain), regions = fem::region_names(problem.domain);
   std::vector<std::string> rows;

@@ -10,10 +10,10 @@ namespace {
 estimation::Catalogue catalogue_of(const Problem& problem) {
   estimation::Catalogue catalogue{.axis = problem.output.axis, .is_smooth = problem.output.smooth};
   for (const Probe& probe : problem.probes) catalogue.probes.push_back({probe.name, probe.at});
-  for (const assembly::Support& support : problem.supports)
+  for (const assembly::Support& support : problem.shell.supports)
     if (!support.point && std::ranges::count(catalogue.supports, support.boundary) == 0)
       catalogue.supports.push_back(support.boundary);
-  for (const obstacle::Obstacle& obstacle : problem.obstacles)
+  for (const obstacle::Obstacle& obstacle : problem.shell.obstacles.all)
     catalogue.obstacles.push_back({obstacle.name, obstacle.is_pressed()});
   return catalogue;
 }
@@ -38,10 +38,10 @@ std::vector<estimation::Goal> estimated_goals(const Problem& problem) {
     return std::ranges::find(goals, name, &estimation::Goal::name) != goals.end();
   };
   constexpr std::string_view sum = "reaction";
-  if (problem.obstacles.size() < 2) return goals;
+  if (problem.shell.obstacles.all.size() < 2) return goals;
   for (const Accuracy::Goal& goal : problem.accuracy->goals) {
     if (!goal.name.starts_with(sum)) continue;
-    for (const obstacle::Obstacle& obstacle : problem.obstacles) {
+    for (const obstacle::Obstacle& obstacle : problem.shell.obstacles.all) {
       const std::string own = "obstacle." + obstacle.name + ".force" + goal.name.substr(sum.size());
       if (!is_asked_for(own)) add(own, goal.tolerance);
     }

@@ -21,7 +21,7 @@ Instant between(const Instant& from, const Instant& to, double part) {
 std::vector<Instant> instants(const Problem& problem) {
   if (problem.steps.empty()) return {Instant{}};
   std::vector<Instant> all;
-  Instant before{.load_factor = 0, .force_factors = std::vector<double>(problem.obstacles.size(), 0)};
+  Instant before{.load_factor = 0, .force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 0)};
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const Step& step = problem.steps[s];
     for (int j = 1; j <= step.parts; ++j) {
@@ -29,7 +29,7 @@ std::vector<Instant> instants(const Problem& problem) {
       Instant now{.step = static_cast<int>(s),
                   .time = static_cast<double>(s) + part,
                   .load_factor = between(before.load_factor, step.load_factor, part)};
-      for (std::size_t k = 0; k < problem.obstacles.size(); ++k) {
+      for (std::size_t k = 0; k < problem.shell.obstacles.all.size(); ++k) {
         const double to = step.force_factors.empty() ? 1 : step.force_factors[k];
         now.force_factors.push_back(between(before.force_factors[k], to, part));
       }

@@ -1,15 +1,12 @@
 // Plain values that define a computation: geometry, shell, supports, loads, obstacle, discretisation.
 #pragma once
-#include <plastron/assembly/cross_sections.hpp>
-#include <plastron/assembly/loads.hpp>
-#include <plastron/assembly/supports.hpp>
+#include <plastron/assembly/description.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/element/formulation.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/fem/domain.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/chart.hpp>
-#include <plastron/obstacle/gap.hpp>
 #include <plastron/problem/unit_names.hpp>
 
 #include <limits>
@@ -27,9 +24,7 @@ enum class Layers {
 
 struct Discretisation {
   fem::Shape cells = fem::Shape::quadrilateral;
-  int degree = 2;     ///< k, 1 to 8; 1 or 2 on triangles
-  bool tying = true;  ///< (M22); triangles are never tied
-  element::Tangency tangency{};
+  int degree = 2;  ///< k, 1 to 8; 1 or 2 on triangles
   Layers layers = Layers::none;
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
 };
@@ -47,9 +42,8 @@ struct Accuracy {
   bool is_uniform = false;  ///< all cells are divided, for comparison
 };
 
-/// Settings for the gaps of curved obstacles (M16).
+/// Settings for the gaps of curved obstacles (M16) that are linearised again at the deformed shell.
 struct Linearisation {
-  bool once = false;   ///< at the undeformed shell, and not again at the deformed one
   int max_steps = 50;  ///< largest number of steps on one mesh
   double tolerance =
       /// Limit of the distance between faces in contact and their points of linearisation, relative to the largest
@@ -94,12 +88,7 @@ struct Problem {
   std::vector<fem::Join> joins{};                 ///< edges that are joined
   std::vector<fem::RigidBody> rigid_bodies{};     ///< bodies that carry edges
   std::map<std::string, geometry::Chart> charts;  ///< charts by region; the unnamed region is ""
-  assembly::CrossSections sections{};             ///< thickness, material and density, by region
-  std::vector<assembly::Support> supports{};
-  std::vector<assembly::AreaLoad> area_loads{};
-  std::vector<assembly::EdgeLoad> edge_loads{};
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g for the weight of the density [m/s^2]
-  std::vector<obstacle::Obstacle> obstacles{};
+  assembly::ShellDescription shell{};             ///< sections, formulation, supports, loads and obstacles
   std::vector<Step> steps{};  ///< obstacles have a motion for each, or none; without steps nothing moves
   std::vector<Probe> probes{};
   std::vector<Line> lines{};
@@ -109,7 +98,6 @@ struct Problem {
   Linearisation linearisation{};
   Output output{};
   bool admissible = false;  ///< bounds of gaps are lifted until the shell is outside the obstacles also between nodes
-  double face_scale = 1;    ///< faces lie at this multiple of e/2; not 1 in studies that vary the stiffness alone
 };
 
 }  // namespace plastron::problem

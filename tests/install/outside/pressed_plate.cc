@@ -12,15 +12,15 @@ problem::Problem pressed_plate() {
   problem::Problem problem;
   problem.domain = fem::Disk{.radius = 0.5};
   problem.charts.emplace("", geometry::Chart({"x", "y", "0.02"}, {}));  // the mid-surface
-  problem.sections.common.thickness = geometry::Expression(0.02);
-  problem.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  problem.shell.sections.common.thickness = geometry::Expression(0.02);
+  problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   assembly::Support clamped{.boundary = "rim", .components = {}};
   for (const auto unknown : {Unknown::displacement, Unknown::rotation})
     for (const auto direction : {Direction::x, Direction::y, Direction::z})
       clamped.components.push_back({unknown, direction, {}});
-  problem.supports = {clamped};
-  problem.area_loads.emplace_back().force[2] = geometry::Expression(-2e-5);
-  problem.obstacles = {obstacle::Obstacle{}};  // the plane z = 0 under the lower face
+  problem.shell.supports = {clamped};
+  problem.shell.loads.on_areas.emplace_back().force[2] = geometry::Expression(-2e-5);
+  problem.shell.obstacles.all = {obstacle::Obstacle{}};  // the plane z = 0 under the lower face
   problem.discretisation = {.degree = 2, .refinements = 2};
   return problem;
 }

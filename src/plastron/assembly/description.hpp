@@ -1,0 +1,67 @@
+// Data of a discrete shell that do not depend on the mesh, as plain values.
+#pragma once
+#include <plastron/assembly/cross_sections.hpp>
+#include <plastron/assembly/loads.hpp>
+#include <plastron/assembly/supports.hpp>
+#include <plastron/element/formulation.hpp>
+#include <plastron/obstacle/gap.hpp>
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace plastron::assembly {
+
+using geometry::Vector3d;
+
+struct State;
+
+/// The obstacles of a shell.
+struct RigidObstacles {
+  std::vector<obstacle::Obstacle> all{};  ///< obstacles at the positions where their gaps are linearised
+  std::vector<Vector3d> moved{};          ///< displacement of each by its force since then; empty: zero [m]
+  double face_scale = 1;    ///< faces lie at this multiple of e/2; not 1 in studies that vary the stiffness alone
+  bool are_linear = false;  ///< gaps are linear: (M16) at the undeformed shell, in every state
+
+  bool empty() const { return all.empty(); }
+  Vector3d way(std::size_t k) const { return moved.empty() ? Vector3d(0, 0, 0) : moved[k]; }
+  /// Returns the gap (M16) against obstacle k, with the normals of the linearisation.
+  obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at) const {
+    at.thickness *= face_scale;
+    obstacle::Gap gap = obstacle::gap_at(all[k], at);
+    gap.initial -= gap.normal.dot(way(k));
+    return gap;
+  }
+  /// Returns the gap between the shell at `at` and obstacle k, whose present position is `now`. It is linearised only
+  /// if the gaps are linear, as with planes.
+  obstacle::FaceGap true_gap(std::size_t k, const obstacle::Obstacle& now, obstacle::ShellPoint at) const {
+    if (are_linear) {
+      obstacle::ShellPoint undeformed = at;
+      undeformed.u = undeformed.r = Vector3d::Zero();
+      const obstacle::Gap linear = gap(k, undeformed);
+      const double distance = linear(at.u, at.r);
+      return {.z = linear.z, .distance = distance, .normal = linear.normal, .clearance = distance};
+    }
+    at.thickness *= face_scale;
+    return obstacle::face_gap(now, at);
+  }
+  /// Returns obstacle k at its present position.
+  obstacle::Obstacle now(std::size_t k) const {
+    obstacle::Obstacle result = all[k];
+    result.placement.translation += way(k);
+    return result;
+  }
+  /// Returns the same obstacles at their positions in the state.
+  RigidObstacles standing(const State& state) const;
+};
+
+/// A shell without its mesh and its charts.
+struct ShellDescription {
+  CrossSections sections{};  ///< thickness, material and density, by region
+  bool tying = true;         ///< (M22); triangles are never tied
+  element::Tangency tangency{};
+  std::vector<Support> supports{};
+  Loads loads{};
+  RigidObstacles obstacles{};
+};
+
+}  // namespace plastron::assembly
