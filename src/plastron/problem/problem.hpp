@@ -2,7 +2,6 @@
 #pragma once
 #include <plastron/assembly/description.hpp>
 #include <plastron/contact/settings.hpp>
-#include <plastron/element/formulation.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/fem/domain.hpp>
 #include <plastron/fem/reference_cell.hpp>
