@@ -4,7 +4,7 @@
 #include "terminal.hpp"
 
 #include <plastron/config/nearest.hpp>
-#include <plastron/io/version.hpp>
+#include <plastron/io/results.hpp>
 
 #include <fmt/ranges.h>
 

@@ -12,7 +12,7 @@
 #include <plastron/config/mistakes.hpp>
 #include <plastron/fem/domain.hpp>
 #include <plastron/io/atomic_file.hpp>
-#include <plastron/io/unusable_results.hpp>
+#include <plastron/io/results.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <mpi.h>

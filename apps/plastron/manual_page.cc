@@ -5,7 +5,7 @@
 #include "terminal.hpp"
 
 #include <plastron/contact/statuses.hpp>
-#include <plastron/io/version.hpp>
+#include <plastron/io/results.hpp>
 
 namespace plastron::app {
 

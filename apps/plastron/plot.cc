@@ -3,9 +3,9 @@
 #include "inquiries.hpp"
 #include "terminal.hpp"
 
-#include <plastron/io/line_plots.hpp>
 #include <plastron/io/plot.hpp>
-#include <plastron/io/unusable_results.hpp>
+#include <plastron/io/result_plots.hpp>
+#include <plastron/io/results.hpp>
 
 #include <fcntl.h>
 #include <sys/stat.h>

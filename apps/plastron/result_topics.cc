@@ -4,7 +4,7 @@
 
 #include <plastron/contact/statuses.hpp>
 #include <plastron/io/fields.hpp>
-#include <plastron/io/parts.hpp>
+#include <plastron/io/results_schema.hpp>
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #include "terminal.hpp"
 
 #include <plastron/io/claims.hpp>
+#include <plastron/io/results.hpp>
 #include <plastron/io/solution_file.hpp>
-#include <plastron/io/version.hpp>
 
 #include <mpi.h>
 

@@ -1,6 +1,5 @@
 // solution.plastron: every digit comes back, on as many ranks as one likes, and nothing damaged is taken.
 #include <plastron/io/solution_file.hpp>
-#include <plastron/io/solution_record.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

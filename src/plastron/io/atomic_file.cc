@@ -205,6 +205,10 @@ void AtomicFiles::add(const std::filesystem::path& path, const Piece& piece) {
   });
 }
 
+void AtomicFiles::add_text(const std::filesystem::path& path, const Piece& text) {
+  add(path, [&] { return rank_in(comm_) == 0 ? text() : std::string(); });
+}
+
 void AtomicFiles::commit(std::string_view sign) {
   const auto on_first = [this](const File& file, const auto& step) {
     together("write", file.path, comm_, [&] {

@@ -1,6 +1,5 @@
-#include <plastron/io/quantities.hpp>
-
 #include <plastron/computation/left_out.hpp>
+#include <plastron/io/quantities.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,8 @@ namespace {
 using computation::Result;
 
 Json triple(const Eigen::Vector3d& v) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
+
+Json pair(const Eigen::Vector2d& v) { return Json::array({number(v[0]), number(v[1])}); }
 
 Json known(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
@@ -92,10 +93,7 @@ std::span<const Quantity<Result>> result_quantities() {
        "estimate of its error: that of the goal \"stress\" if that is asked for, else the difference to the resultants "
        "of its cell alone",
        [](const Result& r) { return number(r.peak.error); }},
-      {"stress/x", "the chart's", "parameters in Omega of its place",
-       [](const Result& r) {
-         return Json::array({number(r.peak.x[0]), number(r.peak.x[1])});
-       },
+      {"stress/x", "the chart's", "parameters in Omega of its place", [](const Result& r) { return pair(r.peak.x); },
        Form::pair},
       {"stress/position", "m", "its place on the undeformed mid-surface",
        [](const Result& r) { return triple(r.peak.position); }, Form::triple},
@@ -118,10 +116,7 @@ std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities() {
   using recovery::SingularPlace;
   static const std::vector<Quantity<SingularPlace>> all{
       {"what", "-", "in words", [](const SingularPlace& p) { return Json(p.what); }, Form::text},
-      {"at", "the chart's", "parameters of the place in Omega",
-       [](const SingularPlace& p) {
-         return Json::array({number(p.at[0]), number(p.at[1])});
-       },
+      {"at", "the chart's", "parameters of the place in Omega", [](const SingularPlace& p) { return pair(p.at); },
        Form::pair},
       {"position", "m", "on the undeformed mid-surface", [](const SingularPlace& p) { return triple(p.position); },
        Form::triple},
@@ -155,10 +150,7 @@ std::span<const Quantity<solution::CornerReaction>> corner_support_quantities() 
          return Json(names);
        },
        Form::text},
-      {"at", "the chart's", "parameters of the corner in Omega",
-       [](const CornerReaction& r) {
-         return Json::array({number(r.at[0]), number(r.at[1])});
-       },
+      {"at", "the chart's", "parameters of the corner in Omega", [](const CornerReaction& r) { return pair(r.at); },
        Form::pair},
       {"position", "m", "its place on the undeformed mid-surface",
        [](const CornerReaction& r) { return triple(r.position); }, Form::triple},
@@ -175,14 +167,32 @@ std::span<const Quantity<solution::CornerReaction>> corner_support_quantities() 
 std::span<const Quantity<solution::PointReaction>> point_support_quantities() {
   using solution::PointReaction;
   static const std::vector<Quantity<PointReaction>> all{
-      {"at", "the chart's", "parameters of the point in Omega",
-       [](const PointReaction& r) {
-         return Json::array({number(r.at[0]), number(r.at[1])});
-       },
+      {"at", "the chart's", "parameters of the point in Omega", [](const PointReaction& r) { return pair(r.at); },
        Form::pair},
       {"force", "N",
        "what it carries in directions that no boundary through it fixes; a force that is not zero depends on the mesh",
        [](const PointReaction& r) { return triple(r.force); }, Form::triple},
+  };
+  return all;
+}
+
+std::span<const Quantity<solution::BodyReaction>> rigid_body_quantities() {
+  using solution::BodyReaction;
+  static const std::vector<Quantity<BodyReaction>> all{
+      {"name", "-", "its name", [](const BodyReaction& b) { return Json(b.name); }, Form::text},
+      {"reference", "m", "its reference point, where it is at first",
+       [](const BodyReaction& b) { return triple(b.reference); }, Form::triple},
+      {"displacement", "m", "d, of the reference point", [](const BodyReaction& b) { return triple(b.displacement); },
+       Form::triple},
+      {"rotation", "rad", "theta, small", [](const BodyReaction& b) { return triple(b.rotation); }, Form::triple},
+      {"reaction/force", "N", "what holds the body where it is fixed, along what is fixed; part of support_reaction",
+       [](const BodyReaction& b) { return triple(b.reaction.force); }, Form::triple},
+      {"reaction/moment", "N m", "its moment about the origin",
+       [](const BodyReaction& b) { return triple(b.reaction.moment); }, Form::triple},
+      {"moment_at_reference", "N m", "its moment about the reference point",
+       [](const BodyReaction& b) { return triple(b.moment_at_reference); }, Form::triple},
+      {"least_gap", "m", "the smallest gap at its nodes, which no bound holds; null without obstacle",
+       [](const BodyReaction& b) { return number(b.least_gap); }},
   };
   return all;
 }
@@ -228,6 +238,50 @@ std::span<const Quantity<Result>> admissible_quantities() {
        [](const Result& r) { return number(r.last_level().energy_before_lifts); }},
       {"energy_change", "J", "stored energy, minus that",
        [](const Result& r) { return number(r.last_level().energy - r.last_level().energy_before_lifts); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<Result>> estimate_quantities() {
+  static const std::vector<Quantity<Result>> all{
+      {"energy_norm/squared", "J", "a(e, e) of the error e of the solution",
+       [](const Result& r) { return number(r.estimates->energy_norm_squared); }},
+      {"energy_norm/relative", "1", "its root over that of a(U, U)",
+       [](const Result& r) {
+         return number(std::sqrt(r.estimates->energy_norm_squared / (2 * r.summary.energy.total())));
+       }},
+      {"unjudged_cells", "1", "cells without a neighbour to judge them by: the shares of their errors are too small",
+       [](const Result& r) { return Json(r.estimates->unjudged_cells); }, Form::integer},
+  };
+  return all;
+}
+
+std::span<const Quantity<estimation::GoalEstimate>> goal_quantities() {
+  using estimation::GoalEstimate;
+  static const std::vector<Quantity<GoalEstimate>> all{
+      {"name", "-", "of the number whose error this is", [](const GoalEstimate& g) { return Json(g.name); },
+       Form::text},
+      {"unit", "-", "of the numbers here", [](const GoalEstimate& g) { return Json(g.unit); }, Form::text},
+      {"value", "see unit", "what was computed", [](const GoalEstimate& g) { return number(g.value); }},
+      {"tolerance", "1", "relative error that was asked for; null where none was",
+       [](const GoalEstimate& g) { return known(g.tolerance); }},
+      {"difference", "see unit",
+       "exact value minus this: by the higher degree, or away from the edges of contact zones",
+       [](const GoalEstimate& g) { return number(g.difference()); }},
+      {"corrected", "see unit", "the value and the difference together",
+       [](const GoalEstimate& g) { return number(g.value + g.difference()); }},
+      {"at_higher_degree", "see unit",
+       "what was computed on the same cells at one degree more, where that was needed to judge an accuracy; or null",
+       [](const GoalEstimate& g) { return known(g.at_higher_degree); }},
+      {"contact_edge", "see unit", "what the edges of contact zones may add to the difference, of either sign",
+       [](const GoalEstimate& g) { return number(g.contact_edge); }},
+      {"error", "see unit", "how large the difference is thought to be, by all of these",
+       [](const GoalEstimate& g) { return number(g.error()); }},
+      {"has_dual", "-", "the dual problem could be solved; without, its part of the difference is missing",
+       [](const GoalEstimate& g) { return Json(g.has_dual); }, Form::flag},
+      {"dual_energy", "J",
+       "energy of the dual solution per squared unit; where refinement lets it grow, the number has no limit",
+       [](const GoalEstimate& g) { return number(g.dual_energy); }},
   };
   return all;
 }
@@ -381,10 +435,7 @@ std::span<const Quantity<solution::ContactZone>> zone_quantities() {
        [](const ContactZone& z) { return number(z.line_reaction()); }},
       {"peak/pressure", "Pa", "largest eta at a node; in a line, or where an edge carries one, it depends on the mesh",
        [](const ContactZone& z) { return number(z.peak_pressure); }},
-      {"peak/x", "the chart's", "parameters in Omega of that node",
-       [](const ContactZone& z) {
-         return Json::array({number(z.peak_x[0]), number(z.peak_x[1])});
-       },
+      {"peak/x", "the chart's", "parameters in Omega of that node", [](const ContactZone& z) { return pair(z.peak_x); },
        Form::pair},
       {"peak/position", "m", "its place on the touching face of the undeformed shell",
        [](const ContactZone& z) { return triple(z.peak_place); }, Form::triple},

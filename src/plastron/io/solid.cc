@@ -1,4 +1,4 @@
-#include <plastron/io/solid.hpp>
+#include <plastron/io/vtu.hpp>
 
 #include <plastron/io/vtu_piece.hpp>
 

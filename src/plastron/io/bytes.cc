@@ -1,5 +1,6 @@
-#include <plastron/io/checksum.hpp>
+#include <plastron/io/bytes.hpp>
 
+#include <deal.II/base/utilities.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
@@ -59,5 +60,12 @@ Checksum checksum_of_file(const std::filesystem::path& path) {
   if (file.bad() || !file.eof()) throw std::runtime_error(fmt::format("{}: the file cannot be read", path.string()));
   return sum.checksum();
 }
+
+std::string base64(std::span<const std::byte> bytes) {
+  const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
+  return dealii::Utilities::encode_base64({first, first + bytes.size()});
+}
+
+std::string base64(const std::string& bytes) { return base64(std::as_bytes(std::span(bytes.data(), bytes.size()))); }
 
 }  // namespace plastron::io
