@@ -1,9 +1,9 @@
 #include <plastron/io/bytes.hpp>
 
-#include <deal.II/base/utilities.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <memory>
@@ -62,8 +62,15 @@ Checksum checksum_of_file(const std::filesystem::path& path) {
 }
 
 std::string base64(std::span<const std::byte> bytes) {
-  const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
-  return dealii::Utilities::encode_base64({first, first + bytes.size()});
+  // OpenSSL counts with int. Every part but the last is a multiple of three bytes, so that none needs padding.
+  constexpr std::size_t longest = 3 << 20;
+  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // OpenSSL adds a closing zero
+  auto* place = reinterpret_cast<unsigned char*>(text.data());
+  for (; !bytes.empty(); bytes = bytes.subspan(std::min(longest, bytes.size())))
+    place += EVP_EncodeBlock(place, reinterpret_cast<const unsigned char*>(bytes.data()),
+                             static_cast<int>(std::min(longest, bytes.size())));
+  text.pop_back();
+  return text;
 }
 
 std::string base64(const std::string& bytes) { return base64(std::as_bytes(std::span(bytes.data(), bytes.size()))); }

@@ -1,4 +1,4 @@
-// Bytes as text: SHA-256 to detect changes of files, and base64 to embed numbers in text files.
+// Bytes as text, by OpenSSL: SHA-256 to detect changes of files, and base64 to embed numbers in text files.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #include <plastron/io/results.hpp>
 
+#include <plastron/fem/quadrilateral_sequence.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/results_schema.hpp>
 
-#include <deal.II/base/config.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ Json versions_json() {
   MPI_Get_library_version(mpi.data(), &length);
   return Json{{"plastron", version},
               {"compiler", compiler()},
-              {"deal.II", DEAL_II_PACKAGE_VERSION},
+              {"deal.II", fem::deal_ii_version()},
               {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
               {"MPI", std::string(mpi.data())}};
 }
