@@ -1,17 +1,25 @@
 #include "command_line.hpp"
 
-#include "event_log.hpp"
 #include "terminal.hpp"
 
 #include <plastron/config/nearest.hpp>
 #include <plastron/io/results.hpp>
+#include <research/names/kind_names.hpp>
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
 #include <sstream>
 
 namespace plastron::app {
 
+namespace {
+
+/// Sets up the description, version and footer of the program.
 void describe_program(CLI::App& program) {
   program.description("Plastron computes thin elastic shells (Naghdi's model) pressed on a rigid obstacle.");
   program.set_version_flag("--version", std::string(io::version));
@@ -20,6 +28,7 @@ void describe_program(CLI::App& program) {
       "Exit codes: 0 solved or verified, 2 bad input, 3 not converged, interrupted or not verified, 4 internal error.");
 }
 
+/// Adds --set for a command that reads a case.
 void add_settings(CLI::App& command, std::vector<std::string>& settings) {
   command
       .add_option(
@@ -29,10 +38,12 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
       ->allow_extra_args(false);
 }
 
+/// Adds --json-log for a command that reports its progress.
 void add_json_log(CLI::App& command, bool& json_log) {
   command.add_flag("--json-log", json_log, "Tell what happens on standard error, one JSON object a line");
 }
 
+/// Adds -q and --threads for a command that computes.
 void add_computing_options(CLI::App& command, bool& quiet, int& threads) {
   command.add_flag("-q,--quiet", quiet, "Print errors only");
   command.add_option("--threads", threads, "Threads of each process; 0: as many as the work is worth")
@@ -40,6 +51,7 @@ void add_computing_options(CLI::App& command, bool& quiet, int& threads) {
       ->capture_default_str();
 }
 
+/// Adds these options, and -o, --output (or --out). Returns the last one, which is required.
 CLI::Option* add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
                                 bool& quiet, int& threads) {
   CLI::Option* option = command.add_option("-o,--output,--out", output, output_meaning)->required();
@@ -47,6 +59,7 @@ CLI::Option* add_output_options(CLI::App& command, const std::string& output_mea
   return option;
 }
 
+/// Declares a command that takes a case; with an output directory if `output_meaning` is given.
 CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& summary,
                       const std::string& output_meaning, Options& options) {
   CLI::App* command = program.add_subcommand(name, summary);
@@ -57,8 +70,6 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
     add_output_options(*command, output_meaning, options.output, options.quiet, options.threads);
   return command;
 }
-
-namespace {
 
 /// `compare` compares formulations, or with --solvers contact solvers; the latter also without files.
 CLI::App* add_compare(CLI::App& program, Options& options) {
@@ -95,8 +106,6 @@ CLI::App* add_verify(CLI::App& program, Options& options) {
   return verify;
 }
 
-}  // namespace
-
 CommonCommands add_common_commands(CLI::App& program, Options& options) {
   return {
       .run = add_run(program, options),
@@ -104,6 +113,60 @@ CommonCommands add_common_commands(CLI::App& program, Options& options) {
       .compare = add_compare(program, options),
       .verify = add_verify(program, options),
   };
+}
+
+/// Checks combinations of a study's options.
+void check_study_options(const CLI::App& app, const study::KindName& kind, const std::vector<double>& factors) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name(), takers = study::kinds_that_take(name);
+    if (option->count() > 0 && !takers.empty() && !study::takes_option(kind, name))
+      throw CLI::ValidationError("--" + name, fmt::format("{} does not take it; it is for: {}", kind.name, takers));
+  }
+  if (std::ranges::adjacent_find(factors, std::less_equal<>{}) != factors.end())
+    throw CLI::ValidationError("--factors", "must fall from one to the next");
+}
+
+/// Adds options that only some kinds have. Returns the number of halvings.
+std::shared_ptr<int> add_options_of_kinds(CLI::App& app, study::StudyOptions& o) {
+  const auto add = [&app](const std::string& name, auto& value, const std::string& what) {
+    return app.add_option("--" + name, value, study::kinds_that_take(name) + ": " + what);
+  };
+  add("reference", o.reference, "levels between the finest mesh and the reference")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  CLI::Option* factors = add("factors", o.factors, "multiples of the case's thickness, from thick to thin")
+                             ->delimiter(',')
+                             ->check(CLI::PositiveNumber);
+  auto steps = std::make_shared<int>(0);
+  add("steps", *steps, "that many halvings, in place of --factors")->check(CLI::Range(1, 20))->excludes(factors);
+  add("load-exponent", o.load_exponent, "loads go with factor^P; 0 without, 3 with obstacle");
+  add("samples", o.samples, "perturbations of each kind")->check(CLI::Range(1, 100000))->capture_default_str();
+  add("size", o.size, "largest relative perturbation")->check(CLI::Range(1e-6, 0.5))->capture_default_str();
+  add("seed", o.seed, "of the random numbers")->capture_default_str();
+  return steps;
+}
+
+CLI::App* add_study(CLI::App& program, StudyCommand& command) {
+  std::vector<std::string> names;
+  std::string footer = "Kinds:\n";
+  for (const study::KindName& kind : study::kind_names()) {
+    names.emplace_back(kind.name);
+    footer += fmt::format("  {:<12} {}\n", kind.name, kind.question);
+  }
+  CLI::App* app = program.add_subcommand("study", "Solve a case many times and examine a theorem or a limit with it");
+  app->footer(footer);
+  app->add_option("KIND", command.kind, "What to examine; see below")->required()->check(CLI::IsMember(names));
+  app->add_option("CASE", command.case_file, "Case file (TOML)")->required();
+  add_settings(*app, command.settings);
+  add_json_log(*app, command.json_log);
+  add_output_options(*app, "Directory for KIND.json and KIND.svg", command.output, command.quiet, command.threads);
+  const auto steps = add_options_of_kinds(*app, command.options);
+  app->callback([app, &command, steps] {
+    if (*steps > 0)
+      for (int i = 0; i <= *steps; ++i) command.options.factors.push_back(std::ldexp(1.0, -i));
+    check_study_options(*app, *study::find_kind_name(command.kind), command.options.factors);
+  });
+  return app;
 }
 
 QuestionCommands add_question_commands(CLI::App& program, Questions& questions) {
@@ -139,6 +202,15 @@ QuestionCommands add_question_commands(CLI::App& program, Questions& questions) 
           .plot = plot};
 }
 
+}  // namespace
+
+CommandLine::CommandLine() {
+  describe_program(program);
+  commands = add_common_commands(program, options);
+  study = add_study(program, study_options);
+  asked = add_question_commands(program, questions);
+}
+
 void log_start(const CommandLine& line) {
   const auto chosen = line.program.get_subcommands();
   const bool is_study = line.study->parsed(), is_verify = line.commands.verify->parsed();
@@ -148,13 +220,6 @@ void log_start(const CommandLine& line) {
   log_event("start", {{"command", chosen.empty() ? "" : chosen.front()->get_name()},
                       {is_verify ? "directory" : "case", of.string()},
                       {"version", io::version}});
-}
-
-CommandLine::CommandLine() {
-  describe_program(program);
-  commands = add_common_commands(program, options);
-  study = add_study(program, study_options);
-  asked = add_question_commands(program, questions);
 }
 
 namespace {

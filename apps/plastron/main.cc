@@ -1,9 +1,7 @@
 // The main function of plastron-solver and plastron-study, which plastron starts with the same arguments for a
 // computation. The version of carry_out() determines the program.
-#include "commands.hpp"
-#include "event_log.hpp"
-#include "interruption.hpp"
-#include "reading.hpp"
+#include "command_line.hpp"
+#include "console.hpp"
 #include "terminal.hpp"
 
 #include <plastron/algebra/session.hpp>

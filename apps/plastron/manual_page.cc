@@ -1,7 +1,6 @@
 // plastron man: the manual page in troff format.
+#include "command_line.hpp"
 #include "command_list.hpp"
-#include "exit_codes.hpp"
-#include "inquiries.hpp"
 #include "terminal.hpp"
 
 #include <plastron/contact/statuses.hpp>

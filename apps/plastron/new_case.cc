@@ -1,6 +1,5 @@
 // plastron new: writes a commented case. It is written completely or not at all, and existing files are not changed.
-#include "inquiries.hpp"
-#include "layout.hpp"
+#include "command_line.hpp"
 #include "templates.hpp"
 #include "terminal.hpp"
 

@@ -1,6 +1,6 @@
 // plastron plot DIR: pictures of results for papers and for use without a browser, as in report.html, and profiles
 // along lines.
-#include "inquiries.hpp"
+#include "command_line.hpp"
 #include "terminal.hpp"
 
 #include <plastron/io/plot.hpp>

@@ -1,8 +1,6 @@
 #include "progress.hpp"
 
-#include "event_log.hpp"
-#include "interruption.hpp"
-#include "messages.hpp"
+#include "console.hpp"
 #include "terminal.hpp"
 
 #include <plastron/computation/doubts.hpp>

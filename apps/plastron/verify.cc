@@ -1,7 +1,6 @@
 // plastron verify DIR: checks whether given results solve their case.
-#include "commands.hpp"
-#include "messages.hpp"
-#include "reading.hpp"
+#include "command_line.hpp"
+#include "console.hpp"
 #include "terminal.hpp"
 
 #include <plastron/io/claims.hpp>
