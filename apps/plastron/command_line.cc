@@ -33,20 +33,20 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings) {
   command
       .add_option(
           "--set", settings,
-          "KEY=VALUE in place of what the case has, in TOML: shell.thickness=0.02, 'obstacle[0].force=[0,0,-2]'")
+          "Value of a key, instead of the one in the case, in TOML: shell.thickness=0.02, 'obstacle[0].force=[0,0,-2]'")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
 
 /// Adds --json-log for a command that reports its progress.
 void add_json_log(CLI::App& command, bool& json_log) {
-  command.add_flag("--json-log", json_log, "Tell what happens on standard error, one JSON object a line");
+  command.add_flag("--json-log", json_log, "Write events to standard error, one JSON object per line");
 }
 
 /// Adds -q and --threads for a command that computes.
 void add_computing_options(CLI::App& command, bool& quiet, int& threads) {
   command.add_flag("-q,--quiet", quiet, "Print errors only");
-  command.add_option("--threads", threads, "Threads of each process; 0: as many as the work is worth")
+  command.add_option("--threads", threads, "Threads of each process; 0: as many as the amount of work justifies")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
 }
@@ -74,13 +74,13 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
 /// `compare` compares formulations, or with --solvers contact solvers; the latter also without files.
 CLI::App* add_compare(CLI::App& program, Options& options) {
   CLI::App* compare =
-      add_command(program, "compare", "Solve a case in every formulation and set them side by side", "", options);
+      add_command(program, "compare", "Solve a case in every formulation and compare the results", "", options);
   CLI::Option* output =
       add_output_options(*compare, "Directory for compare.json and compare.svg; not required with --solvers",
                          options.output, options.quiet, options.threads)
           ->required(false);
   compare->add_flag("--solvers", options.solvers,
-                    "Set all contact solvers side by side, in the case's own formulation (compare-solvers.json)");
+                    "Compare all contact solvers in the formulation of the case instead (compare-solvers.json)");
   compare->callback([output, &options] {
     if (!options.solvers && output->empty()) throw CLI::RequiredError("--output");
   });
@@ -97,10 +97,10 @@ CLI::App* add_run(CLI::App& program, Options& options) {
 /// `verify` takes results, not a case.
 CLI::App* add_verify(CLI::App& program, Options& options) {
   CLI::App* verify = program.add_subcommand(
-      "verify", "Recompute the certificate of written results from the case alone: PASSED, or what fails");
+      "verify", "Recompute the certificate of written results from the case and print PASSED, or what fails");
   verify->add_option("DIR", options.results, "Directory that plastron run wrote to")->required();
   verify->add_option("--files", options.files,
-                     "Folder of the meshes and other files that the case names, if not where the case was run");
+                     "Folder of meshes and other files that the case names; default: where the case was run");
   add_computing_options(*verify, options.quiet, options.threads);
   add_json_log(*verify, options.json_log);
   return verify;
@@ -123,7 +123,7 @@ void check_study_options(const CLI::App& app, const study::KindName& kind, const
       throw CLI::ValidationError("--" + name, fmt::format("{} does not take it; it is for: {}", kind.name, takers));
   }
   if (std::ranges::adjacent_find(factors, std::less_equal<>{}) != factors.end())
-    throw CLI::ValidationError("--factors", "must fall from one to the next");
+    throw CLI::ValidationError("--factors", "must decrease from one to the next");
 }
 
 /// Adds options that only some kinds have. Returns the number of halvings.
@@ -138,11 +138,11 @@ std::shared_ptr<int> add_options_of_kinds(CLI::App& app, study::StudyOptions& o)
                              ->delimiter(',')
                              ->check(CLI::PositiveNumber);
   auto steps = std::make_shared<int>(0);
-  add("steps", *steps, "that many halvings, in place of --factors")->check(CLI::Range(1, 20))->excludes(factors);
-  add("load-exponent", o.load_exponent, "loads go with factor^P; 0 without, 3 with obstacle");
+  add("steps", *steps, "number of halvings, instead of --factors")->check(CLI::Range(1, 20))->excludes(factors);
+  add("load-exponent", o.load_exponent, "P: loads are multiplied by factor^P; default 0, with obstacle 3");
   add("samples", o.samples, "perturbations of each kind")->check(CLI::Range(1, 100000))->capture_default_str();
   add("size", o.size, "largest relative perturbation")->check(CLI::Range(1e-6, 0.5))->capture_default_str();
-  add("seed", o.seed, "of the random numbers")->capture_default_str();
+  add("seed", o.seed, "seed of the random numbers")->capture_default_str();
   return steps;
 }
 
@@ -153,7 +153,7 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command) {
     names.emplace_back(kind.name);
     footer += fmt::format("  {:<12} {}\n", kind.name, kind.question);
   }
-  CLI::App* app = program.add_subcommand("study", "Solve a case many times and examine a theorem or a limit with it");
+  CLI::App* app = program.add_subcommand("study", "Solve a case many times to examine a theorem or a limit");
   app->footer(footer);
   app->add_option("KIND", command.kind, "What to examine; see below")->required()->check(CLI::IsMember(names));
   app->add_option("CASE", command.case_file, "Case file (TOML)")->required();
@@ -170,12 +170,13 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command) {
 }
 
 QuestionCommands add_question_commands(CLI::App& program, Questions& questions) {
-  CLI::App* explain =
-      program.add_subcommand("explain", "Print the manual of a key of the case file, a field, a number or a status");
+  CLI::App* explain = program.add_subcommand(
+      "explain", "Explain a key of the case file, a field, a number, a status or a limit of the program");
   explain->add_option("WORD", questions.word, "shell.thickness, obstacle.ball, eta, contact.area, not_held, ...");
-  CLI::App* make_new = program.add_subcommand("new", "Write a commented case to begin with; nothing is overwritten");
+  CLI::App* make_new =
+      program.add_subcommand("new", "Write a commented case to start from; existing files are not overwritten");
   CLI::Option* name = make_new->add_option("NAME", questions.name, "Directory for case.toml, or a file NAME.toml");
-  make_new->add_option("-t,--template", questions.template_name, "What to begin with; see --list")
+  make_new->add_option("-t,--template", questions.template_name, "Name of a template, see --list")
       ->capture_default_str();
   make_new->add_flag("-l,--list", questions.is_listing, "List the templates");
   make_new->callback([name, &questions] {
@@ -185,11 +186,12 @@ QuestionCommands add_question_commands(CLI::App& program, Questions& questions) 
   schema->add_option("OF", questions.schema, "case or results")
       ->check(CLI::IsMember({"case", "results"}))
       ->capture_default_str();
-  CLI::App* completion = program.add_subcommand("completion", "Print what a shell needs to complete this command line");
+  CLI::App* completion =
+      program.add_subcommand("completion", "Print a script by which a shell completes this command line");
   completion->add_option("SHELL", questions.shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  CLI::App* manual = program.add_subcommand("man", "Print the manual page; plastron man | man -l -");
+  CLI::App* manual = program.add_subcommand("man", "Print the manual page: plastron man | man -l -");
   CLI::App* plot = program.add_subcommand(
       "plot", "Draw written results as SVG: convergence and contact by mesh, profiles along lines, histories of steps");
   plot->add_option("DIR", questions.results, "Directory that plastron run wrote to; plot-*.svg are written there")
@@ -245,7 +247,7 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& reply) {
   if (const std::string word = unknown_command(program); !good && !word.empty()) {
     const auto known = command_names(program);
     const std::string meant = config::did_you_mean(word, known);
-    print_error("there is no command \"{}\"; {}the commands are {}; plastron --help tells more\n", word,
+    print_error("there is no command \"{}\"; {}the commands are {}; see plastron --help\n", word,
                 meant.empty() ? "" : meant + " ", fmt::join(known, ", "));
   } else if (is_first_rank()) {
     print_text(stdout, out.str());

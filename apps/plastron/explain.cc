@@ -61,7 +61,7 @@ std::string text_of(const Section& section, const Key& key) {
   add("value", config::description(key.kind));
   add("unit", key.unit);
   add("allowed", key.words.empty() ? key.range.text(key.name) : config::joined(config::word_names(key.words)));
-  add("default", key.required ? "none, it is required" : key.fallback);
+  add("default", key.required ? "none; required" : key.fallback);
   add("written", written(key));
   add("section", section.path.empty() ? section.header : fmt::format("{} ({})", section.header, section.path));
   return text;
@@ -229,69 +229,68 @@ const std::vector<Limit>& limits() {
   static const std::vector<Limit> all{
       {"rotations",
        {"large-displacements", "nonlinear"},
-       "Strains are linear in the displacements. Finite rotations, and membrane forces that displacements change, are "
-       "left out.",
-       "`linearity` in `results.json`, the summary and the top of `report.html`; a warning where 5 % of the energy is "
-       "left out",
+       "Strains are linear in the displacements: no finite rotations, and no change of stiffness by membrane forces.",
+       "`linearity` in `results.json`, in the summary and at the top of `report.html`; a warning if 5 % of the energy "
+       "is left out",
        "a smaller load, a thicker shell, or a program with finite rotations"},
       {"buckling",
        {"snap-through", "stability"},
-       "No equilibrium branches off: there is no snap-through and nothing after buckling.",
-       "`linearity.buckling`, the membrane forces over those under which a perfect shell buckles with the contact that "
-       "was found; a warning from 0.5 on",
-       "a buckling analysis of another program, with imperfections"},
+       "The equilibrium is unique: no buckling, no snap-through, no postbuckling.",
+       "`linearity.buckling`, the membrane forces over the forces under which a perfect shell with the same contact "
+       "buckles; a warning from 0.5 on",
+       "a buckling analysis with imperfections by another program"},
       {"plasticity",
        {"yield", "yielding"},
        "The law is linear and isotropic: no yielding, no rubber, no creep, no damage.",
-       "`linearity.max_strain`; a warning from 2 %, where most metals have yielded long before (0.1 to 0.5 %)",
-       "compare `stress.max_von_mises` with the yield stress; a program with plasticity"},
+       "`linearity.max_strain`; a warning from 2 % on (most metals yield at 0.1 to 0.5 %)",
+       "compare `stress.max_von_mises` with the yield stress; use a program with plasticity"},
       {"laminates",
        {"orthotropic"},
-       "There are no layers and no directions: a region has one E and one nu.",
-       "nothing shows it",
+       "Each region has one E and one nu: no layers, no fibre directions.",
+       "not shown",
        "a program for laminates"},
       {"friction",
        {},
-       "Contact pushes along the obstacle's normal only.",
-       "motions along the obstacle must be held by supports, and `check` names those that are not",
-       "supports in place of friction, or a program with friction"},
+       "Contact forces act along the normal of the obstacle only.",
+       "supports must prevent motions along the obstacle; `check` names motions that are free",
+       "supports instead of friction, or a program with friction"},
       {"self-contact",
        {},
        "Obstacles are rigid. Shells do not touch themselves or each other.",
-       "nothing shows it: look at the deformed shape",
+       "only the deformed shape",
        "a program with deformable contact"},
       {"temperature",
        {"thermal"},
        "There are no thermal strains and no prestress.",
-       "nothing shows it",
+       "not shown",
        "a program with thermal strains"},
       {"vibrations",
        {"dynamics", "frequencies"},
        "There is no inertia: loads and obstacles are slow.",
-       "nothing shows it",
+       "not shown",
        "a program for dynamics"},
       {"follower-loads",
        {"follower"},
-       "A pressure keeps the direction of the undeformed normal, and its area.",
-       "the same as rotations",
+       "A pressure acts along the normal and on the area of the undeformed shell.",
+       "as for rotations",
        "a smaller load, or a program with finite rotations"},
       {"beams",
        {"springs", "solids"},
-       "There are shells, rigid bodies and rigid obstacles: no beams, solids or springs.",
-       "nothing shows it",
+       "The model has shells, rigid bodies and rigid obstacles: no beams, solids or springs.",
+       "not shown",
        "a general program"},
       {"T-joints",
        {"stiffeners"},
        "`[[join]]` joins edges. An edge cannot be joined to the inside of a shell.",
        "an error of `check`",
-       "divide the other shell into two pieces that meet there"},
+       "divide the other shell there into two pieces"},
   };
   return all;
 }
 
 std::string text_of(const Limit& limit) {
   constexpr std::size_t width = 9;
-  return paragraph(limit.left_out, 2) + "\n" + row("shows", width, limit.shows) + row("do", width, limit.advice) +
+  return paragraph(limit.left_out, 2) + "\n" + row("result", width, limit.shows) + row("remedy", width, limit.advice) +
          row("page", width, "docs/limits.md");
 }
 
@@ -305,7 +304,7 @@ std::vector<Topic> limit_topics() {
 std::string limit_overview() {
   std::string names;
   for (const Limit& limit : limits()) names += (names.empty() ? "" : ", ") + limit.name;
-  return "What it cannot do (docs/limits.md):\n" + paragraph(names, 2);
+  return "Limits of the program (docs/limits.md):\n" + paragraph(names, 2);
 }
 
 std::vector<Topic> all_topics() {
@@ -341,7 +340,7 @@ ExitCode refuse(const std::string& word, const std::vector<Topic>& topics) {
   constexpr std::size_t most = 5;
   const auto near = config::nearest_few(word, known, most);
   const std::string advice = near.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(near, ", "));
-  print_error("error: nothing is called \"{}\"; {}plastron explain lists what there is\n", word, advice);
+  print_error("error: unknown word \"{}\"; {}plastron explain lists all words\n", word, advice);
   return bad_input;
 }
 
@@ -364,7 +363,7 @@ ExitCode explain(const std::string& given) {
   if (given.empty()) {
     if (is_first_rank())
       print_text(stdout, case_overview() + "\n" + result_overview() + "\n" + limit_overview() +
-                             "\nplastron explain WORD tells of each of them.\n");
+                             "\nplastron explain WORD explains each of them.\n");
     return solved;
   }
   const std::string word = plain_word(given);

@@ -30,8 +30,9 @@ bool has_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= least_address_space)
     return true;
-  print_error("error: not enough memory: the address space is limited to {} MB (ulimit -v), and {} MB are the least\n",
-              limit.rlim_cur >> 20, least_address_space >> 20);
+  print_error(
+      "error: not enough memory: the address space is limited to {} MB (ulimit -v), at least {} MB are needed\n",
+      limit.rlim_cur >> 20, least_address_space >> 20);
   return false;
 }
 

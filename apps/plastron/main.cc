@@ -46,8 +46,7 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
     return bad_input;
   } catch (const io::WriteError& error) {
     print_error(
-        "error: {}; nothing that was there before has changed. Free space there, or choose another place with "
-        "--output\n",
+        "error: {}; earlier files have not changed. Free space there, or choose another directory with --output\n",
         error.what());
     return bad_input;
   }

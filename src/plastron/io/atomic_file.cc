@@ -145,7 +145,7 @@ std::pair<std::filesystem::path, int> new_temporary(const std::filesystem::path&
     if (lock >= 0) return {name, lock};
     ::rmdir(name.c_str());
   }
-  throw std::runtime_error("a temporary directory is removed again and again");
+  throw std::runtime_error("another program keeps removing the temporary directory");
 }
 
 std::int64_t offset_of(std::int64_t size, MPI_Comm comm) {

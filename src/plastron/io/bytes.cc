@@ -30,7 +30,7 @@ class Sha256 {
   }
 
  private:
-  [[noreturn]] static void refuse() { throw std::runtime_error("OpenSSL computes no SHA-256"); }
+  [[noreturn]] static void refuse() { throw std::runtime_error("OpenSSL cannot compute SHA-256"); }
   struct Free {
     void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
   };

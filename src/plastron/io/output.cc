@@ -47,7 +47,7 @@ std::string in_the_way(const std::filesystem::path& directory, const std::string
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     if (entry.is_directory(ignored) && is_written(entry.path().filename().string(), base_name))
-      return fmt::format("\"{}\" is a directory, and a file of this name is to be written", entry.path().string());
+      return fmt::format("\"{}\" is a directory; a file of this name cannot be written", entry.path().string());
   for (const std::filesystem::path& input : inputs) {
     const auto path = std::filesystem::weakly_canonical(input);
     if (is_written(path.filename().string(), base_name) &&

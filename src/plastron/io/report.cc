@@ -49,16 +49,14 @@ std::string instant_html(const Json& results) {
 std::string view_html(const Json& results, const Json& scene, bool has_script) {
   if (!has_script)
     return "<p class=\"note\">This Plastron was built without the three-dimensional view (PLASTRON_VIEWER=OFF). Open "
-           "solution.pvd in "
-           "ParaView.</p>\n";
+           "solution.pvd in ParaView.</p>\n";
   if (scene.is_null())
-    return "<p class=\"note\">There is no surface to draw: nothing was solved, it is not finite, or its coarsest mesh "
-           "alone has more points "
-           "than a page can hold. In the last case open solution.pvd in ParaView.</p>\n";
+    return "<p class=\"note\">There is no surface to draw: nothing was solved, the solution is not finite, or the "
+           "coarsest "
+           "mesh has too many points for this page. In the last case open solution.pvd in ParaView.</p>\n";
   return instant_html(results) +
-         "<div id=\"view\"><noscript><p class=\"note\">The three-dimensional view needs JavaScript; everything else on "
-         "this page does "
-         "not.</p></noscript></div>\n";
+         "<div id=\"view\"><noscript><p class=\"note\">The three-dimensional view needs JavaScript. The other parts of "
+         "this page do not.</p></noscript></div>\n";
 }
 
 /// Returns the plots as pictures with separate styles and names.

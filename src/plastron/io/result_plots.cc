@@ -116,7 +116,7 @@ Plot history_plot(const Json& history) {
   const bool over_time = std::ranges::none_of(history, [](const Json& instant) { return longest_way(instant) > 0; });
   Plot plot;
   plot.title = "Forces of the obstacles on the shell";
-  plot.x.label = over_time ? "time [steps]" : "way of the obstacle [m]";
+  plot.x.label = over_time ? "time [steps]" : "displacement of the obstacle [m]";
   plot.y.label = "force [N]";
   for (const Json& instant : history) {
     const Json& obstacles = instant.at("obstacles");
@@ -224,7 +224,7 @@ double number_in(std::string_view cell, const std::string& name, std::size_t row
   if (cell.empty()) return value;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size())
-    refuse(name, row, fmt::format("\"{}\" is no number", cell));
+    refuse(name, row, fmt::format("\"{}\" is not a number", cell));
   return value;
 }
 

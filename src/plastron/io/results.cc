@@ -155,7 +155,7 @@ Json fields_json(const computation::Result& result, const std::vector<double>& h
                     {"arrays", {"error_indicator"}},
                     {"symbol", "a(e, e)"},
                     {"unit", "J"},
-                    {"meaning", "of a cell: its part of the squared error in the energy norm, as estimated"}});
+                    {"meaning", "estimated contribution of a cell to the squared error in the energy norm"}});
   return list;
 }
 

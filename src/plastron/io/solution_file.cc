@@ -162,8 +162,7 @@ class SolutionFile {
     const auto cells = static_cast<std::uintmax_t>(std::min(header_.cells, most_cells));
     const std::uintmax_t wanted = preamble_size(header_) + cells * record_size(header_, nodes_per_cell());
     if (size_ != wanted)
-      refuse(fmt::format("the file has {} bytes where its header makes {}: it is not complete, or not whole", size_,
-                         wanted));
+      refuse(fmt::format("the file has {} bytes, its header requires {}: it is incomplete or damaged", size_, wanted));
   }
 
   const SolutionHeader& header() const { return header_; }
@@ -184,7 +183,7 @@ class SolutionFile {
     constexpr std::uint32_t most_obstacles = 10000;
     constexpr std::int64_t most_cut_numbers = 1 << 24;
     const SolutionHeader ours;
-    if (header_.magic != ours.magic) refuse("this is no solution of Plastron: the file begins otherwise");
+    if (header_.magic != ours.magic) refuse("the file is not a solution of Plastron: it begins differently");
     if (header_.version != ours.version)
       refuse(fmt::format("the file has version {} of the format; this program reads version {}", header_.version,
                          ours.version));
@@ -193,7 +192,7 @@ class SolutionFile {
                           header_.has_lifts <= 1 && header_.is_deformed <= 1 && header_.cells >= 0 &&
                           header_.cut_numbers >= 0 && header_.cut_numbers <= most_cut_numbers &&
                           std::isfinite(header_.time) && std::isfinite(header_.load_factor);
-    if (!is_sound) refuse("the header holds values that no solution has");
+    if (!is_sound) refuse("the header contains impossible values");
   }
 
   std::filesystem::path path_;
@@ -215,7 +214,7 @@ class SolutionReader {
     for (ObstacleRecord& record : obstacles_) {
       file_.read(&record, sizeof record);
       if (!(std::abs(record[0]) <= largest_value && std::abs(record[1]) <= largest_value))
-        refuse(fmt::format("an obstacle's position is not finite, or beyond {:g}", largest_value));
+        refuse(fmt::format("the position of an obstacle is not finite, or beyond {:g}", largest_value));
     }
     file_.skip(static_cast<std::size_t>(header_.cut_numbers) * sizeof(double));
   }
@@ -242,7 +241,7 @@ class SolutionReader {
         take(static_cast<std::size_t>(nodes[i]), std::span(values).subspan(i * per_node, per_node));
       mine.erase(found);
     }
-    if (!mine.empty()) refuse("the file has not all cells of the case's finest mesh, or some twice");
+    if (!mine.empty()) refuse("cells of the case's finest mesh are missing in the file, or occur twice");
   }
 
   [[noreturn]] void refuse(const std::string& what) const { file_.refuse(what); }
@@ -251,13 +250,13 @@ class SolutionReader {
   /// Checks that the file belongs to the mesh and the problem.
   void check_problem() const {
     const auto same = [this](const char* what, std::int64_t found, std::int64_t wanted) {
-      if (found != wanted) refuse(fmt::format("the file has {} {}, the case makes it {}", found, what, wanted));
+      if (found != wanted) refuse(fmt::format("the file has {} {}, the case requires {}", found, what, wanted));
     };
-    same("corners a cell", header_.corners, fem::corner_count(space_.shape()));
+    same("corners per cell", header_.corners, fem::corner_count(space_.shape()));
     same("as the degree", header_.degree, space_.degree);
     same("obstacles", header_.obstacles, shape_.obstacles);
-    same("multipliers a node", header_.has_multiplier, shape_.has_multiplier ? 1 : 0);
-    same("lifts a gap", header_.has_lifts, shape_.has_lifts ? 1 : 0);
+    same("multipliers per node", header_.has_multiplier, shape_.has_multiplier ? 1 : 0);
+    same("lifts per gap", header_.has_lifts, shape_.has_lifts ? 1 : 0);
     same("numbers of cuts", header_.cut_numbers, static_cast<std::int64_t>(flat_cuts(space_.coarse->cuts).size()));
     same("cells", header_.cells, space_.global_cells);
     same("nodes", header_.nodes, space_.layout->global_size);
@@ -268,7 +267,7 @@ class SolutionReader {
     for (std::size_t k = 0; k < ours.at.size(); ++k)
       if (!(std::abs(head.at[k] - ours.at[k]) <= tolerance))
         refuse(
-            fmt::format("a cell lies at ({:g}, {:g}), on the case's mesh at ({:g}, {:g}): the mesh is another one, "
+            fmt::format("a cell lies at ({:g}, {:g}), on the case's mesh at ({:g}, {:g}): the mesh is different, "
                         "or made by another version of the mesh generator",
                         head.at[0], head.at[1], ours.at[0], ours.at[1]));
     for (const double value : values)
@@ -279,7 +278,7 @@ class SolutionReader {
     for (std::size_t node = 0; node < values.size(); node += per_node)
       for (std::size_t k = node + end - header_.obstacles; k < node + end; ++k)
         if (values[k] != 0 && values[k] != 1)
-          refuse(fmt::format("a node of the cell at ({:g}, {:g}) touches an obstacle by {:g}; it can be 0 or 1",
+          refuse(fmt::format("a node of the cell at ({:g}, {:g}) has the contact state {:g}; it can be 0 or 1",
                              ours.at[0], ours.at[1], values[k]));
   }
 
@@ -309,8 +308,7 @@ std::vector<algebra::Vector*> fields_of_file(const SolutionHeader& header, compu
   return fields;
 }
 
-constexpr const char* torn =
-    "the values at a node differ from cell to cell: the file is damaged, or was changed by hand";
+constexpr const char* torn = "the values at a node differ from cell to cell: the file is damaged or was edited";
 
 /// Checks that every ghost in a cell of this rank has its owner's value (collective).
 void check_ghosts(algebra::Vector& field, const std::vector<char>& is_read, const SolutionReader& reader) {
@@ -342,7 +340,7 @@ computation::MeshCells stored_cells(const std::filesystem::path& path, MPI_Comm 
     std::vector<double> list(static_cast<std::size_t>(file.header().cut_numbers));
     file.read(list.data(), list.size() * sizeof(double));
     auto cuts = cuts_of_list(list);
-    if (!cuts || cells_of(*cuts) > file.header().cells) file.refuse("its cuts through coarse cells are not such");
+    if (!cuts || cells_of(*cuts) > file.header().cells) file.refuse("its list of cuts of coarse cells is invalid");
     computation::MeshCells cells{.cuts = std::move(*cuts)};
     cells.places.resize(static_cast<std::size_t>(file.header().cells));
     for (fem::CellPlace& place : cells.places) {
