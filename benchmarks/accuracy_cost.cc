@@ -4,8 +4,8 @@
 #include "verification/reference_problems.hpp"
 
 #include <plastron/algebra/session.hpp>
+#include <plastron/computation/resources.hpp>
 #include <plastron/computation/solve.hpp>
-#include <plastron/computation/stopwatch.hpp>
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include "problems.hpp"
 
 #include <plastron/algebra/session.hpp>
+#include <plastron/computation/resources.hpp>
 #include <plastron/computation/solve.hpp>
-#include <plastron/computation/stopwatch.hpp>
 #include <plastron/io/output.hpp>
 
 #include <fmt/format.h>

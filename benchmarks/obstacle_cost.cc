@@ -4,7 +4,7 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/session.hpp>
-#include <plastron/assembly/discrete_shell.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/obstacle/surface_mesh.hpp>
 #include <plastron/problem/gap.hpp>

@@ -1,13 +1,12 @@
 // What a conjugate-gradient step with a kept factor costs beside a factorisation, by size: step_cost [DEGREE REFINEMENTS].
 // Times are those of the calling thread, so that other work on the machine disturbs little. The constants in
-// price_of (algebra/factorisation.cc) and in contact/kept_factor.hpp come from here.
+// price_of (algebra/factorisation.cc) and in contact/subproblem.cc come from here.
 #include "problems.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/session.hpp>
-#include <plastron/assembly/discrete_shell.hpp>
-#include <plastron/assembly/stiffness.hpp>
-#include <plastron/contact/kept_factor.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/contact/subproblem.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/problem/gap.hpp>
 

@@ -3,6 +3,7 @@
 #include <plastron/algebra/session.hpp>
 
 #include <gtest/gtest.h>
+#include <mpi.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
 #include "terminal.hpp"
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/fem/shared_mesh.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/output.hpp>

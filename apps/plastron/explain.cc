@@ -5,7 +5,7 @@
 
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/schema.hpp>
-#include <plastron/contact/statuses.hpp>
+#include <plastron/contact/problem.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/results_schema.hpp>
 

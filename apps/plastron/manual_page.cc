@@ -3,7 +3,7 @@
 #include "command_list.hpp"
 #include "terminal.hpp"
 
-#include <plastron/contact/statuses.hpp>
+#include <plastron/contact/problem.hpp>
 #include <plastron/io/results.hpp>
 
 namespace plastron::app {

@@ -3,7 +3,7 @@
 #include "console.hpp"
 #include "terminal.hpp"
 
-#include <plastron/computation/doubts.hpp>
+#include <plastron/computation/warnings.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/problem/goal_names.hpp>

@@ -1,6 +1,6 @@
 #include "terminal.hpp"
 
-#include <plastron/algebra/launcher.hpp>
+#include <plastron/algebra/session.hpp>
 
 #include <fcntl.h>
 #include <signal.h>

@@ -1,7 +1,6 @@
 #include <research/spectra/h1_matrix.hpp>
 
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -9,7 +8,7 @@ namespace plastron::spectra {
 
 namespace {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
+using assembly::Vector6;
 
 /// Scalar element matrix: 1/L^2 int N_i N_j / L^2 + a^{ab} d_a N_i d_b N_j sqrt(a) dx. That of s is L^2 times as large.
 assembly::RowMatrix scalar_element(const assembly::ShellOperator& shell, std::size_t cell, double length) {

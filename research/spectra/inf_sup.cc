@@ -2,7 +2,7 @@
 
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/multiplier.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 #include <research/spectra/h1_matrix.hpp>
 
 #include <cmath>

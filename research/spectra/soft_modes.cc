@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/eigenvalues.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <research/spectra/h1_matrix.hpp>
 
@@ -94,7 +95,7 @@ std::vector<Vector> rigid_motions(const assembly::DiscreteShell& discrete) {
     Vector y(discrete.space().layout, 6);
     for (std::size_t i = 0; i < discrete.points.size(); ++i) {
       const assembly::NodalPoint& p = discrete.points[i];
-      Eigen::Map<Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i) << c + w.cross(p.phi - centre), w.cross(p.a3);
+      Eigen::Map<assembly::Vector6>(y.at(i).data()) << c + w.cross(p.phi - centre), w.cross(p.a3);
     }
     Vector& z = motions.emplace_back(discrete.space().layout, discrete.coordinates.width);
     discrete.coordinates.add_transposed(y, z);
@@ -116,8 +117,8 @@ template <class Function>
 double integral(const assembly::DiscreteShell& discrete, const Vector& y, const Function& f) {
   double sum = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-    const Eigen::Map<const Vector3d> r(y.local().data() + 6 * i + 3);
-    sum += discrete.points[i].weight * f(Vector3d(r), discrete.points[i].a3);
+    const Vector3d r = assembly::node_values(y, i).tail<3>();
+    sum += discrete.points[i].weight * f(r, discrete.points[i].a3);
   }
   return algebra::sum_over_ranks(sum, discrete.space().layout->comm);
 }

@@ -1,6 +1,7 @@
 #include <research/study/compare_solvers.hpp>
 
 #include <plastron/computation/solve.hpp>
+#include <research/referees/solvers.hpp>
 
 #include <fmt/format.h>
 
@@ -10,8 +11,6 @@
 namespace plastron::study {
 
 namespace {
-
-using contact::Solver;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -26,10 +25,11 @@ struct Run {
   double energy = nothing;  ///< of the finest mesh
 };
 
-Run solve_with(Solver solver, problem::Problem problem, MPI_Comm comm, const computation::Observer& observer) {
-  problem.contact.solver = solver;
+Run solve_with(const referees::NamedSolver& solver, problem::Problem problem, MPI_Comm comm,
+               const computation::Observer& observer) {
+  problem.contact.solver = solver.solve;
   const computation::Result result = computation::solve(problem, comm, observer);
-  Run run{.name = std::string(contact::to_string(solver)),
+  Run run{.name = solver.name,
           .status = result.status,
           .missed = result.missed_limits,
           .has_level = !result.levels.empty()};
@@ -108,17 +108,16 @@ Report compare_solvers(const problem::Problem& problem, const StudyOptions&, MPI
                        const StudyObserver& observer) {
   Report report = empty_report();
   Run first;
-  for (const Solver solver : contact::all_solvers) {
-    const std::string name(contact::to_string(solver));
-    if (observer.stage) observer.stage(name);
+  for (const referees::NamedSolver& solver : referees::all_solvers) {
+    if (observer.stage) observer.stage(solver.name);
     const Run run = solve_with(solver, problem, comm, observer.solve);
-    const bool is_first = solver == contact::all_solvers.front();
+    const bool is_first = report.table.rows.empty();
     if (is_first) first = run;
     add_row(run, first, report.table);
     report.plot.series.push_back(
-        {.label = name, .x = {static_cast<double>(report.table.rows.size())}, .y = {run.seconds}});
+        {.label = run.name, .x = {static_cast<double>(report.table.rows.size())}, .y = {run.seconds}});
     if (run.status != contact::Status::solved) {
-      report.table.remarks.push_back(fmt::format("{}: {}", name, contact::explain(run.status)));
+      report.table.remarks.push_back(fmt::format("{}: {}", run.name, contact::explain(run.status)));
       if (report.status == contact::Status::solved) report.status = run.status;
       if (run.status == contact::Status::interrupted) break;
     }

@@ -1,4 +1,4 @@
-// All contact solvers on one mesh sequence, side by side (docs/methods/compare.md).
+// The contact solvers and their referees on one mesh sequence, side by side (docs/methods/compare.md).
 #pragma once
 #include <research/study/kinds.hpp>
 

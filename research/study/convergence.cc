@@ -1,7 +1,7 @@
 // The table of errors over mesh size, with and without obstacle, and what it says about the orders that theory gives.
 #include <research/study/convergence.hpp>
 
-#include <plastron/meshing/extent.hpp>
+#include <plastron/meshing/sizes.hpp>
 #include <research/study/energy_distance.hpp>
 #include <research/study/error_sequence.hpp>
 #include <research/study/exponents.hpp>

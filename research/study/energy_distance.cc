@@ -25,7 +25,7 @@ double rounding_norm(const computation::Solution& solution) {
   const auto& layout = *discrete.space().layout;
   double area = 0, displacement = 0, rotation = 0, shear = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(layout.owned); ++i) {
-    const double* y = solution.nodal.y.local().data() + 6 * i;
+    const assembly::Vector6 y = assembly::node_values(solution.nodal.y, i);
     const assembly::NodalPoint& p = discrete.points[i];
     const double error = is_moved_by_support(discrete.coordinates, i) ? of_prescribed_motion : of_nodal_values;
     const double u = y[0] * y[0] + y[1] * y[1] + y[2] * y[2], r = y[3] * y[3] + y[4] * y[4] + y[5] * y[5];

@@ -1,8 +1,8 @@
 #include <research/study/error_sequence.hpp>
 
-#include <plastron/assembly/field_norms.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/meshing/sequence.hpp>
+#include <research/spectra/field_norms.hpp>
 #include <research/study/energy_distance.hpp>
 #include <research/study/reference_strains.hpp>
 
@@ -67,7 +67,7 @@ double energy_distance(const assembly::ShellOperator& shell, const std::vector<a
 
 /// All but the energy norm.
 Norms field_norms(const assembly::ShellOperator& shell, double length, const algebra::Vector& y) {
-  const assembly::SquaredNorms s = assembly::squared_norms(shell, y);
+  const spectra::SquaredNorms s = spectra::squared_norms(shell, y);
   return {.h1 = std::sqrt(s.h1(length)),
           .l2 = std::sqrt(s.l2(length)),
           .h1_u = std::sqrt(s.h1_u(length)),

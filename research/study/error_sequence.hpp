@@ -1,7 +1,7 @@
 // The errors of every mesh level against a solution some levels finer. The spaces are nested, so a coarse solution is
 // carried to the reference mesh exactly, and there the difference is integrated; its strains are those of its own mesh.
 #pragma once
-#include <plastron/computation/observer.hpp>
+#include <plastron/computation/result.hpp>
 #include <plastron/problem/problem.hpp>
 #include <research/study/falk.hpp>
 

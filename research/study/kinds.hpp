@@ -1,6 +1,6 @@
 // The studies: each computes a case many times and examines a theorem or a limit with what it finds.
 #pragma once
-#include <plastron/computation/observer.hpp>
+#include <plastron/computation/result.hpp>
 #include <plastron/examination/examine.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/problem/problem.hpp>

@@ -1,7 +1,8 @@
 #include <research/study/lifting.hpp>
 
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/contact/solve.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -17,8 +17,7 @@ algebra::Vector changed_coordinates(const assembly::DiscreteShell& discrete, con
   algebra::Vector z(y.layout(), coordinates.width), result(y.layout(), 6);
   for (std::size_t i = 0; i < static_cast<std::size_t>(y.layout()->owned); ++i) {
     if (coordinates.tied[i]) continue;
-    const Eigen::Matrix<double, 6, 1> at_node = coordinates.basis[i].partialPivLu().solve(
-        Eigen::Map<const Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i));
+    const assembly::Vector6 at_node = coordinates.basis[i].partialPivLu().solve(assembly::node_values(y, i));
     for (int k = 0; k < coordinates.width; ++k) {
       const std::size_t at = coordinates.at(i, k);
       z.local()[at] = change(at_node[k], coordinates.lower.local()[at], coordinates.upper.local()[at]);

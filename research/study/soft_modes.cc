@@ -4,8 +4,8 @@
 #include <research/study/stability.hpp>
 
 #include <plastron/geometry/frame.hpp>
-#include <plastron/meshing/extent.hpp>
 #include <plastron/meshing/sequence.hpp>
+#include <plastron/meshing/sizes.hpp>
 #include <plastron/problem/description.hpp>
 #include <research/spectra/soft_modes.hpp>
 #include <research/study/exponents.hpp>

@@ -2,7 +2,7 @@
 // and what it says about the claims.
 #include <research/study/stability.hpp>
 
-#include <plastron/meshing/extent.hpp>
+#include <plastron/meshing/sizes.hpp>
 #include <research/study/exponents.hpp>
 #include <research/study/stability_samples.hpp>
 #include <research/study/variations.hpp>

@@ -2,9 +2,9 @@
 // dominated shells and like 1/e^3 in bending dominated ones; r tends to Koiter's rotation.
 #include <research/study/thickness.hpp>
 
-#include <plastron/assembly/field_norms.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <research/spectra/field_norms.hpp>
 #include <research/study/energy_distance.hpp>
 #include <research/study/exponents.hpp>
 #include <research/study/variations.hpp>
@@ -63,7 +63,7 @@ Sample sample_of(const computation::Result& result, const problem::Problem& prob
   const algebra::Vector& y = result.solution->nodal.y;
   const Measures m = measure(discrete);
   const double work = result.summary.load_work / load_factor;
-  const double r = std::sqrt(assembly::squared_norms(discrete.shell, y).r);
+  const double r = std::sqrt(spectra::squared_norms(discrete.shell, y).r);
   const double energy = result.summary.energy.total() + result.summary.tangency_energy;
   const double noise = relative_noise(*result.solution, std::sqrt(2 * energy));
   // An error of so many J^{1/2} can all be shear: k mu e |2 delta|^2 <= its square.
@@ -76,7 +76,7 @@ Sample sample_of(const computation::Result& result, const problem::Problem& prob
           .energy = result.summary.energy,
           .stiffness = 2 * energy / (work * work),
           .noise = noise < too_noisy ? result.certificate.energy_identity : noise,
-          .koiter = std::sqrt(assembly::squared_distance_to_koiter(discrete.shell, y)) / r,
+          .koiter = std::sqrt(spectra::squared_distance_to_koiter(discrete.shell, y)) / r,
           .koiter_noise = noise < too_noisy ? shear_noise / r : std::numeric_limits<double>::infinity(),
           .mesh_size = std::sqrt(m.area / static_cast<double>(discrete.space().global_cells)),
           .layer = std::sqrt(m.mean_thickness / m.sharpest_curvature),

@@ -44,38 +44,38 @@ Matrix ladder_matrix(double shift) {
   return A;
 }
 
-std::vector<char> pin_every(const Layout& layout, GlobalIndex period) {
-  std::vector<char> pinned(static_cast<std::size_t>(layout.owned * block), 0);
-  for (std::size_t i = 0; i < pinned.size(); ++i)
-    pinned[i] = period > 0 && (layout.first * block + static_cast<GlobalIndex>(i)) % period == 0;
-  return pinned;
+std::vector<char> fix_every(const Layout& layout, GlobalIndex period) {
+  std::vector<char> fixed(static_cast<std::size_t>(layout.owned * block), 0);
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    fixed[i] = period > 0 && (layout.first * block + static_cast<GlobalIndex>(i)) % period == 0;
+  return fixed;
 }
 
-void expect_solves(const Matrix& A, const Factorisation& F, const std::vector<char>& pinned) {
+void expect_solves(const Matrix& A, const Factorisation& F, const std::vector<char>& fixed) {
   const auto b = vector_of(A.layout(), block, [](GlobalIndex i) { return std::cos(static_cast<double>(i)); });
   const auto d = A.diagonal();
   Vector x(A.layout(), block);
   F.solve(b, x);
-  for (std::size_t i = 0; i < pinned.size(); ++i)
-    if (pinned[i]) {
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    if (fixed[i]) {
       EXPECT_NEAR(x.owned()[i], b.owned()[i] / d.owned()[i], 1e-14);
       x.owned()[i] = 0;
     }
   Vector Ax(A.layout(), block);
   A.multiply(x, Ax);
-  for (std::size_t i = 0; i < pinned.size(); ++i)
-    if (!pinned[i]) {
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    if (!fixed[i]) {
       EXPECT_NEAR(Ax.owned()[i], b.owned()[i], 1e-11);
     }
 }
 
-TEST(Factorisation, solves_on_the_unknowns_that_are_not_pinned_and_divides_by_the_diagonal_on_the_others) {
+TEST(Factorisation, solves_on_the_unknowns_that_are_not_fixed_and_divides_by_the_diagonal_on_the_others) {
   const Matrix A = ladder_matrix(0.1);
   Factorisation F(A);
   for (const GlobalIndex period : {0, 2, 7, 1}) {
-    const auto pinned = pin_every(*A.layout(), period);
-    ASSERT_TRUE(F.factorise(pinned));
-    expect_solves(A, F, pinned);
+    const auto fixed = fix_every(*A.layout(), period);
+    ASSERT_TRUE(F.factorise(fixed));
+    expect_solves(A, F, fixed);
   }
 }
 
@@ -84,55 +84,55 @@ TEST(Factorisation, analyses_once_and_factorises_many_times) {
   Factorisation F(A);
   const double analysis = F.seconds_symbolic();
   for (int count = 1; count <= 3; ++count) {
-    ASSERT_TRUE(F.factorise(pin_every(*A.layout(), 5)));
+    ASSERT_TRUE(F.factorise(fix_every(*A.layout(), 5)));
     EXPECT_EQ(F.factorisations(), count);
   }
   EXPECT_EQ(F.seconds_symbolic(), analysis);
   EXPECT_GT(F.seconds_numeric(), 0);
 }
 
-// On one rank pins of movable unknowns, and a few others, are had without another factor; several ranks factorise anew. The solutions are the same.
-TEST(Factorisation, solves_for_any_pins_when_some_unknowns_are_movable) {
+// On one rank movable unknowns, and a few others, are fixed without another factor; several ranks factorise anew. The solutions are the same.
+TEST(Factorisation, solves_for_any_fixed_set_when_some_unknowns_are_movable) {
   const Matrix A = ladder_matrix(0.1);
-  const auto movable = pin_every(*A.layout(), 3);
+  const auto movable = fix_every(*A.layout(), 3);
   Factorisation F(A, movable);
   for (const GlobalIndex period : {20, 0, 40, 4, 0, 3, 5, 6, 1, 2}) {  // 0 after 20 lets go of four in a border
-    const auto pinned = pin_every(*A.layout(), period);
-    ASSERT_TRUE(F.factorise(pinned));
-    expect_solves(A, F, pinned);
+    const auto fixed = fix_every(*A.layout(), period);
+    ASSERT_TRUE(F.factorise(fixed));
+    expect_solves(A, F, fixed);
   }
 }
 
-TEST(Factorisation, factorises_once_for_all_pins_of_movable_unknowns_on_one_rank) {
+TEST(Factorisation, factorises_once_for_all_fixed_sets_of_movable_unknowns_on_one_rank) {
   const Matrix A = ladder_matrix(0.1);
-  const auto none = pin_every(*A.layout(), 0);
-  EXPECT_TRUE(Factorisation(A).nearest_pins(none).empty());
-  Factorisation F(A, pin_every(*A.layout(), 3));
-  EXPECT_TRUE(F.nearest_pins(none).empty());
+  const auto none = fix_every(*A.layout(), 0);
+  EXPECT_TRUE(Factorisation(A).nearest_fixed(none).empty());
+  Factorisation F(A, fix_every(*A.layout(), 3));
+  EXPECT_TRUE(F.nearest_fixed(none).empty());
   int ranks = 1;
   MPI_Comm_size(A.layout()->comm, &ranks);
   for (const GlobalIndex period : {3, 0, 6, 9, 10}) {  // 10: eight that are not movable, a border
-    const auto pinned = pin_every(*A.layout(), period);
-    ASSERT_TRUE(F.factorise(pinned));
-    expect_solves(A, F, pinned);
+    const auto fixed = fix_every(*A.layout(), period);
+    ASSERT_TRUE(F.factorise(fixed));
+    expect_solves(A, F, fixed);
     if (ranks == 1) {
       EXPECT_EQ(F.factorisations(), 1);
-      EXPECT_EQ(F.nearest_pins(none), none);
+      EXPECT_EQ(F.nearest_fixed(none), none);
     }
   }
 }
 
-// Whatever a border before had: 20 pins four in the factor, 50 lets go of three of them and pins one more, 10 pins four.
-TEST(Factorisation, lets_go_and_pins_in_any_succession_with_one_factor) {
+// Whatever a border before had: 20 fixes four in the factor, 50 releases three of them and fixes one more, 10 fixes four.
+TEST(Factorisation, releases_and_fixes_in_any_succession_with_one_factor) {
   const Matrix A = ladder_matrix(0.1);
   int ranks = 1;
   MPI_Comm_size(A.layout()->comm, &ranks);
   for (const GlobalIndex tail : {3, 120}) {  // 120: one movable unknown
-    Factorisation F(A, pin_every(*A.layout(), tail));
+    Factorisation F(A, fix_every(*A.layout(), tail));
     for (const GlobalIndex period : {20, 50, 20, 0, 10, 50, 40, 10, 20}) {
-      const auto pinned = pin_every(*A.layout(), period);
-      ASSERT_TRUE(F.factorise(pinned));
-      expect_solves(A, F, pinned);
+      const auto fixed = fix_every(*A.layout(), period);
+      ASSERT_TRUE(F.factorise(fixed));
+      expect_solves(A, F, fixed);
     }
     if (ranks == 1) {
       EXPECT_EQ(F.factorisations(), 1);
@@ -140,7 +140,7 @@ TEST(Factorisation, lets_go_and_pins_in_any_succession_with_one_factor) {
   }
 }
 
-TEST(Factorisation, takes_pins_of_movable_unknowns_that_alone_hold_the_structure) {
+TEST(Factorisation, fixes_movable_unknowns_that_alone_hold_the_structure) {
   const auto elements = chain(9);
   const auto layout = layout_for(9, elements);
   Matrix A(layout, 1, connectivity(*layout, elements));
@@ -156,13 +156,13 @@ TEST(Factorisation, takes_pins_of_movable_unknowns_that_alone_hold_the_structure
 TEST(Factorisation, tells_a_matrix_that_is_not_positive_definite_and_recovers) {
   const Matrix A = ladder_matrix(-3.0);
   Factorisation F(A);
-  EXPECT_FALSE(F.factorise(pin_every(*A.layout(), 0)));
+  EXPECT_FALSE(F.factorise(fix_every(*A.layout(), 0)));
   Vector x(A.layout(), block);
   EXPECT_THROW(F.solve(Vector(x), x), std::logic_error);
-  const auto all_pinned = pin_every(*A.layout(), 1);
-  ASSERT_TRUE(F.factorise(all_pinned));
-  EXPECT_FALSE(F.factorise(pin_every(*A.layout(), 0)));
-  ASSERT_TRUE(F.factorise(all_pinned));
+  const auto all_fixed = fix_every(*A.layout(), 1);
+  ASSERT_TRUE(F.factorise(all_fixed));
+  EXPECT_FALSE(F.factorise(fix_every(*A.layout(), 0)));
+  ASSERT_TRUE(F.factorise(all_fixed));
 }
 
 TEST(Factorisation, tells_a_matrix_that_is_zero_and_recovers) {
@@ -178,19 +178,19 @@ TEST(Factorisation, tells_a_matrix_that_is_zero_and_recovers) {
   EXPECT_TRUE(F.factorise(all));
 }
 
-TEST(Factorisation, gives_a_pinned_unknown_without_stiffness_a_diagonal) {
+TEST(Factorisation, gives_a_fixed_unknown_without_stiffness_a_diagonal) {
   const auto elements = chain(6);
   const auto layout = layout_for(6, elements);
   Matrix A(layout, 1, connectivity(*layout, elements));
-  std::vector<char> pinned(static_cast<std::size_t>(layout->owned), 0);
+  std::vector<char> fixed(static_cast<std::size_t>(layout->owned), 0);
   for (LocalIndex i = 0; i < layout->owned; ++i) {
     const bool empty = layout->global(i) == 2;
-    pinned[static_cast<std::size_t>(i)] = empty;
+    fixed[static_cast<std::size_t>(i)] = empty;
     A.add(std::vector<LocalIndex>{i}, std::vector<double>{empty ? 0.0 : 4.0});
   }
   A.finish();
   Factorisation F(A);
-  ASSERT_TRUE(F.factorise(pinned));
+  ASSERT_TRUE(F.factorise(fixed));
   Vector x(layout, 1);
   F.solve(vector_of(layout, 1, [](GlobalIndex) { return 1.0; }), x);
   for (const double value : gather(x)) EXPECT_DOUBLE_EQ(value, 0.25);
@@ -205,10 +205,10 @@ TEST(Factorisation, wants_one_mark_per_owned_unknown) {
 TEST(Factorisation, can_be_moved) {
   const Matrix A = ladder_matrix(0.1);
   Factorisation F(A);
-  const auto pinned = pin_every(*A.layout(), 4);
-  ASSERT_TRUE(F.factorise(pinned));
+  const auto fixed = fix_every(*A.layout(), 4);
+  ASSERT_TRUE(F.factorise(fixed));
   const Factorisation moved = std::move(F);
-  expect_solves(A, moved, pinned);
+  expect_solves(A, moved, fixed);
 }
 
 }  // namespace

@@ -112,62 +112,6 @@ TEST(Matrix, can_be_filled_again_and_adds_up) {
   for (std::size_t i = 0; i < size; ++i) EXPECT_NEAR(twice[i], 2 * once[i], 1e-14);
 }
 
-// R_i x: what a rank sees of a vector, as a vector of its own.
-Vector restricted(const Vector& x, const std::shared_ptr<const Layout>& to) {
-  Vector local(to, x.block());
-  std::ranges::copy(x.local(), local.owned().begin());
-  return local;
-}
-
-TEST(LocalPart, SumsUpOverRanksToTheMatrix) {
-  const auto elements = example_elements();
-  const auto layout = layout_for(nodes, elements);
-  Matrix A(layout, block, connectivity(*layout, elements));
-  for (std::size_t e = 0; e < elements.size(); ++e)
-    if (layout->owns(elements[e].front()))
-      A.add(local_nodes(*layout, elements[e]), element_matrix(e, elements[e].size() * block));
-  const Matrix part = A.local_part();
-  A.finish();
-  ASSERT_EQ(part.layout()->owned, layout->local_size());
-  const Vector x = vector_of(layout, block, wave);
-  const Vector local = restricted(x, part.layout());
-  Vector local_product(part.layout(), block), sum(layout, block), product(layout, block);
-  part.multiply(local, local_product);
-  std::ranges::copy(local_product.owned(), sum.local().begin());
-  sum.accumulate_ghosts();
-  A.multiply(x, product);
-  const auto expected = gather(product), found = gather(sum);
-  EXPECT_GT(algebra::max_abs(product), 1);
-  for (std::size_t i = 0; i < size; ++i) EXPECT_NEAR(found[i], expected[i], 1e-13);
-}
-
-TEST(LocalPart, IsWhatElementsOfThisRankAloneGive) {
-  const auto elements = chain(nodes);
-  const auto layout = layout_for(nodes, elements);
-  Matrix A(layout, 1, connectivity(*layout, elements));
-  double trace = 0;
-  for (const auto& element : elements)
-    if (layout->owns(element.front())) {
-      A.add(local_nodes(*layout, element), std::vector<double>{1, -1, -1, 2});
-      trace += 3;
-    }
-  const auto diagonal = A.local_part().diagonal();
-  double sum = 0;
-  for (const double d : diagonal.owned()) sum += d;
-  EXPECT_NEAR(sum, trace, 1e-14);
-  EXPECT_GT(trace, 0);
-}
-
-TEST(LocalPart, IsGoneWhenItsRowsHaveBeenShippedAndComesBackWithZero) {
-  const auto elements = chain(nodes);
-  const auto layout = layout_for(nodes, elements);
-  Matrix A = Matrix(layout, 1, connectivity(*layout, elements));
-  A.finish();
-  EXPECT_THROW(static_cast<void>(A.local_part()), std::logic_error);
-  A.set_zero();
-  EXPECT_EQ(A.local_part().layout()->owned, layout->local_size());
-}
-
 TEST(Matrix, takes_an_element_that_names_a_node_twice) {
   const auto elements = chain(nodes);
   const auto layout = layout_for(nodes, elements);

@@ -57,8 +57,8 @@ double seconds(clockid_t clock) {
 }
 
 std::vector<double> solution(Factorisation& F, const Matrix& A) {
-  const std::vector<char> pinned(static_cast<std::size_t>(A.layout()->owned) * block, 0);
-  EXPECT_TRUE(F.factorise(pinned));
+  const std::vector<char> fixed(static_cast<std::size_t>(A.layout()->owned) * block, 0);
+  EXPECT_TRUE(F.factorise(fixed));
   const auto b = vector_of(A.layout(), block, [](GlobalIndex i) { return std::sin(static_cast<double>(i)); });
   Vector x(A.layout(), block);
   F.solve(b, x);

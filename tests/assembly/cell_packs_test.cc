@@ -2,8 +2,8 @@
 // numbers of cells that fill no whole pack.
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/assembly/multiplier.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/shell/strain.hpp>
 
 #include <gtest/gtest.h>
 #include <larger.hpp>
@@ -38,6 +38,19 @@ test::MeshedSurface strip_of(fem::Shape shape, int degree) {
 
 ShellOperator shell_on(const test::MeshedSurface& m, bool tying, const PackKernels& kernels) {
   return {m.space, m.surface, test::steel_of(geometry::Expression("0.1 + 0.02*x", {})), tying, false, kernels};
+}
+
+/// Adds the nodal forces of `stresses`: the transpose of normal_rotation_gradients().
+void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, const CellGradient& stresses,
+                                element::CellField& forces) {
+  element::FieldRows dual = element::FieldRows::zero(stresses.rows());
+  for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
+    shell::LocalField<double> at_point = shell::zero_field();
+    shell::add_normal_rotation_dual(stresses.row(q), shell.frame_at(cell, q), at_point);
+    dual.add_dual(q, at_point);
+  }
+  shell.interpolation().add_forces(cell, shell.tables().quadrature, shell.quadrature_bases(cell), std::move(dual),
+                                   forces);
 }
 
 class EveryPack : public testing::TestWithParam<test::Element> {

@@ -2,8 +2,8 @@
 // multiplier (M14).
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/assembly/multiplier.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 
 #include <gtest/gtest.h>
 

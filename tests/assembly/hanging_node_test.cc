@@ -2,9 +2,9 @@
 // exact, and the form stays symmetric (docs/model.md section 7; the mesh that plants such nodes itself comes with adaptivity).
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <cmath>
 #include <map>

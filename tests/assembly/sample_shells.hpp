@@ -1,6 +1,6 @@
 // Small shells for the tests of assembly/.
 #pragma once
-#include <plastron/assembly/discrete_shell.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 
 #include <map>
@@ -60,6 +60,31 @@ inline algebra::Vector rigid_motion(const fem::Space& space, const std::vector<a
     }
   }
   return y;
+}
+
+/// The interpolant of a function of position on the mid-surface, its value (u, r).
+template <class Function>
+inline algebra::Vector interpolant(const assembly::ShellOperator& shell, const Function& f) {
+  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
+  algebra::Vector y(shell.space().layout, 6);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Matrix<double, 6, 1> value = f(points[i]);
+    for (std::size_t k = 0; k < 6; ++k) y.local()[6 * i + k] = value[static_cast<Eigen::Index>(k)];
+  }
+  return y;
+}
+
+inline Eigen::MatrixXd dense(const algebra::Matrix& matrix) {
+  algebra::Vector x(matrix.layout(), matrix.block()), y(x);
+  const auto n = static_cast<Eigen::Index>(x.owned().size());
+  Eigen::MatrixXd D(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    x.fill(0);
+    x.local()[static_cast<std::size_t>(j)] = 1;
+    matrix.multiply(x, y);
+    D.col(j) = Eigen::Map<const Eigen::VectorXd>(y.owned().data(), n);
+  }
+  return D;
 }
 
 }  // namespace plastron::test

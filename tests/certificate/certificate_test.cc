@@ -5,7 +5,7 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/certificate/certificate_limits.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/solve.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/certificate/certificate.hpp>
-#include <plastron/fem/join.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/zones/contact_zones.hpp>
 #include <plastron/zones/gap_opening.hpp>
 

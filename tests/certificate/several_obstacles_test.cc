@@ -4,7 +4,7 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/certificate/certificate.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/solve.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <fmt/format.h>
@@ -18,6 +18,7 @@ namespace plastron::certificate::several_obstacles_test {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using obstacle::Face;
 using obstacle::HalfSpace;

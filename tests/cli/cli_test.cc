@@ -154,23 +154,12 @@ TEST(GoodCase, may_name_its_units_which_does_not_change_its_title) {
   EXPECT_THAT(verify.output, AllOf(HasSubstr("Strip of 5 m\n"), HasSubstr("PASSED")));
 }
 
-TEST(GoodCase, may_name_its_contact_solver) {
-  const Scratch scratch;
-  scratch.write("case.toml", case_with(1) + "[contact]\nsolver = \"mprgp\"\n");
-  const Outcome outcome = plastron({"run", "case.toml", "--output", "out"}, scratch.path);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  const auto results = results_in(scratch.path / "out");
-  EXPECT_EQ(results.at("settings").at("contact").at("solver"), "mprgp");
-  for (const auto& level : results.at("levels")) EXPECT_EQ(level.at("factorisations"), 1);
-}
-
 TEST(Compare, sets_solvers_side_by_side_with_files_or_without) {
   const Scratch scratch;
   scratch.write("case.toml", case_with(1));
   const Outcome printed = plastron({"compare", "--solvers", "case.toml"}, scratch.path);
   ASSERT_EQ(printed.exit_code, 0) << printed.output;
-  for (const char* name : {"active-set", "projected", "tao", "snesvi", "mprgp"})
-    EXPECT_THAT(printed.output, HasSubstr(name));
+  for (const char* name : {"active-set", "projected", "tao", "mprgp"}) EXPECT_THAT(printed.output, HasSubstr(name));
   EXPECT_THAT(printed.output, Not(HasSubstr("does not hold")));
   const Outcome written = plastron({"compare", "--solvers", "case.toml", "--output", "out"}, scratch.path);
   ASSERT_EQ(written.exit_code, 0) << written.output;

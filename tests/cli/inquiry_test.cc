@@ -95,7 +95,7 @@ TEST(Explain, TellsOfFieldsNumbersAndStatuses) {
 TEST(Explain, TellsAllThatAWordMeans) {
   EXPECT_THAT(answer({"explain", "thickness"}), AllOf(HasSubstr("thickness: field"), HasSubstr("shell.thickness: key"),
                                                       HasSubstr("region.thickness: key")));
-  EXPECT_THAT(answer({"explain", "active-set"}), HasSubstr("contact.solver: key"));
+  EXPECT_THAT(answer({"explain", "by-cell"}), HasSubstr("output.resultants: key"));
 }
 
 TEST(Explain, WithoutAWordTellsWhatThereIs) {

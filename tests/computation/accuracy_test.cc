@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <plastron/computation/adaptivity.hpp>
 #include <plastron/computation/level.hpp>
-#include <plastron/computation/memory.hpp>
+#include <plastron/computation/resources.hpp>
 #include <plastron/computation/solve.hpp>
-#include <plastron/computation/stopwatch.hpp>
 #include <plastron/computation/verify.hpp>
 #include <plastron/meshing/chord_cuts.hpp>
+#include <plastron/meshing/marks.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/description.hpp>
 #include <plastron/problem/goal_names.hpp>

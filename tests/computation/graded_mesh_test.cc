@@ -1,9 +1,9 @@
 // Solutions on meshes that are divided here and not there: as good as on uniform ones, whichever formulation and however many ranks, with
 // supports on curves that hanging nodes lie on, contact zones across them, and all that is recovered of them.
 #include <gtest/gtest.h>
-#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
+#include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/level.hpp>
-#include <plastron/computation/probes.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/description.hpp>

@@ -1,8 +1,8 @@
 // When a mesh without tying is said to be too coarse.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <plastron/computation/locking.hpp>
 #include <plastron/computation/solve.hpp>
+#include <plastron/computation/warnings.hpp>
 #include <plastron/examination/examine.hpp>
 
 #include "computation/problems.hpp"

@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/description.hpp>
 
@@ -104,6 +104,13 @@ problem::Problem curved(problem::Problem p) {
   return p;
 }
 
+/// The coordinate that is component `axis` of the displacement, at a node that keeps the unknowns of a rigid body.
+int body_coordinate(const assembly::NodalCoordinates& coordinates, std::size_t node, int axis) {
+  int k = 0;
+  while (coordinates.basis[node](axis, k) == 0) ++k;
+  return k;
+}
+
 /// The rigid motion u = c + w x phi with the coordinates that it has: those of the nodes, and the bodies' own.
 algebra::Vector coordinates_of_motion(const assembly::DiscreteShell& shell, const algebra::Vector& y, const Vector3d& c,
                                       const Vector3d& w) {
@@ -122,7 +129,7 @@ algebra::Vector coordinates_of_motion(const assembly::DiscreteShell& shell, cons
       if (host < 0) continue;
       const auto node = static_cast<std::size_t>(host);
       const Vector3d d = c + w.cross(placed.body.reference);
-      z.local()[coordinates.at(node, coordinates.body_coordinate(node, k % 3))] =
+      z.local()[coordinates.at(node, body_coordinate(coordinates, node, k % 3))] =
           k < 3 ? d[k] : placed.length * w[k - 3];
     }
   return z;

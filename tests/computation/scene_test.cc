@@ -1,6 +1,6 @@
 // The same scene seen otherwise: turned in space, upside down, with the faces' names exchanged; mirror images.
 #include <gtest/gtest.h>
-#include <plastron/computation/probes.hpp>
+#include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/solve.hpp>
 
 #include <fmt/format.h>

@@ -49,7 +49,7 @@ TEST(UnitNames, are_replaced_once) {
   }
 }
 
-TEST(UnitNames, of_SI_change_nothing) { EXPECT_EQ(UnitNames{}.renamed("2 m, 3 Pa, 4 J"), "2 m, 3 Pa, 4 J"); }
+TEST(UnitNames, of_SI_change_nothing) { EXPECT_EQ(problem::UnitNames{}.renamed("2 m, 3 Pa, 4 J"), "2 m, 3 Pa, 4 J"); }
 
 }  // namespace
 }  // namespace plastron::computation

@@ -146,17 +146,6 @@ TEST(MeshAndSolver, TakeWhatTheyAreGiven) {
   EXPECT_EQ(problem.contact.multiplier_tolerance, 1e-7);
 }
 
-TEST(ContactSolver, IsTheOneNamedAndTheActiveSetByDefault) {
-  EXPECT_EQ(parsed().problem.contact.solver, contact::Solver::active_set);
-  EXPECT_EQ(parsed().effective["contact"]["solver"], "active-set");
-  for (const contact::Solver solver : contact::all_solvers) {
-    const std::string name(contact::to_string(solver));
-    const Case c = parsed("[contact]\nsolver = \"" + name + "\"\n");
-    EXPECT_EQ(c.problem.contact.solver, solver) << name;
-    EXPECT_EQ(c.effective["contact"]["solver"], name);
-  }
-}
-
 TEST(Triangles, AreNotTied) {
   for (const char* mesh : {"cells = \"triangle\"\n", "tying = false\ndegree = 1\ncells = \"triangle\"\n"}) {
     const Case c = parsed(std::string("[mesh]\n") + mesh);

@@ -1,9 +1,8 @@
 // A beam clamped at both ends and pressed on a table below it: it lies flat in the middle, and the free boundary
 // carries point reactions. The model problem of thin structures in contact.
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/contact/kept_factor.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
-#include <plastron/contact/projected_search.hpp>
+#include <plastron/contact/solve.hpp>
+#include <plastron/contact/subproblem.hpp>
 
 #include <gtest/gtest.h>
 

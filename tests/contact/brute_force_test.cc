@@ -17,8 +17,8 @@ TEST(EverySolver, agrees_with_brute_force_over_all_active_sets) {
     const DistributedProblem problem(dense);
     algebra::Factorisation F(problem.matrix);
     SCOPED_TRACE("seed " + std::to_string(seed));
-    for (const contact::Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver));
+    for (const NamedSolver& solver : solvers()) {
+      SCOPED_TRACE(solver.name);
       expect_solution(*problem.box, solve_with(solver, *problem.box, F), *exact);
     }
   }
@@ -37,8 +37,8 @@ TEST(EverySolver, finds_the_same_solution_from_any_active_set) {
       const auto k = static_cast<unsigned>(problem.box->load.layout()->first) + static_cast<unsigned>(i);
       initial[i] = static_cast<Activity>((start * 7 + k * k) % 3);
     }
-    for (const contact::Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver) + " from start " + std::to_string(start));
+    for (const NamedSolver& solver : solvers()) {
+      SCOPED_TRACE(solver.name + " from start " + std::to_string(start));
       expect_solution(*problem.box, solve_with(solver, *problem.box, F, initial), *exact);
     }
   }
@@ -57,8 +57,8 @@ TEST(EverySolver, fulfils_the_optimality_conditions_on_larger_problems) {
       EXPECT_LE(z(i), dense.upper(i) + 1e-10 * z.cwiseAbs().maxCoeff());
     }
     EXPECT_LT((gathered(plain.multiplier) - (dense.A * z - dense.b)).cwiseAbs().maxCoeff(), 1e-10);
-    for (const contact::Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver));
+    for (const NamedSolver& solver : solvers()) {
+      SCOPED_TRACE(solver.name);
       expect_solution(*problem.box, solve_with(solver, *problem.box, F), z);
     }
   }

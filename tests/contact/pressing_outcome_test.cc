@@ -11,7 +11,6 @@ namespace plastron::test {
 namespace {
 
 using contact::Activity;
-using contact::Solver;
 using contact::Status;
 
 /// A clamped beam; a round punch above it whose tip is at the middle, 0.5 away.
@@ -44,9 +43,10 @@ struct PunchedBeam {
   PunchedBeam(const PunchedBeam&) = delete;
   PunchedBeam& operator=(const PunchedBeam&) = delete;
 
-  contact::BoxSolution solve(Solver solver = Solver::active_set, std::span<const Activity> initial = {},
-                             const contact::Settings& settings = {}, const contact::Observer& observer = {}) {
-    return solve_with(solver, problem, factorisation, initial, settings, observer);
+  contact::BoxSolution solve(contact::SolverFunction& solver = contact::solve_primal_dual_active_set,
+                             std::span<const Activity> initial = {}, const contact::Settings& settings = {},
+                             const contact::Observer& observer = {}) {
+    return solver(problem, initial, factorisation, settings, observer);
   }
 
   Beam beam;
@@ -77,7 +77,7 @@ TEST(PressingForce, and_its_position_prescribed_give_the_same_solution) {
     const auto by_force = pressed.solve();
     ASSERT_EQ(by_force.status, Status::solved);
     const contact::BoxProblem moved = contact::at_positions(pressed.problem, by_force.positions);
-    const auto by_position = solve_with(Solver::active_set, moved, pressed.factorisation);
+    const auto by_position = contact::solve_primal_dual_active_set(moved, {}, pressed.factorisation);
     ASSERT_EQ(by_position.status, Status::solved);
     EXPECT_LT((gathered(by_force.z) - gathered(by_position.z)).cwiseAbs().maxCoeff(), 1e-9);
     // and back: the reaction found, pressed with
@@ -95,9 +95,9 @@ TEST(EverySolver, presses_a_punch_on_a_beam_alike) {
   const auto plain = punched.solve();
   ASSERT_EQ(plain.status, Status::solved);
   EXPECT_GT(plain.iterations.back().active, 2);
-  for (const Solver solver : contact::all_solvers) {
-    SCOPED_TRACE(name_of(solver));
-    const auto other = punched.solve(solver);
+  for (const NamedSolver& solver : solvers()) {
+    SCOPED_TRACE(solver.name);
+    const auto other = punched.solve(*solver.solve);
     ASSERT_EQ(other.status, Status::solved);
     EXPECT_NEAR(other.positions[0], plain.positions[0], 1e-8);
     EXPECT_NEAR(contact::reactions(punched.problem, other.multiplier, other.activity)[0],
@@ -108,11 +108,12 @@ TEST(EverySolver, presses_a_punch_on_a_beam_alike) {
 TEST(PressingForce, costs_one_factorisation_a_step_whatever_the_rule_of_the_kept_factor) {
   for (const auto rule : {contact::KeptFactor::where_cheaper, contact::KeptFactor::always}) {
     PunchedBeam punched(800);
-    const auto cold = punched.solve(Solver::active_set, {}, {.detect_free_motions = false, .kept_factor = rule});
+    const auto cold =
+        punched.solve(contact::solve_primal_dual_active_set, {}, {.detect_free_motions = false, .kept_factor = rule});
     ASSERT_EQ(cold.status, Status::solved);
     EXPECT_GT(cold.iterations.size(), 3U);
     EXPECT_EQ(punched.factorisation.factorisations(), static_cast<int>(cold.iterations.size()));
-    const auto warm = punched.solve(Solver::active_set, cold.activity);
+    const auto warm = punched.solve(contact::solve_primal_dual_active_set, cold.activity);
     ASSERT_EQ(warm.status, Status::solved);
     EXPECT_EQ(warm.iterations.size(), 1U);
     EXPECT_NEAR(warm.positions[0], cold.positions[0], 1e-12);
@@ -123,7 +124,7 @@ std::vector<Status> outcomes(const PressedDense& dense, const contact::Settings&
   const DistributedPressed pressed(dense);
   algebra::Factorisation F(pressed.matrix());
   std::vector<Status> all;
-  for (const Solver solver : contact::all_solvers)
+  for (const NamedSolver& solver : solvers())
     all.push_back(solve_with(solver, pressed.problem(), F, {}, settings).status);
   return all;
 }
@@ -167,15 +168,15 @@ TEST(EverySolver, calls_bounds_that_forces_press_on_each_other_infeasible) {
 TEST(EverySolver, stops_pressing_at_the_iteration_limit_or_when_asked) {
   for (const Status status : outcomes(random_pressed(12, 1, 2), {.max_iterations = 1}))
     EXPECT_EQ(status, Status::iteration_limit);
-  for (const Solver solver : contact::all_solvers) {
+  for (const NamedSolver& solver : solvers()) {
     PunchedBeam punched(800);
     std::size_t seen = 0;
     const contact::Observer first_only{.iteration = [&](const contact::Iteration&) { ++seen; },
                                        .stop = [] { return true; }};
-    const auto stopped = punched.solve(solver, {}, {}, first_only);
-    EXPECT_EQ(stopped.status, Status::interrupted) << name_of(solver);
-    EXPECT_EQ(seen, stopped.iterations.size()) << name_of(solver);
-    EXPECT_EQ(seen, 1U) << name_of(solver);
+    const auto stopped = punched.solve(*solver.solve, {}, {}, first_only);
+    EXPECT_EQ(stopped.status, Status::interrupted) << solver.name;
+    EXPECT_EQ(seen, stopped.iterations.size()) << solver.name;
+    EXPECT_EQ(seen, 1U) << solver.name;
   }
 }
 
@@ -194,7 +195,7 @@ TEST(PrimalDualActiveSet, hands_over_to_the_pressing_search_where_it_would_cycle
   ASSERT_TRUE(exact);
   const DistributedPressed pressed(dense);
   algebra::Factorisation F(pressed.matrix());
-  const auto solution = solve_with(Solver::active_set, pressed.problem(), F);
+  const auto solution = contact::solve_primal_dual_active_set(pressed.problem(), {}, F);
   ASSERT_EQ(solution.status, Status::solved);
   EXPECT_FALSE(solution.iterations.front().safeguarded);
   EXPECT_TRUE(solution.iterations.back().safeguarded);

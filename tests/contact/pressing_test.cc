@@ -9,7 +9,6 @@
 namespace plastron::test {
 namespace {
 
-using contact::Solver;
 using contact::Status;
 
 unsigned some_problems(unsigned on_one_rank) {
@@ -34,8 +33,8 @@ void expect_pressed_solution(const PressedDense& dense, const contact::BoxProble
 void expect_that_all_press(const PressedDense& dense, const PressedSolution& exact) {
   const DistributedPressed pressed(dense);
   algebra::Factorisation F(pressed.matrix());
-  for (const Solver solver : contact::all_solvers) {
-    SCOPED_TRACE(name_of(solver));
+  for (const NamedSolver& solver : solvers()) {
+    SCOPED_TRACE(solver.name);
     expect_pressed_solution(dense, pressed.problem(), solve_with(solver, pressed.problem(), F), exact);
   }
 }
@@ -44,10 +43,10 @@ void expect_that_all_press(const PressedDense& dense, const PressedSolution& exa
 void expect_that_none_presses(const PressedDense& dense) {
   const DistributedPressed pressed(dense);
   algebra::Factorisation F(pressed.matrix());
-  const Status status = solve_with(Solver::active_set, pressed.problem(), F).status;
+  const Status status = contact::solve_primal_dual_active_set(pressed.problem(), {}, F).status;
   EXPECT_TRUE(status == Status::infeasible || status == Status::not_carried) << contact::to_string(status);
-  for (const Solver solver : contact::all_solvers)
-    EXPECT_EQ(solve_with(solver, pressed.problem(), F).status, status) << name_of(solver);
+  for (const NamedSolver& solver : solvers())
+    EXPECT_EQ(solve_with(solver, pressed.problem(), F).status, status) << solver.name;
 }
 
 TEST(EverySolver, finds_what_forces_press_as_brute_force_does) {

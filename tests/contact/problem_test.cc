@@ -1,10 +1,7 @@
-// The parts of a problem fit together, or the sanitizer build stops; and solvers work on them with what they have.
+// The parts of a problem fit together, or the sanitizer build stops.
 #include <gtest/gtest.h>
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/contact/face_preconditioner.hpp>
-#include <plastron/contact/scaled_unknowns.hpp>
 
-#include "algebra/allocations.hpp"
 #include "algebra/assertions_are_live.hpp"
 #include "contact/dense_problem.hpp"
 
@@ -20,27 +17,6 @@ TEST(BoxProblemDeathTest, whose_bounds_have_another_size_than_its_load_stops_the
   wider.lower = wider.upper = Vector(problem.matrix.layout(), 2);
   EXPECT_DEATH(contact::solve_primal_dual_active_set(longer, {}, F), "lower.owned\\(\\).size\\(\\).* = 5, 7, 7");
   EXPECT_DEATH(contact::solve_projected_search(wider, {}, F), "lower.block\\(\\).* = 1, 1, 2, 2");
-}
-
-TEST(StepsOfSolvers, are_made_without_new_vectors) {
-  const DistributedProblem problem(random_problem(12, 1));
-  const contact::BoxProblem& box = *problem.box;
-  const Vector diagonal = contact::positive_diagonal(box);
-  const contact::ScaledUnknowns scaled(box);
-  algebra::Factorisation F(problem.matrix);
-  contact::FacePreconditioner preconditioner(F, diagonal);
-  const contact::ActiveSet all_free(box.load.owned().size(), contact::Activity::free);
-  ASSERT_EQ(preconditioner.pin(box, all_free, false), contact::Status::solved);
-  const Vector x = box.load;
-  Vector y = x, z = x;
-  const auto step = [&] {
-    scaled.apply(x, y);
-    preconditioner.apply(y, z);
-  };
-  step();
-  const Allocations allocations;
-  step();
-  EXPECT_EQ(allocations.count(), 0);
 }
 
 }  // namespace

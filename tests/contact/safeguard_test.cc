@@ -72,23 +72,5 @@ TEST(ProjectedSearch, lowers_the_energy_at_every_step) {
   }
 }
 
-// The unknown at its bound feels no force: whether it counts as active must not matter, nor set the solvers cycling.
-TEST(EverySolver, takes_a_degenerate_problem_from_either_side) {
-  DenseProblem dense{.A = Eigen::MatrixXd{{2, -1, 0}, {-1, 2, -1}, {0, -1, 2}},
-                     .b = Eigen::VectorXd{{-1, 2, -1}},
-                     .lower = Eigen::VectorXd::Zero(3),
-                     .upper = Eigen::VectorXd::Constant(3, infinity)};
-  const DistributedProblem problem(dense);
-  algebra::Factorisation F(problem.matrix);
-  for (const auto activity : {contact::Activity::free, contact::Activity::at_lower}) {
-    const std::vector<contact::Activity> initial(problem.box->load.owned().size(), activity);
-    for (const contact::Solver solver : contact::all_solvers) {
-      const auto solution = solve_with(solver, *problem.box, F, initial);
-      EXPECT_EQ(solution.status, Status::solved) << name_of(solver);
-      EXPECT_LT((gathered(solution.z) - Eigen::Vector3d(0, 1, 0)).cwiseAbs().maxCoeff(), 1e-12);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace plastron::test

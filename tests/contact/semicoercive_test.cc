@@ -104,8 +104,8 @@ TEST(EverySolver, FindsTheSolutionThatBoundsAloneHold) {
     const MadeProblem made = problem_with_solution(n, free_motions, seed);
     FreeStructure structure(made.dense, made.G);
     algebra::Factorisation F(structure.problem.matrix);
-    for (const contact::Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver) + ", seed " + std::to_string(seed));
+    for (const NamedSolver& solver : solvers()) {
+      SCOPED_TRACE(solver.name + ", seed " + std::to_string(seed));
       expect_solution(*structure.problem.box,
                       solve_with(solver, *structure.problem.box, F, arbitrary_set(*structure.problem.box, seed)),
                       made.exact);
@@ -123,9 +123,9 @@ TEST(EverySolver, LaysAFreeBeamOnUnevenGroundAsBruteForceDoes) {
     ASSERT_TRUE(exact);
     FreeStructure structure(dense, G);
     algebra::Factorisation F(structure.problem.matrix);
-    for (const contact::Solver solver : contact::all_solvers)
+    for (const NamedSolver& solver : solvers())
       for (const unsigned start : {0u, seed}) {
-        SCOPED_TRACE(name_of(solver) + ", seed " + std::to_string(seed) + ", start " + std::to_string(start));
+        SCOPED_TRACE(solver.name + ", seed " + std::to_string(seed) + ", start " + std::to_string(start));
         const auto initial = start > 0 ? arbitrary_set(*structure.problem.box, start) : std::vector<Activity>{};
         expect_solution(*structure.problem.box, solve_with(solver, *structure.problem.box, F, initial), *exact);
       }
@@ -143,8 +143,8 @@ TEST(EverySolver, LetsABeamFallFar) {
     dense.lower.array() -= height;
     FreeStructure structure(dense, G);
     algebra::Factorisation F(structure.problem.matrix);
-    for (const contact::Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver) + ", from " + std::to_string(height));
+    for (const NamedSolver& solver : solvers()) {
+      SCOPED_TRACE(solver.name + ", from " + std::to_string(height));
       const auto solution = solve_with(solver, *structure.problem.box, F);
       ASSERT_EQ(solution.status, Status::solved);
       EXPECT_LT((gathered(solution.z) - (exact->array() - height).matrix()).cwiseAbs().maxCoeff(), 1e-13 * height);
@@ -161,8 +161,8 @@ TEST(EverySolver, RefusesABeamThatTipsOffTheGround) {
     dense.lower.tail(n - n / 2 + 1).setConstant(-infinity);
     FreeStructure structure(dense, G);
     algebra::Factorisation F(structure.problem.matrix);
-    for (const contact::Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver) + ", seed " + std::to_string(seed));
+    for (const NamedSolver& solver : solvers()) {
+      SCOPED_TRACE(solver.name + ", seed " + std::to_string(seed));
       EXPECT_EQ(solve_with(solver, *structure.problem.box, F).status, Status::not_held);
     }
   }
@@ -180,9 +180,9 @@ TEST(PrimalDualActiveSet, LaysAFineFreeBeamOnBumpsInFewSteps) {
     }
     FreeStructure structure(dense, G);
     algebra::Factorisation F(structure.problem.matrix);
-    for (const contact::Solver solver : {contact::Solver::active_set, contact::Solver::projected}) {
-      SCOPED_TRACE(name_of(solver) + ", " + std::to_string(n) + " nodes");
-      const auto solution = solve_with(solver, *structure.problem.box, F);
+    for (contact::SolverFunction* solver : {contact::solve_primal_dual_active_set, contact::solve_projected_search}) {
+      SCOPED_TRACE(std::to_string(n) + " nodes");
+      const auto solution = solver(*structure.problem.box, {}, F, {}, {});
       ASSERT_EQ(solution.status, Status::solved);
       EXPECT_LE(solution.iterations.size(), 25u);
       const Eigen::VectorXd z = gathered(solution.z), multiplier = gathered(solution.multiplier);

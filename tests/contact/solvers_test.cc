@@ -1,20 +1,14 @@
-// All solvers against brute force where it is hard: ties, units, structures that only bounds hold; and the dispatcher.
-#include <plastron/contact/mprgp.hpp>
-#include <plastron/contact/snesvi.hpp>
-#include <plastron/contact/tao.hpp>
-
+// All solvers against brute force where it is hard: ties, units, structures that only bounds hold.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
 #include "contact/expect_solution.hpp"
-#include "contact/jacobi.hpp"
 
 namespace plastron::test {
 namespace {
 
-using contact::Solver;
 using contact::Status;
 
 unsigned problems(unsigned on_one_rank) {
@@ -24,8 +18,8 @@ unsigned problems(unsigned on_one_rank) {
 void expect_that_all_find(const DenseProblem& dense, const Eigen::VectorXd& exact) {
   const DistributedProblem problem(dense);
   algebra::Factorisation F(problem.matrix);
-  for (const Solver solver : contact::all_solvers) {
-    SCOPED_TRACE(name_of(solver));
+  for (const NamedSolver& solver : solvers()) {
+    SCOPED_TRACE(solver.name);
     expect_solution(*problem.box, solve_with(solver, *problem.box, F), exact);
   }
 }
@@ -79,12 +73,12 @@ TEST(EverySolver, does_not_mind_units) {
                                       .lower = unit.cwiseProduct(dense.lower),
                                       .upper = unit.cwiseProduct(dense.upper)});
     algebra::Factorisation F(problem.matrix);
-    for (const Solver solver : contact::all_solvers) {
+    for (const NamedSolver& solver : solvers()) {
       const auto solution = solve_with(solver, *problem.box, F);
-      ASSERT_EQ(solution.status, Status::solved) << name_of(solver);
+      ASSERT_EQ(solution.status, Status::solved) << solver.name;
       EXPECT_LT((inverse.cwiseProduct(gathered(solution.z)) - *exact).cwiseAbs().maxCoeff(),
                 1e-8 * (1 + exact->cwiseAbs().maxCoeff()))
-          << name_of(solver);
+          << solver.name;
     }
   }
 }
@@ -123,100 +117,32 @@ TEST(EverySolver, presses_against_the_bound_that_the_load_points_to) {
     const DistributedProblem problem(dense);
     algebra::Factorisation F(problem.matrix);
     const double z = std::clamp(load / 2, -0.5, 0.5);
-    for (const Solver solver : contact::all_solvers) {
+    for (const NamedSolver& solver : solvers()) {
       const auto solution = solve_with(solver, *problem.box, F);
-      EXPECT_NEAR(gathered(solution.z)(0), z, 1e-12) << name_of(solver);
-      EXPECT_NEAR(gathered(solution.z)(1), -z, 1e-12) << name_of(solver);
-      EXPECT_NEAR(gathered(solution.multiplier)(0), 2 * z - load, 1e-12) << name_of(solver);
-      EXPECT_NEAR(gathered(solution.multiplier)(1), load - 2 * z, 1e-12) << name_of(solver);
+      EXPECT_NEAR(gathered(solution.z)(0), z, 1e-12) << solver.name;
+      EXPECT_NEAR(gathered(solution.z)(1), -z, 1e-12) << solver.name;
+      EXPECT_NEAR(gathered(solution.multiplier)(0), 2 * z - load, 1e-12) << solver.name;
+      EXPECT_NEAR(gathered(solution.multiplier)(1), load - 2 * z, 1e-12) << solver.name;
     }
   }
 }
 
-TEST(EverySolver, needs_no_factor) {
-  for (unsigned seed = 1; seed <= problems(30); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const DenseProblem dense = random_problem(1 + seed % 7, seed);
-    const auto exact = brute_force(dense);
-    const DistributedProblem problem(dense);
-    Jacobi D(problem.matrix);
-    for (const Solver solver : contact::all_solvers) {
-      SCOPED_TRACE(name_of(solver));
-      expect_solution(*problem.box, solve_with(solver, *problem.box, D), *exact);
-    }
-  }
-}
-
-TEST(Mprgp, sets_its_preconditioner_up_once) {
-  for (const unsigned seed : {1u, 2u, 3u}) {
-    const DistributedProblem problem(random_problem(40, seed));
-    Jacobi D(problem.matrix);
-    algebra::Factorisation F(problem.matrix);
-    const auto solution = contact::solve_mprgp(*problem.box, {}, F);
-    EXPECT_EQ(solution.status, Status::solved);
-    EXPECT_EQ(F.factorisations(), 1);
-    EXPECT_EQ(contact::solve_mprgp(*problem.box, {}, D).status, Status::solved);
-    EXPECT_EQ(D.pinnings, 1);
-    EXPECT_GT(solution.iterations.size(), 1U);
-  }
-}
-
-TEST(Mprgp, lowers_the_energy_at_every_step) {
-  for (unsigned seed = 1; seed <= problems(10); ++seed) {
-    const DistributedProblem problem(random_problem(30, seed));
-    algebra::Factorisation F(problem.matrix);
-    const auto solution = contact::solve_mprgp(*problem.box, {}, F);
-    ASSERT_EQ(solution.status, Status::solved);
-    const double rounding = 1e-10 * std::abs(solution.iterations.back().energy);
-    double last = infinity;
-    for (const contact::Iteration& iteration : solution.iterations) {
-      if (iteration.worst_violation > 1e-12) continue;  // a face's minimiser outside the box
-      EXPECT_LE(iteration.energy, last + rounding);
-      last = iteration.energy;
-    }
-  }
-}
-
-TEST(PetscsSolvers, mostly_need_no_help_from_ours) {
-  constexpr unsigned count = 20;
-  for (const Solver solver : {Solver::tao, Solver::snesvi}) {
-    int helped = 0, iterations = 0;
-    for (unsigned seed = 1; seed <= count; ++seed) {
-      const DistributedProblem problem(random_problem(ranks() == 1 ? 30 : 8, seed));
-      algebra::Factorisation F(problem.matrix);
-      const auto solution = solve_with(solver, *problem.box, F);
-      EXPECT_EQ(solution.status, Status::solved);
-      helped += solution.iterations.back().safeguarded;
-      iterations += static_cast<int>(solution.iterations.size());
-    }
-    EXPECT_LE(helped, static_cast<int>(count / 4)) << name_of(solver);
-    EXPECT_GT(iterations, static_cast<int>(2 * count)) << name_of(solver);
-  }
-}
-
-TEST(Solve, takes_the_solver_that_the_settings_name) {
-  const DistributedProblem problem(random_problem(20, 7));
+// The unknown at its bound feels no force: whether it counts as active must not matter, nor set the solvers cycling.
+TEST(EverySolver, takes_a_degenerate_problem_from_either_side) {
+  DenseProblem dense{.A = Eigen::MatrixXd{{2, -1, 0}, {-1, 2, -1}, {0, -1, 2}},
+                     .b = Eigen::VectorXd{{-1, 2, -1}},
+                     .lower = Eigen::VectorXd::Zero(3),
+                     .upper = Eigen::VectorXd::Constant(3, infinity)};
+  const DistributedProblem problem(dense);
   algebra::Factorisation F(problem.matrix);
-  const std::array<contact::SolverFunction*, 5> functions{contact::solve_primal_dual_active_set,
-                                                          contact::solve_projected_search, contact::solve_tao,
-                                                          contact::solve_snesvi, contact::solve_mprgp};
-  for (std::size_t s = 0; s < functions.size(); ++s) {
-    const Solver solver = contact::all_solvers[s];
-    EXPECT_EQ(&contact::function_of(solver), functions[s]) << name_of(solver);
-    const auto direct = functions[s](*problem.box, {}, F, {}, {});
-    const auto named = solve_with(solver, *problem.box, F);
-    EXPECT_EQ(gathered(direct.z), gathered(named.z)) << name_of(solver);
-    EXPECT_EQ(direct.iterations.size(), named.iterations.size()) << name_of(solver);
+  for (const auto activity : {contact::Activity::free, contact::Activity::at_lower}) {
+    const std::vector<contact::Activity> initial(problem.box->load.owned().size(), activity);
+    for (const NamedSolver& solver : solvers()) {
+      const auto solution = solve_with(solver, *problem.box, F, initial);
+      EXPECT_EQ(solution.status, Status::solved) << solver.name;
+      EXPECT_LT((gathered(solution.z) - Eigen::Vector3d(0, 1, 0)).cwiseAbs().maxCoeff(), 1e-12);
+    }
   }
-  EXPECT_EQ(contact::Settings{}.solver, Solver::active_set);
-}
-
-TEST(Solve, gives_the_solvers_the_names_of_case_files) {
-  EXPECT_EQ(name_of(Solver::active_set), "active-set");
-  EXPECT_EQ(name_of(Solver::projected), "projected");
-  EXPECT_EQ(name_of(Solver::tao), "tao");
-  EXPECT_EQ(name_of(Solver::snesvi), "snesvi");
-  EXPECT_EQ(name_of(Solver::mprgp), "mprgp");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include <plastron/element/element_tables.hpp>
-#include <plastron/fem/triangle_basis.hpp>
+#include <plastron/fem/basis.hpp>
 
 #include <gtest/gtest.h>
 

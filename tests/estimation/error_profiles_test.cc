@@ -1,7 +1,7 @@
 // Which direction of a cell an error is handed to, and where in it.
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/estimation/error_profiles.hpp>
+#include <plastron/estimation/strain_errors.hpp>
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
-#include <plastron/estimation/goal_names.hpp>
-#include <plastron/estimation/kept_pins.hpp>
-#include <plastron/estimation/linearity.hpp>
+#include <plastron/estimation/functionals.hpp>
+#include <plastron/estimation/kept_factorisation.hpp>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -48,23 +47,23 @@ class SolvedSaddle {
     discrete_ = assembly::discretise(meshes.space(), surface, shell);
     matrix_.emplace(assembly::stiffness_matrix(*discrete_));
     factor_.emplace(*matrix_);
-    pins_.emplace(*factor_, choice.comm);
+    kept_.emplace(*factor_, choice.comm);
     box_.emplace(assembly::box_problem(*discrete_, *matrix_));
-    z_ = contact::solve(*box_, {}, *pins_);
+    z_ = contact::solve(*box_, {}, *kept_);
     EXPECT_EQ(z_.status, contact::Status::solved);
     nodal_ = solution::nodal_solution(*discrete_, z_);
-    pins_->keep();
+    kept_->keep();
   }
   GoalEstimate estimate(const Functional& functional) { return all({{"goal", functional}}).goals.front(); }
   Estimates all(const std::vector<Goal>& goals) {
-    return estimation::estimate({.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_}, *pins_, goals);
+    return estimation::estimate({.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_}, *kept_, goals);
   }
   Derivative derivative_of(const Functional& functional) {
     return derivative(functional, {.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_});
   }
   const algebra::Vector& coordinates() const { return z_.z; }
   Linearity linearity() {
-    return estimation::linearity({.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_}, *pins_, true);
+    return estimation::linearity({.discrete = *discrete_, .nodal = nodal_, .box = *box_, .z = z_}, *kept_, true);
   }
   std::int64_t touching() const { return static_cast<std::int64_t>(std::ranges::count(nodal_.touching.owned(), 1.0)); }
   MPI_Comm comm() const { return discrete_->space().layout->comm; }
@@ -74,7 +73,7 @@ class SolvedSaddle {
   std::unique_ptr<assembly::DiscreteShell> discrete_;
   std::optional<algebra::Matrix> matrix_;
   std::optional<algebra::Factorisation> factor_;
-  std::optional<KeptPins> pins_;
+  std::optional<KeptFactorisation> kept_;
   std::optional<contact::BoxProblem> box_;
   contact::BoxSolution z_;
   solution::NodalSolution nodal_;

@@ -1,11 +1,11 @@
 // Meshes that are divided here and not there, on 1, 2 and 3 ranks: fields are continuous, polynomials of the elements' degree are in the
 // space and travel exactly, and nothing depends on how the mesh is spread.
 #include <gtest/gtest.h>
-#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/fem/basis.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/fem/ties.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/triangle_basis.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,7 @@
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/fem/triangle_basis.hpp>
-#include <plastron/fem/triangle_topology.hpp>
+#include <plastron/fem/triangle_sequence.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // A mesh file that one process reads for all.
-#include <plastron/fem/shared_mesh.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Lagrange polynomials and quadrature of the reference triangle.
 #include <gtest/gtest.h>
-#include <plastron/fem/triangle_basis.hpp>
+#include <plastron/fem/basis.hpp>
 
 #include <cmath>
 #include <numeric>

@@ -1,5 +1,5 @@
 #include <plastron/geometry/chart.hpp>
-#include <plastron/geometry/moving_basis.hpp>
+#include <plastron/geometry/frame.hpp>
 
 #include <gtest/gtest.h>
 

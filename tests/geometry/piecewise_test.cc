@@ -1,4 +1,4 @@
-#include <plastron/geometry/piecewise.hpp>
+#include <plastron/geometry/pieces.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // line-NAME.csv, read back.
-#include <plastron/computation/probes.hpp>
+#include <plastron/computation/evaluation.hpp>
 #include <plastron/io/csv_tables.hpp>
 #include <plastron/io/output.hpp>
 

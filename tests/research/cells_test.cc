@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {

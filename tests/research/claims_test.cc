@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {

@@ -1,4 +1,5 @@
 // plastron compare and the penalty study: what their tables say.
+#include <research/referees/solvers.hpp>
 #include <research/study/compare.hpp>
 #include <research/study/compare_solvers.hpp>
 #include <research/study/penalty.hpp>
@@ -9,7 +10,7 @@
 #include <set>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {
@@ -56,16 +57,16 @@ TEST(Compare, PutsAllFormulationsOfABowlSideBySide) {
 void expect_that_all_solvers_agree(const problem::Problem& p) {
   const Report report = compare_solvers(p, {}, MPI_COMM_WORLD, {});
   EXPECT_EQ(report.status, contact::Status::solved);
-  ASSERT_EQ(report.table.rows.size(), contact::all_solvers.size());
-  EXPECT_EQ(report.table.claims.size(), 2 * contact::all_solvers.size() - 1);
+  ASSERT_EQ(report.table.rows.size(), referees::all_solvers.size());
+  EXPECT_EQ(report.table.claims.size(), 2 * referees::all_solvers.size() - 1);
   expect_all_hold(report.table);
   for (std::size_t s = 0; s < report.table.rows.size(); ++s) {
-    EXPECT_EQ(std::get<std::string>(report.table.rows[s][0]), contact::to_string(contact::all_solvers[s]));
+    EXPECT_EQ(std::get<std::string>(report.table.rows[s][0]), referees::all_solvers[s].name);
     EXPECT_EQ(std::get<std::string>(report.table.rows[s].back()), "holds");
     EXPECT_GE(number(report.table, s, "factorisations"), 1);
   }
   // Whoever solves with one factorisation a mesh is none of the others.
-  EXPECT_EQ(number(report.table, 4, "factorisations"), p.discretisation.refinements + 1);
+  EXPECT_EQ(number(report.table, 3, "factorisations"), p.discretisation.refinements + 1);
   EXPECT_GT(number(report.table, 0, "factorisations"), p.discretisation.refinements + 1);
 }
 

@@ -1,8 +1,8 @@
 // Inf-sup constants of b (M14) and c (M19) and soft modes against dense matrices made from the forms themselves.
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/assembly/field_norms.hpp>
-#include <plastron/assembly/multiplier.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
+#include <research/spectra/field_norms.hpp>
 #include <research/spectra/h1_matrix.hpp>
 #include <research/spectra/inf_sup.hpp>
 #include <research/spectra/soft_modes.hpp>
@@ -16,19 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-MatrixXd dense(const algebra::Matrix& matrix) {
-  algebra::Vector x(matrix.layout(), matrix.block()), y(x);
-  const auto n = static_cast<Index>(x.owned().size());
-  MatrixXd D(n, n);
-  for (Index j = 0; j < n; ++j) {
-    x.fill(0);
-    x.local()[static_cast<std::size_t>(j)] = 1;
-    matrix.multiply(x, y);
-    D.col(j) = Eigen::Map<const VectorXd>(y.owned().data(), n);
-  }
-  return D;
-}
+using test::dense;
 
 std::vector<Index> free_unknowns(const assembly::DiscreteShell& discrete) {
   std::vector<Index> free;

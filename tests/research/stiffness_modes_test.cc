@@ -1,8 +1,6 @@
 // The soft modes of a shell without supports: three translations, three rotations, and no seventh.
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/assembly/stiffness.hpp>
-
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
@@ -18,23 +16,9 @@ Eigen::VectorXd spectrum(const fem::Domain& domain, const std::array<std::string
   const auto m = test::meshed(domain, chart, degree, refinements, shape);
   const auto discrete =
       assembly::discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1)), .tying = tying});
-  const auto size = 5 * static_cast<Eigen::Index>(m.space->layout->owned);
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t c = 0; c < m.space->owned_cells; ++c) {
-    const assembly::RowMatrix k = element_stiffness(discrete->shell, c);
-    const auto nodes = m.space->nodes(c);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      for (std::size_t j = 0; j < nodes.size(); ++j) {
-        const Eigen::Matrix<double, 6, 5> Ti =
-            discrete->coordinates.basis[static_cast<std::size_t>(nodes[i])].leftCols<5>();
-        const Eigen::Matrix<double, 6, 5> Tj =
-            discrete->coordinates.basis[static_cast<std::size_t>(nodes[j])].leftCols<5>();
-        dense.block<5, 5>(5 * nodes[i], 5 * nodes[j]) +=
-            Ti.transpose() * k.block<6, 6>(6 * static_cast<Eigen::Index>(i), 6 * static_cast<Eigen::Index>(j)) * Tj;
-      }
-  }
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                     test::dense(assembly::stiffness_matrix(*discrete)), Eigen::EigenvaluesOnly)
+                                     .eigenvalues();
   return values / values.maxCoeff();
 }
 

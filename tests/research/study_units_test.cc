@@ -8,7 +8,7 @@
 #include <map>
 
 #include "computation/units.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study::study_units_test {
 namespace {

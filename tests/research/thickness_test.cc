@@ -3,7 +3,7 @@
 #include <research/study/thickness.hpp>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {

@@ -1,7 +1,6 @@
 #include "verification/error_norm.hpp"
 
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/triangle_basis.hpp>
 
 #include <cmath>
 #include <numeric>

@@ -5,9 +5,10 @@
 #include "verification/reference_problems.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/multiplier.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/solve.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
+#include <plastron/contact/solve.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "verification/reference_problems.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/computation/solve.hpp>
 
 #include <fmt/format.h>
@@ -147,7 +147,7 @@ TEST(RoundOff, ResidualsThroughStrainsKeepTheEnergyIdentityAtDegreeEightAndThick
 
   // The same problem solved with the assembled matrix alone: one factorisation, one solution.
   const assembly::DiscreteShell& discrete = *result.solution->discrete;
-  const algebra::Matrix A = assembly::stiffness_matrix(discrete.shell, discrete.coordinates);
+  const algebra::Matrix A = assembly::stiffness_matrix(discrete);
   const contact::BoxProblem box = assembly::box_problem(discrete, A);
   algebra::Factorisation F(A);
   algebra::Vector load = box.load, z(box.load.layout(), 5);

@@ -1,5 +1,5 @@
 // Stresses of closed forms at the lower face, the middle and the upper face, and resultants over a cut against the load.
-#include <plastron/computation/probes.hpp>
+#include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/config/case.hpp>
 

@@ -3,14 +3,22 @@
 // They are active where NDEBUG is not defined, which is in the sanitizer build, and cost nothing elsewhere. They do not
 // check mistakes of users: these are exceptions at the interface.
 #pragma once
+#include <cstdio>
+#include <cstdlib>
 #include <sstream>
 #include <string>
 
 namespace plastron::algebra {
 
 /// Prints the condition, the place and "names = values" to stderr and aborts. The library prints nothing else.
-[[noreturn]] void assertion_failed(const char* condition, const char* names, const std::string& values,
-                                   const char* file, int line);
+[[noreturn]] inline void assertion_failed(const char* condition, const char* names, const std::string& values,
+                                          const char* file, int line) {
+  std::fprintf(stderr, "%s:%d: assertion failed: %s", file, line, condition);
+  if (!values.empty()) std::fprintf(stderr, "; %s = %s", names, values.c_str());
+  std::fprintf(stderr, "\n");
+  std::fflush(stderr);
+  std::abort();
+}
 
 /// Returns the values, separated by commas.
 template <class... Values>

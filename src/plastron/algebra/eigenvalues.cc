@@ -8,7 +8,6 @@
 #include <exception>
 #include <functional>
 
-#include "petsc_check.hpp"
 #include "petsc_use.hpp"
 
 namespace plastron::algebra {

@@ -6,7 +6,6 @@
 
 #include "mumps_factor.hpp"
 #include "petsc_use.hpp"
-#include "pinned_matrix.hpp"
 #include "supernodal_factor.hpp"
 
 namespace plastron::algebra {
@@ -42,11 +41,11 @@ Factorisation::Factorisation(Factorisation&&) noexcept = default;
 Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;
 Factorisation::~Factorisation() = default;
 
-bool Factorisation::factorise(std::span<const char> pinned, double shift) {
+bool Factorisation::factorise(std::span<const char> fixed, double shift) {
   Storage& s = *storage_;
   const double start = MPI_Wtime();
   const PetscUse petsc;
-  const auto diagonal = pinned_diagonal(s.A, pinned);
+  const auto diagonal = fixed_diagonal(s.A, fixed);
   if (s.alone) {
     s.ready = s.alone->factorise(diagonal, shift);
     s.factorisations = s.alone->factorisations();
@@ -70,8 +69,8 @@ void Factorisation::solve(const Vector& b, Vector& x) const {
   s.together->solve(b, x);
 }
 
-std::vector<char> Factorisation::nearest_pins(std::span<const char> wanted) const {
-  return storage_->alone ? storage_->alone->nearest_pins(wanted) : std::vector<char>{};
+std::vector<char> Factorisation::nearest_fixed(std::span<const char> wanted) const {
+  return storage_->alone ? storage_->alone->nearest_fixed(wanted) : std::vector<char>{};
 }
 
 // Memory access takes time, hence weights of an entry. The unit is an operation of a factorisation by one thread. The
@@ -79,17 +78,14 @@ std::vector<char> Factorisation::nearest_pins(std::span<const char> wanted) cons
 // (benchmarks/step_cost; docs/performance.md).
 Price price_of(const FactorisationCost& cost) {
   constexpr double per_entry_made = 300, per_entry_solved = 65;
-  return {.pin = cost.operations / threads_for(cost.operations) + per_entry_made * cost.entries,
+  return {.fix = cost.operations / threads_for(cost.operations) + per_entry_made * cost.entries,
           .apply = per_entry_solved * cost.entries};
 }
 
-Pinning Factorisation::pin(std::span<const char> pinned, double shift) {
-  return factorise(pinned, shift) ? Pinning::done : Pinning::not_positive_definite;
-}
-
-SoftestMotion Factorisation::softest_motion(const Operator& operate, std::span<const char> pinned,
+SoftestMotion Factorisation::softest_motion(const Operator& operate, std::span<const char> fixed,
                                             const Vector& diagonal) const {
-  return algebra::softest_motion(operate, *this, pinned, diagonal);
+  const Operator inverse = [this](const Vector& r, Vector& z) { solve(r, z); };
+  return algebra::softest_motion(operate, inverse, fixed, diagonal);
 }
 
 FactorisationCost Factorisation::cost() const {

@@ -105,7 +105,6 @@ void Matrix::add(std::span<const LocalIndex> nodes, std::span<const double> valu
 
 void Matrix::finish() {
   Storage& A = *storage_;
-  A.has_finished = true;
   const std::size_t area = A.block_area();
   double* of_ghosts = A.block_at(A.row_begin(A.wide->owned));
   std::vector<double> in(A.incoming.total() * area);
@@ -118,10 +117,7 @@ void Matrix::finish() {
   std::fill(of_ghosts, A.values.data() + A.values.size(), 0.0);
 }
 
-void Matrix::set_zero() {
-  std::ranges::fill(storage_->values, 0.0);
-  storage_->has_finished = false;
-}
+void Matrix::set_zero() { std::ranges::fill(storage_->values, 0.0); }
 
 Matrix Matrix::plus_multiple(double factor, const Matrix& B) const {
   const Storage &A = *storage_, &other = *B.storage_;

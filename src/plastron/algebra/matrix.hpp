@@ -45,11 +45,6 @@ class Matrix {
   /// afterwards.
   void finish();
   void set_zero();  ///< keeps the pattern
-  /// Returns the part A_i that this rank alone has added, as a matrix on MPI_COMM_SELF. Its nodes are all local nodes
-  /// of layout() in their local order. A is the sum over ranks of R_i' A_i R_i, with R_i from global to local values.
-  /// Call it before finish(), which sends rows of ghosts to other ranks. Throws std::logic_error after finish(), until
-  /// set_zero().
-  Matrix local_part() const;
   /// Returns A + factor B, for matrices of one layout, block and pattern (collective).
   Matrix plus_multiple(double factor, const Matrix& B) const;
 

@@ -25,7 +25,6 @@ struct Matrix::Storage {
   ItemsOfNeighbours outgoing{}, incoming{};  ///< blocks that finish() sends between neighbours in `layout`
   std::vector<std::size_t> target{};         ///< the block to which each incoming one is added
   mutable std::vector<double> work{};        ///< scratch for products: two vectors on `wide`
-  bool has_finished = false;                 ///< rows of ghosts have been sent: no rank has its own part any more
 
   std::size_t block_area() const { return static_cast<std::size_t>(block) * static_cast<std::size_t>(block); }
   std::size_t owned_unknowns() const {

@@ -7,8 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "petsc_check.hpp"
-
 namespace plastron::algebra {
 namespace {
 

@@ -1,4 +1,3 @@
-#include <plastron/algebra/launcher.hpp>
 #include <plastron/algebra/session.hpp>
 #include <plastron/algebra/threads.hpp>
 

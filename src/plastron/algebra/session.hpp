@@ -1,6 +1,7 @@
 // Starts and ends MPI, PETSc with SLEPc, and restricts threads (threads.hpp).
 #pragma once
-#include <mpi.h>
+#include <cstdlib>
+#include <initializer_list>
 
 namespace plastron::algebra {
 
@@ -21,5 +22,13 @@ class Session {
   bool owns_mpi_;
   bool owns_slepc_;  ///< owns SLEPc, and also PETSc if that did not run before
 };
+
+/// Returns the rank that a launcher of parallel jobs (mpiexec, srun) gave this process, as text; null if there was no
+/// launcher. It reads only the environment, before MPI starts.
+inline const char* rank_of_launcher() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "SLURM_PROCID"})
+    if (const char* value = std::getenv(name)) return value;
+  return nullptr;
+}
 
 }  // namespace plastron::algebra

@@ -1,5 +1,4 @@
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/algebra/preconditioner.hpp>
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/algebra/softest_motion.hpp>
 
@@ -25,9 +24,8 @@ bool SoftestMotion::is_free() const {
   return !(stiffness > nothing_but_rounding) || !(stiffness > unlike_its_factor * factor_stiffness);
 }
 
-SoftestMotion softest_motion(const Operator& apply, const Preconditioner& factor, std::span<const char> fixed,
+SoftestMotion softest_motion(const Operator& apply, const Operator& solve, std::span<const char> fixed,
                              const Vector& diagonal) {
-  PLASTRON_ASSERT(factor.is_exact(), "inverse iteration needs the inverse");
   PLASTRON_ASSERT(fixed.empty() || fixed.size() == diagonal.owned().size(), fixed.size(), diagonal.owned().size());
   SoftestMotion softest{Vector(diagonal.layout(), diagonal.block())};
   Vector& v = softest.motion;
@@ -36,7 +34,7 @@ SoftestMotion softest_motion(const Operator& apply, const Preconditioner& factor
   fill_with_pseudo_random_values(v);
   for (int step = 0; step < 2; ++step) {
     weigh(diagonal, v, fixed, force);
-    factor.apply(force, v);
+    solve(force, v);
     weigh(diagonal, v, fixed, weighted);
     const double size = std::sqrt(dot(v, weighted));
     if (size == 0) return softest;

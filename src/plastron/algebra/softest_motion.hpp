@@ -7,8 +7,6 @@
 
 namespace plastron::algebra {
 
-class Preconditioner;
-
 struct SoftestMotion {
   Vector motion;                ///< v, scaled to v' D v = 1 with D the diagonal of A; zero if every unknown is fixed
   double stiffness = 1;         ///< v' A v, with the operator
@@ -20,9 +18,9 @@ struct SoftestMotion {
   bool is_free() const;
 };
 
-/// Computes the motion by two steps of inverse iteration from arbitrary values. It costs two applications of an exact
-/// preconditioner, which was pinned with `fixed`. (collective)
-SoftestMotion softest_motion(const Operator& apply, const Preconditioner& factor, std::span<const char> fixed,
+/// Computes the motion by two steps of inverse iteration from arbitrary values. `apply` is A, `solve` the inverse of F,
+/// factorised while the unknowns of `fixed` are fixed; it is applied twice. (collective)
+SoftestMotion softest_motion(const Operator& apply, const Operator& solve, std::span<const char> fixed,
                              const Vector& diagonal);
 
 }  // namespace plastron::algebra

@@ -1,6 +1,6 @@
-// Cholesky factor of one rank's matrix with some unknowns pinned, by CHOLMOD's supernodes. Unknowns whose pins will
-// probably change are eliminated last and pinned only in their Schur complement (tail_complement.hpp): one factor of
-// the rest serves all their pins. A few others that change nevertheless form a border (pin_border.hpp).
+// Cholesky factor of one rank's matrix with some unknowns fixed, by CHOLMOD's supernodes. Unknowns that will probably
+// be fixed or released are eliminated last and fixed only in their Schur complement: one factor of the rest serves all
+// their sets. A few others that change nevertheless form a border. Both are in fixed_set_border.hpp.
 // Includes CHOLMOD: for .cc files only.
 #pragma once
 #include <plastron/algebra/factorisation.hpp>
@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "elimination.hpp"
+#include "fixed_set_border.hpp"
 #include "matrix_storage.hpp"
-#include "pin_border.hpp"
-#include "tail_complement.hpp"
 
 namespace plastron::algebra {
 
@@ -23,12 +22,12 @@ class SupernodalFactor {
   SupernodalFactor(const SupernodalFactor&) = delete;
   SupernodalFactor& operator=(const SupernodalFactor&) = delete;
 
-  /// Factorises A + shift diag(A). A diagonal matrix replaces the rows and columns of the pinned unknowns:
-  /// `pinned_diagonal` where it is not 0. Returns false if a pivot is not positive.
-  bool factorise(const std::vector<double>& pinned_diagonal, double shift);
-  /// Returns `wanted` if it needs no new full factor. Otherwise returns the wanted pins of movable unknowns and the
-  /// factor's pins of all others. Empty before a factorisation or if no unknowns are movable.
-  std::vector<char> nearest_pins(std::span<const char> wanted) const;
+  /// Factorises A + shift diag(A). A diagonal matrix replaces the rows and columns of the fixed unknowns:
+  /// `fixed_diagonal` where it is not 0. Returns false if a pivot is not positive.
+  bool factorise(const std::vector<double>& fixed_diagonal, double shift);
+  /// Returns `wanted` if it needs no new full factor. Otherwise returns the wanted set of movable unknowns and the
+  /// factor's set of all others. Empty before a factorisation or if no unknowns are movable.
+  std::vector<char> nearest_fixed(std::span<const char> wanted) const;
   void solve(std::span<const double> b, std::span<double> x);
 
   const FactorisationCost& cost() const { return elimination_.cost; }
@@ -37,12 +36,12 @@ class SupernodalFactor {
 
  private:
   void analyse();
-  template <class IsPinned>
-  bool is_within_reach(const IsPinned& is_pinned) const;
-  bool factorise_all(const std::vector<double>& pinned_diagonal, double shift);
-  bool pin_tail();
-  bool pin_border();
-  bool is_pinned_in_factor(std::size_t i) const { return factor_pins_[i] != 0; }
+  template <class IsFixed>
+  bool is_within_reach(const IsFixed& is_fixed) const;
+  bool factorise_all(const std::vector<double>& fixed_diagonal, double shift);
+  bool fix_tail();
+  bool fix_border();
+  bool is_fixed_in_factor(std::size_t i) const { return fixed_in_factor_[i] != 0; }
   void take_tail();
 
   const Matrix::Storage& A_;
@@ -52,9 +51,9 @@ class SupernodalFactor {
   Elimination elimination_{};
   TailComplement tail_{};
   BorderColumns border_columns_{};
-  PinBorder border_{};
-  std::vector<double> factor_pins_{};        ///< the diagonal where the factor has pinned it, else 0
-  std::vector<double> pins_{};               ///< the same, including tail and border
+  FixedSetBorder border_{};
+  std::vector<double> fixed_in_factor_{};    ///< the diagonal where the factor fixes the unknown, else 0
+  std::vector<double> fixed_{};              ///< the same, including tail and border
   std::vector<double> ordered_{}, space_{};  ///< scratch of solve()
   double shift_ = 0;
   bool is_factorised_ = false;  ///< except for the Schur complement

@@ -57,6 +57,15 @@ std::span<const double> Vector::owned() const { return local().first(storage_->o
 std::span<double> Vector::local() { return storage_->values; }
 std::span<const double> Vector::local() const { return storage_->values; }
 
+std::span<double> Vector::at(std::size_t node) {
+  const auto width = static_cast<std::size_t>(storage_->block);
+  return local().subspan(node * width, width);
+}
+std::span<const double> Vector::at(std::size_t node) const {
+  const auto width = static_cast<std::size_t>(storage_->block);
+  return local().subspan(node * width, width);
+}
+
 void Vector::fill(double value) { std::ranges::fill(storage_->values, value); }
 
 void Vector::update_ghosts() {

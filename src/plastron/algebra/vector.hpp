@@ -28,6 +28,8 @@ class Vector {
   std::span<const double> owned() const;
   std::span<double> local();  ///< owned values, then the ghosts'
   std::span<const double> local() const;
+  std::span<double> at(std::size_t node);  ///< the block of values of a local node
+  std::span<const double> at(std::size_t node) const;
 
   void fill(double value);   ///< also in ghosts
   void update_ghosts();      ///< copies owners' values to ghosts (collective)

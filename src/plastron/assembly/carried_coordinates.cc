@@ -13,8 +13,6 @@ namespace plastron::assembly {
 
 namespace {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
 const fem::PlacedBody* body_of(const fem::CarriedNodes& carried, const fem::CarriedNode& node) {
   const auto place = static_cast<std::size_t>(&node - carried.nodes.data());
   const auto found = std::ranges::find_if(

@@ -1,8 +1,8 @@
-// Coordinates of carried nodes (fem/carried_nodes.hpp): the motions of rigid bodies, and the rotations that hinges
+// Coordinates of carried nodes (fem/constraints.hpp): the motions of rigid bodies, and the rotations that hinges
 // leave free.
 #pragma once
 #include <plastron/assembly/node_coordinates.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 
 namespace plastron::assembly {
 

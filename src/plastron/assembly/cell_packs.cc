@@ -1,6 +1,6 @@
 #include <plastron/assembly/cell_packs.hpp>
 
-#include <plastron/element/line_tables.hpp>
+#include <plastron/element/element_tables.hpp>
 
 namespace plastron::assembly {
 

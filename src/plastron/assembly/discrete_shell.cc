@@ -1,9 +1,6 @@
 #include <plastron/assembly/discrete_shell.hpp>
 
-#include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/multiplier.hpp>
-#include <plastron/assembly/pressing.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
@@ -50,8 +47,8 @@ std::vector<Eigen::Vector2d> DiscreteShell::support_points() const {
 }
 
 double DiscreteShell::nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const {
-  const Eigen::Map<const Vector3d> u(y.local().data() + 6 * node), r(y.local().data() + 6 * node + 3);
-  return coordinates.gaps[k][node](u, geometry::tangential(Vector3d(r), points[node].a3));
+  const Vector6 moved = node_values(y, node);
+  return coordinates.gaps[k][node](moved.head<3>(), geometry::tangential(moved.tail<3>(), points[node].a3));
 }
 
 double DiscreteShell::way_pressed(std::size_t k) const {
@@ -81,73 +78,6 @@ void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
 void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const {
   apply(y, f);
   algebra::axpy(-1, load, f);
-}
-
-algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
-  return stiffness_matrix(discrete.shell, discrete.coordinates, discrete.tangency_factor());
-}
-
-namespace {
-
-/// Returns the constraint b(U, q) = 0 in nodal coordinates. The Schur complement of the multiplier is spectrally close
-/// to the matrix of int a^{ab} d_a p d_b q. The reason: b(s, q) is equal to this form for s = q a_3, and this s adds
-/// little other energy.
-contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete) {
-  const auto& layout = discrete.space().layout;
-  const auto zeros = std::make_shared<const std::vector<char>>(multiplier_zeros(discrete.coordinates, *layout));
-  const auto clear = [zeros](algebra::Vector& q) {
-    for (std::size_t i = 0; i < zeros->size(); ++i)
-      if ((*zeros)[i]) q.owned()[i] = 0;
-  };
-  struct Gradients {
-    explicit Gradients(algebra::Matrix m) : matrix(std::move(m)), factor(matrix) {}
-    algebra::Matrix matrix;
-    algebra::Factorisation factor;
-  };
-  const auto gradients = std::make_shared<Gradients>(gradient_matrix(discrete.shell));
-  if (!gradients->factor.factorise(*zeros))
-    throw SupportError("the mixed formulation needs r . a_3 = 0 somewhere: fix a component of r on a boundary");
-  const auto y = std::make_shared<algebra::Vector>(layout, 6), spread = std::make_shared<algebra::Vector>(layout, 1);
-  return {.multipliers = algebra::Vector(layout, 1),
-          .apply =
-              [&discrete, y, clear](const algebra::Vector& z, algebra::Vector& q) {
-                discrete.coordinates.to_cartesian(z, *y);
-                apply_coupling(discrete.shell, *y, q);
-                clear(q);
-              },
-          .apply_transposed =
-              [&discrete, y, spread](const algebra::Vector& q, algebra::Vector& z) {
-                *spread = q;
-                apply_coupling_transposed(discrete.shell, *spread, *y);
-                z.fill(0);
-                discrete.coordinates.add_transposed(*y, z);
-              },
-          .precondition = [gradients](const algebra::Vector& q, algebra::Vector& p) { gradients->factor.solve(q, p); }};
-}
-
-}  // namespace
-
-contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix) {
-  const auto& layout = discrete.space().layout;
-  algebra::Vector load(layout, discrete.coordinates.width);
-  algebra::Vector forces = discrete.load;
-  discrete.coordinates.add_transposed(forces, load);
-  // Scratch vectors live as long as the operator because it is applied many times.
-  const auto y = std::make_shared<algebra::Vector>(layout, 6), f = std::make_shared<algebra::Vector>(layout, 6);
-  const auto apply = [&discrete, y, f](const algebra::Vector& z, algebra::Vector& result) {
-    discrete.coordinates.to_cartesian(z, *y);
-    discrete.apply(*y, *f);
-    result.fill(0);
-    discrete.coordinates.add_transposed(*f, result);
-  };
-  contact::BoxProblem problem{.matrix = matrix,
-                              .apply = apply,
-                              .load = std::move(load),
-                              .lower = discrete.coordinates.lower,
-                              .upper = discrete.coordinates.upper};
-  problem.pressing = pressing_forces(discrete);
-  if (discrete.tangency.formulation == element::Formulation::mixed) problem.equations = tangency_constraints(discrete);
-  return problem;
 }
 
 }  // namespace plastron::assembly

@@ -4,7 +4,6 @@
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/assembly/shell_operator.hpp>
-#include <plastron/contact/problem.hpp>
 
 #include <memory>
 #include <vector>
@@ -69,13 +68,5 @@ struct ShellDescription {
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description, State state = {});
-
-/// Returns the stiffness matrix in nodal coordinates, including the form of normal_rotation.hpp (collective).
-algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);
-
-/// Returns the box-constrained program of a discrete shell. In the mixed formulation it contains the equations
-/// b(U, q) = 0. `matrix` is the shell's stiffness_matrix(). `discrete` and `matrix` must outlive the result
-/// (collective).
-contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix);
 
 }  // namespace plastron::assembly

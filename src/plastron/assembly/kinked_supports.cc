@@ -2,7 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/handed_supports.hpp>
-#include <plastron/fem/kinks.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Supports of nodes that a kink carries (fem/kinks.hpp): their rows on u and on the rotation about the edge go to the
+// Supports of nodes that a kink carries (fem/constraints.hpp): their rows on u and on the rotation about the edge go to the
 // other node.
 #pragma once
 #include <plastron/assembly/nodal_geometry.hpp>

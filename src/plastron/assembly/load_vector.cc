@@ -1,12 +1,11 @@
 #include <plastron/assembly/load_vector.hpp>
-#include <plastron/assembly/piece_rules.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/element/piece_rules.hpp>
 #include <plastron/element/subdivision.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/pieces.hpp>
-#include <plastron/geometry/piecewise.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,7 +44,7 @@ class LoadPieces {
   void add(const VectorExpression& f) {
     for (const geometry::Expression& component : f) add(component);
   }
-  void append_to(PiecesOfAll& functions) const {
+  void append_to(element::PiecesOfAll& functions) const {
     for (const geometry::Pieces& f : all_) functions.push_back(&f);
   }
 
@@ -58,7 +57,7 @@ struct RegionLoads {
   std::vector<const AreaLoad*> loads{};
   const geometry::Expression* thickness = nullptr;
   Vector3d weight = Vector3d::Zero();  ///< rho g [N/m^3], to be multiplied by e
-  PiecesOfAll functions{};             ///< load functions that have several pieces
+  element::PiecesOfAll functions{};    ///< load functions that have several pieces
 
   bool is_empty() const { return loads.empty() && weight.isZero(0); }
 };
@@ -93,7 +92,7 @@ class LoadSum {
     LoadPieces pieces;
     pieces.add(load.force);
     pieces.add(load.couple);
-    PiecesOfAll functions;
+    element::PiecesOfAll functions;
     pieces.append_to(functions);
     for (const fem::BoundarySide& edge : space_.sides)
       if (edge.boundary == boundary && edge.cell < space_.owned_cells)
@@ -157,18 +156,19 @@ class LoadSum {
     for (int q = 0; q < values.rows(); ++q) values.row(q).head<3>() += e[static_cast<std::size_t>(q)] * loads.weight;
   }
 
-  Positions positions_in(std::size_t c) const {
+  element::Positions positions_in(std::size_t c) const {
     return [this, c](std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) {
       shell_.surface().positions(space_.cells[c], xi, x, y);
     };
   }
 
   element::CellField on_cell(const RegionLoads& loads, std::size_t c) {
-    const Positions positions = positions_in(c);
-    if (are_one_piece(loads.functions, space_.shape(), positions)) return on_smooth_cell(loads, c);
+    const element::Positions positions = positions_in(c);
+    if (element::are_one_piece(loads.functions, space_.shape(), positions)) return on_smooth_cell(loads, c);
     const element::ElementTables& tables = shell_.tables();
-    auto rule = rule_between_borders(loads.functions, space_.shape(), space_.degree, positions);
-    if (!rule) rule = rule_of_parts(loads.functions, space_.shape(), {tables.quadrature.xi, tables.weights}, positions);
+    auto rule = element::rule_between_borders(loads.functions, space_.shape(), space_.degree, positions);
+    if (!rule)
+      rule = element::rule_of_parts(loads.functions, space_.shape(), {tables.quadrature.xi, tables.weights}, positions);
     return on_points(loads, c, rule->xi, rule->weights);
   }
 
@@ -192,10 +192,11 @@ class LoadSum {
     return shell_.interpolation().forces_of(c, element::basis_at(space_.shape(), space_.degree, xi), v);
   }
 
-  element::CellField on_side(const EdgeLoad& load, const fem::BoundarySide& edge, const PiecesOfAll& functions) {
+  element::CellField on_side(const EdgeLoad& load, const fem::BoundarySide& edge,
+                             const element::PiecesOfAll& functions) {
     if (!functions.empty())
-      if (const auto rule =
-              rule_between_borders(functions, space_.shape(), edge.side, space_.degree, positions_in(edge.cell)))
+      if (const auto rule = element::rule_between_borders(functions, space_.shape(), edge.side, space_.degree,
+                                                          positions_in(edge.cell)))
         return on_side_points(load, edge, rule->xi, rule->weights);
     const auto integral = [&](const element::SidePart& part) { return on_side_part(load, edge, part); };
     constexpr int levels = 20;  // halving a side costs little

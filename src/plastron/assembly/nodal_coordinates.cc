@@ -2,12 +2,11 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/assembly/bounding_box.hpp>
 #include <plastron/assembly/carried_coordinates.hpp>
 #include <plastron/assembly/kinked_supports.hpp>
+#include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/assembly/tied_supports.hpp>
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <fmt/format.h>
@@ -44,8 +43,7 @@ std::vector<ContactRow> no_rows(std::size_t obstacles) {
 
 }  // namespace
 
-obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
-                                 const Eigen::Matrix<double, 6, 1>& moved) {
+obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved) {
   return {phi, a3, thickness, moved.head<3>(), geometry::tangential(moved.tail<3>(), a3)};
 }
 
@@ -154,17 +152,10 @@ void NodalCoordinates::to_cartesian(const algebra::Vector& z, algebra::Vector& y
   fem::spread(*space, y);
 }
 
-Eigen::Matrix<double, 6, 1> NodalCoordinates::direction(std::size_t node, int k) const {
+Vector6 NodalCoordinates::direction(std::size_t node, int k) const {
   const auto* carried = space->carried ? space->carried->find(static_cast<algebra::LocalIndex>(node)) : nullptr;
   if (!carried) return basis[node].col(k);
   return carried->own * basis[node].col(k);
-}
-
-int NodalCoordinates::body_coordinate(std::size_t node, int axis) const {
-  for (int k = 0; k < width; ++k)
-    if (basis[node](axis, k) != 0) return k;
-  PLASTRON_ASSERT(false, node, axis);
-  return 0;
 }
 
 void NodalCoordinates::add_transposed(algebra::Vector& f, algebra::Vector& z) const {

@@ -1,6 +1,6 @@
 // The coordinates in which supports and contact are bounds (D4): y = T z at every node, with T and bounds from
 // node_coordinates.hpp. Non-penetration is a bound of the coordinate that a contact row names. A support is lower ==
-// upper.
+// upper. Without the coordinate r . a_3 the fields are those of V (M10).
 #pragma once
 #include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/node_coordinates.hpp>
@@ -91,12 +91,9 @@ struct NodalCoordinates {
   std::vector<char> prescribed() const;
   /// Returns the change of the node's own (u, r) with coordinate k: the column of T. It is zero where the coordinate is
   /// a motion of a rigid body, or where the node leaves it to a body.
-  Eigen::Matrix<double, 6, 1> direction(std::size_t node, int k) const;
-  /// Returns the coordinate that is component `axis` of the displacement, at a node that keeps the unknowns of a rigid
-  /// body.
-  int body_coordinate(std::size_t node, int axis) const;
-  /// Computes y = H G T z on local nodes. H are the ties of fem/ties.hpp, G is the matrix of carried nodes
-  /// (fem/carried_nodes.hpp). Needs z's ghosts; the result has valid ghosts.
+  Vector6 direction(std::size_t node, int k) const;
+  /// Computes y = H G T z on local nodes. H are the ties, G is the matrix of carried nodes
+  /// (fem/constraints.hpp). Needs z's ghosts; the result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
   /// Computes z += T' G' H' f on owned nodes. f is complete on owned nodes; afterwards f contains G' H' f (collective
   /// where there are ties or carried nodes).
@@ -122,8 +119,7 @@ InCoordinates in_coordinates(const NodalCoordinates& coordinates, std::size_t ce
                              const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& cartesian);
 
 /// Returns a point of the shell after the motion (u, r) = `moved`.
-obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
-                                 const Eigen::Matrix<double, 6, 1>& moved);
+obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved);
 
 /// Returns the coordinates with the gaps against `obstacles` at their positions, linearised at `state` (collective).
 /// Throws SupportError, ObstacleError.

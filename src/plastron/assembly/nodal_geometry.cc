@@ -1,8 +1,7 @@
 #include <plastron/assembly/nodal_geometry.hpp>
 
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/fem/kinks.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>

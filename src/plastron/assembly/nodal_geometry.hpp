@@ -7,6 +7,7 @@
 #include <plastron/fem/surface.hpp>
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 namespace plastron::assembly {
@@ -25,5 +26,29 @@ struct NodalPoint {
 /// Returns the data of every local node, equal on all ranks that see the node (collective).
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
                                        const element::ElementTables& tables, const CrossSections& sections);
+
+/// An axis-parallel box.
+struct BoundingBox {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+
+  double half_diagonal() const { return (high - low).norm() / 2; }
+  double longest_side() const { return (high - low).maxCoeff(); }
+};
+
+/// Returns the box around place(0), ..., place(count - 1) of all ranks (collective).
+template <class Place>
+BoundingBox bounding_box(std::size_t count, const Place& place, MPI_Comm comm) {
+  BoundingBox box;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d at = place(i);
+    box.low = box.low.cwiseMin(at);
+    box.high = box.high.cwiseMax(at);
+  }
+  for (int k = 0; k < 3; ++k) {
+    box.low[k] = algebra::min_over_ranks(box.low[k], comm);
+    box.high[k] = algebra::max_over_ranks(box.high[k], comm);
+  }
+  return box;
+}
 
 }  // namespace plastron::assembly

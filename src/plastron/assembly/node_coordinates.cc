@@ -37,7 +37,7 @@ Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vec
   // Directions that differ by less than this angle are equal. Conormals of two boundaries that meet smoothly differ by
   // the rounding of the mesh's nodes, 1e-16 to 1e-7. A component that is the quotient of two such differences
   // would be noise. Beyond the angle the rounding of a value is magnified by 1e4 at most.
-  constexpr double negligible = 1e-4;
+  constexpr double same_direction = 1e-4;
   constexpr double precision = 1e-9;
   Split result;
   std::vector<Vector3d> basis(excluded);
@@ -51,7 +51,7 @@ Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vec
       known += share * result.values[k];
       d -= share * result.prescribed[k];
     }
-    if (d.norm() > negligible) {
+    if (d.norm() > same_direction) {
       result.values.push_back((value - known) / d.norm());
       result.prescribed.push_back(d.normalized());
       basis.push_back(result.prescribed.back());

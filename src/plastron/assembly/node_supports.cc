@@ -2,7 +2,7 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/kept_nodes.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <fmt/format.h>

@@ -1,17 +1,42 @@
 #include <plastron/assembly/normal_rotation.hpp>
 
-#include <plastron/shell/normal_rotation.hpp>
+#include <plastron/fem/constraints.hpp>
+#include <plastron/shell/strain.hpp>
 
 #include <Eigen/Cholesky>
 
+#include <cmath>
+
 namespace plastron::assembly {
 
+using Eigen::VectorXd;
 using shell::LocalField;
 
 namespace {
 
 /// E e^3 times the area of a quadrature point [N m^3].
 double stiffness_at(const QuadraturePoint& p) { return p.young * p.thickness * p.thickness * p.thickness * p.area; }
+
+VectorXd gather_scalar(std::span<const algebra::LocalIndex> nodes, const algebra::Vector& q) {
+  VectorXd values(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = q.local()[static_cast<std::size_t>(nodes[i])];
+  return values;
+}
+
+CellGradient scalar_gradients(const element::BasisAt& basis, const VectorXd& values) {
+  CellGradient g(basis.value.rows(), 2);
+  g << basis.d1 * values, basis.d2 * values;
+  return g;
+}
+
+/// Raises the index and multiplies by the area: a^{ab} g_b sqrt(a) weight.
+void raise(const ShellOperator& shell, std::size_t cell, CellGradient& g) {
+  for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
+    const QuadraturePoint p = shell.point(cell, q);
+    g.row(q) = p.area * (g.row(q) * p.frame.metric_con).eval();
+  }
+}
 
 }  // namespace
 
@@ -22,18 +47,6 @@ CellGradient normal_rotation_gradients(const ShellOperator& shell, std::size_t c
   for (int q = 0; q < shell.tables().points_per_cell(); ++q)
     gradients.row(q) = shell::normal_rotation_gradient(rows.at(q), shell.frame_at(cell, q));
   return gradients;
-}
-
-void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, const CellGradient& stresses,
-                                element::CellField& forces) {
-  element::FieldRows dual = element::FieldRows::zero(stresses.rows());
-  for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-    LocalField<double> at_point = shell::zero_field();
-    shell::add_normal_rotation_dual(stresses.row(q), shell.frame_at(cell, q), at_point);
-    dual.add_dual(q, at_point);
-  }
-  shell.interpolation().add_forces(cell, shell.tables().quadrature, shell.quadrature_bases(cell), std::move(dual),
-                                   forces);
 }
 
 void add_normal_rotation_form(const ShellOperator& shell, double factor, const algebra::Vector& y, algebra::Vector& f) {
@@ -67,6 +80,63 @@ RowMatrix scaled_normal_rotation_matrix(const ShellOperator& shell, std::size_t 
     }
   }
   return matrix;
+}
+
+std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const algebra::Layout& layout) {
+  std::vector<char> zeros(static_cast<std::size_t>(layout.owned));
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+    zeros[i] = coordinates.is_prescribed(i, NodalCoordinates::normal_rotation);
+  return zeros;
+}
+
+void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& q) {
+  PLASTRON_ASSERT(y.block() == 6 && q.block() == 1, y.block(), q.block());
+  q.fill(0);
+  shell.kernels().add_coupling(shell.packed(), y.local().data(), q.local().data());
+  q.accumulate_ghosts();
+  fem::collect(shell.space(), q);
+}
+
+void apply_coupling_transposed(const ShellOperator& shell, algebra::Vector& lambda, algebra::Vector& f) {
+  PLASTRON_ASSERT(lambda.block() == 1 && f.block() == 6, lambda.block(), f.block());
+  fem::spread(shell.space(), lambda);
+  f.fill(0);
+  shell.kernels().add_coupling_transposed(shell.packed(), lambda.local().data(), f.local().data());
+  f.accumulate_ghosts();
+}
+
+algebra::Matrix gradient_matrix(const ShellOperator& shell) {
+  const fem::Space& space = shell.space();
+  const element::BasisAt& basis = shell.tables().quadrature;
+  algebra::Matrix matrix(space.layout, 1, fem::coupled_nodes(space));
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    RowMatrix k = RowMatrix::Zero(basis.value.cols(), basis.value.cols());
+    for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
+      const QuadraturePoint p = shell.point(c, q);
+      Eigen::Matrix2Xd g(2, basis.value.cols());
+      g << basis.d1.row(q), basis.d2.row(q);
+      k += p.area * g.transpose() * p.frame.metric_con * g;
+    }
+    if (const auto carriers = fem::carriers(space, c)) {
+      k = (carriers->weights.transpose() * k * carriers->weights).eval();
+      matrix.add(carriers->nodes, {k.data(), static_cast<std::size_t>(k.size())});
+    } else {
+      matrix.add(space.nodes(c), {k.data(), static_cast<std::size_t>(k.size())});
+    }
+  }
+  matrix.finish();
+  return matrix;
+}
+
+double gradient_norm(const ShellOperator& shell, const algebra::Vector& q) {
+  double sum = 0;
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const CellGradient g = scalar_gradients(shell.tables().quadrature, gather_scalar(shell.space().nodes(c), q));
+    CellGradient raised = g;
+    raise(shell, c, raised);
+    sum += g.cwiseProduct(raised).sum();
+  }
+  return std::sqrt(algebra::sum_over_ranks(sum, shell.space().layout->comm));
 }
 
 }  // namespace plastron::assembly

@@ -66,7 +66,7 @@ struct PackKernels {
   PackEnergies (*energies)(const PackedCells& cells, const double* y);
   /// Adds factor times the form of normal_rotation.hpp on y to f.
   void (*add_normal_rotation)(const PackedCells& cells, double factor, const double* y, double* f);
-  /// Computes q += b(y, N_i) and f += b(phi_j, lambda) of multiplier.hpp.
+  /// Computes q += b(y, N_i) and f += b(phi_j, lambda) of normal_rotation.hpp.
   void (*add_coupling)(const PackedCells& cells, const double* y, double* q);
   void (*add_coupling_transposed)(const PackedCells& cells, const double* lambda, double* f);
   /// Computes the lower triangle of k = b' b, b row by row. The rest of k is unchanged or filled.

@@ -1,4 +1,4 @@
-// The state at which the shell is linearised.
+// The state at which the shell is linearised, and the six values (u, r) of a node in a vector.
 #pragma once
 #include <plastron/algebra/vector.hpp>
 
@@ -7,6 +7,14 @@
 #include <vector>
 
 namespace plastron::assembly {
+
+/// (u, r) of a node, or the force and couple that do work on them.
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Returns the values of a local node in a vector with six values for each node.
+inline Vector6 node_values(const algebra::Vector& y, std::size_t node) {
+  return Eigen::Map<const Vector6>(y.at(node).data());
+}
 
 struct State {
   /// (u, r) of local nodes, six values for each node, with current ghosts. Without a layout the shell is undeformed.
@@ -23,13 +31,10 @@ struct State {
   double force_factor(std::size_t obstacle) const { return force_factors.empty() ? 1 : force_factors[obstacle]; }
   double position(std::size_t obstacle) const { return positions.empty() ? 0 : positions[obstacle]; }
   bool is_admissible() const { return lifts.layout() != nullptr; }
-  double lift(std::size_t node, std::size_t obstacle) const {
-    return is_admissible() ? lifts.local()[node * static_cast<std::size_t>(lifts.block()) + obstacle] : 0;
-  }
+  double lift(std::size_t node, std::size_t obstacle) const { return is_admissible() ? lifts.at(node)[obstacle] : 0; }
   /// Returns (u, r) of a local node; zero for the undeformed shell.
-  Eigen::Matrix<double, 6, 1> at(std::size_t node) const {
-    if (!is_deformed()) return Eigen::Matrix<double, 6, 1>::Zero();
-    return Eigen::Map<const Eigen::Matrix<double, 6, 1>>(displacement.local().data() + 6 * node);
+  Vector6 at(std::size_t node) const {
+    return is_deformed() ? node_values(displacement, node) : Vector6(Vector6::Zero());
   }
 };
 

@@ -28,7 +28,7 @@ struct Verdict {
   Certificate certificate;
   std::vector<CellGap> entered{};  ///< this rank's cells with a gap below 0
 };
-/// Computes the summary and the certificate with moments about the origin (collective).
+/// Computes the summary, with areas and depths of contact, and the certificate. Moments are about the origin (collective).
 Verdict certify(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 }  // namespace plastron::certificate

@@ -69,13 +69,13 @@ class CellPoints {
     const auto nodes = discrete_.space().nodes(cell);
     const auto first = static_cast<std::size_t>(nodes[0]);
     const auto displaced = [&](std::size_t i) {
-      return Vector3d(discrete_.points[i].phi + Eigen::Map<const Vector3d>(y_.local().data() + 6 * i));
+      return Vector3d(discrete_.points[i].phi + assembly::node_values(y_, i).head<3>());
     };
     double radius = 0;
     for (const algebra::LocalIndex i : nodes)
       radius = std::max(radius, (displaced(static_cast<std::size_t>(i)) - displaced(first)).norm());
     const assembly::NodalPoint& at = discrete_.points[first];
-    const Eigen::Map<const Eigen::Matrix<double, 6, 1>> moved(y_.local().data() + 6 * first);
+    const assembly::Vector6 moved = assembly::node_values(y_, first);
     return discrete_.obstacles
                .true_gap(obstacle, now_[obstacle], assembly::shell_point(at.phi, at.a3, at.thickness, moved))
                .clearance <= reserve * radius;

@@ -1,25 +1,23 @@
 #include <plastron/computation/adaptivity.hpp>
 
 #include <plastron/algebra/vector.hpp>
-#include <plastron/computation/memory.hpp>
+#include <plastron/computation/resources.hpp>
 #include <plastron/estimation/goal_record.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/meshing/chord_cuts.hpp>
-#include <plastron/meshing/marks.hpp>
+#include <plastron/meshing/constants.hpp>
 #include <plastron/problem/goal_names.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
-#include <numeric>
 
 namespace plastron::computation {
 
 namespace {
+
+using meshing::constants;
 
 /// Ratio of the witness's unknowns to the unknowns of a space.
 double growth_to_witness(const problem::Problem& problem, const fem::Space& space) {
@@ -49,7 +47,7 @@ bool AccuracyLoop::wants_witness(const Result& result, const fem::Space& space) 
 bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
   const auto& estimates = result.estimates;
   const std::vector<estimation::GoalRecord> before = std::move(goals_);
-  cuts_.clear();
+  next_.cuts.clear();
   goals_ = estimates ? estimation::goal_records(problem::estimated_goals(problem_), *estimates, result.summary)
                      : std::vector<estimation::GoalRecord>{};
   missed_ = estimates ? estimation::shortfall(goals_, *estimates) : "there are no estimates";
@@ -83,14 +81,15 @@ void AccuracyLoop::take_note(const Level& level, const fem::Space& space) {
 }
 
 std::string AccuracyLoop::limit_of_meshes(const Level& level, std::int64_t added, const fem::Space& space) const {
-  if (std::string limit = unsettled(6, 0.9); !limit.empty()) return limit;
+  if (std::string limit = unsettled(constants.unlimited_changes, constants.unlimited_decay); !limit.empty())
+    return limit;
   if (std::string limit = stalled(); !limit.empty()) return limit;
   if (added == 0) return "the cells to divide are as small as can be";
   const bool is_unseen = missed_.empty() && space.shape() == fem::Shape::quadrilateral;  // witness is missing
   double growth = 1 + static_cast<double>(added) / static_cast<double>(space.global_cells);
   if (is_unseen) growth = std::max(growth, growth_to_witness(problem_, space));
   std::string limit = obstacle(level, growth, space.layout->comm);
-  const std::string doubt = limit.empty() ? "" : unsettled(3, 0.7);
+  const std::string doubt = limit.empty() ? "" : unsettled(constants.doubtful_changes, constants.doubtful_decay);
   return doubt.empty() ? limit : limit + "; " + doubt;
 }
 
@@ -99,13 +98,14 @@ void AccuracyLoop::give_up(const std::string& why) {
 }
 
 std::string AccuracyLoop::stalled() const {
-  constexpr std::size_t meshes = 6;
-  constexpr double least_fall = 0.8, least_growth = 3;
+  constexpr std::size_t meshes = constants.stalled_meshes;
   if (excesses_.size() <= meshes || worst_excess() <= 1) return "";
   const auto last = excesses_.end() - meshes;
   const double before = *std::min_element(excesses_.begin(), last), now = *std::min_element(last, excesses_.end());
   const std::int64_t from = *(unknowns_.end() - meshes - 1), to = unknowns_.back();
-  if (now < least_fall * before || static_cast<double>(to) < least_growth * static_cast<double>(from)) return "";
+  if (now < constants.stalled_fall * before ||
+      static_cast<double>(to) < constants.stalled_growth * static_cast<double>(from))
+    return "";
   return fmt::format("the estimates have not fallen on the last {} meshes, from {} to {} unknowns", meshes, from, to);
 }
 
@@ -177,78 +177,32 @@ std::string AccuracyLoop::unsettled(std::size_t count, double least_decay) const
   return text;
 }
 
-/// Cuts chords and marks cells. It marks all cells where the goals' errors in cells cannot be distinguished.
 std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates) {
-  constexpr double rounding = 1e-6;  // part of the allowed error; below it the largest cells are random
-  const auto marked = [&](signed char mark) {
-    return algebra::sum_over_ranks(std::int64_t{std::ranges::count(marks_, mark)}, space.layout->comm);
-  };
-  if (estimates && !is_uniform_ && worst_excess() > rounding) {
-    marks_ = meshing::marks(space, goals_, *estimates, share_to_divide());
-    may_join_ = may_join_ && estimates->unjudged_cells == 0 && !(has_joined_ && worst_excess() >= excess_before_);
-    excess_before_ = worst_excess();
-    if (!may_join_)
-      std::ranges::replace_if(
-          marks_, [](signed char mark) { return mark < 0; }, 0);
-    if (wants_edges_) {
-      marks_.assign(space.owned_cells, 0);
-      for (const estimation::CrossedCell& crossed : estimates->crossed) marks_[crossed.cell] = 1;
-    }
-    if (even_.empty()) cut(space, *estimates);
-    if (marked(1) == 0) marks_.assign(space.owned_cells, 1);
-  } else {
-    marks_.assign(space.owned_cells, 1);
+  const double excess = worst_excess();
+  const bool follows_errors = estimates && !is_uniform_ && excess > constants.rounding_error;
+  if (follows_errors) {
+    may_join_ = may_join_ && estimates->unjudged_cells == 0 && !(next_.has_joined && excess >= excess_before_);
+    excess_before_ = excess;
   }
-  if (!is_uniform_ && algebra::sum_over_ranks(static_cast<std::int64_t>(entered_.size()), space.layout->comm) > 0) {
-    cuts_.clear();
-    if (!estimates || estimation::shortfall(goals_, *estimates).empty()) marks_.assign(space.owned_cells, 0);
-    for (const std::size_t cell : entered_) marks_[cell] = 1;
-  }
-  fem::mark_evenly(space, even_, marks_);
-  constexpr double smallest = 0x1p-24;  // part of a coarse cell; p4est ends at 2^-29
-  for (std::size_t c = 0; c < marks_.size(); ++c)
-    if (marks_[c] > 0 && std::abs(space.cells[c].size) <= smallest) marks_[c] = 0;
-  has_joined_ = cuts_.empty() && marked(-1) > 0;
-  if (cuts_.empty()) return 3 * marked(1);
-  const auto parts = [](const fem::Cuts& cuts) {
-    return static_cast<std::int64_t>((cuts[0].size() + 1) * (cuts[1].size() + 1));
-  };
-  return std::transform_reduce(cuts_.begin(), cuts_.end(), -space.global_cells, std::plus{}, parts);
-}
-
-void AccuracyLoop::cut(const fem::Space& space, const estimation::Estimates& estimates) {
-  const MPI_Comm comm = space.layout->comm;
-  const std::vector<double> shares = meshing::error_indicators(space, goals_, estimates);
-  double whole = 0, divided = 0, cells = 0;
-  for (std::size_t c = 0; c < shares.size(); ++c) {
-    whole += shares[c];
-    if (marks_[c] > 0) {
-      divided += shares[c];
-      cells += 1;
-    }
-  }
-  whole = algebra::sum_over_ranks(whole, comm);
-  divided = algebra::sum_over_ranks(divided, comm);
-  cells = algebra::sum_over_ranks(cells, comm);
-  const auto is_held_at_point = [](const assembly::Support& support) { return support.point.has_value(); };
-  const fem::Surface surface(space.coarse, problem_.charts);
-  cuts_ = meshing::chord_cuts(space, surface,
-                              {.shares = shares,
-                               .estimates = estimates,
-                               .share = share_to_divide(),
-                               .per_cell = cells > 0 && whole > 0 ? divided / whole / (3 * cells) : 0,
-                               .halves_only = std::ranges::any_of(problem_.supports, is_held_at_point),
-                               .are_met = std::ranges::all_of(goals_, &estimation::GoalRecord::is_met),
-                               .at_edges = wants_edges_});
+  if (is_uniform_) entered_.clear();
+  next_ = meshing::next_mesh(problem_, space,
+                             {.goals = goals_,
+                              .estimates = estimates,
+                              .excess = excess,
+                              .follows_errors = follows_errors,
+                              .may_join = may_join_,
+                              .wants_edges = wants_edges_,
+                              .entered = entered_});
+  return next_.added_cells;
 }
 
 // The energy hardly depends on the edge of a contact zone, but a user who requests the energy also wants to see the
 // zone.
 bool AccuracyLoop::edges_are_known(const std::optional<estimation::Estimates>& estimates) const {
-  constexpr double over_energy = 15, least = 1e-3;
   if (!estimates || !estimates->edge_change) return true;
   const auto energy = std::ranges::find(goals_, "energy", &estimation::GoalRecord::name);
-  return energy == goals_.end() || *estimates->edge_change <= std::max(over_energy * energy->tolerance, least);
+  return energy == goals_.end() || *estimates->edge_change <= std::max(constants.edge_tolerance * energy->tolerance,
+                                                                       constants.least_edge_tolerance);
 }
 
 bool AccuracyLoop::is_settled(const std::vector<estimation::GoalRecord>& before) const {
@@ -266,23 +220,13 @@ double AccuracyLoop::worst_excess() const {
   return worst;
 }
 
-double AccuracyLoop::share_to_divide() const {
-  constexpr double most = 0.8;
-  constexpr double aim = 0.9;  // part of the allowed error
-  // Part of a cell's error that remains at the edge of a contact zone, where the distance of nodes is halved.
-  constexpr double kept = 0.25;
-  const double excess = std::max(worst_excess(), 1.0);  // a mesh that only confirms must also be different
-  return std::min((1 - aim / excess) / (1 - kept), most);
-}
-
 std::string AccuracyLoop::obstacle(const Level& level, double growth, MPI_Comm comm) const {
-  constexpr double cost_exponent = 1.3;  // cost of a mesh in its unknowns (docs/performance.md)
   const double unknowns = growth * static_cast<double>(level.unknowns);
   if (unknowns > problem_.accuracy->max_unknowns)
     return fmt::format("the next mesh would have about {:.2g} unknowns, and max_unknowns = {:g}", unknowns,
                        problem_.accuracy->max_unknowns);
   const double end =
-      since_start_.seconds() + std::pow(growth, cost_exponent) * (level.seconds.total() + seconds_to_come_);
+      since_start_.seconds() + std::pow(growth, constants.cost_exponent) * (level.seconds.total() + seconds_to_come_);
   if (algebra::max_over_ranks(end, comm) > problem_.accuracy->max_seconds)
     return fmt::format("the next mesh would end later than max_seconds = {:g}", problem_.accuracy->max_seconds);
   const double largest = std::max(largest_solved_, static_cast<double>(level.unknowns));

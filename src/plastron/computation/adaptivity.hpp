@@ -1,9 +1,10 @@
 // Decides from estimated errors on the next mesh: whether the accuracy is sufficient, which cells to divide, and when
 // to stop.
 #pragma once
+#include <plastron/computation/resources.hpp>
 #include <plastron/computation/result.hpp>
-#include <plastron/computation/stopwatch.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/meshing/marks.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/meshing/start_mesh.hpp>
 #include <plastron/problem/problem.hpp>
@@ -33,8 +34,7 @@ class AccuracyLoop {
         since_start_(since_start),
         instants_to_come_(instants_to_come),
         is_uniform_(meshing::is_refined_evenly(problem)),
-        even_(meshing::even_boundaries(problem)),
-        may_join_(even_.empty()) {}
+        may_join_(meshing::even_boundaries(problem).empty()) {}
 
   /// Whether the goals must be computed at one degree more before wants_more (collective).
   bool wants_witness(const Result& result, const fem::Space& space) const;
@@ -43,8 +43,8 @@ class AccuracyLoop {
   bool wants_more(const Result& result, const fem::Space& space);
   /// Cuts of the coarse cells of the mesh judged last (fem::MeshSequence::cut). If this is empty, marks() has the marks
   /// of its cells.
-  const std::vector<fem::Cuts>& cuts() const { return cuts_; }
-  const std::vector<signed char>& marks() const { return marks_; }
+  const std::vector<fem::Cuts>& cuts() const { return next_.cuts; }
+  const std::vector<signed char>& marks() const { return next_.marks; }
   const std::vector<estimation::GoalRecord>& goals() const { return goals_; }
   /// Returns a text with the reasons why goals are not met; empty if they are met.
   const std::string& missed() const { return missed_; }
@@ -57,7 +57,6 @@ class AccuracyLoop {
  private:
   /// Decides on cuts and marks. Returns the number of cells that they add (collective).
   std::int64_t mark(const fem::Space& space, const std::optional<estimation::Estimates>& estimates);
-  void cut(const fem::Space& space, const estimation::Estimates& estimates);
   /// Stores the cells in which the nodes have missed an obstacle. Returns a text on them; empty if no cell is entered
   /// (collective).
   std::string missed_contact(const Result& result, const fem::Space& space);
@@ -66,7 +65,6 @@ class AccuracyLoop {
   bool is_settled(const std::vector<estimation::GoalRecord>& before) const;
   /// Excess of the goal that is furthest from being met.
   double worst_excess() const;
-  double share_to_divide() const;
   /// Changes of a goal from mesh to mesh, the last one first, at most `count`.
   std::vector<double> changes(std::size_t goal, std::size_t count) const;
   /// Stores the data of the level judged last.
@@ -88,20 +86,17 @@ class AccuracyLoop {
   const Stopwatch& since_start_;
   int instants_to_come_;
   bool is_uniform_;
-  fem::MeshSequence::Even even_;
   /// Whether cells may join. Joined cells may bring back unjudged cells, or errors as large as before.
   bool may_join_;
   bool wants_edges_ = false;              ///< the goals are met, but edges of contact zones are not yet accurate
-  bool has_joined_ = false;               ///< cells were joined to make the mesh judged last
-  double excess_before_ = 0;              ///< excess of the worst goal on that mesh
+  double excess_before_ = 0;              ///< excess of the worst goal on the mesh before
   double seconds_to_come_ = 0;            ///< time for the remaining instants, estimated on the mesh judged last
   double largest_solved_ = 0;             ///< largest number of unknowns of a mesh or its witness
   std::vector<double> excesses_{};        ///< excess of the worst goal on each mesh
   std::vector<std::int64_t> unknowns_{};  ///< unknowns of each mesh
   std::vector<estimation::GoalRecord> goals_{};
   std::vector<std::vector<double>> values_{};  ///< values of the goals on each mesh
-  std::vector<fem::Cuts> cuts_{};
-  std::vector<signed char> marks_{};
+  meshing::NextMesh next_{};
   std::vector<std::size_t> entered_{};  ///< cells in which the nodes have missed an obstacle
   std::string missed_{};
 };

@@ -2,8 +2,7 @@
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/cell_depths.hpp>
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
@@ -99,8 +98,7 @@ std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, cons
 double length_scale(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    most = std::max(
-        {most, discrete.points[i].thickness, Eigen::Map<const Eigen::Vector3d>(y.local().data() + 6 * i).norm()});
+    most = std::max({most, discrete.points[i].thickness, assembly::node_values(y, i).head<3>().norm()});
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 

@@ -1,16 +1,14 @@
 #include <plastron/computation/level.hpp>
 
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/pressing.hpp>
-#include <plastron/assembly/stiffness.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/contact_forecast.hpp>
 #include <plastron/computation/relinearisation.hpp>
-#include <plastron/computation/stopwatch.hpp>
+#include <plastron/computation/resources.hpp>
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
-#include <plastron/estimation/kept_pins.hpp>
-#include <plastron/estimation/linearity.hpp>
+#include <plastron/estimation/kept_factorisation.hpp>
 #include <plastron/problem/gap.hpp>
 
 namespace plastron::computation {
@@ -39,10 +37,10 @@ Level record_of(Level level, const contact::BoxSolution& z) {
 /// factor.
 struct LinearAlgebra {
   LinearAlgebra(algebra::Matrix matrix, const std::vector<char>& movable, MPI_Comm comm)
-      : A(std::move(matrix)), F(A, movable), pins(F, comm) {}
+      : A(std::move(matrix)), F(A, movable), kept(F, comm) {}
   algebra::Matrix A;
   algebra::Factorisation F;
-  estimation::KeptPins pins;
+  estimation::KeptFactorisation kept;
   std::optional<contact::BoxProblem> box{};
 };
 
@@ -80,7 +78,7 @@ class LevelRun {
                                        },
                                    .stop = [&] { return wants_to_stop(observer_, discrete_->space().layout->comm); }};
     const auto guess = zone ? likely_activity(*discrete_, *zone) : std::vector<contact::Activity>{};
-    contact::BoxSolution z = contact::solve(box, guess, last_->pins, settings, follow);
+    contact::BoxSolution z = contact::solve(box, guess, last_->kept, settings, follow);
     if (!z.positions.empty()) press(*discrete_, z.positions);
     if (held_inside_obstacle(*discrete_)) z.status = contact::Status::infeasible;
     seconds.factorisation += F.seconds_numeric();
@@ -100,8 +98,8 @@ class LevelRun {
                                  const solution::Summary& summary) {
     Stopwatch watch;
     tell("estimates");
-    last_->pins.keep();
-    auto estimates = estimation::estimate(solved(z, nodal, summary), last_->pins, *task_.goals);
+    last_->kept.keep();
+    auto estimates = estimation::estimate(solved(z, nodal, summary), last_->kept, *task_.goals);
     seconds.estimates += watch.lap();
     return estimates;
   }
@@ -110,8 +108,8 @@ class LevelRun {
   estimation::Linearity linearity(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
                                   const solution::Summary& summary) {
     Stopwatch watch;
-    last_->pins.keep();
-    const auto found = estimation::linearity(solved(z, nodal, summary), last_->pins, task_.goals.has_value());
+    last_->kept.keep();
+    const auto found = estimation::linearity(solved(z, nodal, summary), last_->kept, task_.goals.has_value());
     seconds.estimates += watch.lap();
     return found;
   }
@@ -155,7 +153,7 @@ Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, boo
     const ContactTrend trend = contact_trend(run.discrete(), nodal);
     linearise(run.discrete(), std::move(*state));
     const algebra::Vector expected = expected_zone(run.discrete(), trend);
-    z = run.solve(&expected, !supports_hold(run.history, task.settings.solver));
+    z = run.solve(&expected, !supports_hold(run.history, task.settings));
     nodal = solution::nodal_solution(run.discrete(), z);
   }
   run.linearisations += outer.steps();
@@ -171,7 +169,7 @@ Found met_with(algebra::Vector lifts, LevelRun& run, const LevelTask& task, cons
   state.lifts = std::move(lifts);
   linearise(run.discrete(), std::move(state));
   const algebra::Vector expected = expected_zone(run.discrete(), trend);
-  return met(run, task, &expected, !supports_hold(run.history, task.settings.solver));
+  return met(run, task, &expected, !supports_hold(run.history, task.settings));
 }
 
 struct Lifted {
@@ -203,9 +201,9 @@ Lifted lift_bounds(LevelRun& run, const LevelTask& task, Found& found) {
 
 }  // namespace
 
-bool supports_hold(const std::vector<contact::Iteration>& history, contact::Solver solver) {
-  return solver == contact::Solver::active_set && !history.empty() && history.front().active == 0 &&
-         !history.front().safeguarded;
+bool supports_hold(const std::vector<contact::Iteration>& history, const contact::Settings& settings) {
+  return &contact::solver_of(settings) == &contact::solve_primal_dual_active_set && !history.empty() &&
+         history.front().active == 0 && !history.front().safeguarded;
 }
 
 Level measured(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,

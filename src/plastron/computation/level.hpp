@@ -1,7 +1,6 @@
 // A discrete shell on one mesh at one instant: assemble, solve the contact problem, repeat the linearisation where
 // obstacles are curved, certify.
 #pragma once
-#include <plastron/computation/observer.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/estimation/functionals.hpp>
@@ -35,7 +34,7 @@ struct LevelResult {
 
 /// Whether the supports alone fix the shell. Then the very first step of the active set succeeded with nothing in
 /// contact. First steps of other solvers or of proximal points do not show this.
-bool supports_hold(const std::vector<contact::Iteration>& history, contact::Solver solver);
+bool supports_hold(const std::vector<contact::Iteration>& history, const contact::Settings& settings);
 
 /// Returns the data of a level that follow from the solution itself, independent of the solver (collective).
 Level measured(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,

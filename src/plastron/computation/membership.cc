@@ -1,11 +1,10 @@
 #include <plastron/computation/membership.hpp>
 
-#include <plastron/assembly/multiplier.hpp>
-#include <plastron/assembly/pressing.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/relinearisation.hpp>
-#include <plastron/fem/kinks.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/problem/instants.hpp>
 
 #include <Eigen/QR>
@@ -17,8 +16,9 @@ namespace plastron::computation {
 
 namespace {
 
+using assembly::node_values;
+using assembly::Vector6;
 using certificate::CertificateLimit;
-using Node6 = Eigen::Matrix<double, 6, 1>;
 
 /// Limit as a part of the thickness or of the largest displacement, whichever is larger, as in the certificate for
 /// supports.
@@ -30,21 +30,19 @@ constexpr double tangency_part = 1e-8;
 /// requires its own decrease (docs/methods/admissible.md).
 constexpr double lift_per_dip = 10;
 
-Node6 values_at(const algebra::Vector& y, std::size_t node) { return Eigen::Map<const Node6>(&y.local()[6 * node]); }
-
 /// Returns (u, e r), a length.
-Node6 as_length(Node6 y, double thickness) {
+Vector6 as_length(Vector6 y, double thickness) {
   y.tail<3>() *= thickness;
   return y;
 }
 
-double length_of(const Node6& y) { return y.head<3>().norm() + y.tail<3>().norm(); }
+double length_of(const Vector6& y) { return y.head<3>().norm() + y.tail<3>().norm(); }
 
 /// Returns the distance of (u, e r) from the combinations of the node's coordinates.
-double distance_from_span(const assembly::NodeBasis& basis, int width, const Node6& y, double thickness) {
+double distance_from_span(const assembly::NodeBasis& basis, int width, const Vector6& y, double thickness) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> span = basis.leftCols(width);
   span.bottomRows<3>() *= thickness;
-  const Node6 given = as_length(y, thickness);
+  const Vector6 given = as_length(y, thickness);
   return length_of(given - span * span.colPivHouseholderQr().solve(given));
 }
 
@@ -52,8 +50,8 @@ double distance_from_span(const assembly::NodeBasis& basis, int width, const Nod
 double kink_error(const fem::CarriedNodes& carried, const algebra::Vector& y, std::size_t node, double thickness) {
   const fem::CarriedNode* at = carried.find(static_cast<algebra::LocalIndex>(node));
   if (!at || !fem::is_kinked(carried, *at)) return 0;
-  Node6 rest = values_at(y, node) - at->own * values_at(y, node);
-  for (const auto& [carrier, block] : at->carriers) rest -= block * values_at(y, static_cast<std::size_t>(carrier));
+  Vector6 rest = node_values(y, node) - at->own * node_values(y, node);
+  for (const auto& [carrier, block] : at->carriers) rest -= block * node_values(y, static_cast<std::size_t>(carrier));
   return length_of(as_length(rest, thickness));
 }
 
@@ -66,10 +64,10 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     const double e = discrete.points[i].thickness;
-    const Node6 here = values_at(y, i);
+    const Vector6 here = node_values(y, i);
     double error = 0;
     if (coordinates.tied[i])
-      error = length_of(as_length(here - values_at(spread, i), e));
+      error = length_of(as_length(here - node_values(spread, i), e));
     else if (coordinates.width <
              6)  // also valid for carried nodes: their bases span all of u, and r tangent to the shell
       error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);

@@ -11,12 +11,9 @@ namespace plastron::computation {
 
 namespace {
 
+using assembly::node_values;
+using assembly::Vector6;
 using Eigen::Vector3d;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-Vector6 block6(const algebra::Vector& y, std::size_t node) {
-  return Eigen::Map<const Vector6>(y.local().data() + 6 * node);
-}
 
 /// Calls check(row, obstacle, touches) for the contact rows of curved obstacles at owned nodes, and for the rows that
 /// are left out.
@@ -42,7 +39,7 @@ double distance_from_state(const assembly::DiscreteShell& discrete, const soluti
   double farthest = 0;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     if (!touches) return;
-    const Vector6 way = block6(solution.y, row.node) - discrete.state.at(row.node);
+    const Vector6 way = node_values(solution.y, row.node) - discrete.state.at(row.node);
     const Vector3d r = geometry::tangential(way.tail<3>(), discrete.points[row.node].a3);
     const double z = discrete.coordinates.gaps[k][row.node].z;
     farthest = std::max(farthest, (way.head<3>() + z * r - discrete.obstacles.way(k)).norm());
@@ -55,7 +52,7 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution:
   GapError error;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     const assembly::NodalPoint& p = discrete.points[row.node];
-    const Vector6 y = block6(solution.y, row.node);
+    const Vector6 y = node_values(solution.y, row.node);
     const obstacle::ShellPoint moved = assembly::shell_point(p.phi, p.a3, p.thickness, y);
     const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
     const double distance = obstacle::true_gap(discrete.obstacles.now(k), gap, moved);

@@ -5,13 +5,15 @@
 #include <plastron/estimation/goal_record.hpp>
 #include <plastron/recovery/stress_peak.hpp>
 
-#include <algorithm>
-#include <cmath>
+#include <mpi.h>
+
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plastron::computation {
@@ -101,7 +103,7 @@ struct Result {
   bool has_obstacle = false;
   element::Formulation formulation = element::Formulation::tangent;
   int ranks = 1;
-  std::vector<std::string> warnings{};  ///< doubts about the result, in words for the user
+  std::vector<std::string> warnings{};  ///< texts for the user
   double peak_memory = 0;               ///< memory of all ranks together [bytes]
   std::optional<Solution> solution{};   ///< empty when nothing could be solved
   /// Estimates of the last solution's errors; empty if there is no solution or if not requested.
@@ -112,6 +114,25 @@ struct Result {
   /// Largest eta at nodes where it is a density, without nodes of lines that touch; NaN if there are only lines [Pa].
   double max_pressure() const;
 };
+
+/// Receives progress; every member may be empty. Called on every rank.
+struct Observer {
+  std::function<void(int level, std::string_view phase)> phase{};
+  std::function<void(int level, const contact::Iteration&)> iteration{};
+  std::function<void(int level, const Level&)> level{};
+  std::function<void(std::string_view text)> warning{};  ///< called as soon as it is known; the result has it too
+  /// Solution of every level, which does not exist afterwards.
+  std::function<void(int level, const Solution&)> solution{};
+  std::function<void(const HistoryEntry&, const Solution&)> instant{};  ///< every instant, where there are steps
+  /// Called between active-set iterations and between meshes: true ends the computation with status interrupted. It
+  /// must be empty on all ranks or on none. If one rank returns true, all stop.
+  std::function<bool()> stop{};
+};
+
+/// Whether any rank wants to stop (collective).
+inline bool wants_to_stop(const Observer& observer, MPI_Comm comm) {
+  return observer.stop && algebra::sum_over_ranks(std::int64_t{observer.stop()}, comm) > 0;
+}
 
 /// Returns a text on the end of the computation, in a sentence or two.
 std::string status_text(const Result& result);

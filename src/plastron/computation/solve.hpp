@@ -1,6 +1,5 @@
 // The whole computation, from a problem to its result.
 #pragma once
-#include <plastron/computation/observer.hpp>
 #include <plastron/computation/result.hpp>
 #include <plastron/problem/problem.hpp>
 

@@ -1,11 +1,10 @@
 #include <plastron/computation/verify.hpp>
 
-#include <plastron/assembly/pressing.hpp>
-#include <plastron/computation/doubts.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/membership.hpp>
-#include <plastron/computation/probes.hpp>
-#include <plastron/computation/zones.hpp>
+#include <plastron/computation/warnings.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/description.hpp>
 #include <plastron/problem/instants.hpp>

@@ -114,9 +114,6 @@ void read_units(Table& root, problem::UnitNames& units) {
 void read_contact(Table& root, problem::Problem& problem) {
   auto contact = root.table("contact");
   if (!contact) return;
-  const auto name = contact->text("solver");
-  for (const contact::Solver solver : contact::all_solvers)
-    if (name == contact::to_string(solver)) problem.contact.solver = solver;
   problem.linearisation.once = contact->boolean("linearised").value_or(false);
   problem.admissible = contact->boolean("admissible").value_or(false);
   root.effective["contact"] = contact->effective;

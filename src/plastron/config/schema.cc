@@ -41,7 +41,7 @@ Section file_section() {
        {.name = "line", .kind = Kind::tables, .fallback = "[]", .meaning = "lines along which results are tabulated"},
        {.name = "output", .kind = Kind::table, .fallback = "{}", .meaning = "how results are given"},
        {.name = "units", .kind = Kind::table, .fallback = "{}", .meaning = "what the units are called"},
-       {.name = "contact", .kind = Kind::table, .fallback = "{}", .meaning = "the contact solver"},
+       {.name = "contact", .kind = Kind::table, .fallback = "{}", .meaning = "how the contact problem is solved"},
        {.name = "solver", .kind = Kind::table, .fallback = "{}", .meaning = "iteration limits and tolerances"}}};
 }
 
@@ -264,13 +264,7 @@ Section contact_section() {
       "contact",
       "[contact]",
       "How the contact problem is solved.",
-      {{.name = "solver",
-        .kind = Kind::word,
-        .fallback = "\"active-set\"",
-        .words = {{"active-set"}, {"projected"}, {"tao"}, {"snesvi"}, {"mprgp"}},
-        .meaning =
-            "the contact solver; others than the default are there to check it, and mprgp factorises once a mesh"},
-       {.name = "linearised",
+      {{.name = "linearised",
         .kind = Kind::boolean,
         .fallback = "false",
         .meaning =

@@ -1,12 +1,12 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/contact/activity.hpp>
-#include <plastron/contact/pressing.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace plastron::contact {
@@ -21,29 +21,6 @@ std::int64_t count_over_ranks(const BoxProblem& problem, std::int64_t here) {
 }
 
 }  // namespace
-
-void assert_fits_together([[maybe_unused]] const BoxProblem& problem) {
-  PLASTRON_ASSERT(problem.apply, "an operator is missing");
-  PLASTRON_ASSERT(problem.matrix.layout()->owned == problem.load.layout()->owned &&
-                      problem.matrix.layout()->first == problem.load.layout()->first,
-                  problem.matrix.layout()->first, problem.matrix.layout()->owned, problem.load.layout()->first,
-                  problem.load.layout()->owned);
-  PLASTRON_ASSERT(problem.load.block() == problem.matrix.block() && problem.lower.block() == problem.matrix.block() &&
-                      problem.upper.block() == problem.matrix.block(),
-                  problem.matrix.block(), problem.load.block(), problem.lower.block(), problem.upper.block());
-  PLASTRON_ASSERT(problem.lower.owned().size() == problem.load.owned().size() &&
-                      problem.upper.owned().size() == problem.load.owned().size(),
-                  problem.load.owned().size(), problem.lower.owned().size(), problem.upper.owned().size());
-  assert_pressing_fits(problem);
-}
-
-bool bounds_are_consistent(const BoxProblem& problem) {
-  std::int64_t contradictions = 0;
-  for (std::size_t i = 0; i < problem.lower.owned().size(); ++i)
-    if (!(problem.lower.owned()[i] <= problem.upper.owned()[i]) && !moves_apart_or_together(problem, i))
-      ++contradictions;
-  return count_over_ranks(problem, contradictions) == 0;
-}
 
 ActiveSet starting_set(const BoxProblem& problem, std::span<const Activity> initial) {
   const auto lower = problem.lower.owned();
@@ -83,29 +60,16 @@ ActiveSet everything_at_bounds(const BoxProblem& problem, const algebra::Vector&
   return set;
 }
 
-algebra::Vector project(const BoxProblem& problem, algebra::Vector z) {
-  for (std::size_t i = 0; i < z.owned().size(); ++i)
-    z.owned()[i] = std::clamp(z.owned()[i], problem.lower.owned()[i], problem.upper.owned()[i]);
-  z.update_ghosts();
-  return z;
-}
-
-BoxSolution unsolved(const BoxProblem& problem, Status status) {
-  assert_fits_together(problem);
-  const algebra::Vector zero(problem.load.layout(), problem.load.block());
-  return {.status = status,
-          .z = zero,
-          .multiplier = zero,
-          .activity = starting_set(problem, {}),
-          .positions = std::vector<double>(problem.pressing.size(), 0.0),
-          .iterations = {},
-          .linear_residual = 0};
-}
-
-double held_at(const BoxProblem& problem, std::size_t i, Activity activity) {
+double bound_at(const BoxProblem& problem, std::size_t i, Activity activity) {
   PLASTRON_ASSERT(i < problem.lower.owned().size() && activity != Activity::free, i, problem.lower.owned().size(),
                   static_cast<int>(activity));
   return activity == Activity::at_upper ? problem.upper.owned()[i] : problem.lower.owned()[i];
+}
+
+std::vector<char> fixed_by(const ActiveSet& set) {
+  std::vector<char> marks(set.size());
+  std::ranges::transform(set, marks.begin(), [](Activity activity) { return activity != Activity::free; });
+  return marks;
 }
 
 std::int64_t count_active(const BoxProblem& problem, const ActiveSet& set) {
@@ -129,6 +93,38 @@ std::uint64_t fingerprint(const BoxProblem& problem, const ActiveSet& set) {
   for (std::size_t i = 0; i < set.size(); ++i)
     if (is_active(set[i])) sum += algebra::hash(2 * (first + i) + (set[i] == Activity::at_upper));
   return std::bit_cast<std::uint64_t>(count_over_ranks(problem, std::bit_cast<std::int64_t>(sum)));
+}
+
+algebra::Vector project(const BoxProblem& problem, algebra::Vector z) {
+  for (std::size_t i = 0; i < z.owned().size(); ++i)
+    z.owned()[i] = std::clamp(z.owned()[i], problem.lower.owned()[i], problem.upper.owned()[i]);
+  z.update_ghosts();
+  return z;
+}
+
+double largest_feasible_step(const algebra::Vector& lower, const algebra::Vector& upper, const algebra::Vector& x,
+                             const algebra::Vector& d) {
+  double largest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < x.owned().size(); ++i) {
+    const double step = d.owned()[i], z = x.owned()[i];
+    if (step > 0) largest = std::min(largest, (z - lower.owned()[i]) / step);
+    if (step < 0) largest = std::min(largest, (z - upper.owned()[i]) / step);
+  }
+  return algebra::min_over_ranks(largest, x.layout()->comm);
+}
+
+algebra::Vector clamped_step(const algebra::Vector& lower, const algebra::Vector& upper, const algebra::Vector& x,
+                             const algebra::Vector& d, double t) {
+  algebra::Vector result = x;
+  for (std::size_t i = 0; i < x.owned().size(); ++i) {
+    const double l = lower.owned()[i], u = upper.owned()[i], step = d.owned()[i];
+    double& z = result.owned()[i];
+    // The unknown that stops the step must be exactly at its bound in spite of rounding.
+    const bool is_stopped = (step > 0 && (z - l) / step <= t) || (step < 0 && (z - u) / step <= t);
+    z = is_stopped ? (step > 0 ? l : u) : std::clamp(z - t * step, l, u);
+  }
+  result.update_ghosts();
+  return result;
 }
 
 }  // namespace plastron::contact

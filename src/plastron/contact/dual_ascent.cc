@@ -1,5 +1,19 @@
-#include <plastron/contact/dual_ascent.hpp>
-#include <plastron/contact/subproblem.hpp>
+// Equations B z = 0 beside the bounds, for solvers of boxes only. This method is also the safeguard of the primal-dual
+// method with equations. A projection onto the box violates the equations, so they get multipliers q first:
+//   d(q) = min { 1/2 z' A z - (b - B' q)' z : lower <= z <= upper }
+// is a program with a box alone, for any contact solver. d is concave, and d'(q) = B z(q) with z(q) the minimiser. At
+// the maximum of d, z(q) solves the whole problem. d is quadratic while the active set S of z(q) stays. Its maximiser
+// there is the multiplier of the subproblem A z + B' q = b, B z = 0 on S:
+//   1. z(q) and its active set S by the contact solver.
+//   2. q* of the subproblem on S. If its z satisfies all bounds and signs, it is the solution.
+//   3. q := q + t (q* - q) with the first t of 1, 1/2, ... for which d increases by a fraction of its slope, then step
+//      1. Where the equations cannot be satisfied on S, the direction is P r instead. P is the preconditioner of (B
+//      A^{-1} B')^{-1}. r is the part of d'(q) that remains for every q on S. d is nearly linear along it, so t may
+//      also double.
+// This is Newton's method for a piecewise quadratic concave function, with d as safeguard: d increases at every step.
+// Sources: Qi and Sun, A nonsmooth version of Newton's method (1993), for the steps; Bertsekas, Constrained
+// optimization and Lagrange multiplier methods (1982), section 5.3, for the dual function.
+#include <plastron/contact/searches.hpp>
 
 #include <cmath>
 #include <limits>

@@ -87,9 +87,9 @@ std::optional<SubproblemPoint> PressedSubproblem::solve(const ActiveSet& set) {
 std::optional<std::vector<PressedSubproblem::Response>> PressedSubproblem::responses(const ActiveSet& set) {
   std::vector<Response> all;
   for (std::size_t k = 0; k < problem_.pressing.size(); ++k) {
-    if (!is_met(problem_.pressing[k], set)) continue;
+    if (!is_carried(problem_.pressing[k], set)) continue;
     Response response{.force = k, .z = {}, .forces = {}};
-    auto linear = subproblems_.response(set, held_shape(problem_.pressing[k], set), response.z);
+    auto linear = subproblems_.response(set, active_shape(problem_.pressing[k], set), response.z);
     if (!linear) return {};
     response.forces = std::move(linear->residual);
     for (double& value : response.forces.owned()) value = -value;
@@ -150,7 +150,7 @@ std::optional<SubproblemPoint> PressedSubproblem::settle(const ActiveSet& set, c
 void PressedSubproblem::finish(const ActiveSet& set, SubproblemPoint& point) {
   const auto noise = [&](std::size_t i) { return point.gap_noise.owned()[i]; };
   for (std::size_t k = 0; k < positions_.size(); ++k) {
-    if (is_met(problem_.pressing[k], set)) continue;
+    if (is_carried(problem_.pressing[k], set)) continue;
     const auto touched = touch(problem_, k, point.z, noise, positions_);
     point.touched.insert(point.touched.end(), touched.begin(), touched.end());
   }

@@ -74,9 +74,27 @@ std::vector<double> sums_over_active(const BoxProblem& problem, const ActiveSet&
   return sums;
 }
 
+/// Whether positions change the width upper_i - lower_i of an owned unknown.
+bool moves_apart_or_together(const BoxProblem& problem, std::size_t i) {
+  return std::ranges::any_of(problem.pressing, [i](const PressingForce& pressing) {
+    return pressing.lower_shape.owned()[i] != pressing.upper_shape.owned()[i];
+  });
+}
+
 }  // namespace
 
-void assert_pressing_fits([[maybe_unused]] const BoxProblem& problem) {
+void assert_fits_together([[maybe_unused]] const BoxProblem& problem) {
+  PLASTRON_ASSERT(problem.apply, "an operator is missing");
+  PLASTRON_ASSERT(problem.matrix.layout()->owned == problem.load.layout()->owned &&
+                      problem.matrix.layout()->first == problem.load.layout()->first,
+                  problem.matrix.layout()->first, problem.matrix.layout()->owned, problem.load.layout()->first,
+                  problem.load.layout()->owned);
+  PLASTRON_ASSERT(problem.load.block() == problem.matrix.block() && problem.lower.block() == problem.matrix.block() &&
+                      problem.upper.block() == problem.matrix.block(),
+                  problem.matrix.block(), problem.load.block(), problem.lower.block(), problem.upper.block());
+  PLASTRON_ASSERT(problem.lower.owned().size() == problem.load.owned().size() &&
+                      problem.upper.owned().size() == problem.load.owned().size(),
+                  problem.load.owned().size(), problem.lower.owned().size(), problem.upper.owned().size());
   for ([[maybe_unused]] const PressingForce& pressing : problem.pressing) {
     PLASTRON_ASSERT(pressing.force > 0, pressing.force);
     PLASTRON_ASSERT(pressing.lower_shape.owned().size() == problem.load.owned().size() &&
@@ -85,6 +103,14 @@ void assert_pressing_fits([[maybe_unused]] const BoxProblem& problem) {
                     problem.load.owned().size());
     PLASTRON_ASSERT(shapes_are_sound(problem, pressing), "a shape is not finite, or moves a prescribed unknown");
   }
+}
+
+bool bounds_are_consistent(const BoxProblem& problem) {
+  std::int64_t contradictions = 0;
+  for (std::size_t i = 0; i < problem.lower.owned().size(); ++i)
+    if (!(problem.lower.owned()[i] <= problem.upper.owned()[i]) && !moves_apart_or_together(problem, i))
+      ++contradictions;
+  return algebra::sum_over_ranks(contradictions, ranks_of(problem)) == 0;
 }
 
 BoxProblem at_positions(const BoxProblem& problem, std::span<const double> positions) {
@@ -116,26 +142,20 @@ bool bounds_cross(const BoxProblem& box, const algebra::Vector& noise) {
   return algebra::sum_over_ranks(crossed, ranks_of(box)) > 0;
 }
 
-bool moves_apart_or_together(const BoxProblem& problem, std::size_t i) {
-  return std::ranges::any_of(problem.pressing, [i](const PressingForce& pressing) {
-    return pressing.lower_shape.owned()[i] != pressing.upper_shape.owned()[i];
-  });
-}
-
 double shape_at(const PressingForce& pressing, std::size_t i, Activity activity) {
   if (activity == Activity::at_lower) return pressing.lower_shape.owned()[i];
   if (activity == Activity::at_upper) return pressing.upper_shape.owned()[i];
   return 0;
 }
 
-algebra::Vector held_shape(const PressingForce& pressing, const ActiveSet& set) {
+algebra::Vector active_shape(const PressingForce& pressing, const ActiveSet& set) {
   algebra::Vector shape(pressing.lower_shape.layout(), pressing.lower_shape.block());
   for (std::size_t i = 0; i < set.size(); ++i) shape.owned()[i] = shape_at(pressing, i, set[i]);
   return shape;
 }
 
-bool is_met(const PressingForce& pressing, const ActiveSet& set) {
-  return algebra::max_abs(held_shape(pressing, set)) > 0;
+bool is_carried(const PressingForce& pressing, const ActiveSet& set) {
+  return algebra::max_abs(active_shape(pressing, set)) > 0;
 }
 
 std::vector<double> reactions(const BoxProblem& problem, const algebra::Vector& multiplier, const ActiveSet& set) {

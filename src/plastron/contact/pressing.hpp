@@ -1,10 +1,8 @@
-// Bounds that given forces move: bounds at given positions, the unknowns that carry a force, and its first contacts.
-// The program is described in problem.hpp and docs/methods/pressing-obstacles.md. Its solvers are
-// pressed_subproblem.hpp and pressing_search.hpp.
+// Bounds, and given forces that move them: whether bounds fit, bounds at given positions, the unknowns that carry a
+// force, and its first contacts. The program is described in problem.hpp and docs/methods/pressing-obstacles.md.
 #pragma once
 #include <plastron/contact/activity.hpp>
 #include <plastron/contact/problem.hpp>
-#include <plastron/contact/subproblem_point.hpp>
 
 #include <functional>
 #include <optional>
@@ -13,8 +11,13 @@
 
 namespace plastron::contact {
 
-/// Asserts that forces are positive, and that shapes fit the load, are finite and are zero on prescribed unknowns.
-void assert_pressing_fits(const BoxProblem& problem);
+/// Asserts that load and bounds fit the matrix in layout, block and size, that forces are positive, and that shapes fit
+/// the load, are finite and are zero on prescribed unknowns. It does not check the values of bounds.
+void assert_fits_together(const BoxProblem& problem);
+
+/// Whether lower <= upper everywhere, on all ranks, and no bound is NaN. Bounds that pressing forces move against each
+/// other are not checked: their positions determine whether they cross (bounds_cross).
+bool bounds_are_consistent(const BoxProblem& problem);
 
 /// Returns the problem with its bounds at these positions and without pressing forces: a box.
 BoxProblem at_positions(const BoxProblem& problem, std::span<const double> positions);
@@ -23,15 +26,13 @@ void move_bounds(const BoxProblem& problem, std::span<const double> positions, B
 
 /// Whether some lower bound is above its upper bound by more than noise. (collective)
 bool bounds_cross(const BoxProblem& box, const algebra::Vector& noise);
-/// Whether positions change the width upper_i - lower_i of an owned unknown.
-bool moves_apart_or_together(const BoxProblem& problem, std::size_t i);
 
 /// Returns the rate at which the active bound of an owned unknown moves with position k; 0 where the unknown is free.
 double shape_at(const PressingForce& pressing, std::size_t i, Activity activity);
 /// Returns the shape of force k where `set` fixes the unknown, zero elsewhere.
-algebra::Vector held_shape(const PressingForce& pressing, const ActiveSet& set);
+algebra::Vector active_shape(const PressingForce& pressing, const ActiveSet& set);
 /// Whether some active unknown helps to carry the force. (collective)
-bool is_met(const PressingForce& pressing, const ActiveSet& set);
+bool is_carried(const PressingForce& pressing, const ActiveSet& set);
 
 /// Returns R_k = sum of multiplier_i shape_ki over active i: the reaction of the structure to force k. (collective)
 std::vector<double> reactions(const BoxProblem& problem, const algebra::Vector& multiplier, const ActiveSet& set);

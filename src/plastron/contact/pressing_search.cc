@@ -1,6 +1,23 @@
+// Pressing forces for solvers of fixed bounds only. This method is also the safeguard of the primal-dual method with
+// pressing forces. The positions get a problem of their own: the function
+//   phi(delta) = min { 1/2 z' A z - b' z : lower(delta) <= z <= upper(delta) } - F' delta
+// is convex and piecewise quadratic. Each value is a program for any contact solver. Its gradient is R(delta) - F, the
+// reactions minus the forces. On the pieces where the active set S stays, its Hessian is the border's z_k' A z_l
+// (pressed_subproblem.hpp):
+//   1. z(delta) and its active set S by the contact solver, started on the last S. A force that S does not carry moves
+//      until it touches. phi decreases on the way, and z does not change.
+//   2. delta* of the subproblem of S with its border. If its z satisfies all bounds and signs, it is the solution.
+//   3. delta := delta + t (delta* - delta) with the first t of 1, 1/2, ... for which phi decreases, then step 1. The
+//      criterion: the slope is still not positive, or phi is lower by a fraction of the slope. Where bounds would cross
+//      on the way, delta* is the minimiser of S that leaves a tenth of their width. Where the border is singular on S,
+//      the direction is the free motion, if the forces drive it, or F - R over a scale. Then t doubles while the slope
+//      stays.
+// This is Newton's method for a piecewise quadratic convex function, with phi as safeguard: phi decreases at every
+// step. The proof is in docs/methods/pressing-obstacles.md. Source: Sun, On the structure of convex piecewise quadratic
+// functions (1992); Qi and Sun, A nonsmooth version of Newton's method (1993).
 #include <plastron/contact/pressed_subproblem.hpp>
 #include <plastron/contact/pressing.hpp>
-#include <plastron/contact/pressing_search.hpp>
+#include <plastron/contact/searches.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +70,7 @@ bool is_about_the_positions(Status status) {
 Positions scaled_excess(const BoxProblem& problem, const PressedState& here, const Vector& diagonal) {
   Positions direction = here.excess;
   for (std::size_t k = 0; k < direction.size(); ++k) {
-    const Vector shape = held_shape(problem.pressing[k], here.set);
+    const Vector shape = active_shape(problem.pressing[k], here.set);
     Vector forces = shape;
     for (std::size_t i = 0; i < forces.owned().size(); ++i) forces.owned()[i] *= diagonal.owned()[i];
     const double scale = algebra::dot(shape, forces);
@@ -182,7 +199,7 @@ class PressingSearch {
     largest = algebra::max_over_ranks(largest, problem_.load.layout()->comm);
     const double noise = here.inner.tolerances.gap * largest;
     for (std::size_t k = 0; k < here.positions.size(); ++k)
-      if (!is_met(problem_.pressing[k], here.set))
+      if (!is_carried(problem_.pressing[k], here.set))
         for (const Touch& touched : touch(
                  problem_, k, here.inner.z, [&](std::size_t) { return noise; }, here.positions))
           here.set[touched.unknown] = touched.activity;

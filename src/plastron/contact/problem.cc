@@ -1,4 +1,4 @@
-#include <plastron/contact/statuses.hpp>
+#include <plastron/contact/problem.hpp>
 
 #include <array>
 

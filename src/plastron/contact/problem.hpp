@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -67,6 +68,8 @@ enum class Status {
   /// Solved, but the estimated errors are above the requested limit; set by the caller that estimates.
   accuracy_not_reached
 };
+/// Returns all of them.
+std::span<const Status> statuses();
 std::string_view to_string(Status status);
 /// Returns one sentence for the user: what happened and what to do.
 std::string_view explain(Status status);

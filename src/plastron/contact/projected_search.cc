@@ -1,7 +1,19 @@
-#include <plastron/contact/dual_ascent.hpp>
-#include <plastron/contact/pressing_search.hpp>
-#include <plastron/contact/projected_search.hpp>
-#include <plastron/contact/proximal_point.hpp>
+// The projected search: the safeguard of the primal-dual method, with a proof that it ends; also a solver of its own.
+// It keeps a feasible z and lowers the energy E at each step:
+//   1. Fix the unknowns at bounds; let z* minimise E on this subproblem.
+//   2. If z* is outside the box, search along the projection P(z + t (z* - z)), t = 1, 1/2, ..., for the lowest energy
+//      that is less than E(z) by a fraction of the slope. Fix also the unknowns that have reached a bound, and go to 1.
+//   3. If z* is feasible, take it. If no multiplier has the wrong sign, it is the solution. Otherwise release all fixed
+//      unknowns with wrong signs and go to 1 with this larger subproblem.
+// Proof that it ends: steps 1-2 only add fixed unknowns, so after finitely many steps z* is feasible and 3 is reached.
+// Then z is the minimiser of a subproblem. After 3 the direction z* - z lowers the energy to first order. This is true
+// even where a released unknown at its bound is pushed outwards and stays, because its slope first has the right sign.
+// Hence a small enough t gives a strict decrease. Energies of subproblem minimisers therefore decrease strictly, and no
+// subproblem occurs twice. Their number is finite. If a subproblem minimiser occurs again nevertheless, the energies
+// differ by rounding only: status cycling. Sources: Bertsekas, Projected Newton methods for optimization problems with
+// simple constraints (1982): the projected step and its descent; More and Toraldo, On the solution of large quadratic
+// programming problems with bound constraints (1991): finishing a subproblem before leaving it.
+#include <plastron/contact/searches.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +83,7 @@ std::optional<Vector> projected_line_search(const BoxProblem& problem, const Fea
 
 /// Returns the minimiser's set with one unknown released: the one whose release promises the largest energy decrease,
 /// m^2 / 2 A_ii.
-ActiveSet release_one(const BoxProblem& problem, const ActiveSet& held, const ActiveSet& released,
+ActiveSet release_one(const BoxProblem& problem, const ActiveSet& set, const ActiveSet& released,
                       const Vector& multiplier, const Vector& diagonal) {
   const MPI_Comm comm = problem.load.layout()->comm;
   const auto first = static_cast<double>(problem.load.layout()->first) * problem.load.block();
@@ -79,14 +91,14 @@ ActiveSet release_one(const BoxProblem& problem, const ActiveSet& held, const Ac
   double chosen = std::numeric_limits<double>::infinity();
   const auto promise = [&](std::size_t i) {
     const double m = multiplier.owned()[i];
-    return held[i] == released[i] ? -1.0 : m * m / diagonal.owned()[i];
+    return set[i] == released[i] ? -1.0 : m * m / diagonal.owned()[i];
   };
-  for (std::size_t i = 0; i < held.size(); ++i) most = std::max(most, promise(i));
+  for (std::size_t i = 0; i < set.size(); ++i) most = std::max(most, promise(i));
   most = algebra::max_over_ranks(most, comm);
-  for (std::size_t i = held.size(); i-- > 0;)
+  for (std::size_t i = set.size(); i-- > 0;)
     if (promise(i) >= most) chosen = first + static_cast<double>(i);
   chosen = algebra::min_over_ranks(chosen, comm);
-  ActiveSet one = held;
+  ActiveSet one = set;
   for (std::size_t i = 0; i < one.size(); ++i)
     if (first + static_cast<double>(i) == chosen) one[i] = Activity::free;
   return one;
@@ -98,20 +110,20 @@ class ProjectedSearch {
                   const Observer& observer, BoxSolution& solution)
       : problem_(problem), subproblems_(subproblems), settings_(settings), observer_(observer), solution_(solution) {
     here_ = evaluate(problem_, project(problem_, solution_.z));
-    held_ = everything_at_bounds(problem_, here_.z);
+    set_ = everything_at_bounds(problem_, here_.z);
   }
 
   Status run() {
     while (static_cast<int>(solution_.iterations.size()) < settings_.max_iterations) {
       if (observer_.wants_to_stop()) return Status::interrupted;
-      const auto point = subproblems_.solve(held_);
+      const auto point = subproblems_.solve(set_);
       if (!point && !released_.empty()) {
-        held_ = release_one(problem_, held_at_minimiser_, released_, solution_.multiplier, subproblems_.diagonal());
+        set_ = release_one(problem_, minimiser_set_, released_, solution_.multiplier, subproblems_.diagonal());
         released_.clear();
         continue;
       }
       if (!point) return after_a_first_step(subproblems_.failure());
-      const Verdict verdict = judge(problem_, *point, held_);
+      const Verdict verdict = judge(problem_, *point, set_);
       const auto outcome = verdict.is_feasible ? leave_face(*point, verdict) : approach(*point, verdict);
       if (outcome) return *outcome;
     }
@@ -124,14 +136,14 @@ class ProjectedSearch {
     here_ = evaluate(problem_, project(problem_, point.z));
     solution_.z = point.z;
     solution_.multiplier = point.multiplier;
-    const bool seen_before = !minimisers_.insert(fingerprint(problem_, held_)).second;
+    const bool seen_before = !minimisers_.insert(fingerprint(problem_, set_)).second;
     const std::int64_t changes = record(point, verdict, point.energy, verdict.worst_multiplier, verdict.next);
     if (changes == 0) return Status::solved;
     if (seen_before) return Status::cycling;
-    held_at_minimiser_ = held_;
-    held_ = verdict.next;
+    minimiser_set_ = set_;
+    set_ = verdict.next;
     released_.clear();
-    if (changes > 1) released_ = held_;
+    if (changes > 1) released_ = set_;
     return {};
   }
 
@@ -144,7 +156,7 @@ class ProjectedSearch {
     solution_.multiplier = here_.gradient;
     const ActiveSet next = everything_at_bounds(problem_, here_.z);
     record(point, verdict, here_.energy, 0, next);
-    held_ = next;
+    set_ = next;
     released_.clear();
     return {};
   }
@@ -152,11 +164,11 @@ class ProjectedSearch {
   // Returns the number of changes.
   std::int64_t record(const SubproblemPoint& point, const Verdict& verdict, double energy, double worst_multiplier,
                       const ActiveSet& next) {
-    solution_.activity = held_;
+    solution_.activity = set_;
     solution_.linear_residual = point.linear_residual;
     solution_.tolerances = point.tolerances;
-    solution_.iterations.push_back({.active = count_active(problem_, held_),
-                                    .changes = count_changes(problem_, held_, next),
+    solution_.iterations.push_back({.active = count_active(problem_, set_),
+                                    .changes = count_changes(problem_, set_, next),
                                     .energy = energy,
                                     .worst_violation = verdict.worst_violation,
                                     .worst_multiplier = worst_multiplier,
@@ -172,9 +184,9 @@ class ProjectedSearch {
   const Observer& observer_;
   BoxSolution& solution_;
   Feasible here_;
-  ActiveSet held_;               ///< fixed unknowns; they define the subproblem
-  ActiveSet held_at_minimiser_;  ///< set before the last release
-  ActiveSet released_;           ///< set after it; empty unless the release has just happened with several unknowns
+  ActiveSet set_;            ///< fixed unknowns; they define the subproblem
+  ActiveSet minimiser_set_;  ///< set before the last release
+  ActiveSet released_;       ///< set after it; empty unless the release has just happened with several unknowns
   std::set<std::uint64_t> minimisers_;
 };
 
@@ -183,26 +195,6 @@ class ProjectedSearch {
 void continue_projected_search(const BoxProblem& problem, SubproblemSolver& subproblems, const Settings& settings,
                                const Observer& observer, BoxSolution& so_far) {
   so_far.status = ProjectedSearch(problem, subproblems, settings, observer, so_far).run();
-  if (so_far.status == Status::not_held && problem.shift == 0)
-    continue_proximal_points(problem, subproblems, settings, observer, so_far);
-}
-
-BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Activity> initial,
-                                   algebra::Preconditioner& preconditioner, const Settings& settings,
-                                   const Observer& observer) {
-  if (!problem.pressing.empty())
-    return solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_projected_search);
-  if (problem.equations)
-    return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_projected_search);
-  BoxSolution solution = unsolved(problem, Status::infeasible);
-  if (!bounds_are_consistent(problem)) return solution;
-  SubproblemSolver subproblems(problem, preconditioner, settings);
-  auto point = subproblems.solve_first(initial);
-  solution.status = subproblems.failure();
-  if (!point) return solution;
-  solution.z = std::move(point->z);
-  continue_projected_search(problem, subproblems, settings, observer, solution);
-  return solution;
 }
 
 }  // namespace plastron::contact

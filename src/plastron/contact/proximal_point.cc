@@ -1,7 +1,12 @@
-#include <plastron/contact/plain_active_set.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
-#include <plastron/contact/proximal_point.hpp>
-#include <plastron/contact/split_gradient.hpp>
+// Proximal points: they continue from a set that leaves a motion free, though more active bounds would fix it. From a
+// centre z_k in the box
+//   z_{k+1} = the minimiser of  J(z) + rho/2 (z - z_k)' D (z - z_k)  over the box,   D = diag A,
+// It is a strictly convex program, which active sets solve with A + rho D in place of A. Then the ordinary method is
+// tried from the set of z_{k+1}. If it meets a free motion again, rho decreases and z_{k+1} is the next centre.
+// docs/methods/contact.md shows why the sets become the set of a solution, if there is one. Source: Rockafellar,
+// Monotone operators and the proximal point algorithm (1976).
+#include <plastron/contact/active_set_steps.hpp>
+#include <plastron/contact/searches.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,11 +40,12 @@ double energy_of(const BoxProblem& problem, const Vector& z) {
 class ProximalPoints {
  public:
   ProximalPoints(const BoxProblem& problem, SubproblemSolver& subproblems, const Settings& settings,
-                 const Observer& observer, BoxSolution& solution)
+                 const Observer& observer, SolverFunction& shifted_solver, BoxSolution& solution)
       : problem_(problem),
         subproblems_(subproblems),
         settings_(settings),
         observer_(observer),
+        shifted_solver_(shifted_solver),
         solution_(solution),
         centre_(project(problem, Vector(problem.load.layout(), problem.load.block()))),
         guess_(solution.activity) {
@@ -85,7 +91,7 @@ class ProximalPoints {
     settings.detect_free_motions = false;
     const Observer follow{.iteration = [&](const Iteration& i) { keep(i, offset); }, .stop = observer_.stop};
     if (settings.max_iterations <= 0) return unsolved(problem_, Status::iteration_limit);
-    return solve_primal_dual_active_set(shifted, guess_, subproblems_.preconditioner(), settings, follow);
+    return shifted_solver_(shifted, guess_, subproblems_.preconditioner(), settings, follow);
   }
 
   void keep(Iteration iteration, double offset) {
@@ -106,10 +112,10 @@ class ProximalPoints {
                                 if (observer_.iteration) observer_.iteration(solution_.iterations.back());
                               },
                           .stop = observer_.stop};
-    const PlainEnd end =
+    const StepsEnd end =
         iterate_active_sets(problem_, subproblems, std::move(point), settings_, follow, set, solution_);
-    if (end == PlainEnd::ended) return solution_.status;
-    if (end == PlainEnd::no_minimiser && subproblems.failure() != Status::singular) return subproblems.failure();
+    if (end == StepsEnd::ended) return solution_.status;
+    if (end == StepsEnd::no_minimiser && subproblems.failure() != Status::singular) return subproblems.failure();
     return {};
   }
 
@@ -162,6 +168,7 @@ class ProximalPoints {
   SubproblemSolver& subproblems_;
   const Settings& settings_;
   const Observer& observer_;
+  SolverFunction& shifted_solver_;
   BoxSolution& solution_;
   Vector centre_;
   ActiveSet guess_;
@@ -172,8 +179,8 @@ class ProximalPoints {
 }  // namespace
 
 void continue_proximal_points(const BoxProblem& problem, SubproblemSolver& subproblems, const Settings& settings,
-                              const Observer& observer, BoxSolution& so_far) {
-  so_far.status = ProximalPoints(problem, subproblems, settings, observer, so_far).run();
+                              const Observer& observer, SolverFunction& shifted_solver, BoxSolution& so_far) {
+  so_far.status = ProximalPoints(problem, subproblems, settings, observer, shifted_solver, so_far).run();
 }
 
 }  // namespace plastron::contact

@@ -1,29 +1,28 @@
-// Settings of the contact solvers.
+// Settings of the contact solvers, and the type of these functions.
 #pragma once
-#include <array>
-#include <string_view>
+#include <plastron/algebra/preconditioner.hpp>
+#include <plastron/contact/problem.hpp>
+
+#include <span>
 
 namespace plastron::contact {
 
-/// The contact solver. All find the same solution; each can check the others (solve.hpp).
-enum class Solver {
-  active_set,  ///< primal-dual active sets, one factorisation for each set (primal_dual_active_set.hpp)
-  projected,   ///< the safeguarded search, one factorisation for each set (projected_search.hpp)
-  tao,         ///< PETSc's bounded Newton method with a line search, TAOBNLS (tao.hpp)
-  snesvi,      ///< PETSc's reduced-space Newton method for variational inequalities, SNESVINEWTONRSLS (snesvi.hpp)
-  mprgp        ///< proportioning with gradient projections: one factorisation for all faces (mprgp.hpp)
-};
-inline constexpr std::array all_solvers{Solver::active_set, Solver::projected, Solver::tao, Solver::snesvi,
-                                        Solver::mprgp};
-/// Returns the name in case files: "active-set", "projected", "tao", "snesvi", "mprgp".
-std::string_view to_string(Solver solver);
+struct Settings;
+
+/// A contact solver: minimises 1/2 z' A z - b' z over the box and over the positions of pressing forces, with B z = 0
+/// where there are equations. `initial` is the starting active set (owned unknowns; empty: nothing active),
+/// `preconditioner` belongs to problem.matrix. The result has the status. Throws std::invalid_argument for an initial
+/// set of a wrong size. (collective)
+using SolverFunction = BoxSolution(const BoxProblem& problem, std::span<const Activity> initial,
+                                   algebra::Preconditioner& preconditioner, const Settings& settings,
+                                   const Observer& observer);
 
 /// Whether a subproblem near the factorised one is solved with the available factor.
 enum class KeptFactor { where_cheaper, always };
 
 struct Settings {
-  Solver solver = Solver::active_set;
-  int max_iterations = 200;  ///< active-set changes on one mesh; each costs one factorisation (except with mprgp)
+  SolverFunction* solver = nullptr;  ///< the solver that solve() calls; null: solve_primal_dual_active_set (solve.hpp)
+  int max_iterations = 200;          ///< active-set changes on one mesh; each costs one factorisation
   double gap_tolerance =
       1e-11;  ///< a bound counts as violated beyond this multiple of the largest unknown with a bound
   double multiplier_tolerance = 1e-10;  ///< a multiplier counts as negative beyond this multiple of the largest one
@@ -32,8 +31,7 @@ struct Settings {
   /// the bounds that never move are known to fix the structure.
   bool detect_free_motions = true;
   KeptFactor kept_factor = KeptFactor::where_cheaper;
-  int max_refinement_steps = 30;   ///< conjugate-gradient steps of one linear solve with an exact preconditioner
-  int max_iterative_steps = 2000;  ///< the same with an inexact preconditioner, and for one face of mprgp
+  int max_refinement_steps = 30;  ///< conjugate-gradient steps of one linear solve
 };
 
 }  // namespace plastron::contact

@@ -1,31 +1,93 @@
-#include <plastron/contact/mprgp.hpp>
-#include <plastron/contact/primal_dual_active_set.hpp>
-#include <plastron/contact/projected_search.hpp>
-#include <plastron/contact/snesvi.hpp>
+#include <plastron/contact/active_set_steps.hpp>
+#include <plastron/contact/pressing.hpp>
+#include <plastron/contact/searches.hpp>
 #include <plastron/contact/solve.hpp>
-#include <plastron/contact/tao.hpp>
 
 namespace plastron::contact {
+namespace {
 
-SolverFunction& function_of(Solver solver) {
-  switch (solver) {
-    case Solver::projected:
-      return solve_projected_search;
-    case Solver::tao:
-      return solve_tao;
-    case Solver::snesvi:
-      return solve_snesvi;
-    case Solver::mprgp:
-      return solve_mprgp;
-    case Solver::active_set:
-      break;
+/// Whether proximal points can continue from a free motion. They treat neither equations nor pressing forces. A + rho D
+/// has no free motion.
+bool may_take_proximal_points(const BoxProblem& problem) {
+  return problem.pressing.empty() && !problem.equations && problem.shift == 0;
+}
+
+/// Continues with a search that cannot cycle. Projections onto the box violate equations and the balance of pressing
+/// forces.
+void continue_safely(const BoxProblem& problem, PressedSubproblem& subproblems, algebra::Preconditioner& preconditioner,
+                     const Settings& settings, const Observer& observer, BoxSolution& so_far) {
+  if (!problem.pressing.empty())
+    continue_pressing_search(problem, preconditioner, settings, observer, solve_primal_dual_active_set, so_far);
+  else if (problem.equations)
+    continue_dual_ascent(problem, preconditioner, settings, observer, solve_projected_search, so_far);
+  else
+    continue_on_box(problem, subproblems.subproblems(), settings, observer, so_far);
+}
+
+}  // namespace
+
+BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<const Activity> initial,
+                                         algebra::Preconditioner& preconditioner, const Settings& asked,
+                                         const Observer& observer) {
+  Settings settings = asked;
+  if (problem.equations && !problem.pressing.empty())
+    return solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_primal_dual_active_set);
+  BoxSolution solution = unsolved(problem, Status::iteration_limit);
+  if (!bounds_are_consistent(problem)) return unsolved(problem, Status::infeasible);
+  if (!every_force_can_be_carried(problem)) return unsolved(problem, Status::not_carried);
+  PressedSubproblem subproblems(problem, preconditioner, settings);  // refers to the settings, which change below
+  const bool proximal = may_take_proximal_points(problem);
+  ActiveSet set = starting_set(problem, initial);
+  auto first = proximal ? subproblems.solve(set) : subproblems.solve_first(initial, set);
+  if (first && problem.pressing.empty() && count_active(problem, set) == 0) {
+    settings.detect_free_motions = false;  // more active bounds still fix the structure
+    first = start_among_fewer(problem, subproblems, std::move(*first), observer, set, solution);
   }
-  return solve_primal_dual_active_set;
+  const StepsEnd end = iterate_active_sets(problem, subproblems, std::move(first), settings, observer, set, solution);
+  if (end == StepsEnd::ended) return solution;
+  if (end == StepsEnd::no_minimiser && subproblems.failure() == Status::singular && proximal) {
+    solution.activity = set;
+    continue_proximal_points(problem, subproblems.subproblems(), settings, observer, solve_primal_dual_active_set,
+                             solution);
+  } else if (solution.iterations.empty())
+    solution.status = subproblems.failure();
+  else
+    continue_safely(problem, subproblems, preconditioner, settings, observer, solution);
+  return solution;
+}
+
+void continue_on_box(const BoxProblem& problem, SubproblemSolver& subproblems, const Settings& settings,
+                     const Observer& observer, BoxSolution& so_far) {
+  continue_projected_search(problem, subproblems, settings, observer, so_far);
+  if (so_far.status == Status::not_held && may_take_proximal_points(problem))
+    continue_proximal_points(problem, subproblems, settings, observer, solve_primal_dual_active_set, so_far);
+}
+
+BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Activity> initial,
+                                   algebra::Preconditioner& preconditioner, const Settings& settings,
+                                   const Observer& observer) {
+  if (!problem.pressing.empty())
+    return solve_by_pressing_search(problem, initial, preconditioner, settings, observer, solve_projected_search);
+  if (problem.equations)
+    return solve_by_dual_ascent(problem, initial, preconditioner, settings, observer, solve_projected_search);
+  BoxSolution solution = unsolved(problem, Status::infeasible);
+  if (!bounds_are_consistent(problem)) return solution;
+  SubproblemSolver subproblems(problem, preconditioner, settings);
+  auto point = subproblems.solve_first(initial);
+  solution.status = subproblems.failure();
+  if (!point) return solution;
+  solution.z = std::move(point->z);
+  continue_on_box(problem, subproblems, settings, observer, solution);
+  return solution;
+}
+
+SolverFunction& solver_of(const Settings& settings) {
+  return settings.solver ? *settings.solver : solve_primal_dual_active_set;
 }
 
 BoxSolution solve(const BoxProblem& problem, std::span<const Activity> initial, algebra::Preconditioner& preconditioner,
                   const Settings& settings, const Observer& observer) {
-  return function_of(settings.solver)(problem, initial, preconditioner, settings, observer);
+  return solver_of(settings)(problem, initial, preconditioner, settings, observer);
 }
 
 }  // namespace plastron::contact

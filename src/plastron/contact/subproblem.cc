@@ -1,5 +1,4 @@
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/contact/kept_factor.hpp>
 #include <plastron/contact/subproblem.hpp>
 
 #include <algorithm>
@@ -13,32 +12,27 @@ namespace {
 /// missed tolerance.
 constexpr double usable_residual = 1e-6;
 
-/// Returns the settings of a linear solve. An exact preconditioner leaves only rounding to reduce; with any other,
-/// residuals decrease slowly and irregularly.
-algebra::CgSettings linear_settings(const Settings& settings, const algebra::Preconditioner& preconditioner) {
-  constexpr int patience = 200;
-  if (preconditioner.is_exact())
-    return {.tolerance = settings.linear_tolerance, .max_steps = settings.max_refinement_steps};
-  return {.tolerance = settings.linear_tolerance, .max_steps = settings.max_iterative_steps, .patience = patience};
+/// An exact preconditioner leaves only rounding to reduce.
+algebra::CgSettings linear_settings(const Settings& settings) {
+  return {.tolerance = settings.linear_tolerance, .max_steps = settings.max_refinement_steps};
 }
 
 }  // namespace
 
-std::vector<char> held(const ActiveSet& set) {
-  std::vector<char> marks(set.size());
-  std::ranges::transform(set, marks.begin(), [](Activity activity) { return activity != Activity::free; });
-  return marks;
+/// `per_unknown`: operations of a factorisation by one thread that take the same time as one unknown in two products,
+/// which form strains.
+int affordable_steps(const algebra::Price& price, double unknowns) {
+  constexpr double per_unknown = 2200;
+  const double step = price.apply + per_unknown * unknowns;
+  return step > 0 ? static_cast<int>(price.fix / step) : 0;
 }
 
-Status failure_of(algebra::Pinning pinning) {
-  switch (pinning) {
-    case algebra::Pinning::not_finite:
-      return Status::not_finite;
-    case algebra::Pinning::not_converged:
-      return Status::linear_solver_stalled;
-    default:
-      return Status::singular;
-  }
+/// Conjugate gradients need about one step for each changed unknown, fewer where the problem has symmetries.
+int steps_to_try(KeptFactor rule, const algebra::Price& price, double unknowns, std::int64_t changes) {
+  constexpr int most_steps = 16, most_changes = 64;
+  if (rule == KeptFactor::always) return changes <= most_changes ? most_steps : 0;
+  const int affordable = std::min(most_steps, affordable_steps(price, unknowns));
+  return changes < affordable ? affordable : 0;
 }
 
 SubproblemSolver::SubproblemSolver(const BoxProblem& problem, algebra::Preconditioner& preconditioner,
@@ -59,29 +53,29 @@ std::optional<SubproblemPoint> SubproblemSolver::solve(const ActiveSet& set) {
   return solve_anew(set);
 }
 
-/// Pins unknowns where this costs little, so that the preconditioner approximates `set` as well as possible without
+/// Fixes unknowns where this costs little, so that the preconditioner approximates `set` as well as possible without
 /// being made anew.
 void SubproblemSolver::follow(const ActiveSet& set) {
-  if (settings_.detect_free_motions || !pinned_) return;
-  const std::vector<char> pins = preconditioner_.nearest_pins(held(set));
-  if (pins.empty()) return;
+  if (settings_.detect_free_motions || !fixed_) return;
+  const std::vector<char> marks = preconditioner_.nearest_fixed(fixed_by(set));
+  if (marks.empty()) return;
   ActiveSet nearest = set;
   for (std::size_t i = 0; i < set.size(); ++i)
-    if (pins[i] != (set[i] != Activity::free)) nearest[i] = (*pinned_)[i];
-  if (preconditioner_.pin(pins, problem_.shift) == algebra::Pinning::done)
-    pinned_ = std::move(nearest);
+    if (marks[i] != (set[i] != Activity::free)) nearest[i] = (*fixed_)[i];
+  if (preconditioner_.fix(marks, problem_.shift))
+    fixed_ = std::move(nearest);
   else
-    pinned_.reset();
+    fixed_.reset();
 }
 
 std::optional<SubproblemPoint> SubproblemSolver::solve_anew(const ActiveSet& set) {
-  if (!pin(set)) return {};
+  if (!fix(set)) return {};
   return refine(set, algebra::Vector(problem_.load.layout(), problem_.load.block()));
 }
 
 std::optional<SubproblemPoint> SubproblemSolver::refine(const ActiveSet& set, algebra::Vector z) {
-  hold(set, z);
-  const auto linear = solve_pinned(set, problem_.load, q_, z);
+  put_at_bounds(set, z);
+  const auto linear = solve_system(set, problem_.load, q_, z);
   if (!is_usable(linear)) return {};
   return complete(std::move(z), linear, set);
 }
@@ -93,7 +87,7 @@ std::optional<algebra::CgResult> SubproblemSolver::response(const ActiveSet& set
   z = no_load;
   for (std::size_t i = 0; i < set.size(); ++i)
     if (set[i] != Activity::free) z.owned()[i] = values.owned()[i];
-  auto linear = solve_pinned(set, no_load, q, z);
+  auto linear = solve_system(set, no_load, q, z);
   if (!is_usable(linear)) return {};
   return linear;
 }
@@ -103,32 +97,30 @@ bool SubproblemSolver::is_usable(const algebra::CgResult& linear) {
   return linear.converged || linear.relative_residual <= usable_residual;
 }
 
-bool SubproblemSolver::pin(const ActiveSet& set) {
-  const auto fixed = held(set);
-  pinned_.reset();
-  const algebra::Pinning pinning = preconditioner_.pin(fixed, problem_.shift);
-  failure_ = failure_of(pinning);
-  if (pinning != algebra::Pinning::done) return false;
-  if (settings_.detect_free_motions && preconditioner_.softest_motion(problem_.apply, fixed, diagonal_).is_free())
+bool SubproblemSolver::fix(const ActiveSet& set) {
+  const auto marks = fixed_by(set);
+  fixed_.reset();
+  failure_ = Status::singular;
+  if (!preconditioner_.fix(marks, problem_.shift)) return false;
+  if (settings_.detect_free_motions && preconditioner_.softest_motion(problem_.apply, marks, diagonal_).is_free())
     return false;
-  pinned_ = set;
+  fixed_ = set;
   return true;
 }
 
-/// Solves a subproblem that differs from the pinned one in a few unknowns. An exact preconditioner of the pinned one is
+/// Solves a subproblem that differs in a few unknowns from the one that the preconditioner fixes. The preconditioner is
 /// exact here up to a matrix of this rank. Its norm gives wrong weights to the changed unknowns, hence the smaller
-/// tolerance. Nothing where pinning anew is cheaper, or if the iteration does not converge soon.
+/// tolerance. Nothing where a new factor is cheaper, or if the iteration does not converge soon.
 std::optional<SubproblemPoint> SubproblemSolver::solve_with_kept_factor(const ActiveSet& set) {
   constexpr double sharper = 1e-2;
-  if (settings_.detect_free_motions || problem_.equations || !pinned_ || !nearby_.layout()) return {};
-  if (!preconditioner_.is_exact()) return {};
+  if (settings_.detect_free_motions || problem_.equations || !fixed_ || !nearby_.layout()) return {};
   const auto unknowns = static_cast<double>(nearby_.layout()->global_size) * nearby_.block();
-  const std::int64_t changes = count_changes(problem_, *pinned_, set);
+  const std::int64_t changes = count_changes(problem_, *fixed_, set);
   if (changes == 0) return refine(set, algebra::Vector(nearby_.layout(), nearby_.block()));
   const int steps = steps_to_try(settings_.kept_factor, preconditioner_.price(), unknowns, changes);
   if (steps == 0) return {};
   algebra::Vector z = nearby_;
-  hold(set, z);
+  put_at_bounds(set, z);
   const auto linear =
       solve_linear(set, problem_.load,
                    {.tolerance = sharper * settings_.linear_tolerance, .max_steps = steps, .patience = steps}, z);
@@ -136,22 +128,22 @@ std::optional<SubproblemPoint> SubproblemSolver::solve_with_kept_factor(const Ac
   return complete(std::move(z), linear, set);
 }
 
-void SubproblemSolver::hold(const ActiveSet& set, algebra::Vector& z) const {
+void SubproblemSolver::put_at_bounds(const ActiveSet& set, algebra::Vector& z) const {
   for (std::size_t i = 0; i < set.size(); ++i)
-    if (set[i] != Activity::free) z.owned()[i] = held_at(problem_, i, set[i]);
+    if (set[i] != Activity::free) z.owned()[i] = bound_at(problem_, i, set[i]);
 }
 
 /// Solves for z, which has the values of the fixed unknowns on entry.
 algebra::CgResult SubproblemSolver::solve_linear(const ActiveSet& set, const algebra::Vector& load,
                                                  const algebra::CgSettings& settings, algebra::Vector& z) const {
   const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { preconditioner_.apply(r, x); };
-  return algebra::conjugate_gradients(problem_.apply, precondition, load, held(set), diagonal_, z, settings);
+  return algebra::conjugate_gradients(problem_.apply, precondition, load, fixed_by(set), diagonal_, z, settings);
 }
 
-algebra::CgResult SubproblemSolver::solve_pinned(const ActiveSet& set, const algebra::Vector& load, algebra::Vector& q,
+algebra::CgResult SubproblemSolver::solve_system(const ActiveSet& set, const algebra::Vector& load, algebra::Vector& q,
                                                  algebra::Vector& z) const {
   return problem_.equations ? solve_with_equations(set, load, q, z)
-                            : solve_linear(set, load, linear_settings(settings_, preconditioner_), z);
+                            : solve_linear(set, load, linear_settings(settings_), z);
 }
 
 /// Solves the saddle point  A z + B' q = b,  B z = 0  on a subproblem. For given q, z is a linear solve. Then the Schur
@@ -172,7 +164,7 @@ algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, c
     equations.apply_transposed(q, force);
     algebra::Vector load = right;
     algebra::axpy(-1, force, load);
-    auto linear = solve_linear(set, load, linear_settings(settings_, preconditioner_), z);
+    auto linear = solve_linear(set, load, linear_settings(settings_), z);
     steps += linear.steps;
     equations.apply(z, violation);
     algebra::Vector step = equations.multipliers;
@@ -194,28 +186,6 @@ algebra::CgResult SubproblemSolver::solve_with_equations(const ActiveSet& set, c
   }
 }
 
-bool SubproblemSolver::solve_increment(const ActiveSet& set, const algebra::Vector& r, algebra::Vector& s) {
-  if ((!pinned_ || count_changes(problem_, *pinned_, set) > 0) && !pin(set)) return false;
-  s.fill(0);
-  const auto precondition = [&](const algebra::Vector& from, algebra::Vector& to) { preconditioner_.apply(from, to); };
-  const auto linear = algebra::conjugate_gradients(problem_.apply, precondition, r, held(set), diagonal_, s,
-                                                   linear_settings(settings_, preconditioner_));
-  return is_usable(linear);
-}
-
-/// Computes z = A^{-1} force where nothing is fixed. It is exact up to rounding only if the preconditioner is. `force`
-/// is zero where unknowns are fixed.
-void SubproblemSolver::solve_roughly(std::span<const char> fixed, const algebra::Vector& force,
-                                     algebra::Vector& z) const {
-  constexpr double tolerance = 1e-8;
-  if (preconditioner_.is_exact()) return preconditioner_.apply(force, z);
-  z.fill(0);
-  const auto precondition = [&](const algebra::Vector& r, algebra::Vector& x) { preconditioner_.apply(r, x); };
-  auto settings = linear_settings(settings_, preconditioner_);
-  settings.tolerance = tolerance;
-  algebra::conjugate_gradients(problem_.apply, precondition, force, fixed, diagonal_, z, settings);
-}
-
 /// Computes approximately (B A^{-1} B')^{-1} times a violation of the equations, by conjugate gradients with the
 /// preconditioner for A. A residual that hardly decreases shows that the equations cannot be satisfied on this
 /// subproblem.
@@ -223,13 +193,13 @@ algebra::CgResult SubproblemSolver::multiplier_step(const ActiveSet& set, const 
                                                     algebra::Vector& step) const {
   constexpr double tolerance = 1e-4;
   const EqualityConstraints& equations = *problem_.equations;
-  const auto fixed = held(set);
+  const auto fixed = fixed_by(set);
   algebra::Vector force(problem_.load.layout(), problem_.load.block()), z = force;
   const auto schur = [&](const algebra::Vector& q, algebra::Vector& result) {
     equations.apply_transposed(q, force);
     for (std::size_t i = 0; i < fixed.size(); ++i)
       if (fixed[i]) force.owned()[i] = 0;
-    solve_roughly(fixed, force, z);
+    preconditioner_.apply(force, z);
     z.update_ghosts();
     equations.apply(z, result);
   };

@@ -1,5 +1,6 @@
 // The equality-constrained subproblem: active and prescribed unknowns are fixed at their bounds (a face of the box),
-// all others are free. Contact solvers differ in the choice of the next subproblem.
+// all others are free. Contact solvers differ in the choice of the next subproblem. An available factor serves further
+// sets where that is cheaper than a new one.
 #pragma once
 #include <plastron/algebra/krylov.hpp>
 #include <plastron/algebra/preconditioner.hpp>
@@ -33,10 +34,6 @@ class SubproblemSolver {
   std::optional<SubproblemPoint> solve_first(std::span<const Activity> initial);
   Status failure() const { return failure_; }
 
-  /// Computes s with (A s - r)_i = 0 where `set` is free and s_i = 0 elsewhere; r is zero there. Returns false if there
-  /// is none, as in solve(). Equations are ignored. (collective)
-  bool solve_increment(const ActiveSet& set, const algebra::Vector& r, algebra::Vector& s);
-
   /// Sets a first guess of the equations' multipliers for the next solve().
   void start_multipliers_from(const algebra::Vector& q) { q_ = q; }
 
@@ -48,18 +45,17 @@ class SubproblemSolver {
   algebra::Preconditioner& preconditioner() { return preconditioner_; }
 
  private:
-  bool pin(const ActiveSet& set);
+  bool fix(const ActiveSet& set);
   void follow(const ActiveSet& set);
   std::optional<SubproblemPoint> solve_with_kept_factor(const ActiveSet& set);
-  void hold(const ActiveSet& set, algebra::Vector& z) const;
+  void put_at_bounds(const ActiveSet& set, algebra::Vector& z) const;
   algebra::CgResult solve_linear(const ActiveSet& set, const algebra::Vector& load, const algebra::CgSettings& settings,
                                  algebra::Vector& z) const;
-  algebra::CgResult solve_pinned(const ActiveSet& set, const algebra::Vector& load, algebra::Vector& q,
+  algebra::CgResult solve_system(const ActiveSet& set, const algebra::Vector& load, algebra::Vector& q,
                                  algebra::Vector& z) const;
   algebra::CgResult solve_with_equations(const ActiveSet& set, const algebra::Vector& right, algebra::Vector& q,
                                          algebra::Vector& z) const;
   bool is_usable(const algebra::CgResult& linear);
-  void solve_roughly(std::span<const char> fixed, const algebra::Vector& force, algebra::Vector& z) const;
   SubproblemPoint complete(algebra::Vector z, const algebra::CgResult& linear, const ActiveSet& set);
   algebra::CgResult multiplier_step(const ActiveSet& set, const algebra::Vector& violation,
                                     algebra::Vector& step) const;
@@ -68,18 +64,21 @@ class SubproblemSolver {
   algebra::Preconditioner& preconditioner_;
   const Settings& settings_;
   algebra::Vector diagonal_;
-  std::optional<ActiveSet> pinned_{};  ///< the subproblem for which the preconditioner is ready
-  algebra::Vector q_{};                ///< multipliers of the equations, kept from subproblem to subproblem
-  algebra::Vector nearby_{};           ///< minimiser of the previous subproblem
+  std::optional<ActiveSet> fixed_{};  ///< the set that the preconditioner fixes
+  algebra::Vector q_{};               ///< multipliers of the equations, kept from subproblem to subproblem
+  algebra::Vector nearby_{};          ///< minimiser of the previous subproblem
   Status failure_ = Status::singular;
 };
 
-/// Marks the unknowns that a set fixes.
-std::vector<char> held(const ActiveSet& set);
-/// Returns the status of a subproblem after the preconditioner could not be pinned.
-Status failure_of(algebra::Pinning pinning);
 /// Returns the status of a failure after some subproblem had a minimiser: the active set then fixed a motion that is
 /// free now.
 constexpr Status after_a_first_step(Status failure) { return failure == Status::singular ? Status::not_held : failure; }
+
+/// Returns the number of conjugate-gradient steps that cost less than a preconditioner of another set. A step is an
+/// application of the preconditioner and two products through strains. It counts operations, so that decisions are the
+/// same in every run (benchmarks/step_cost; docs/performance.md).
+int affordable_steps(const algebra::Price& price, double unknowns);
+/// Returns the number of steps to try with the available factor after `changes` changed unknowns; 0: factorise anew.
+int steps_to_try(KeptFactor rule, const algebra::Price& price, double unknowns, std::int64_t changes);
 
 }  // namespace plastron::contact

@@ -1,3 +1,4 @@
+#include <plastron/contact/pressing.hpp>
 #include <plastron/contact/subproblem_point.hpp>
 
 #include <algorithm>
@@ -126,6 +127,18 @@ Verdict judge(const BoxProblem& problem, const SubproblemPoint& point, const Act
   verdict.worst_violation = algebra::max_over_ranks(verdict.worst_violation, comm);
   verdict.worst_multiplier = algebra::min_over_ranks(verdict.worst_multiplier, comm);
   return verdict;
+}
+
+BoxSolution unsolved(const BoxProblem& problem, Status status) {
+  assert_fits_together(problem);
+  const algebra::Vector zero(problem.load.layout(), problem.load.block());
+  return {.status = status,
+          .z = zero,
+          .multiplier = zero,
+          .activity = starting_set(problem, {}),
+          .positions = std::vector<double>(problem.pressing.size(), 0.0),
+          .iterations = {},
+          .linear_residual = 0};
 }
 
 std::int64_t record(const BoxProblem& problem, SubproblemPoint point, const ActiveSet& set, const Verdict& verdict,

@@ -8,12 +8,6 @@
 
 namespace plastron::contact {
 
-/// An unknown that is at a bound although its set marks it as free.
-struct Touch {
-  std::size_t unknown;
-  Activity activity;
-};
-
 struct SubproblemPoint {
   algebra::Vector z{};
   algebra::Vector multiplier{};           ///< A z - b, with equations A z + B' q - b
@@ -45,6 +39,8 @@ struct Verdict {
 /// wrong sign become free. `problem` has its bounds at the point's positions. (collective)
 Verdict judge(const BoxProblem& problem, const SubproblemPoint& point, const ActiveSet& set);
 
+/// Returns a solution of the right size for the start of a solver: zeros, nothing active, and the status.
+BoxSolution unsolved(const BoxProblem& problem, Status status);
 /// Stores the point as the solution so far and as an iteration, and calls the observer. Returns the number of unknowns
 /// whose activity changes. (collective)
 std::int64_t record(const BoxProblem& problem, SubproblemPoint point, const ActiveSet& set, const Verdict& verdict,

@@ -1,8 +1,5 @@
 #include <plastron/element/element_tables.hpp>
 
-#include <plastron/fem/basis.hpp>
-#include <plastron/fem/triangle_basis.hpp>
-
 #include <Eigen/LU>
 
 #include <cmath>
@@ -191,6 +188,14 @@ ElementTables element_tables(Shape shape, int degree, bool tying) {
   else
     sample_at_quadrature(tables);
   return tables;
+}
+
+LineTables line_tables(int degree) {
+  const auto nodes = fem::gauss_lobatto(degree + 1).points;
+  const auto full = fem::gauss(degree + 1).points, reduced = fem::gauss(degree).points;
+  return {.full = fem::lagrange_table(nodes, full),
+          .reduced = fem::lagrange_table(nodes, reduced),
+          .from_reduced = fem::lagrange_table(reduced, full).value};
 }
 
 }  // namespace plastron::element

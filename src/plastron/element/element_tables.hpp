@@ -2,7 +2,7 @@
 // interpolation of tying (M22). Quadrilaterals are tensor products with Gauss-Lobatto nodes. Triangles (M20) of degree
 // 1 and 2 have equidistant nodes and no tying. All points lie in the reference cell, nodes run with xi_1 fastest.
 #pragma once
-#include <plastron/fem/reference_cell.hpp>
+#include <plastron/fem/basis.hpp>
 
 #include <Eigen/Core>
 #include <array>
@@ -71,5 +71,16 @@ MatrixXd resultant_continuation(fem::Shape shape, int degree, const std::vector<
 /// Interpolation of each sampling to given points: tied strains are defined in the whole cell. Empty without tying,
 /// when strains are evaluated at the points themselves. Result [s](p, t): weight of sampling point t at point p.
 std::vector<MatrixXd> tied_interpolation(const ElementTables& tables, const std::vector<Vector2d>& xi);
+
+/// Tables of a square element along one direction; the tables in the square are their tensor products. Derivatives and
+/// values at all points of a cell cost degree^3 operations instead of degree^4 (sum factorisation), and so does tying
+/// (M22). A row per point, a column per node of the Gauss-Lobatto rule (of the reduced Gauss rule for `from_reduced`).
+struct LineTables {
+  fem::LagrangeTable full;       ///< at the degree + 1 Gauss points
+  fem::LagrangeTable reduced;    ///< at the `degree` Gauss points where tying samples
+  Eigen::MatrixXd from_reduced;  ///< interpolation from the reduced to the full Gauss points
+};
+
+LineTables line_tables(int degree);
 
 }  // namespace plastron::element

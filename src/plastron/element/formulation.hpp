@@ -11,7 +11,19 @@ enum class Formulation {
   classical   ///< (M15) covariant components of u and r are interpolated
 };
 
-std::string_view to_string(Formulation formulation);
+constexpr std::string_view to_string(Formulation formulation) {
+  switch (formulation) {
+    case Formulation::tangent:
+      return "tangent";
+    case Formulation::penalised:
+      return "penalised";
+    case Formulation::mixed:
+      return "mixed";
+    case Formulation::classical:
+      break;
+  }
+  return "classical";
+}
 
 /// Whether r . a_3 is a separate unknown.
 constexpr bool is_relaxed(Formulation formulation) {

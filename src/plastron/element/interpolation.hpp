@@ -7,7 +7,7 @@
 #include <plastron/algebra/vector.hpp>
 #include <plastron/element/element_tables.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/geometry/moving_basis.hpp>
+#include <plastron/geometry/frame.hpp>
 #include <plastron/shell/strain.hpp>
 
 #include <memory>

@@ -40,8 +40,17 @@ struct Derivative {
   }
 };
 
+/// Returns a derivative without value, loads and weights.
+Derivative zero_derivative(const Solved& solved);
+
 /// Returns value and derivative (collective). Precondition: names in the functional exist, points lie in the domain.
 Derivative derivative(const Functional& functional, const Solved& solved);
+// Functionals at a point (point_values.cc). A force at a point has infinite energy in Naghdi's model, which grows like a
+// logarithm. A couple and a resultant have infinite energy too, with faster growth.
+Derivative derivative_of(const PointDisplacement& point, const Solved& solved);
+Derivative derivative_of(const PointStress& point, const Solved& solved);
+Derivative derivative_of(const LargestStress& stress, const Solved& solved);
+
 /// Returns the value of each goal (collective).
 std::vector<double> values(std::span<const Goal> goals, const Solved& solved);
 

@@ -41,7 +41,7 @@ DualSolver::DualSolver(const contact::BoxProblem& problem, const contact::BoxSol
       settings_{.linear_tolerance = linear_tolerance, .detect_free_motions = false},
       solver_(dual_, preconditioner, settings_) {
   for (const contact::PressingForce& force : problem.pressing)
-    shapes_.push_back(contact::held_shape(force, solution.activity));
+    shapes_.push_back(contact::active_shape(force, solution.activity));
 }
 
 std::optional<algebra::Vector> DualSolver::solve_held(const algebra::Vector& load, const algebra::Vector& held) {
@@ -49,9 +49,9 @@ std::optional<algebra::Vector> DualSolver::solve_held(const algebra::Vector& loa
   for (std::size_t i = 0; i < set_.size(); ++i)
     if (set_[i] != contact::Activity::free) dual_.lower.owned()[i] = dual_.upper.owned()[i] = held.owned()[i];
   auto point =
-      is_pinned_ ? solver_.refine(set_, algebra::Vector(load.layout(), load.block())) : solver_.solve_anew(set_);
+      is_factorised_ ? solver_.refine(set_, algebra::Vector(load.layout(), load.block())) : solver_.solve_anew(set_);
   if (!point) return {};
-  is_pinned_ = true;
+  is_factorised_ = true;
   point->z.update_ghosts();
   return std::move(point->z);
 }

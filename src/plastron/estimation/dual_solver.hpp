@@ -29,7 +29,6 @@ class DualSolver {
   /// coordinates have the values of `held` plus multiples of the shapes of pressed obstacles. Empty if the solver for
   /// linear equations fails.
   std::optional<algebra::Vector> solve(const DualLoad& dual);
-  const contact::ActiveSet& held_set() const { return set_; }
 
  private:
   struct Response {
@@ -46,7 +45,7 @@ class DualSolver {
   contact::BoxProblem dual_;
   contact::Settings settings_;
   contact::SubproblemSolver solver_;
-  bool is_pinned_ = false;
+  bool is_factorised_ = false;
   std::vector<Response> responses_{};
 };
 

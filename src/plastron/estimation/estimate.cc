@@ -1,7 +1,6 @@
 #include <plastron/estimation/estimate.hpp>
 
 #include <plastron/estimation/contact_edge.hpp>
-#include <plastron/estimation/error_profiles.hpp>
 #include <plastron/estimation/strain_errors.hpp>
 
 #include <algorithm>

@@ -42,7 +42,7 @@ struct GoalEstimate {
 
 /// Distribution of a cell's squared error along xi_1 and xi_2. Each direction has the parts of the error that change
 /// along it, divided into slices across it. There is one slice for each of the k + 1 Gauss points, as wide as its
-/// weight. The sum of all parts is 1, or 0 without error (error_profiles.hpp).
+/// weight. The sum of all parts is 1, or 0 without error (strain_errors.hpp).
 using ErrorProfile = std::array<std::vector<double>, 2>;
 
 /// A cell crossed by the edge of a contact zone.
@@ -65,7 +65,7 @@ struct Estimates {
   std::int64_t unjudged_cells = 0;  ///< sum over all ranks
 };
 
-/// Difference between a solution of the linear model and finite displacements (linearity.hpp).
+/// Difference between a solution of the linear model and finite displacements (estimate.hpp).
 struct Linearity {
   /// Rest of assembly::SecondOrder::stretch after the best further displacement [J].
   std::optional<double> remaining_stretch{};

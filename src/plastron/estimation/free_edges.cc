@@ -109,7 +109,7 @@ class FreeEdgesOf {
   }
 
   bool has_couple(std::size_t node) const {
-    const std::span<const double> f = load_.local().subspan(6 * node, 6);
+    const std::span<const double> f = load_.at(node);
     return std::any_of(f.begin() + 3, f.end(), [](double c) { return c != 0; });
   }
 

@@ -1,4 +1,4 @@
-#include <plastron/estimation/linearity.hpp>
+#include <plastron/estimation/estimate.hpp>
 
 #include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/assembly/second_order.hpp>

@@ -1,6 +1,6 @@
-#include <plastron/estimation/point_values.hpp>
+// Displacements, resultants and stresses at a point of Omega as functionals.
+#include <plastron/estimation/derivatives.hpp>
 
-#include <plastron/algebra/agreement.hpp>
 #include <plastron/recovery/stress_peak.hpp>
 
 #include <limits>
@@ -35,8 +35,7 @@ std::optional<Place> place_of(const Eigen::Vector2d& at, const fem::Space& space
 
 /// J(v) = f . v with f on all nodes; `value` counts on the rank that has the point.
 Derivative linear(algebra::Vector f, double value, const Solved& solved) {
-  const algebra::Vector none(solved.box.load.layout(), solved.box.load.block());
-  Derivative result{.dual = {.load = none, .held = none}};
+  Derivative result = zero_derivative(solved);
   f.accumulate_ghosts();
   solved.discrete.coordinates.add_transposed(f, result.dual.load);
   result.value = algebra::sum_over_ranks(value, solved.discrete.space().layout->comm);

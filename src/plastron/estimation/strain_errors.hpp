@@ -1,8 +1,10 @@
 // Estimated errors of a field's strains, cell by cell. Resultants smoothed over patches
 // (recovery/resultant_patches.hpp) converge one order faster than the element's resultants, so their difference
 // estimates the error. Tied strains (M22) have a second error: they differ from the strains of the displacements. It
-// affects forces and is stored separately. The identities are in docs/methods/estimates.md.
+// affects forces and is stored separately. The identities are in docs/methods/estimates.md. Profiles show the direction
+// in which a cell needs refinement, and where.
 #pragma once
+#include <plastron/estimation/estimates.hpp>
 #include <plastron/estimation/free_edges.hpp>
 #include <plastron/recovery/patches.hpp>
 #include <plastron/solution/nodal_solution.hpp>
@@ -45,5 +47,10 @@ double energy_product(const assembly::ShellOperator& shell, std::size_t cell, co
                       const StrainErrors& z);
 /// int sigma*(u) : incompatibility(z).
 double tying_product(const StrainErrors& u, const StrainErrors& z);
+
+/// Returns the profile of each quadrilateral; empty for triangles. The error is expanded in products of Legendre
+/// polynomials P_i(xi_1) P_j(xi_2), orthonormal at the quadrature points. The part i^2 / (i^2 + j^2) of each squared
+/// coefficient counts as a change along xi_1, and half of a constant.
+std::vector<ErrorProfile> error_profiles(const assembly::ShellOperator& shell, const std::vector<StrainErrors>& errors);
 
 }  // namespace plastron::estimation

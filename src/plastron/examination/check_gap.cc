@@ -1,6 +1,6 @@
 // Checks the gap of the undeformed shell (M16): K must not be empty.
 #include <plastron/examination/checks.hpp>
-#include <plastron/meshing/cell_sizes.hpp>
+#include <plastron/meshing/sizes.hpp>
 #include <plastron/problem/gap.hpp>
 
 #include <fmt/ranges.h>

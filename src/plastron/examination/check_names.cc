@@ -1,7 +1,7 @@
 // Checks names: supports and loads name boundaries and regions, cross-sections name regions, supports and probes name
 // points. They must exist.
 #include <plastron/examination/checks.hpp>
-#include <plastron/fem/kept_nodes.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 
 #include <fmt/ranges.h>
 

@@ -1,8 +1,7 @@
 // Checks elements and thickness: where elements without tying lock, and where rounding hides the solution.
-#include <plastron/computation/locking.hpp>
+#include <plastron/computation/warnings.hpp>
 #include <plastron/examination/checks.hpp>
-#include <plastron/meshing/cell_sizes.hpp>
-#include <plastron/meshing/extent.hpp>
+#include <plastron/meshing/sizes.hpp>
 #include <plastron/meshing/start_mesh.hpp>
 
 #include <algorithm>

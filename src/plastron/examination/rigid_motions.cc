@@ -1,7 +1,7 @@
 #include <plastron/examination/rigid_motions.hpp>
 
 #include <plastron/examination/checks.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>

@@ -15,6 +15,52 @@ Rule rule_of(const dealii::Quadrature<1>& quadrature) {
   return rule;
 }
 
+/// P_i(l) = product over m < i of (n l - m) / (i - m), with two derivatives: 1 at l = i/n, 0 at l = 0, ..., (i-1)/n.
+struct Factor {
+  double value = 1, d = 0, dd = 0;
+};
+
+Factor factor(int n, int i, double l) {
+  Factor f;
+  for (int m = 0; m < i; ++m) {
+    const double slope = static_cast<double>(n) / (i - m), linear = (n * l - m) / (i - m);
+    f.dd = f.dd * linear + 2 * f.d * slope;
+    f.d = f.d * linear + f.value * slope;
+    f.value *= linear;
+  }
+  return f;
+}
+
+/// Adds all permutations of three barycentric coordinates as points of the same weight.
+void add_orbit(double a, double b, double c, double weight, TriangleRule& rule) {
+  const auto add = [&](double x, double y) {
+    rule.points.emplace_back(x, y);
+    rule.weights.push_back(weight / 2);
+  };
+  add(a, b);
+  add(b, c);
+  add(c, a);
+  if (a == b || b == c || c == a) return;
+  add(b, a);
+  add(c, b);
+  add(a, c);
+}
+
+void add_orbit(double a, double weight, TriangleRule& rule) { add_orbit(a, a, 1 - 2 * a, weight, rule); }
+
+/// Rule of the square (s, t) -> (s (1 - t), t), whose area element 1 - t costs one degree.
+TriangleRule collapsed_rule(int degree) {
+  const Rule line = gauss(degree / 2 + 2);
+  TriangleRule rule;
+  for (std::size_t j = 0; j < line.points.size(); ++j)
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const double s = line.points[i], t = line.points[j];
+      rule.points.emplace_back(s * (1 - t), t);
+      rule.weights.push_back(line.weights[i] * line.weights[j] * (1 - t));
+    }
+  return rule;
+}
+
 }  // namespace
 
 Rule gauss(int points) { return rule_of(dealii::QGauss<1>(static_cast<unsigned int>(points))); }
@@ -45,6 +91,49 @@ LagrangeTable lagrange_table(std::span<const double> nodes, std::span<const doub
     table.d.row(p) = l.d;
   }
   return table;
+}
+
+TriangleValues triangle_lagrange(int order, const Vector2d& xi) {
+  const int count = nodes_per_cell(Shape::triangle, order);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(count);
+  TriangleValues v{zero, {zero, zero}, {zero, zero, zero}};
+  int node = 0;
+  for (int j = 0; j <= order; ++j)
+    for (int i = 0; i <= order - j; ++i, ++node) {
+      // Product of functions P, Q, R of the barycentric coordinates l_0 = 1 - xi_1 - xi_2, xi_1, xi_2.
+      const Factor p = factor(order, order - i - j, 1 - xi[0] - xi[1]), q = factor(order, i, xi[0]),
+                   r = factor(order, j, xi[1]);
+      v.value[node] = p.value * q.value * r.value;
+      v.d[0][node] = (p.value * q.d - p.d * q.value) * r.value;
+      v.d[1][node] = (p.value * r.d - p.d * r.value) * q.value;
+      v.dd[0][node] = (p.value * q.dd - 2 * p.d * q.d + p.dd * q.value) * r.value;
+      v.dd[1][node] = p.value * q.d * r.d - p.d * (q.d * r.value + q.value * r.d) + p.dd * q.value * r.value;
+      v.dd[2][node] = (p.value * r.dd - 2 * p.d * r.d + p.dd * r.value) * q.value;
+    }
+  return v;
+}
+
+TriangleRule triangle_rule(int degree) {
+  TriangleRule rule;
+  switch (degree) {
+    case 1:
+      return {{centre(Shape::triangle)}, {0.5}};
+    case 2:
+      add_orbit(1.0 / 6, 1.0 / 3, rule);
+      return rule;
+    case 4:
+      add_orbit(0.44594849091596488632, 0.22338158967801146570, rule);
+      add_orbit(0.09157621350977074346, 0.10995174365532186764, rule);
+      return rule;
+    case 6:
+      add_orbit(0.24928674517091042129, 0.11678627572637936603, rule);
+      add_orbit(0.06308901449150222734, 0.05084490637020681692, rule);
+      add_orbit(0.05314504984481694735, 0.31035245103378440542, 1 - 0.05314504984481694735 - 0.31035245103378440542,
+                0.08285107561837357519, rule);
+      return rule;
+    default:
+      return collapsed_rule(degree);
+  }
 }
 
 }  // namespace plastron::fem

@@ -1,6 +1,10 @@
-// One-dimensional quadrature points and Lagrange bases on [0, 1]; all tensor-product tables are made from them.
+// Lagrange polynomials and quadrature: on [0, 1], from which all tables of quadrilaterals are made as tensor products,
+// and on the reference triangle (0,0), (1,0), (0,1).
 #pragma once
+#include <plastron/fem/reference_cell.hpp>
+
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -25,5 +29,23 @@ struct LagrangeTable {
   Eigen::MatrixXd value, d;
 };
 LagrangeTable lagrange_table(std::span<const double> nodes, std::span<const double> points);
+
+/// The Lagrange polynomials of the equidistant lattice and their first two derivatives at a point.
+struct TriangleValues {
+  Eigen::VectorXd value;
+  std::array<Eigen::VectorXd, 2> d;   ///< d_1, d_2
+  std::array<Eigen::VectorXd, 3> dd;  ///< d_11, d_12, d_22
+};
+/// One polynomial of degree `order` per point of lattice(Shape::triangle, order).
+TriangleValues triangle_lagrange(int order, const Vector2d& xi);
+
+struct TriangleRule {
+  std::vector<Vector2d> points;  ///< points inside the triangle
+  std::vector<double> weights;   ///< positive; sum to its area 1/2
+};
+/// Returns a rule that is exact for polynomials of the given degree. Degrees 1, 2, 4 and 6 have symmetric rules of 1,
+/// 3, 6 and 12 points (D. A. Dunavant, Int. J. Numer. Meth. Eng. 21, 1985), so that a cell may begin at any of its
+/// corners. Other degrees have Gauss rules of the square collapsed onto the triangle.
+TriangleRule triangle_rule(int degree);
 
 }  // namespace plastron::fem

@@ -1,9 +1,11 @@
 #include <plastron/fem/cell_map.hpp>
 
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/triangle_basis.hpp>
+
+#include <Eigen/LU>
 
 #include <cmath>
+#include <limits>
 
 namespace plastron::fem {
 
@@ -98,6 +100,27 @@ PlaneJet CellMap::operator()(const Vector2d& xi) const {
     g.dd[k] = f.dd[0] * (p[0] * q[0]) + f.dd[1] * (p[0] * q[1] + p[1] * q[0]) + f.dd[2] * (p[1] * q[1]);
   }
   return g;
+}
+
+std::optional<Vector2d> invert_map(Shape shape, const CellMap& map, const Vector2d& point) {
+  // Part of the cell's size; points far from the origin have larger rounding.
+  constexpr double tolerance = 1e-9;
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * point.norm();
+  Vector2d xi = centre(shape);
+  double size = 0;
+  for (int step = 0; step < 30; ++step) {
+    const PlaneJet f = map(xi);
+    Eigen::Matrix2d jacobian;
+    jacobian << f.d[0], f.d[1];
+    size = jacobian.norm();
+    const Vector2d change = jacobian.fullPivLu().solve(point - f.value);
+    xi += change;
+    if (change.norm() < 1e-14) break;
+    if (!(xi.norm() < 10)) break;
+  }
+  const Vector2d inside = put_inside(shape, xi);
+  if (!((map(inside).value - point).norm() <= tolerance * size + rounding)) return std::nullopt;
+  return inside;
 }
 
 }  // namespace plastron::fem

@@ -1,14 +1,15 @@
-// The exact map of a coarse cell: the reference cell onto a piece of Omega, with two derivatives.
+// The exact map of a coarse cell: the reference cell onto a piece of Omega, with two derivatives; and its inverse.
 #pragma once
+#include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/jet.hpp>
 
 #include <array>
+#include <optional>
 #include <variant>
 #include <vector>
 
 namespace plastron::fem {
 
-using Eigen::Vector2d;
 using geometry::PlaneJet;
 
 /// Value and two derivatives of a curve over [0, 1].
@@ -62,5 +63,9 @@ struct CellMap {
   Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();
   PlaneJet operator()(const Vector2d& xi) const;
 };
+
+/// Finds the point of the reference cell for a point of the plane, by Newton's method from the centre. Empty if the point lies outside the cell by more than
+/// rounding.
+std::optional<Vector2d> invert_map(Shape shape, const CellMap& map, const Vector2d& point);
 
 }  // namespace plastron::fem

@@ -1,12 +1,21 @@
-// A coarse mesh cut along its chords, any number of times, without hanging nodes. Every cell of the first mesh
-// becomes a lattice of cells, which depends on its cuts alone and not on their order.
+// Coarse meshes whose cells are divided into lattices of cells, each with its part of the exact map. A mesh sequence may
+// cut a mesh along its chords, any number of times, without hanging nodes. The lattice of a cell of the first mesh then
+// depends on its cuts alone and not on their order.
 #pragma once
 #include <plastron/fem/space.hpp>
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace plastron::fem {
+
+/// Divides each quadrilateral into parts[c][0] x parts[c][1] cells along its own coordinates. Precondition:
+/// neighbours have the same number along their common side.
+CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const std::array<int, 2>> parts);
+
+/// Divides each quadrilateral at its cuts. Precondition: neighbours are cut at the same points of their common side.
+CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const Cuts> cuts);
 
 /// Cuts each cell of the first mesh. The result stores the cuts (CoarseMesh::cuts). Precondition: are_conforming.
 CoarseMesh cut_mesh(const CoarseMesh& first, std::vector<Cuts> cuts);

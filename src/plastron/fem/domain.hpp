@@ -43,8 +43,8 @@ struct Polygon {
 /// name the boundaries, physical surfaces the regions.
 struct MeshFile {
   std::string path;
-  std::shared_ptr<const CoarseMesh>
-      mesh{};  ///< mesh if already read (shared_mesh.hpp); otherwise coarse_mesh() reads the file
+  /// Mesh if already read (with_shared_mesh); otherwise coarse_mesh() reads the file.
+  std::shared_ptr<const CoarseMesh> mesh{};
 };
 
 using Domain = std::variant<Rectangle, Disk, Annulus, Polygon, MeshFile>;
@@ -53,6 +53,14 @@ using Domain = std::variant<Rectangle, Disk, Annulus, Polygon, MeshFile>;
 std::vector<std::string> boundary_names(const Domain& domain);
 /// The region names; {""} for a domain of one unnamed region, empty for a mesh file.
 std::vector<std::string> region_names(const Domain& domain);
+
+/// The area of a polygon, positive if the corners run anticlockwise.
+double signed_area(const Polygon& polygon);
+double perimeter(const Polygon& polygon);
+/// Twice the area over the perimeter: the radius of the inscribed circle if one touches all sides.
+double inner_width(const Polygon& polygon);
+/// Whether the polygon is a convex quadrilateral without nearly straight corners.
+bool is_convex_quadrilateral(const Polygon& polygon);
 
 /// Error in a domain or mesh file; its text is shown to the user unchanged.
 struct DomainError : std::invalid_argument {

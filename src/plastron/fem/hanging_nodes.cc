@@ -1,7 +1,9 @@
-#include <plastron/fem/hanging_nodes.hpp>
-
+// Hanging nodes on the side of a larger cell: their values are interpolated from that side's nodes, so that fields
+// are continuous. The mesh gives these relations one step at a time, each rank for its own nodes. Here they become
+// ties of all local nodes to free nodes.
 #include <plastron/algebra/vector.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,7 @@ using algebra::GlobalIndex, algebra::LocalIndex;
 using Masters = std::map<GlobalIndex, double>;
 
 /// Weights are of order one; smaller ones than this are zero.
-constexpr double rounding = 1e-13;
+constexpr double no_weight = 1e-13;
 
 /// Masters of the local nodes, from the nodes' owners. Free nodes have no entry (collective).
 class OneStep {
@@ -57,7 +59,7 @@ class OneStep {
       else
         for (const auto& [master, weight] : found->second) open[master] += factor * weight;
     }
-    std::erase_if(free, [](const auto& entry) { return std::abs(entry.second) < rounding; });
+    std::erase_if(free, [](const auto& entry) { return std::abs(entry.second) < no_weight; });
     return free;
   }
 

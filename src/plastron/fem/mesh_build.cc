@@ -1,7 +1,4 @@
-#include <plastron/fem/mesh_build.hpp>
-
-#include <plastron/fem/element_type.hpp>
-#include <plastron/fem/jacobian_table.hpp>
+// Conversion of a mesh file's data to a coarse mesh.
 #include <plastron/fem/mesh_validity.hpp>
 
 #include <fmt/format.h>

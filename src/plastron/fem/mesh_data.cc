@@ -1,13 +1,113 @@
 #include <plastron/fem/mesh_data.hpp>
 
-#include <plastron/fem/domain.hpp>
-#include <plastron/fem/element_type.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace plastron::fem {
+
+namespace {
+
+struct Numbered {
+  int first, last;  ///< numbers of consecutive orders
+  ElementFamily family;
+  int order;  ///< order of the first
+  bool is_complete;
+};
+
+using enum ElementFamily;
+
+constexpr Numbered plane_types[] = {{1, 1, line, 1, true},
+                                    {8, 8, line, 2, true},
+                                    {26, 28, line, 3, true},
+                                    {62, 66, line, 6, true},
+                                    {2, 2, triangle, 1, true},
+                                    {9, 9, triangle, 2, true},
+                                    {21, 21, triangle, 3, true},
+                                    {23, 23, triangle, 4, true},
+                                    {25, 25, triangle, 5, true},
+                                    {42, 46, triangle, 6, true},
+                                    {20, 20, triangle, 3, false},
+                                    {22, 22, triangle, 4, false},
+                                    {24, 24, triangle, 5, false},
+                                    {52, 56, triangle, 6, false},
+                                    {3, 3, quadrilateral, 1, true},
+                                    {10, 10, quadrilateral, 2, true},
+                                    {36, 38, quadrilateral, 3, true},
+                                    {47, 51, quadrilateral, 6, true},
+                                    {16, 16, quadrilateral, 2, false},
+                                    {39, 41, quadrilateral, 3, false},
+                                    {57, 61, quadrilateral, 6, false}};
+
+/// Tetrahedra, hexahedra, prisms and pyramids.
+constexpr int volume_types[][2] = {{4, 7}, {11, 14}, {17, 19}, {29, 33}, {71, 75}, {79, 83}, {87, 131}, {137, 137}};
+
+int node_count(ElementFamily family, int order, bool is_complete) {
+  if (family == line) return order + 1;
+  if (!is_complete) return (family == triangle ? 3 : 4) * order;
+  return nodes_per_cell(family == triangle ? Shape::triangle : Shape::quadrilateral, order);
+}
+
+/// Points (i, j) of the lattice in Gmsh's order. The nodes inside an element form an element of lower order.
+using Place = std::array<int, 2>;
+
+void add_square(int from, int order, std::vector<Place>& places) {
+  if (order < 0) return;
+  const int to = from + order;
+  if (order == 0) return places.push_back({from, from});
+  places.insert(places.end(), {{from, from}, {to, from}, {to, to}, {from, to}});
+  for (int k = 1; k < order; ++k) places.push_back({from + k, from});
+  for (int k = 1; k < order; ++k) places.push_back({to, from + k});
+  for (int k = 1; k < order; ++k) places.push_back({to - k, to});
+  for (int k = 1; k < order; ++k) places.push_back({from, to - k});
+  add_square(from + 1, order - 2, places);
+}
+
+void add_triangle(int from, int order, std::vector<Place>& places) {
+  if (order < 0) return;
+  const int to = from + order;
+  if (order == 0) return places.push_back({from, from});
+  places.insert(places.end(), {{from, from}, {to, from}, {from, to}});
+  for (int k = 1; k < order; ++k) places.push_back({from + k, from});
+  for (int k = 1; k < order; ++k) places.push_back({to - k, from + k});
+  for (int k = 1; k < order; ++k) places.push_back({from, to - k});
+  add_triangle(from + 1, order - 3, places);
+}
+
+}  // namespace
+
+std::string ElementType::name() const {
+  constexpr const char* names[] = {"Point", "Line", "Triangle", "Quadrilateral", "Volume"};
+  return fmt::format("{} {}", names[static_cast<std::size_t>(family)], nodes);
+}
+
+std::optional<ElementType> element_type(std::int64_t number) {
+  if (number == 15) return ElementType{};
+  for (const Numbered& n : plane_types)
+    if (number >= n.first && number <= n.last) {
+      const int order = n.order + static_cast<int>(number - n.first);
+      return ElementType{n.family, order, node_count(n.family, order, n.is_complete), n.is_complete};
+    }
+  for (const auto& [first, last] : volume_types)
+    if (number >= first && number <= last) return ElementType{.family = volume};
+  return {};
+}
+
+std::vector<std::size_t> lattice_places(Shape shape, int order) {
+  std::vector<Place> places;
+  if (shape == Shape::triangle)
+    add_triangle(0, order, places);
+  else
+    add_square(0, order, places);
+  std::vector<std::size_t> result;
+  result.reserve(places.size());
+  for (const auto& [i, j] : places) {
+    // Row j of the triangle follows rows of order + 1, order, ... points.
+    const int row = shape == Shape::triangle ? j * (order + 1) - j * (j - 1) / 2 : j * (order + 1);
+    result.push_back(static_cast<std::size_t>(row + i));
+  }
+  return result;
+}
 
 std::string place_of(const MeshElement& element) {
   return element.line > 0 ? fmt::format("element {} (line {})", element.tag, element.line)

@@ -1,12 +1,40 @@
-// The contents of a mesh file: nodes, elements, and the names of their physical groups.
+// The contents of a mesh file: element types, nodes, elements, and the names of their physical groups.
 #pragma once
+#include <plastron/fem/coarse_mesh.hpp>
+
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace plastron::fem {
+
+// The element types of Gmsh's mesh files by number: shape, order, and the order of their nodes. Corners come first,
+// then sides, then the nodes inside as an element of lower order (Gmsh reference manual, "Node ordering").
+
+enum class ElementFamily { point, line, triangle, quadrilateral, volume };
+
+struct ElementType {
+  ElementFamily family = ElementFamily::point;
+  int order = 1;
+  int nodes = 1;
+  bool is_complete = true;  ///< true if it also has the nodes inside
+
+  bool is_cell() const { return family == ElementFamily::triangle || family == ElementFamily::quadrilateral; }
+  Shape shape() const { return family == ElementFamily::triangle ? Shape::triangle : Shape::quadrilateral; }
+  /// Returns Gmsh's name: "Triangle 6".
+  std::string name() const;
+};
+
+/// Returns the type of lines, triangles and quadrilaterals up to order 10; for other types only the family. Empty for
+/// unknown numbers.
+std::optional<ElementType> element_type(std::int64_t number);
+
+/// Returns the index on lattice(shape, order) of each of Gmsh's nodes of a complete element.
+std::vector<std::size_t> lattice_places(Shape shape, int order);
 
 struct MeshNode {
   std::int64_t tag = 0;
@@ -40,5 +68,9 @@ void number_nodes(MeshData& data);
 
 /// Returns "element 7 (line 31)".
 std::string place_of(const MeshElement& element);
+
+/// Builds the coarse mesh: cells with exact maps, named regions and boundaries. Throws DomainError for elements that
+/// `shape` does not allow, and for data that is no mesh of the plane.
+CoarseMesh build_coarse_mesh(const MeshData& data, Shape shape);
 
 }  // namespace plastron::fem

@@ -1,10 +1,10 @@
 #include <plastron/fem/mesh_sequence.hpp>
 
-#include <plastron/algebra/hash.hpp>
+#include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/algebra/vector.hpp>
+#include <plastron/fem/basis.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/quadrilateral_sequence.hpp>
-#include <plastron/fem/raised.hpp>
 #include <plastron/fem/triangle_sequence.hpp>
 
 #include <algorithm>
@@ -36,6 +36,32 @@ algebra::Vector on_layout(const std::shared_ptr<const algebra::Layout>& layout, 
   std::ranges::copy(v.owned(), other.owned().begin());
   other.update_ghosts();
   return other;
+}
+
+/// Interpolates a field in a space of another degree on the same cells in the same order (collective). The field has
+/// values per node of a space of quadrilaterals. It does not change if the degree is not lower.
+algebra::Vector at_degree_of(const algebra::Vector& field, const Space& from, const Space& to) {
+  PLASTRON_ASSERT(from.owned_cells == to.owned_cells, from.owned_cells, to.owned_cells);
+  const Eigen::MatrixXd line =
+      lagrange_table(gauss_lobatto(from.degree + 1).points, gauss_lobatto(to.degree + 1).points).value;
+  const auto n = static_cast<std::size_t>(from.degree) + 1, m = static_cast<std::size_t>(to.degree) + 1;
+  const auto block = static_cast<std::size_t>(field.block());
+  algebra::Vector result(to.layout, field.block());
+  for (std::size_t cell = 0; cell < to.owned_cells; ++cell)
+    for (std::size_t k = 0; k < block; ++k) {
+      Eigen::MatrixXd values(n, n);  // a row per xi_1
+      for (std::size_t i = 0; i < n * n; ++i)
+        values(static_cast<Eigen::Index>(i % n), static_cast<Eigen::Index>(i / n)) =
+            field.local()[static_cast<std::size_t>(from.nodes(cell)[i]) * block + k];
+      const Eigen::MatrixXd raised = line * values * line.transpose();
+      for (std::size_t i = 0; i < m * m; ++i) {
+        const auto node = static_cast<std::size_t>(to.nodes(cell)[i]);
+        if (node < static_cast<std::size_t>(to.layout->owned))
+          result.owned()[node * block + k] = raised(static_cast<Eigen::Index>(i % m), static_cast<Eigen::Index>(i / m));
+      }
+    }
+  result.update_ghosts();
+  return result;
 }
 
 /// A number that distinguishes coarse meshes by everything except coordinates: cells, edges, their order and names.
@@ -183,7 +209,7 @@ std::shared_ptr<const Space> MeshSequence::raised(std::span<algebra::Vector> fie
   if (!cells) return {};
   std::shared_ptr<const Space> same_cells = cells->space_of_degree(space()->degree + degrees);
   if (storage_->finish) same_cells = storage_->finish(std::move(same_cells));
-  for (algebra::Vector& field : fields) field = fem::raised(field, *space(), *same_cells);
+  for (algebra::Vector& field : fields) field = at_degree_of(field, *space(), *same_cells);
   return same_cells;
 }
 

@@ -10,6 +10,89 @@ namespace plastron::fem {
 
 namespace {
 
+PlaneJet mapped(Shape shape, int order, const std::vector<Vector2d>& nodes, const Vector2d& xi) {
+  return shape == Shape::triangle ? TriangleLagrangeMap{order, nodes}(xi) : LagrangeMap{order, nodes}(xi);
+}
+
+/// A vertex in the interior of a side.
+struct HangingVertex {
+  int vertex;
+  MeshEdge edge;
+};
+
+/// Vertices on the boundary, in ascending order of one coordinate.
+std::vector<int> sorted_along(int axis, const CoarseMesh& mesh, const std::vector<MeshEdge>& boundary) {
+  std::vector<int> vertices;
+  for (const MeshEdge& e : boundary) vertices.insert(vertices.end(), e.ends.begin(), e.ends.end());
+  const auto key = [&](int v) { return std::pair(mesh.vertices[static_cast<std::size_t>(v)][axis], v); };
+  std::ranges::sort(vertices, {}, key);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/// The side of a cell as a curve over [0, 1].
+struct SideCurve {
+  const CoarseCell& cell;
+  int side;
+
+  Vector2d at(double t) const { return cell.map(side_point(shape_of(cell), side, t)).value; }
+  Vector2d derivative(double t) const {
+    const Shape shape = shape_of(cell);
+    const PlaneJet f = cell.map(side_point(shape, side, t));
+    const Vector2d along = side_point(shape, side, 1) - side_point(shape, side, 0);
+    return along[0] * f.d[0] + along[1] * f.d[1];
+  }
+};
+
+/// Whether the curve passes through the point away from its ends. Lengths are relative to its chord.
+bool passes_through(const SideCurve& curve, const Vector2d& point) {
+  constexpr double tolerance = 1e-6;
+  const Vector2d from = curve.at(0), chord = curve.at(1) - from;
+  double t = (point - from).dot(chord) / chord.squaredNorm();
+  for (int step = 0; step < 10; ++step) {
+    if (!(t > -0.5 && t < 1.5)) return false;
+    const Vector2d d = curve.derivative(t);
+    const double change = (point - curve.at(t)).dot(d) / d.squaredNorm();
+    t += change;
+    if (std::abs(change) < 1e-12) break;
+  }
+  return t > tolerance && t < 1 - tolerance && (point - curve.at(t)).norm() < tolerance * chord.norm();
+}
+
+/// A box round a side, wide enough for a curved side.
+std::pair<Vector2d, Vector2d> box_round(const SideCurve& curve) {
+  Vector2d low = curve.at(0), high = low;
+  for (const double t : {0.25, 0.5, 0.75, 1.0}) {
+    low = low.cwiseMin(curve.at(t));
+    high = high.cwiseMax(curve.at(t));
+  }
+  const double margin = 0.1 * (high - low).norm();
+  return {low.array() - margin, high.array() + margin};
+}
+
+/// Searches for a vertex in the interior of a side. `boundary` contains the edges that belong to only one cell: a side
+/// that no neighbour shares completely is one of them.
+std::optional<HangingVertex> find_hanging_vertex(const CoarseMesh& mesh, const std::vector<MeshEdge>& boundary) {
+  const std::vector<int> sorted[2] = {sorted_along(0, mesh, boundary), sorted_along(1, mesh, boundary)};
+  for (const MeshEdge& edge : boundary) {
+    const SideCurve curve{mesh.cells[edge.cell], edge.side};
+    const auto [low, high] = box_round(curve);
+    std::span<const int> near[2];
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto key = [&](int v) { return mesh.vertices[static_cast<std::size_t>(v)][axis]; };
+      const auto first = std::ranges::lower_bound(sorted[axis], low[axis], {}, key);
+      near[axis] = {first, std::ranges::upper_bound(first, sorted[axis].end(), high[axis], {}, key)};
+    }
+    for (const int v : near[near[0].size() < near[1].size() ? 0 : 1]) {
+      const Vector2d& p = mesh.vertices[static_cast<std::size_t>(v)];
+      if (v == edge.ends[0] || v == edge.ends[1] || (p.array() < low.array()).any() || (p.array() > high.array()).any())
+        continue;
+      if (passes_through(curve, p)) return HangingVertex{v, edge};
+    }
+  }
+  return {};
+}
+
 class Examiner {
  public:
   Examiner(const FileCells& cells, const std::vector<MeshEdge>& edges, const std::string& source)
@@ -81,19 +164,48 @@ class Examiner {
 
 }  // namespace
 
-std::vector<MeshEdge> edges_of(const std::vector<CoarseCell>& cells) {
-  std::vector<MeshEdge> edges;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const Shape shape = shape_of(cells[c]);
-    for (int side = 0; side < corner_count(shape); ++side) {
-      const auto [from, to] = anticlockwise_corners(shape, side);
-      const int a = cells[c].vertices[static_cast<std::size_t>(from)],
-                b = cells[c].vertices[static_cast<std::size_t>(to)];
-      edges.push_back({{std::min(a, b), std::max(a, b)}, c, side, a < b});
+JacobianTable jacobian_table(Shape shape, int order) {
+  // For degree one the determinant is linear and has its extremes at the corners.
+  const int points = order == 1 ? 1 : 4 * order;
+  JacobianTable table{.xi = lattice(shape, points), .value = {}, .d1 = {}, .d2 = {}};
+  const auto nodes = static_cast<Eigen::Index>(nodes_per_cell(shape, order));
+  const auto rows = static_cast<Eigen::Index>(table.xi.size());
+  table.value.resize(rows, nodes);
+  table.d1.resize(rows, nodes);
+  table.d2.resize(rows, nodes);
+  std::vector<Vector2d> unit(static_cast<std::size_t>(nodes), Vector2d::Zero());
+  for (Eigen::Index n = 0; n < nodes; ++n) {
+    unit[static_cast<std::size_t>(n)] = Vector2d::UnitX();  // the map then equals the n-th polynomial
+    for (Eigen::Index p = 0; p < rows; ++p) {
+      const PlaneJet f = mapped(shape, order, unit, table.xi[static_cast<std::size_t>(p)]);
+      table.value(p, n) = f.value[0];
+      table.d1(p, n) = f.d[0][0];
+      table.d2(p, n) = f.d[1][0];
     }
+    unit[static_cast<std::size_t>(n)] = Vector2d::Zero();
   }
-  std::ranges::stable_sort(edges, {}, &MeshEdge::ends);
-  return edges;
+  return table;
+}
+
+JacobianRange jacobian_range(const JacobianTable& table, const std::vector<Vector2d>& nodes) {
+  constexpr double degenerate = 1e-9;  // sine of the angle between the cell's two directions
+  Eigen::MatrixX2d x(static_cast<Eigen::Index>(nodes.size()), 2);
+  for (std::size_t i = 0; i < nodes.size(); ++i) x.row(static_cast<Eigen::Index>(i)) = nodes[i] - nodes.front();
+  const Eigen::MatrixX2d d1 = table.d1 * x, d2 = table.d2 * x;
+  JacobianRange range;
+  double sum = 0;
+  Eigen::VectorXd sine(d1.rows());
+  for (Eigen::Index p = 0; p < d1.rows(); ++p) {
+    const double lengths = d1.row(p).norm() * d2.row(p).norm();
+    sine[p] = lengths > 0 ? (d1(p, 0) * d2(p, 1) - d1(p, 1) * d2(p, 0)) / lengths : 0;
+    sum += sine[p];
+    range.is_positive = range.is_positive && sine[p] > degenerate;
+    range.is_negative = range.is_negative && sine[p] < -degenerate;
+  }
+  Eigen::Index worst = 0;
+  (sum < 0 ? Eigen::VectorXd(-sine) : sine).minCoeff(&worst);
+  range.worst = nodes.front() + (table.value.row(worst) * x).transpose();
+  return range;
 }
 
 void check_cells_fit(const FileCells& cells, const std::vector<MeshEdge>& edges, const std::string& source) {

@@ -1,16 +1,30 @@
-// Checks that cells of a mesh file form a mesh of a plane domain. Every side must belong to one cell or join two, no
-// vertex may lie inside a side, and no two cells may overlap.
+// Checks that cells of a mesh file form a mesh of a plane domain. The map of each cell must be one to one. Every side
+// must belong to one cell or join two, no vertex may lie inside a side, and no two cells may overlap.
 #pragma once
-#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/mesh_data.hpp>
 
-#include <array>
-#include <optional>
-#include <span>
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
 namespace plastron::fem {
+
+// A test whether the polynomial map of a cell is one to one: the sign of its determinant at many points.
+
+/// The Lagrange polynomials of lattice(shape, order) and their derivatives at points dense enough to detect a change
+/// of sign of a determinant of their degree. A row per point, a column per node.
+struct JacobianTable {
+  std::vector<Vector2d> xi;
+  Eigen::MatrixXd value, d1, d2;
+};
+JacobianTable jacobian_table(Shape shape, int order);
+
+struct JacobianRange {
+  bool is_positive = true, is_negative = true;  ///< at all points
+  Vector2d worst = Vector2d::Zero();  ///< image of the point where the cell is most nearly degenerate, or folded
+};
+/// Evaluates the determinant of the map through `nodes`, which are in the order of the lattice.
+JacobianRange jacobian_range(const JacobianTable& table, const std::vector<Vector2d>& nodes);
 
 /// Triangles (their fourth vertex is -1) and quadrilaterals, all anticlockwise, each with its element of the file.
 struct FileCells {
@@ -18,30 +32,7 @@ struct FileCells {
   std::vector<const MeshElement*> elements;
 };
 
-inline Shape shape_of(const CoarseCell& cell) { return cell.vertices[3] < 0 ? Shape::triangle : Shape::quadrilateral; }
-
-/// A side of a cell between two vertices.
-struct MeshEdge {
-  std::array<int, 2> ends;  ///< ascending
-  std::size_t cell;
-  int side;
-  bool is_forward;  ///< true if it runs from the lower vertex to the higher one, anticlockwise round the cell
-};
-/// Returns the sides of all cells, in ascending order of their ends.
-std::vector<MeshEdge> edges_of(const std::vector<CoarseCell>& cells);
-
 /// Checks the cells. Throws DomainError that names the elements and the place. `source` is the start of the message.
 void check_cells_fit(const FileCells& cells, const std::vector<MeshEdge>& edges, const std::string& source);
-
-/// A vertex in the interior of a side.
-struct HangingVertex {
-  int vertex;
-  MeshEdge edge;
-};
-/// Searches for such a vertex. Precondition: `boundary` contains the edges that belong to only one cell.
-std::optional<HangingVertex> find_hanging_vertex(const CoarseMesh& mesh, const std::vector<MeshEdge>& boundary);
-
-/// Returns two cells of which one contains the other's centre.
-std::optional<std::array<std::size_t, 2>> find_overlap(const CoarseMesh& mesh);
 
 }  // namespace plastron::fem

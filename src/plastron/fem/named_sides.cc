@@ -1,7 +1,5 @@
 #include <plastron/fem/named_sides.hpp>
 
-#include <plastron/fem/mesh_validity.hpp>
-
 #include <algorithm>
 
 namespace plastron::fem {

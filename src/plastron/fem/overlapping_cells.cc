@@ -1,7 +1,7 @@
 // Search for cells that overlap without sharing a side, if one contains the other's centre. A grid with about one box
 // per cell finds the candidates.
-#include <plastron/fem/invert_map.hpp>
-#include <plastron/fem/mesh_validity.hpp>
+#include <plastron/fem/cell_map.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 
 #include <algorithm>
 #include <cmath>

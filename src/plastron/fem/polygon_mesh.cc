@@ -1,14 +1,14 @@
 // Polygons, meshed by Gmsh through its geometry interface. Gmsh never opens a file here, because it would execute
 // scripts (docs/decisions/0008-mesh-files.md).
-#include <plastron/fem/coarse_mesh.hpp>
-#include <plastron/fem/mesh_build.hpp>
-#include <plastron/fem/polygon.hpp>
+#include <plastron/fem/mesh_data.hpp>
 
 #include <fmt/format.h>
 #include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string_view>
 
 namespace plastron::fem {
 
@@ -17,17 +17,31 @@ namespace {
 using Eigen::Vector3d;
 
 /// Gmsh's single global state for the duration of one meshing: silent, without the user's settings and start-up
-/// files.
+/// files. An error ends the meshing and is logged. Gmsh can throw errors instead, but not out of its parallel regions:
+/// that would end the process.
 class GmshSession {
  public:
   GmshSession() {
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.AbortOnError", 2);  // throws on errors
+    gmsh::option::setNumber("General.AbortOnError", 1);
+    gmsh::logger::start();
   }
-  ~GmshSession() { gmsh::finalize(); }
+  ~GmshSession() {
+    gmsh::logger::stop();
+    gmsh::finalize();
+  }
   GmshSession(const GmshSession&) = delete;
   GmshSession& operator=(const GmshSession&) = delete;
+
+  /// Throws the first error since the session began.
+  static void check() {
+    constexpr std::string_view mark = "Error: ";
+    std::vector<std::string> log;
+    gmsh::logger::get(log);
+    for (const std::string& entry : log)
+      if (entry.starts_with(mark)) throw std::runtime_error(entry.substr(mark.size()));
+  }
 };
 
 /// Adds the elements of the entities of one dimension; each entity's number is its group.
@@ -106,38 +120,6 @@ void draw(const Polygon& polygon, double length, double scale) {
 
 }  // namespace
 
-double signed_area(const Polygon& polygon) {
-  const auto& p = polygon.corners;
-  double area = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vector2d& q = p[(i + 1) % p.size()];
-    area += (p[i][0] * q[1] - q[0] * p[i][1]) / 2;
-  }
-  return area;
-}
-
-double perimeter(const Polygon& polygon) {
-  const auto& p = polygon.corners;
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) sum += (p[(i + 1) % p.size()] - p[i]).norm();
-  return sum;
-}
-
-double inner_width(const Polygon& polygon) { return 2 * std::abs(signed_area(polygon)) / perimeter(polygon); }
-
-bool is_convex_quadrilateral(const Polygon& polygon) {
-  const auto& p = polygon.corners;
-  if (p.size() != 4) return false;
-  double sign = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vector2d a = p[(i + 1) % 4] - p[i], b = p[(i + 2) % 4] - p[(i + 1) % 4];
-    const double turn = a[0] * b[1] - a[1] * b[0];
-    if (turn * sign < 0 || std::abs(turn) < 1e-3 * a.norm() * b.norm()) return false;
-    sign = turn;
-  }
-  return true;
-}
-
 CoarseMesh mesh_polygon(const Polygon& polygon, Shape shape) {
   if (is_convex_quadrilateral(polygon))
     return shape == Shape::triangle ? cut_crosswise(single_cell(polygon)) : single_cell(polygon);
@@ -149,9 +131,11 @@ CoarseMesh gmsh_polygon(const Polygon& polygon, Shape shape, double length) {
   try {
     const double scale = scale_of(polygon);
     draw(polygon, length, scale);
+    GmshSession::check();
     gmsh::option::setNumber("Mesh.RecombineAll", shape == Shape::quadrilateral ? 1 : 0);
     gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", shape == Shape::quadrilateral ? 1 : 0);
     gmsh::model::mesh::generate(2);
+    GmshSession::check();
     MeshData data = meshed(scale);
     const auto names = boundary_names(Domain{polygon});
     for (std::size_t i = 0; i < names.size(); ++i) data.names[{1, static_cast<int>(i) + 1}] = names[i];

@@ -1,6 +1,6 @@
 #include <plastron/fem/quadrilateral_sequence.hpp>
 
-#include <plastron/fem/hanging_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/fem/named_sides.hpp>
 
 #include <deal.II/base/multithread_info.h>

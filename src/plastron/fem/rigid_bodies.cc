@@ -1,8 +1,7 @@
-#include <plastron/fem/rigid_bodies.hpp>
-
+// Rigid bodies that carry edges of the shell.
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>

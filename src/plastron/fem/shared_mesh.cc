@@ -1,7 +1,7 @@
-#include <plastron/fem/shared_mesh.hpp>
-
+// Mesh files in a job of several processes: one process reads and checks the file and sends the mesh to the others.
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/vector.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 
 #include <deal.II/base/mpi.h>
 

@@ -9,6 +9,7 @@
 #include <plastron/fem/coarse_mesh.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -27,7 +28,11 @@ struct Cell {
 
 /// Place of a cell in integers: corner = (i, j) / |divisions| in its coarse cell, size = 1 / divisions.
 using CellPlace = std::array<std::int32_t, 4>;  ///< coarse cell, divisions, i, j
-CellPlace place_of(const Cell& cell);
+inline CellPlace place_of(const Cell& cell) {
+  const auto divisions = static_cast<std::int32_t>(std::lround(1 / cell.size));
+  const auto in_parts = [&](double x) { return static_cast<std::int32_t>(std::lround(x * std::abs(divisions))); };
+  return {cell.coarse, divisions, in_parts(cell.corner[0]), in_parts(cell.corner[1])};
+}
 
 /// A side of a cell on the boundary of the domain or on a named curve inside it. A side with several names is listed
 /// once for each. A side on an inner curve is listed for one of its two cells (named_sides.hpp).
@@ -38,7 +43,7 @@ struct BoundarySide {
   bool is_inner = false;  ///< true with cells on both sides
 };
 
-/// A tied node, v = sum weight v_master: see ties.hpp. Masters are not tied themselves.
+/// A tied node, v = sum weight v_master: see constraints.hpp. Masters are not tied themselves.
 struct Tie {
   algebra::LocalIndex node = 0;
   std::vector<std::pair<algebra::LocalIndex, double>> masters{};
@@ -59,7 +64,7 @@ struct Space {
   std::vector<BoundarySide> twin_sides{};
   std::vector<Tie> ties{};  ///< ties of all local nodes, ascending; their masters are local too
   bool has_ties = false;    ///< true if some rank has ties
-  /// Nodes whose (u, r) follow from others by matrices, see carried_nodes.hpp; null if no rank has any.
+  /// Nodes whose (u, r) follow from others by matrices, see constraints.hpp; null if no rank has any.
   std::shared_ptr<const CarriedNodes> carried{};
   std::int64_t global_cells = 0;
 

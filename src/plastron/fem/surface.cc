@@ -1,7 +1,7 @@
 #include <plastron/fem/surface.hpp>
 
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/fem/invert_map.hpp>
+#include <plastron/fem/cell_map.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

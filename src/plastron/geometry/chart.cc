@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "formula.hpp"
-#include "muparser_text.hpp"
 
 namespace plastron::geometry {
 

@@ -1,4 +1,5 @@
-// Conversion of an expression's text to a formula that GiNaC can differentiate.
+// Symbolic derivatives: conversion of an expression's text to a formula of GiNaC, and of its derivatives to text that
+// muParser evaluates fast.
 #pragma once
 #include <ginac/ginac.h>
 
@@ -12,5 +13,11 @@ namespace plastron::geometry {
 /// may occur. Precondition: muParser accepts the text. Throws std::invalid_argument for functions without two
 /// derivatives (comparisons, choices, min, max, sign).
 GiNaC::ex formula(const std::string& text, const std::map<std::string, GiNaC::ex>& names);
+
+/// Throws std::invalid_argument if the second derivatives would be too long, before they are made.
+void check_derivative_size(const GiNaC::ex& f);
+
+/// Returns the text. Throws std::invalid_argument for formulas without one: complex numbers, unevaluated derivatives.
+std::string in_muparser_syntax(const GiNaC::ex& e);
 
 }  // namespace plastron::geometry

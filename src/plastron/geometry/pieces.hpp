@@ -1,4 +1,4 @@
-// Boxes over which an expression made of pieces (is_piecewise) has a single piece. Interval arithmetic over a box of
+// Expressions that may consist of pieces with jumps or kinks, and boxes over which they have a single piece. Interval arithmetic over a box of
 // x and y detects even the narrowest piece. Source: Moore, Kearfott and Cloud, Introduction to Interval Analysis
 // (2009), chapters 5 and 6.
 #pragma once
@@ -7,6 +7,10 @@
 #include <memory>
 
 namespace plastron::geometry {
+
+/// Whether the text has a comparison, a choice or one of abs, atan2, max, min, rint, sign, step. Without these it is
+/// smooth wherever it is finite.
+bool is_piecewise(const Expression& f);
 
 struct Interval {
   double low = 0, high = 0;

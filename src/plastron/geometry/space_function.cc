@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "formula.hpp"
-#include "muparser_text.hpp"
 #include "parser.hpp"
 
 namespace plastron::geometry {

@@ -1,4 +1,4 @@
-#include <plastron/computation/probes.hpp>
+#include <plastron/computation/evaluation.hpp>
 #include <plastron/io/csv_tables.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/results.hpp>

@@ -1,4 +1,4 @@
-#include <plastron/assembly/bounding_box.hpp>
+#include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ struct Triangles {
 obstacle::Extent surroundings(const computation::Solution& solution) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const auto place = [&](std::size_t i) -> Vector3d {
-    return discrete.points[i].phi + Eigen::Map<const Vector3d>(&solution.nodal.y.local()[6 * i]);
+    return discrete.points[i].phi + assembly::node_values(solution.nodal.y, i).head<3>();
   };
   const auto [low, high] = assembly::bounding_box(discrete.points.size(), place, discrete.space().layout->comm);
   const Vector3d margin = Vector3d::Constant((high - low).norm() / 2);

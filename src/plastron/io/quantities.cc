@@ -1,4 +1,4 @@
-#include <plastron/computation/left_out.hpp>
+#include <plastron/computation/warnings.hpp>
 #include <plastron/io/quantities.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <plastron/contact/statuses.hpp>
+#include <plastron/contact/problem.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/results_schema.hpp>
 

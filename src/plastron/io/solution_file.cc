@@ -1,5 +1,5 @@
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/fem/kept_nodes.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/io/solution_file.hpp>
 
 #include <fmt/format.h>

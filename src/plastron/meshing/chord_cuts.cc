@@ -1,14 +1,16 @@
 #include <plastron/meshing/chord_cuts.hpp>
 
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/geometry/frame.hpp>
-#include <plastron/meshing/chords.hpp>
+#include <plastron/meshing/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -18,18 +20,19 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Measured values, docs/methods/accuracy.md.
-constexpr double worth = 1.2;  ///< least worth of a chord relative to single cells; above it the chord is cut
-/// The same for all chords where edges of contact zones run along some chords: the cells there will be divided
-/// repeatedly.
-constexpr double worth_at_edges = 0.3;
-constexpr double best_part = 0.6;     ///< part of the best chord's worth; chords above it are cut too
-constexpr double least_part = 0.2;    ///< least part of a cell's side after a cut
-constexpr double middle_part = 0.1;   ///< cuts nearer to the middle than this halve the cell
-constexpr double smallest = 0x1p-24;  ///< part of a cell of the first mesh
-constexpr double no_bend = 0.1;       ///< deviation of a side from a straight line, relative to the cell's width
-constexpr double largest_bend = 2;    ///< the same limit for parts: patches cannot judge larger bends,
-constexpr int bent_degree = 4;        ///< nor bent cells that are cut at higher degrees
+/// Disjoint sets of cell directions that must be divided together.
+class Union {
+ public:
+  explicit Union(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
 
 struct Chord {
   double cells = 0;
@@ -54,8 +57,8 @@ double middle(std::span<const double> slices, std::span<const double> widths) {
 }
 
 double cut_near(double middle) {
-  if (std::abs(middle - 0.5) < middle_part) return 0.5;
-  return std::clamp(middle, least_part, 1 - least_part);
+  if (std::abs(middle - 0.5) < constants.middle_part) return 0.5;
+  return std::clamp(middle, constants.least_cut_part, 1 - constants.least_cut_part);
 }
 
 /// Sides and widths of the coarse cells on the shell.
@@ -139,7 +142,8 @@ class ChordChoice {
     for (const std::size_t c : task_.estimates.unjudged) {
       const auto coarse = static_cast<std::size_t>(space_.cells[c].coarse);
       const std::size_t along = shapes_.longer(coarse);
-      if (!shapes_.is_straight(coarse, 1 - along, 0, 1, no_bend)) sums[width * number(c, along) + 2] += 1;
+      if (!shapes_.is_straight(coarse, 1 - along, 0, 1, constants.straight_bend))
+        sums[width * number(c, along) + 2] += 1;
     }
     for (const estimation::CrossedCell& crossed : task_.estimates.crossed)
       sums[width * number(crossed.cell, static_cast<std::size_t>(crossed.across)) + 1] += 1;
@@ -164,21 +168,23 @@ class ChordChoice {
     for (std::size_t i = 0; i < chords_.size(); ++i) {
       double& cut = chords_[i].cut;
       const auto makes_bent_parts = [&](const auto& cell) {
-        return !shapes_.is_straight(cell.first, cell.second, 0, cut, largest_bend) ||
-               !shapes_.is_straight(cell.first, cell.second, cut, 1, largest_bend);
+        return !shapes_.is_straight(cell.first, cell.second, 0, cut, constants.largest_bend) ||
+               !shapes_.is_straight(cell.first, cell.second, cut, 1, constants.largest_bend);
       };
       const auto is_bent = [&](const auto& cell) {
-        return !shapes_.is_straight(cell.first, 0, 0, 1, no_bend) || !shapes_.is_straight(cell.first, 1, 0, 1, no_bend);
+        return !shapes_.is_straight(cell.first, 0, 0, 1, constants.straight_bend) ||
+               !shapes_.is_straight(cell.first, 1, 0, 1, constants.straight_bend);
       };
       const auto makes_small_parts = [&](const auto& cell) {
-        return parts[cell.first].size[static_cast<Eigen::Index>(cell.second)] * std::min(cut, 1 - cut) < smallest;
+        return parts[cell.first].size[static_cast<Eigen::Index>(cell.second)] * std::min(cut, 1 - cut) <
+               constants.smallest_cell;
       };
       const auto is_good = [&] {
         return std::ranges::none_of(cells[i], makes_bent_parts) && std::ranges::none_of(cells[i], makes_small_parts);
       };
       // Moves the cut towards the middle. A chord that cannot even be halved has no worth.
       while (cut != 0.5 && !is_good()) cut = std::abs(cut - 0.5) < 0.02 ? 0.5 : (2 * cut + 0.5) / 3;
-      const bool is_beyond = space_.degree > bent_degree && std::ranges::any_of(cells[i], is_bent);
+      const bool is_beyond = space_.degree > constants.bent_degree && std::ranges::any_of(cells[i], is_bent);
       if (is_beyond || !is_good()) chords_[i].share = 0;
     }
   }
@@ -196,13 +202,13 @@ class ChordChoice {
     std::vector<std::size_t> ranking(chords_.size());
     std::iota(ranking.begin(), ranking.end(), std::size_t{0});
     std::ranges::sort(ranking, std::greater{}, [&](std::size_t i) { return chords_[i].rate(); });
-    const double least = std::max((edges_run_along_chords() ? worth_at_edges : worth) * task_.per_cell * whole_,
-                                  best_part * chords_[ranking.front()].rate());
-    constexpr double alike = 0.99;  // rounding must not separate chords that are equal by symmetry
+    const double worth = edges_run_along_chords() ? constants.chord_worth_at_edges : constants.chord_worth;
+    const double least =
+        std::max(worth * task_.per_cell * whole_, constants.best_chord_part * chords_[ranking.front()].rate());
     double sum = 0, last = 0;
     for (const std::size_t i : ranking) {
       Chord& chord = chords_[i];
-      const bool is_enough = sum >= task_.share * whole_ && chord.rate() < alike * last;
+      const bool is_enough = sum >= task_.share * whole_ && chord.rate() < constants.alike_chords * last;
       if (is_enough || chord.rate() < least || !(chord.share > 0)) break;
       sum += chord.share;
       last = chord.rate();
@@ -231,7 +237,7 @@ class ChordChoice {
   }
   bool edges_run_along_chords() const {
     const Edges all = edges();
-    return all.cells > 0 && all.chords < 2 * all.cells;
+    return all.cells > 0 && all.chords < constants.edge_chord_cells * all.cells;
   }
 
   void choose_at_edges() {
@@ -249,6 +255,32 @@ class ChordChoice {
 };
 
 }  // namespace
+
+Chords chords(const fem::CoarseMesh& mesh) {
+  PLASTRON_ASSERT(mesh.shape == fem::Shape::quadrilateral);
+  Union sets(2 * mesh.cells.size());
+  std::map<std::pair<int, int>, std::size_t> cut;  // sides, each with the cell direction that cuts it
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (int side = 0; side < 4; ++side) {
+      const auto [from, to] = fem::side_corners(fem::Shape::quadrilateral, side);
+      const auto ends = std::minmax(mesh.cells[c].vertices[static_cast<std::size_t>(from)],
+                                    mesh.cells[c].vertices[static_cast<std::size_t>(to)]);
+      const std::size_t direction = 2 * c + (side < 2 ? 1 : 0);
+      const auto [other, is_new] = cut.try_emplace(ends, direction);
+      if (!is_new) sets.join(other->second, direction);
+    }
+  Chords result;
+  std::map<std::size_t, int> numbers;
+  const auto number = [&](std::size_t direction) {
+    return numbers.try_emplace(sets.find(direction), static_cast<int>(numbers.size())).first->second;
+  };
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int first = number(2 * c);
+    result.of_cell.push_back({first, number(2 * c + 1)});
+  }
+  result.count = static_cast<int>(numbers.size());
+  return result;
+}
 
 std::vector<fem::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task) {
   const bool is_divided = space.global_cells > static_cast<std::int64_t>(space.coarse->cells.size());

@@ -1,14 +1,29 @@
-// Selects chords of the coarse mesh to cut before cells are divided one by one (docs/methods/accuracy.md). Layers along
-// edges, and edges of contact zones along rows of cells, need cells that are narrow in one direction only.
+// The chords of a mesh of quadrilaterals: rows of cells that are neighbours across opposite sides. If all cells of a
+// chord are divided along it, the mesh conforms without hanging nodes. Chords of the coarse mesh are cut before cells
+// are divided one by one (docs/methods/accuracy.md): layers along edges, and edges of contact zones along rows of cells,
+// need cells that are narrow in one direction only.
 #pragma once
 #include <plastron/estimation/estimates.hpp>
 #include <plastron/fem/surface.hpp>
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace plastron::meshing {
 
+struct Chords {
+  /// Chords through each cell: the one across its direction xi_1, which cuts the sides xi_2 = 0 and 1, and the one
+  /// across xi_2.
+  std::vector<std::array<int, 2>> of_cell{};
+  int count = 0;
+};
+
+/// Returns the chords, numbered by their first cells. Precondition: quadrilaterals. Their sides run the same way in
+/// neighbours where this matters.
+Chords chords(const fem::CoarseMesh& mesh);
+
+/// Why and where chords are cut.
 struct ChordTask {
   std::span<const double> shares;  ///< part of the goals' errors in each owned cell
   const estimation::Estimates& estimates;

@@ -1,9 +1,10 @@
 #include <plastron/meshing/layer_widths.hpp>
 
 #include <plastron/fem/coarse_mesh.hpp>
-#include <plastron/fem/polygon.hpp>
+#include <plastron/fem/domain.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/meshing/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ struct Piece {
   std::vector<Vector2d> points{}, inwards{};
 };
 
-constexpr int samples = 16;
+constexpr int samples = constants.edge_samples;
 
 Piece straight_piece(int boundary, int region, const Vector2d& from, const Vector2d& to, const Vector2d& inward) {
   Piece piece{.boundary = boundary, .region = region, .length = (to - from).norm()};
@@ -129,7 +130,7 @@ struct Sums {
   }
   /// Returns the layer width along an asymptotic line, where b_tt = 0 and b_nt^2 = -K; b_nn then is the trace.
   double layer() const {
-    const double K = gauss / area, flat = 1e-6 * std::pow(trace / area, 2);
+    const double K = gauss / area, flat = constants.flat_curvature * std::pow(trace / area, 2);
     if (K > flat) return INFINITY;
     return layer_width(thickness / area, {.along = 0, .twist = std::sqrt(std::max(0.0, -K)), .across = trace / area},
                        std::sqrt(area));
@@ -164,7 +165,7 @@ std::vector<EdgeLayer> edge_layers(const problem::Problem& problem) {
 }
 
 Interior interior(const problem::Problem& problem) {
-  constexpr int n = 8;
+  constexpr int n = constants.interior_samples;
   auto coarse = std::make_shared<const fem::CoarseMesh>(fem::coarse_mesh(problem.domain, fem::Shape::quadrilateral));
   const fem::Surface surface(coarse, problem.charts);
   std::vector<Vector2d> xi;

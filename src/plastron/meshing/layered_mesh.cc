@@ -1,7 +1,7 @@
 #include <plastron/meshing/layered_mesh.hpp>
 
-#include <plastron/fem/grid_mesh.hpp>
-#include <plastron/fem/subdivided_mesh.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/fem/cut_mesh.hpp>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,9 @@
 // Polygons with rows along their sides. Four convex corners make a grid of straight lines. For other polygons the
 // rows are cut off first and Gmsh meshes the rest.
+#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/domain.hpp>
-#include <plastron/fem/grid_mesh.hpp>
-#include <plastron/fem/mesh_validity.hpp>
-#include <plastron/fem/polygon.hpp>
-#include <plastron/fem/subdivided_mesh.hpp>
+#include <plastron/meshing/constants.hpp>
 #include <plastron/meshing/layered_mesh.hpp>
 
 #include <Eigen/LU>
@@ -88,12 +87,12 @@ struct Corner {
 Corner corner_between(const Line& a, double depth_a, const Line& b, double depth_b) {
   const Line row_a = a.shifted(depth_a), row_b = b.shifted(depth_b);
   const double sine = cross(a.direction(), b.direction());
-  if (std::abs(sine) < 1e-3) {  // the side continues, possibly with another depth
+  if (std::abs(sine) < constants.straight_sine) {  // the side continues, possibly with another depth
     const Vector2d n(-a.direction()[1], a.direction()[0]);
     return {.outer = a.to, .inner = a.to + std::min(depth_a, depth_b) * n, .before = a.to, .after = a.to};
   }
   Corner corner{.outer = a.to, .inner = crossing(row_a, row_b), .before = a.to, .after = a.to};
-  corner.has_cell = sine > 0.7;  // nearly square: between 45 and 135 degrees
+  corner.has_cell = sine > constants.cell_corner_sine;  // nearly square
   if (corner.has_cell) {
     corner.before = crossing(a, row_b);
     corner.after = crossing(b, row_a);
@@ -229,7 +228,7 @@ fem::CoarseMesh layered_polygon(const fem::Polygon& polygon, const Rows& rows) {
     return mesh;
   }
   const std::vector<double> depths = depths_of(boundaries, rows);
-  const double length = fem::perimeter(polygon) / std::max(4, rows.inner[0]);
+  const double length = fem::perimeter(polygon) / std::max(constants.least_cells_around, rows.inner[0]);
   if (std::ranges::max(depths) == 0) return fem::gmsh_polygon(polygon, fem::Shape::quadrilateral, length);
   return surrounded_by_rows(sides, boundaries, names, depths, length);
 }

@@ -1,10 +1,16 @@
 #include <plastron/meshing/marks.hpp>
 
 #include <plastron/algebra/vector.hpp>
+#include <plastron/fem/surface.hpp>
+#include <plastron/meshing/chord_cuts.hpp>
+#include <plastron/meshing/constants.hpp>
+#include <plastron/meshing/sequence.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace plastron::meshing {
 
@@ -27,9 +33,8 @@ double error_threshold(const std::vector<double>& indicators, double share, MPI_
   const double whole = algebra::sum_over_ranks(sum, comm);
   double at = algebra::max_over_ranks(most, comm);
   if (!(whole > 0)) return std::numeric_limits<double>::infinity();
-  constexpr double step = 0.97;
   for (double part = 0; part < share * whole;) {
-    at *= step;
+    at *= constants.threshold_step;
     double mine = 0;
     for (const double x : indicators)
       if (x > at) mine += x;
@@ -43,12 +48,93 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<estima
   const std::vector<double> weights = error_indicators(space, goals, estimates);
   const double above = error_threshold(weights, share, space.layout->comm);
   // A cell made of four has about 2^(2k + 2) times their error. This must still be negligible.
-  const double below = 0.01 * above * std::exp2(-2 * space.degree - 2);
+  const double below = constants.joined_error * above * std::exp2(-2 * space.degree - 2);
   std::vector<signed char> result;
   result.reserve(weights.size());
   for (const double x : weights) result.push_back(x > above ? 1 : x < below ? -1 : 0);
   for (const std::size_t cell : estimates.unjudged) result[cell] = 1;
   return result;
+}
+
+double share_to_divide(double excess) {
+  const double at_least = std::max(excess, 1.0);  // a mesh that only confirms must also be different
+  return std::min((1 - constants.aim / at_least) / (1 - constants.kept_error), constants.most_divided);
+}
+
+namespace {
+
+std::vector<signed char> marks_by_errors(const fem::Space& space, const NextMeshTask& task) {
+  std::vector<signed char> all = marks(space, task.goals, *task.estimates, share_to_divide(task.excess));
+  if (!task.may_join)
+    std::ranges::replace_if(
+        all, [](signed char mark) { return mark < 0; }, 0);
+  if (task.wants_edges) {
+    all.assign(space.owned_cells, 0);
+    for (const estimation::CrossedCell& crossed : task.estimates->crossed) all[crossed.cell] = 1;
+  }
+  return all;
+}
+
+/// Returns cuts, if they are better than the division of the marked cells.
+std::vector<fem::Cuts> cuts_by_errors(const problem::Problem& problem, const fem::Space& space,
+                                      const NextMeshTask& task, const std::vector<signed char>& marks) {
+  const MPI_Comm comm = space.layout->comm;
+  const std::vector<double> shares = error_indicators(space, task.goals, *task.estimates);
+  double whole = 0, divided = 0, cells = 0;
+  for (std::size_t c = 0; c < shares.size(); ++c) {
+    whole += shares[c];
+    if (marks[c] > 0) {
+      divided += shares[c];
+      cells += 1;
+    }
+  }
+  whole = algebra::sum_over_ranks(whole, comm);
+  divided = algebra::sum_over_ranks(divided, comm);
+  cells = algebra::sum_over_ranks(cells, comm);
+  const auto is_held_at_point = [](const assembly::Support& support) { return support.point.has_value(); };
+  return chord_cuts(space, fem::Surface(space.coarse, problem.charts),
+                    {.shares = shares,
+                     .estimates = *task.estimates,
+                     .share = share_to_divide(task.excess),
+                     .per_cell = cells > 0 && whole > 0 ? divided / whole / (3 * cells) : 0,
+                     .halves_only = std::ranges::any_of(problem.supports, is_held_at_point),
+                     .are_met = std::ranges::all_of(task.goals, &estimation::GoalRecord::is_met),
+                     .at_edges = task.wants_edges});
+}
+
+/// Number of cells of all ranks with this mark (collective).
+std::int64_t count_of(signed char mark, const NextMesh& next, const fem::Space& space) {
+  return algebra::sum_over_ranks(std::int64_t{std::ranges::count(next.marks, mark)}, space.layout->comm);
+}
+
+}  // namespace
+
+NextMesh next_mesh(const problem::Problem& problem, const fem::Space& space, const NextMeshTask& task) {
+  const fem::MeshSequence::Even even = even_boundaries(problem);
+  NextMesh next;
+  if (task.follows_errors) {
+    next.marks = marks_by_errors(space, task);
+    if (even.empty()) next.cuts = cuts_by_errors(problem, space, task, next.marks);
+  }
+  // All cells where the goals' errors in cells cannot be distinguished.
+  if (!task.follows_errors || count_of(1, next, space) == 0) next.marks.assign(space.owned_cells, 1);
+  if (algebra::sum_over_ranks(static_cast<std::int64_t>(task.entered.size()), space.layout->comm) > 0) {
+    next.cuts.clear();
+    if (!task.estimates || estimation::shortfall(task.goals, *task.estimates).empty())
+      next.marks.assign(space.owned_cells, 0);
+    for (const std::size_t cell : task.entered) next.marks[cell] = 1;
+  }
+  fem::mark_evenly(space, even, next.marks);
+  for (std::size_t c = 0; c < next.marks.size(); ++c)
+    if (next.marks[c] > 0 && std::abs(space.cells[c].size) <= constants.smallest_cell) next.marks[c] = 0;
+  next.has_joined = next.cuts.empty() && count_of(-1, next, space) > 0;
+  const auto parts = [](const fem::Cuts& cuts) {
+    return static_cast<std::int64_t>((cuts[0].size() + 1) * (cuts[1].size() + 1));
+  };
+  next.added_cells = next.cuts.empty() ? 3 * count_of(1, next, space)
+                                       : std::transform_reduce(next.cuts.begin(), next.cuts.end(), -space.global_cells,
+                                                               std::plus{}, parts);
+  return next;
 }
 
 }  // namespace plastron::meshing

@@ -1,7 +1,8 @@
 #include <plastron/meshing/start_mesh.hpp>
 
-#include <plastron/fem/kept_nodes.hpp>
-#include <plastron/fem/polygon.hpp>
+#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/fem/domain.hpp>
+#include <plastron/meshing/constants.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,23 +18,6 @@ namespace plastron::meshing {
 namespace {
 
 using Eigen::Vector2d;
-
-// Measured on a saddle and on shells in contact, docs/methods/layers.md.
-constexpr double row_widths = 3.5;         ///< width of a row relative to its layer
-constexpr double narrow_row_widths = 0.2;  ///< width of a second row at the edge
-constexpr int narrow_row_degree = 4;
-/// Error with one row in each direction, relative to a corner's part of the domain.
-constexpr double corner_errors = 0.03;
-constexpr double cells_per_layer_degree =
-    0.68;  ///< size of an inner cell, relative to the degree and the width of the layers there
-/// Number of nodes of the finest mesh where contact zones may have their edge anywhere.
-constexpr double contact_nodes = 700;
-constexpr double largest_share = 0.25;  ///< largest part of the domain for a row
-constexpr int most_cells_across = 64;
-/// Part of a disk's radius outside which a mesh with cut chords has rings: edges of contact zones may also be round.
-constexpr double core_part = 0.35;
-/// Highest degree with rings; patches of higher ones cannot judge cells that are long and bent.
-constexpr int ring_degree = 4;
 
 /// Space for rows along a boundary, in Omega.
 struct Room {
@@ -74,15 +58,15 @@ bool keeps_joins_alike(const problem::Problem& problem) {
 }
 
 /// Whether each row needs a second, narrow row between it and the edge. Rows cross at corners of four-sided domains.
-/// Narrow rows are useful if the required accuracy exceeds the accuracy of the corners' cells, at the degree of
-/// narrow_row_degree. `share` is the widest row's part of the domain's width.
+/// Narrow rows are useful if the required accuracy exceeds the accuracy of the corners' cells, at one degree. `share` is
+/// the widest row's part of the domain's width.
 bool wants_narrow_rows(const problem::Problem& problem, double share) {
-  if (!problem.accuracy || problem.discretisation.degree != narrow_row_degree) return false;
+  if (!problem.accuracy || problem.discretisation.degree != constants.narrow_row_degree) return false;
   const auto* polygon = std::get_if<fem::Polygon>(&problem.domain);
   if (!std::holds_alternative<fem::Rectangle>(problem.domain) && !(polygon && fem::is_convex_quadrilateral(*polygon)))
     return false;
   return std::ranges::any_of(problem.accuracy->goals, [&](const problem::Accuracy::Goal& goal) {
-    return goal.tolerance <= corner_errors * share * share;
+    return goal.tolerance <= constants.corner_error * share * share;
   });
 }
 
@@ -99,11 +83,11 @@ std::pair<Rows, std::vector<EdgeLayer>> rows_of(const problem::Problem& problem)
     bool fits = false;
     for (const EdgeLayer& layer : layers)
       if (layer.boundary == b) {
-        const double most = largest_share * std::visit(Room{layer}, problem.domain);
-        const double row = row_widths * layer.width_in_omega;
+        const double most = constants.largest_row * std::visit(Room{layer}, problem.domain);
+        const double row = constants.row_width * layer.width_in_omega;
         if (row <= most && !within.contains(b)) {
           fits = true;
-          share = std::max(share, row / most * largest_share);
+          share = std::max(share, row / most * constants.largest_row);
           kept.push_back(layer);
         }
         distances.push_back({row <= most ? row : most});
@@ -122,7 +106,8 @@ std::pair<Rows, std::vector<EdgeLayer>> rows_of(const problem::Problem& problem)
   if (wants_narrow_rows(problem, share))
     for (auto& regions : rows.distances)
       for (auto& distances : regions)
-        if (!distances.empty()) distances.insert(distances.begin(), distances.front() * narrow_row_widths / row_widths);
+        if (!distances.empty())
+          distances.insert(distances.begin(), distances.front() * constants.narrow_row_width / constants.row_width);
   return {std::move(rows), std::move(kept)};
 }
 
@@ -134,9 +119,9 @@ bool has_narrow_rows(const Rows& rows) {
 /// Returns the size of cells between the rows on the finest mesh [m].
 double size_inside(const problem::Problem& problem, const Interior& inside) {
   const int degree = problem.discretisation.degree;
-  double size = cells_per_layer_degree * degree * inside.width;
+  double size = constants.cell_size * degree * inside.width;
   if (!problem.obstacles.empty() && !problem.accuracy)
-    size = std::min(size, degree * std::sqrt(inside.area / contact_nodes));
+    size = std::min(size, degree * std::sqrt(inside.area / constants.contact_nodes));
   return size;
 }
 
@@ -151,10 +136,9 @@ struct InnerCells {
   double size;
 
   int count(double length) const {
-    constexpr double rounding = 0.05;  // a cell may be larger by this part
-    const double cells = std::ceil(length / size - rounding);
+    const double cells = std::ceil(length / size - constants.excess_size);
     if (!(cells > 1)) return 1;  // also where the chart has almost no curvature
-    return static_cast<int>(std::min(cells, 1.0 * most_cells_across));
+    return static_cast<int>(std::min(cells, 1.0 * constants.most_cells_across));
   }
   std::array<int, 2> operator()(const fem::Rectangle& r) const {
     const Vector2d taken(last_or_nothing(rows.distances[0]) + last_or_nothing(rows.distances[1]),
@@ -189,8 +173,9 @@ struct InnerCells {
 /// Adds rings outside the middle of a disk whose chords may be cut.
 void add_rings(const problem::Problem& problem, const InnerCells& cells, Rows& rows) {
   const auto* disk = std::get_if<fem::Disk>(&problem.domain);
-  if (!disk || !problem.accuracy || is_refined_evenly(problem) || problem.discretisation.degree > ring_degree) return;
-  const double core = core_part * disk->radius;
+  if (!disk || !problem.accuracy || is_refined_evenly(problem) || problem.discretisation.degree > constants.ring_degree)
+    return;
+  const double core = constants.ring_core * disk->radius;
   const double between = disk->radius - last_or_nothing(rows.distances[0]) - core;  // rows take at most a quarter
   rows.core = core;
   rows.rings = cells.count(between * cells.inside.stretch.mean());
@@ -242,8 +227,8 @@ StartMesh start_mesh(const problem::Problem& problem) {
 }
 
 int recommended_degree(const problem::Problem& problem) {
-  if (problem.discretisation.cells == fem::Shape::triangle) return 2;
-  return problem.obstacles.empty() ? 8 : 3;
+  if (problem.discretisation.cells == fem::Shape::triangle) return constants.degree_of_triangles;
+  return problem.obstacles.empty() ? constants.degree_smooth : constants.degree_with_contact;
 }
 
 std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinements) {
@@ -276,7 +261,7 @@ std::string describe(const StartMesh& mesh, const problem::Problem& problem) {
   for (const EdgeLayer& layer : mesh.rows) {
     const std::string& region = regions[static_cast<std::size_t>(layer.region)];
     rows.push_back(fmt::format("{}{} {:.3g} m", names[static_cast<std::size_t>(layer.boundary)],
-                               region.empty() ? "" : " of " + region, row_widths * layer.width));
+                               region.empty() ? "" : " of " + region, constants.row_width * layer.width));
   }
   const std::string what = !mesh.no_rows.empty() ? fmt::format("no rows along edges: {}", mesh.no_rows)
                            : rows.empty()

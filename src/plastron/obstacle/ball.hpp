@@ -17,6 +17,7 @@ struct Ball {
     const Matrix3d bend = length > 0 ? Matrix3d((Matrix3d::Identity() - n * n.transpose()) / length) : Matrix3d::Zero();
     return {side * (length - radius), side * n, side * bend};
   }
+  std::optional<Extent> extent() const { return extent_around(centre, extent_margin * radius); }
 };
 
 }  // namespace plastron::obstacle

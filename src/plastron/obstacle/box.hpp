@@ -13,6 +13,10 @@ struct Box {
   /// The body contains all points within `fillet` of a smaller sharp box, the core. If several faces are equally near
   /// inside, the first of them gives the normal.
   Nearest nearest(const Vector3d& X) const;
+  std::optional<Extent> extent() const {
+    const Vector3d half = extent_margin / 2 * (axes.cwiseAbs() * size);
+    return Extent{centre - half, centre + half};
+  }
 };
 
 }  // namespace plastron::obstacle

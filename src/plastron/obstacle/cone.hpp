@@ -2,6 +2,7 @@
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -22,6 +23,10 @@ struct Cone {
   /// The body contains all points within `fillet` of a smaller sharp cone. On the axis inside the body no direction
   /// is nearest, and the normal is an arbitrary one of the nearest.
   Nearest nearest(const Vector3d& X) const;
+  std::optional<Extent> extent() const {
+    if (!std::isfinite(height)) return {};
+    return extent_around(apex, extent_margin * height / std::cos(half_angle));
+  }
 };
 
 }  // namespace plastron::obstacle

@@ -3,6 +3,7 @@
 #pragma once
 #include <plastron/obstacle/nearest.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace plastron::obstacle {
@@ -19,6 +20,10 @@ struct Cylinder {
   /// The body contains all points within `fillet` of a sharp cylinder: d = (distance to the sharp one) - fillet, also
   /// inside. On the axis no direction is nearest, and the normal is an arbitrary one across the axis.
   Nearest nearest(const Vector3d& X) const;
+  std::optional<Extent> extent() const {
+    if (!std::isfinite(length)) return {};
+    return extent_around(point, extent_margin * std::hypot(length / 2, radius));
+  }
 };
 
 }  // namespace plastron::obstacle

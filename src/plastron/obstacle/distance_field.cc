@@ -2,7 +2,6 @@
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/obstacle/distance_field.hpp>
 #include <plastron/obstacle/error.hpp>
-#include <plastron/obstacle/offset_surface.hpp>
 #include <plastron/obstacle/zero_set.hpp>
 
 #include <fmt/format.h>

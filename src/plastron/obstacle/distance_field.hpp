@@ -17,6 +17,7 @@ class DistanceField {
   /// is a distance, one step suffices. Throws ObstacleError if the gradient of F is zero at X or at the surface, and
   /// if no foot is found.
   Nearest nearest(const Vector3d& X) const;
+  std::optional<Extent> extent() const { return {}; }
 
   double level(const Vector3d& X) const { return function_->value(X); }
 

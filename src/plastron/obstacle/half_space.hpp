@@ -9,6 +9,7 @@ struct HalfSpace {
   Vector3d normal = Vector3d::UnitZ();  ///< unit vector towards the free side
 
   Nearest nearest(const Vector3d& X) const { return {(X - point).dot(normal), normal, Matrix3d::Zero()}; }
+  std::optional<Extent> extent() const { return {}; }
 };
 
 }  // namespace plastron::obstacle

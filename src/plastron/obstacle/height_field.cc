@@ -1,11 +1,8 @@
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/obstacle/error.hpp>
-#include <plastron/obstacle/graph_objective.hpp>
-#include <plastron/obstacle/graph_samples.hpp>
 #include <plastron/obstacle/graph_search.hpp>
 #include <plastron/obstacle/height_field.hpp>
-#include <plastron/obstacle/offset_surface.hpp>
 
 #include <fmt/format.h>
 

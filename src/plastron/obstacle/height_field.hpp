@@ -24,6 +24,7 @@ class HeightField {
   /// samples, so they must not be used by several threads at once. Results do not depend on earlier calls. Throws
   /// ObstacleError if the foot is not inside the raster.
   Nearest nearest(const Vector3d& X) const;
+  std::optional<Extent> extent() const { return {}; }
 
   /// z - h(x, y): zero on the graph, positive above; NaN outside of the raster.
   double level(const Vector3d& X) const;

@@ -1,6 +1,7 @@
+#include <plastron/geometry/text_file.hpp>
 #include <plastron/obstacle/error.hpp>
+#include <plastron/obstacle/nearest.hpp>
 #include <plastron/obstacle/raster.hpp>
-#include <plastron/obstacle/words.hpp>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,8 @@
 namespace plastron::obstacle {
 
 namespace {
+
+using geometry::TextFile;
 
 /// Values at t in [0, 1] of the spline's four pieces or of their derivatives: d = 0, 1, 2.
 std::array<double, 4> pieces(double t, int d) {
@@ -43,31 +46,56 @@ Eigen::MatrixXd spline_along_rows(const Eigen::MatrixXd& f) {
 struct Header {
   std::map<std::string, double> numbers;
 
-  double wanted(const Words& words, const std::string& name) const {
+  double wanted(const TextFile& file, const std::string& name) const {
     if (const auto found = numbers.find(name); found != numbers.end()) return found->second;
-    throw ObstacleError(fmt::format("{}: the grid's head has no {}; an ESRI ASCII grid is wanted", words.path(), name));
+    throw ObstacleError(fmt::format("{}: the grid's head has no {}; an ESRI ASCII grid is wanted", file.path(), name));
   }
-  double corner(const Words& words, const std::string& axis, double cell) const {
+  double corner(const TextFile& file, const std::string& axis, double cell) const {
     if (const auto centre = numbers.find(axis + "llcenter"); centre != numbers.end()) return centre->second;
-    return wanted(words, axis + "llcorner") + cell / 2;
+    return wanted(file, axis + "llcorner") + cell / 2;
   }
-  std::size_t count(const Words& words, const std::string& name) const {
-    const double n = wanted(words, name);
+  std::size_t count(const TextFile& file, const std::string& name) const {
+    const double n = wanted(file, name);
     if (n == std::floor(n) && n >= 2 && n <= most_raster_points) return static_cast<std::size_t>(n);
     throw ObstacleError(
-        fmt::format("{}: {} is {}; a whole number from 2 to {} is wanted", words.path(), name, n, most_raster_points));
+        fmt::format("{}: {} is {}; a whole number from 2 to {} is wanted", file.path(), name, n, most_raster_points));
   }
 };
 
-Header read_header(Words& words) {
+Header read_header(TextFile& file) {
   Header header;
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  while (!words.at_end() && is_letter(words.peek().front())) {
-    std::string name(words.next());
+  while (!file.at_end() && is_letter(file.peek().front())) {
+    std::string name(file.word("a name"));
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    header.numbers[name] = words.number(("the value of " + name).c_str());
+    header.numbers[name] = file.real(("the value of " + name).c_str(), largest_coordinate);
   }
   return header;
+}
+
+Raster raster_in(TextFile& file) {
+  const Header header = read_header(file);
+  const std::size_t columns = header.count(file, "ncols"), rows = header.count(file, "nrows");
+  if (columns * rows > most_raster_points)
+    throw ObstacleError(fmt::format("{}: the grid has {} heights, at most {} are allowed", file.path(), columns * rows,
+                                    most_raster_points));
+  const double cell = header.wanted(file, "cellsize");
+  if (!(cell > 0))
+    throw ObstacleError(fmt::format("{}: cellsize is {}, but must be greater than 0", file.path(), cell));
+  const auto none = header.numbers.find("nodata_value");
+  Eigen::MatrixXd heights(columns, rows);
+  for (std::size_t row = rows; row-- > 0;)
+    for (std::size_t column = 0; column < columns; ++column) {
+      const double h = file.real("a height", largest_coordinate);
+      if (none != header.numbers.end() && h == none->second)
+        file.refuse(
+            fmt::format("column {} of row {} has no height (NODATA_value); the shell may come to stand over any: "
+                        "fill the hole, or cut the grid to a rectangle without any",
+                        column + 1, rows - row));
+      heights(static_cast<Eigen::Index>(column), static_cast<Eigen::Index>(row)) = h;
+    }
+  if (!file.at_end()) file.refuse(fmt::format("more than {} x {} heights", columns, rows));
+  return {heights, {header.corner(file, "x", cell), header.corner(file, "y", cell)}, cell};
 }
 
 }  // namespace
@@ -102,28 +130,12 @@ HeightJet Raster::operator()(const Eigen::Vector2d& p) const {
 }
 
 Raster read_raster(const std::string& path) {
-  Words words(path);
-  const Header header = read_header(words);
-  const std::size_t columns = header.count(words, "ncols"), rows = header.count(words, "nrows");
-  if (columns * rows > most_raster_points)
-    throw ObstacleError(
-        fmt::format("{}: the grid has {} heights, at most {} are allowed", path, columns * rows, most_raster_points));
-  const double cell = header.wanted(words, "cellsize");
-  if (!(cell > 0)) throw ObstacleError(fmt::format("{}: cellsize is {}, but must be greater than 0", path, cell));
-  const auto none = header.numbers.find("nodata_value");
-  Eigen::MatrixXd heights(columns, rows);
-  for (std::size_t row = rows; row-- > 0;)
-    for (std::size_t column = 0; column < columns; ++column) {
-      const double h = words.number("a height");
-      if (none != header.numbers.end() && h == none->second)
-        words.refuse(
-            fmt::format("column {} of row {} has no height (NODATA_value); the shell may come to stand over any: "
-                        "fill the hole, or cut the grid to a rectangle without any",
-                        column + 1, rows - row));
-      heights(static_cast<Eigen::Index>(column), static_cast<Eigen::Index>(row)) = h;
-    }
-  if (!words.at_end()) words.refuse(fmt::format("more than {} x {} heights", columns, rows));
-  return {heights, {header.corner(words, "x", cell), header.corner(words, "y", cell)}, cell};
+  try {
+    TextFile file(path, "file", geometry::Lines::run_on);
+    return raster_in(file);
+  } catch (const geometry::FileError& error) {
+    throw ObstacleError(error.what());
+  }
 }
 
 }  // namespace plastron::obstacle

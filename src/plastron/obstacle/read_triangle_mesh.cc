@@ -1,7 +1,8 @@
 // Readers of STL, OBJ and PLY files.
+#include <plastron/geometry/text_file.hpp>
 #include <plastron/obstacle/error.hpp>
+#include <plastron/obstacle/nearest.hpp>
 #include <plastron/obstacle/triangle_mesh.hpp>
-#include <plastron/obstacle/words.hpp>
 
 #include <fmt/format.h>
 
@@ -13,12 +14,13 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <string_view>
 
 namespace plastron::obstacle {
 
 namespace {
 
-using geometry::Vector3d;
+using geometry::TextFile;
 
 static_assert(std::endian::native == std::endian::little, "binary files are read as they are in memory");
 
@@ -54,33 +56,33 @@ class Builder {
   std::map<std::array<double, 3>, int> number_;
 };
 
-Vector3d vector(Words& words) {
+Vector3d vector(TextFile& file) {
   Vector3d v;
-  for (int i = 0; i < 3; ++i) v[i] = words.number("a coordinate");
+  for (int i = 0; i < 3; ++i) v[i] = file.real("a coordinate", largest_coordinate);
   return v;
 }
 
-void expect(Words& words, const char* word) {
-  if (!words.take(word)) words.refuse(fmt::format("\"{}\" should stand here", word));
+void expect(TextFile& file, const char* word) {
+  if (!file.take(word)) file.refuse(fmt::format("\"{}\" should stand here", word));
 }
 
-void read_ascii_stl(Words& words, Builder& builder) {
-  expect(words, "solid");
-  words.rest_of_line();
-  while (!words.take("endsolid")) {
-    expect(words, "facet");
-    expect(words, "normal");
+void read_ascii_stl(TextFile& file, Builder& builder) {
+  expect(file, "solid");
+  file.skip_rest_of_line();
+  while (!file.take("endsolid")) {
+    expect(file, "facet");
+    expect(file, "normal");
     // The normal is computed from the corners.
-    for (int i = 0; i < 3; ++i) words.next();
-    expect(words, "outer");
-    expect(words, "loop");
+    for (int i = 0; i < 3; ++i) file.word("a normal");
+    expect(file, "outer");
+    expect(file, "loop");
     std::vector<int> corners;
     for (int k = 0; k < 3; ++k) {
-      expect(words, "vertex");
-      corners.push_back(builder.add_point(vector(words)));
+      expect(file, "vertex");
+      corners.push_back(builder.add_point(vector(file)));
     }
-    expect(words, "endloop");
-    expect(words, "endfacet");
+    expect(file, "endloop");
+    expect(file, "endfacet");
     builder.add_polygon(corners);
   }
 }
@@ -118,15 +120,15 @@ bool is_binary_stl(const std::string& text) {
   return text.size() == stl_head + stl_triangle * static_cast<std::size_t>(count);
 }
 
-void read_stl(Words& words, Builder& builder) {
-  if (!is_binary_stl(words.text())) {
-    if (words.at_end() || words.peek() != "solid")
-      throw ObstacleError(words.path() +
+void read_stl(TextFile& file, Builder& builder) {
+  if (!is_binary_stl(file.text())) {
+    if (file.at_end() || file.peek() != "solid")
+      throw ObstacleError(file.path() +
                           ": this is no STL file: it neither begins with \"solid\" nor has the length "
                           "that a binary one states; it may have been cut off");
-    return read_ascii_stl(words, builder);
+    return read_ascii_stl(file, builder);
   }
-  Bytes bytes(words.path(), words.text(), 80);
+  Bytes bytes(file.path(), file.text(), 80);
   const auto count = bytes.take<std::uint32_t>();
   for (std::uint32_t t = 0; t < count; ++t) {
     bytes.skip(3 * sizeof(float));
@@ -142,28 +144,28 @@ void read_stl(Words& words, Builder& builder) {
 
 /// Reads lines "v x y z" and "f 1 2 3", "f 1/4 2/5 3/6", negative numbers from the last point backwards; skips all
 /// others.
-void read_obj(Words& words, Builder& builder) {
+void read_obj(TextFile& file, Builder& builder) {
   std::vector<int> points;
-  while (!words.at_end()) {
-    const std::string key(words.next());
+  while (!file.at_end()) {
+    const std::string key(file.word("a word"));
     if (key == "v") {
-      points.push_back(builder.add_point(vector(words)));
-      words.rest_of_line();
+      points.push_back(builder.add_point(vector(file)));
+      file.skip_rest_of_line();
     } else if (key == "f") {
       std::vector<int> corners;
-      Words line(words.path(), std::string(words.rest_of_line()));
-      while (!line.at_end()) {
-        const std::string corner(line.next());
-        Words first(words.path(), corner.substr(0, corner.find('/')));
-        const long given = first.integer("the number of a point"), count = static_cast<long>(points.size());
-        const long index = given < 0 ? count + given : given - 1;
-        if (index < 0 || index >= count) words.refuse(fmt::format("there is no point {} yet", given));
+      while (file.has_word()) {
+        const std::string_view corner = file.word("a corner");
+        long given = 0;
+        if (!geometry::parse(corner.substr(0, corner.find('/')), given))
+          file.refuse(fmt::format("found \"{}\" where the number of a point should stand", geometry::shown(corner)));
+        const long count = static_cast<long>(points.size()), index = given < 0 ? count + given : given - 1;
+        if (index < 0 || index >= count) file.refuse(fmt::format("there is no point {} yet", given));
         corners.push_back(points[static_cast<std::size_t>(index)]);
       }
-      if (corners.size() < 3) words.refuse("a face has fewer than three corners");
+      if (corners.size() < 3) file.refuse("a face has fewer than three corners");
       builder.add_polygon(corners);
     } else {
-      words.rest_of_line();
+      file.skip_rest_of_line();
     }
   }
 }
@@ -180,13 +182,13 @@ struct Element {
 /// The next number of a PLY file, as text or as bytes of the type.
 class PlyNumbers {
  public:
-  PlyNumbers(Words& words, const std::string& format, std::size_t body)
-      : words_(words),
+  PlyNumbers(TextFile& file, const std::string& format, std::size_t body)
+      : file_(file),
         is_text_(format == "ascii"),
-        bytes_(words.path(), words.text(), body, format == "binary_big_endian") {}
+        bytes_(file.path(), file.text(), body, format == "binary_big_endian") {}
 
   double take(const std::string& type) {
-    if (is_text_) return words_.number("a number");
+    if (is_text_) return file_.real("a number", largest_coordinate);
     if (type == "char" || type == "int8") return bytes_.take<std::int8_t>();
     if (type == "uchar" || type == "uint8") return bytes_.take<std::uint8_t>();
     if (type == "short" || type == "int16") return bytes_.take<std::int16_t>();
@@ -195,16 +197,16 @@ class PlyNumbers {
     if (type == "uint" || type == "uint32") return bytes_.take<std::uint32_t>();
     if (type == "float" || type == "float32") return bytes_.take<float>();
     if (type == "double" || type == "float64") return bytes_.take<double>();
-    throw ObstacleError(words_.path() + ": a property has a type that PLY does not know");
+    throw ObstacleError(file_.path() + ": a property has a type that PLY does not know");
   }
 
  private:
-  Words& words_;
+  TextFile& file_;
   bool is_text_;
   Bytes bytes_;
 };
 
-void read_ply_element(Words& words, const Element& element, PlyNumbers& numbers, std::vector<int>& points,
+void read_ply_element(TextFile& file, const Element& element, PlyNumbers& numbers, std::vector<int>& points,
                       Builder& builder) {
   for (std::size_t i = 0; i < element.count; ++i) {
     Vector3d at = Vector3d::Zero();
@@ -212,7 +214,7 @@ void read_ply_element(Words& words, const Element& element, PlyNumbers& numbers,
     for (const Property& property : element.properties) {
       const double count = property.count_type.empty() ? 1 : numbers.take(property.count_type);
       constexpr double most_corners = 1000;
-      if (!(count >= 0 && count <= most_corners)) throw ObstacleError(words.path() + ": a list is too long");
+      if (!(count >= 0 && count <= most_corners)) throw ObstacleError(file.path() + ": a list is too long");
       for (int k = 0; k < static_cast<int>(count); ++k) {
         const double value = numbers.take(property.type);
         for (int a = 0; a < 3; ++a)
@@ -221,7 +223,7 @@ void read_ply_element(Words& words, const Element& element, PlyNumbers& numbers,
           continue;
         if (!(value >= 0 && value < static_cast<double>(points.size())))
           throw ObstacleError(
-              fmt::format("{}: face {} names the point {}, which does not exist", words.path(), i + 1, value));
+              fmt::format("{}: face {} names the point {}, which does not exist", file.path(), i + 1, value));
         corners.push_back(points[static_cast<std::size_t>(value)]);
       }
     }
@@ -230,40 +232,40 @@ void read_ply_element(Words& words, const Element& element, PlyNumbers& numbers,
   }
 }
 
-void read_ply(Words& words, Builder& builder) {
-  expect(words, "ply");
+void read_ply(TextFile& file, Builder& builder) {
+  expect(file, "ply");
   std::string format;
   std::vector<Element> elements;
   std::size_t body = 0;
   for (;;) {
-    const std::string key(words.next());
+    const std::string key(file.word("a line of the header"));
     if (key == "end_header") break;
     if (key == "format") {
-      format = words.next();
+      format = file.word("the format");
     } else if (key == "element") {
-      const std::string name(words.next());
-      const long count = words.integer("a count");
-      if (count < 0) words.refuse("a count is negative");
+      const std::string name(file.word("the name of an element"));
+      const std::int64_t count = file.integer("a count");
+      if (count < 0) file.refuse("a count is negative");
       elements.push_back({name, static_cast<std::size_t>(count)});
     } else if (key == "property") {
-      if (elements.empty()) words.refuse("a property belongs to no element");
+      if (elements.empty()) file.refuse("a property belongs to no element");
       Property property;
-      if (words.take("list")) property.count_type = words.next();
-      property.type = words.next();
-      property.name = words.next();
+      if (file.take("list")) property.count_type = file.word("a type");
+      property.type = file.word("a type");
+      property.name = file.word("the name of a property");
       elements.back().properties.push_back(property);
       continue;
     }
-    words.rest_of_line();
+    file.skip_rest_of_line();
   }
-  body = words.text().find('\n', words.text().find("end_header")) + 1;
+  body = file.text().find('\n', file.text().find("end_header")) + 1;
   if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-    throw ObstacleError(words.path() +
+    throw ObstacleError(file.path() +
                         ": the PLY file names no format of ascii, binary_little_endian, binary_big_endian");
-  PlyNumbers numbers(words, format, body);
+  PlyNumbers numbers(file, format, body);
   std::vector<int> points;
   for (const Element& element : elements)
-    if (!element.properties.empty()) read_ply_element(words, element, numbers, points, builder);
+    if (!element.properties.empty()) read_ply_element(file, element, numbers, points, builder);
 }
 
 }  // namespace
@@ -273,11 +275,15 @@ TriangleMesh read_triangle_mesh(const std::string& path) {
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending != ".stl" && ending != ".obj" && ending != ".ply")
     throw ObstacleError(path + ": the file's name must end in .stl, .obj or .ply");
-  Words words(path);
   Builder builder(path);
-  if (ending == ".stl") read_stl(words, builder);
-  if (ending == ".obj") read_obj(words, builder);
-  if (ending == ".ply") read_ply(words, builder);
+  try {
+    TextFile file(path, "file", geometry::Lines::run_on);
+    if (ending == ".stl") read_stl(file, builder);
+    if (ending == ".obj") read_obj(file, builder);
+    if (ending == ".ply") read_ply(file, builder);
+  } catch (const geometry::FileError& error) {
+    throw ObstacleError(error.what());
+  }
   TriangleMesh mesh = builder.take();
   join_near_points(mesh);
   return mesh;

@@ -26,25 +26,6 @@ double level_of(const Body& body, const Vector3d& x) {
     return body.nearest(x).distance;
 }
 
-Extent around(const Vector3d& centre, double reach) { return {centre.array() - reach, centre.array() + reach}; }
-
-/// An extent that contains a bounded shape with a small margin; empty for unbounded shapes.
-std::optional<Extent> reach_of(const Shape& shape) {
-  constexpr double margin = 1.01;
-  if (const auto* ball = std::get_if<Ball>(&shape)) return around(ball->centre, margin * ball->radius);
-  if (const auto* box = std::get_if<Box>(&shape)) {
-    const Vector3d half = margin / 2 * (box->axes.cwiseAbs() * box->size);
-    return Extent{box->centre - half, box->centre + half};
-  }
-  if (const auto* torus = std::get_if<Torus>(&shape))
-    return around(torus->centre, margin * (torus->radius + torus->tube_radius));
-  if (const auto* c = std::get_if<Cylinder>(&shape); c && std::isfinite(c->length))
-    return around(c->point, margin * std::hypot(c->length / 2, c->radius));
-  if (const auto* c = std::get_if<Cone>(&shape); c && std::isfinite(c->height))
-    return around(c->apex, margin * c->height / std::cos(c->half_angle));
-  return {};
-}
-
 /// The axis-parallel box in the body's coordinates around an extent in space.
 Extent in_body(const Extent& extent, const Placement& placement) {
   const Vector3d middle = placement.to_body((extent.low + extent.high) / 2);
@@ -145,7 +126,7 @@ TriangleMesh rectangle(const HalfSpace& body, const Extent& extent) {
 }
 
 TriangleMesh marched(const Shape& shape, Extent extent, int intervals) {
-  if (const auto reach = reach_of(shape)) {
+  if (const auto reach = std::visit([](const auto& body) { return body.extent(); }, shape)) {
     extent = {extent.low.cwiseMax(reach->low), extent.high.cwiseMin(reach->high)};
     if ((extent.low.array() >= extent.high.array()).any()) return {};
   }

@@ -4,11 +4,6 @@
 
 namespace plastron::obstacle {
 
-/// An axis-parallel box of space.
-struct Extent {
-  Vector3d low, high;
-};
-
 /// Returns the part of the obstacle's surface within `extent`. A half-space is a rectangle that may extend beyond. A
 /// TriangleSurface gives its own triangles. Other shapes are sampled on a grid of `intervals` cells per side over the
 /// part of `extent` that they reach. Their points are on the surface; edges are cut off by less than a cell.

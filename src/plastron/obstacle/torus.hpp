@@ -13,6 +13,7 @@ struct Torus {
   /// The distance is not differentiable on the axis and on the circle; there the normal is an arbitrary one of the
   /// nearest.
   Nearest nearest(const Vector3d& X) const;
+  std::optional<Extent> extent() const { return extent_around(centre, extent_margin * (radius + tube_radius)); }
 };
 
 }  // namespace plastron::obstacle

@@ -1,5 +1,4 @@
 #include <plastron/obstacle/triangle_features.hpp>
-#include <plastron/obstacle/triangle_foot.hpp>
 
 #include <algorithm>
 #include <cmath>

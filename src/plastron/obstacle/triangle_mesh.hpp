@@ -25,8 +25,11 @@ inline constexpr std::size_t most_triangles = 2'000'000;
 TriangleMesh read_triangle_mesh(const std::string& path);
 
 /// Points at open sides within this distance are joined. It is relative to the diagonal of the box around all points,
-/// because coordinates of six digits are not more accurate. Short sides reduce the distance (triangle_sides.hpp).
+/// because coordinates of six digits are not more accurate.
 inline constexpr double joining_tolerance = 1e-6;
+/// Returns this distance for a mesh [m]: joining_tolerance of the diagonal, but at most a hundredth of the median side. A
+/// single distant point, placed by mistake, makes the diagonal long.
+double joining_distance(const TriangleMesh& mesh);
 
 /// Joins such points, drops triangles that lost a side by this, and records both in the mesh. Does not change a
 /// closed surface.
@@ -36,5 +39,16 @@ void join_near_points(TriangleMesh& mesh);
 /// triangle must have an area. Each side must belong to exactly two triangles, which traverse it in opposite senses.
 /// No part may be turned inside out. (TriangleSurface checks that triangles do not cross.)
 void check_closed(const TriangleMesh& mesh, const std::string& name);
+
+/// A side from corner to corner in the direction of its triangle, and the triangle.
+struct TriangleSide {
+  int low, high, triangle;
+  bool rises;
+
+  bool is_same(const TriangleSide& other) const { return low == other.low && high == other.high; }
+};
+
+/// Returns the sides of all triangles in an order in which equal ones are consecutive.
+std::vector<TriangleSide> sorted_sides(const TriangleMesh& mesh);
 
 }  // namespace plastron::obstacle

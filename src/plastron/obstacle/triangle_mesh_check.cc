@@ -1,6 +1,5 @@
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/triangle_mesh.hpp>
-#include <plastron/obstacle/triangle_sides.hpp>
 
 #include <fmt/format.h>
 

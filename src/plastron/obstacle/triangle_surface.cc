@@ -94,6 +94,13 @@ Nearest TriangleSurface::nearest(const Vector3d& X) const {
   return tree_->features.nearest(tree_->mesh, triangle, X);
 }
 
+std::optional<Extent> TriangleSurface::extent() const {
+  Vector3d low = mesh().points.front(), high = low;
+  for (const Vector3d& p : mesh().points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const Vector3d middle = (low + high) / 2, half = extent_margin / 2 * (high - low);
+  return Extent{middle - half, middle + half};
+}
+
 const TriangleMesh& TriangleSurface::mesh() const { return tree_->mesh; }
 
 }  // namespace plastron::obstacle

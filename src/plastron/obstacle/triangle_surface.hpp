@@ -22,6 +22,8 @@ class TriangleSurface {
   /// corners.
   Nearest nearest(const Vector3d& X) const;
 
+  std::optional<Extent> extent() const;
+
   const TriangleMesh& mesh() const;
 
  private:

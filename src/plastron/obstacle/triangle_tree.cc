@@ -1,4 +1,4 @@
-#include <plastron/obstacle/triangle_foot.hpp>
+#include <plastron/obstacle/triangle_features.hpp>
 #include <plastron/obstacle/triangle_tree.hpp>
 
 #include <Eigen/Geometry>

@@ -1,5 +1,4 @@
 #include <plastron/geometry/symmetric_eigen.hpp>
-#include <plastron/obstacle/offset_surface.hpp>
 #include <plastron/obstacle/zero_set.hpp>
 
 #include <Eigen/LU>

@@ -1,6 +1,6 @@
 // The result quantities of a problem whose accuracy can be requested, by their names in results.json.
 #pragma once
-#include <plastron/estimation/goal_names.hpp>
+#include <plastron/estimation/functionals.hpp>
 #include <plastron/problem/problem.hpp>
 
 #include <string>

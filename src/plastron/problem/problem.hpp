@@ -5,10 +5,9 @@
 #include <plastron/assembly/supports.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/element/formulation.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/fem/domain.hpp>
-#include <plastron/fem/join.hpp>
 #include <plastron/fem/reference_cell.hpp>
-#include <plastron/fem/rigid_bodies.hpp>
 #include <plastron/geometry/chart.hpp>
 #include <plastron/obstacle/gap.hpp>
 #include <plastron/problem/unit_names.hpp>

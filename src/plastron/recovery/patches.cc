@@ -12,9 +12,49 @@
 #include <string>
 #include <utility>
 
-#include "vertex_entry.hpp"
-
 namespace plastron::recovery {
+
+namespace {
+
+/// 1 at the nodes that are a corner of some cell, on every rank that has them (collective).
+algebra::Vector corner_marks(const fem::Space& space, const std::array<std::size_t, 4>& corner_nodes) {
+  algebra::Vector marks(space.layout, 1);
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+    for (int k = 0; k < fem::corner_count(space.shape()); ++k)
+      marks.local()[static_cast<std::size_t>(space.nodes(cell)[corner_nodes[static_cast<std::size_t>(k)]])] = 1;
+  marks.accumulate_ghosts();
+  marks.update_ghosts();
+  return marks;
+}
+
+}  // namespace
+
+Vertices::Vertices(const fem::Space& space) {
+  const auto k = static_cast<std::size_t>(space.degree);
+  if (space.shape() == fem::Shape::quadrilateral)
+    corner_nodes_ = {0, k, k * (k + 1), (k + 1) * (k + 1) - 1};
+  else
+    corner_nodes_ = {0, k, (k + 1) * (k + 2) / 2 - 1, 0};
+  algebra::Vector number = corner_marks(space, corner_nodes_);
+  const auto owned_nodes = static_cast<std::size_t>(space.layout->owned);
+  algebra::Distribution nodes{.comm = space.layout->comm};
+  vertex_of_node_.assign(number.local().size(), -1);
+  for (std::size_t node = 0; node < owned_nodes; ++node)
+    if (number.local()[node] > 0) vertex_of_node_[node] = nodes.owned++;
+  const auto count = static_cast<std::int64_t>(nodes.owned);
+  MPI_Exscan(&count, &nodes.first, 1, MPI_INT64_T, MPI_SUM, nodes.comm);
+  nodes.global_size = algebra::sum_over_ranks(count, nodes.comm);
+  // Exchanges global numbers of the vertices for ghosts. They are increased by one, so that 0 means none.
+  for (std::size_t node = 0; node < owned_nodes; ++node)
+    number.local()[node] = vertex_of_node_[node] < 0 ? 0 : static_cast<double>(nodes.first + vertex_of_node_[node] + 1);
+  number.update_ghosts();
+  for (std::size_t node = owned_nodes; node < vertex_of_node_.size(); ++node)
+    if (number.local()[node] > 0) {
+      vertex_of_node_[node] = nodes.local_size();
+      nodes.ghosts.push_back(static_cast<algebra::GlobalIndex>(number.local()[node]) - 1);
+    }
+  layout_ = std::make_shared<const algebra::Layout>(std::move(nodes));
+}
 
 namespace {
 
@@ -135,7 +175,7 @@ algebra::Vector Patches::sums_round_vertices(const assembly::DiscreteShell& disc
     const int region = space_.coarse->cells[static_cast<std::size_t>(space_.cells[cell].coarse)].region;
     const double area = discrete.shell.area(cell);
     for (int k = 0; k < corners_; ++k) {
-      const auto sum = entry(all, vertex(cell, k));
+      const auto sum = all.at(vertex(cell, k));
       const geometry::SurfaceJet& jet = jets[static_cast<std::size_t>(k)];
       const Vector3d a3 = geometry::unit_normal(jet);
       sum[Sum::cells] += 1;
@@ -148,7 +188,7 @@ algebra::Vector Patches::sums_round_vertices(const assembly::DiscreteShell& disc
   for (const fem::BoundarySide& side : space_.sides)
     if (side.cell < space_.owned_cells)
       for (const int corner : fem::side_corners(space_.shape(), side.side))
-        entry(all, vertex(side.cell, corner))[side.is_inner ? Sum::curves : Sum::edges] += 1;
+        all.at(vertex(side.cell, corner))[side.is_inner ? Sum::curves : Sum::edges] += 1;
   all.accumulate_ghosts();
   all.update_ghosts();
   return all;
@@ -164,13 +204,13 @@ algebra::Vector Patches::place(const assembly::DiscreteShell& discrete, const al
     for (int k = 0; k < corners_; ++k) {
       const algebra::LocalIndex at = vertex(cell, k);
       const Vector3d& here = jets[static_cast<std::size_t>(k)].value;
-      const TangentPlane plane(entry(sums, at));
-      const Eigen::Matrix2d to_square = to_turned_square(entry(sums, at), plane);
+      const TangentPlane plane(sums.at(at));
+      const Eigen::Matrix2d to_square = to_turned_square(sums.at(at), plane);
       for (const int other : neighbours(space_.shape(), k)) {
         const Eigen::Vector2d edge = to_square * plane.components(jets[static_cast<std::size_t>(other)].value - here);
         const double angle = 4 * std::atan2(edge[1], edge[0]);
-        entry(turns, at)[0] += std::cos(angle);
-        entry(turns, at)[1] += std::sin(angle);
+        turns.at(at)[0] += std::cos(angle);
+        turns.at(at)[1] += std::sin(angle);
       }
       planes_[static_cast<std::size_t>(at)].position = here;
     }
@@ -184,7 +224,7 @@ void Patches::find_planes(const assembly::DiscreteShell& discrete, const std::ve
   planes_.resize(static_cast<std::size_t>(vertices_.layout()->local_size()));
   const algebra::Vector sums = sums_round_vertices(discrete, cells), turns = place(discrete, sums);
   for (algebra::LocalIndex v = 0; v < vertices_.layout()->local_size(); ++v)
-    set_plane(v, entry(sums, v), std::atan2(entry(turns, v)[1], entry(turns, v)[0]) / 4);
+    set_plane(v, sums.at(v), std::atan2(turns.at(v)[1], turns.at(v)[0]) / 4);
 }
 
 // The square's sides follow the cells' edges as closely as one cross can: polynomials of two degrees require this.
@@ -231,7 +271,7 @@ bool Patches::reaches(const Plane& plane, const SurfaceAxes& axes) const {
 algebra::Vector Patches::normal_matrices(const std::vector<CellResultants>& cells) const {
   algebra::Vector matrices(vertices_.layout(), static_cast<int>(terms_ * terms_ + 1));
   for_points(cells, [&](algebra::LocalIndex vertex, const Plane& plane, const CellResultants& cell, std::size_t p) {
-    const auto own = entry(matrices, vertex);
+    const auto own = matrices.at(vertex);
     if (!reaches(plane, cell.axes[p])) {
       own.back() += 1;
       return;
@@ -264,7 +304,7 @@ void Patches::decompose(const algebra::Vector& normal_matrices) {
   kinds_ = algebra::Vector(vertices_.layout(), 1);
   solvers_.resize(static_cast<std::size_t>(vertices_.layout()->owned));
   for (algebra::LocalIndex vertex = 0; vertex < vertices_.layout()->owned; ++vertex) {
-    const auto own = entry(normal_matrices, vertex);
+    const auto own = normal_matrices.at(vertex);
     const Kind most = plane(vertex).most;
     if (most == Kind::none || own.back() > 0) continue;
     const Eigen::Map<const Eigen::MatrixXd> matrix(own.data(), terms_, terms_);
@@ -274,7 +314,7 @@ void Patches::decompose(const algebra::Vector& normal_matrices) {
       solvers_[static_cast<std::size_t>(vertex)] = {
           .terms = &candidate.terms,
           .inverse = eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose()};
-      entry(kinds_, vertex)[0] = static_cast<double>(std::min(candidate.kind, most));
+      kinds_.at(vertex)[0] = static_cast<double>(std::min(candidate.kind, most));
       break;
     }
   }
@@ -289,7 +329,7 @@ Eigen::MatrixXd Patches::solve(algebra::LocalIndex vertex, const Eigen::MatrixXd
 }
 
 Patches::Kind Patches::kind(algebra::LocalIndex vertex) const {
-  return static_cast<Kind>(static_cast<int>(entry(kinds_, vertex)[0]));
+  return static_cast<Kind>(static_cast<int>(kinds_.at(vertex)[0]));
 }
 
 Patches::Kind Patches::best(std::size_t cell) const {

@@ -1,4 +1,5 @@
-// Patches of the cells around each vertex for fitting polynomials, the same for all fields on a mesh.
+// Patches of the cells around each vertex for fitting polynomials, the same for all fields on a mesh. The vertices are
+// nodes of a separate layout.
 //
 // A patch never crosses a possible jump: a vertex on a named curve, between regions or on a kink has none. A patch
 // has at least two cells. In some patches the points lie in too few rows for a polynomial: one row of cells of degree
@@ -6,15 +7,38 @@
 // along and across that its points determine. A vertex on an edge of the shell has only the last choice, a narrow
 // patch. A cell has the kind of the best patch of its vertices.
 #pragma once
+#include <plastron/algebra/vector.hpp>
+#include <plastron/fem/space.hpp>
 #include <plastron/recovery/resultants.hpp>
-#include <plastron/recovery/vertices.hpp>
 
 #include <Eigen/Core>
 
+#include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace plastron::recovery {
+
+/// Corners of cells on this rank, in the order of the nodes.
+class Vertices {
+ public:
+  /// Numbers the vertices (collective).
+  explicit Vertices(const fem::Space& space);
+
+  const std::shared_ptr<const algebra::Layout>& layout() const { return layout_; }
+  /// Index in the layout of the vertex at a corner of a cell; -1 at ghost cells whose vertex this rank does not have.
+  algebra::LocalIndex at(const fem::Space& space, std::size_t cell, int corner) const {
+    return vertex_of_node_[static_cast<std::size_t>(space.nodes(cell)[corner_node(corner)])];
+  }
+
+ private:
+  std::size_t corner_node(int corner) const { return corner_nodes_[static_cast<std::size_t>(corner)]; }
+
+  std::array<std::size_t, 4> corner_nodes_{};  // places of a cell's corners among its nodes
+  std::vector<algebra::LocalIndex> vertex_of_node_;
+  std::shared_ptr<const algebra::Layout> layout_;
+};
 
 class Patches {
  public:

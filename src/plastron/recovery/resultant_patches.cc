@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "vertex_entry.hpp"
-
 namespace plastron::recovery {
 
 namespace {
@@ -48,7 +46,7 @@ void ResultantPatches::fit(const std::vector<CellResultants>& cells) {
   const Eigen::Index terms = patches_->terms();
   coefficients_ = algebra::Vector(patches_->vertices().layout(), static_cast<int>(8 * terms));
   const auto at = [&](algebra::LocalIndex vertex) {
-    return Eigen::Map<Eigen::MatrixXd>(entry(coefficients_, vertex).data(), terms, 8);
+    return Eigen::Map<Eigen::MatrixXd>(coefficients_.at(vertex).data(), terms, 8);
   };
   patches_->for_points(
       cells, [&](algebra::LocalIndex vertex, const Patches::Plane& plane, const CellResultants& cell, std::size_t p) {
@@ -85,7 +83,7 @@ std::optional<Resultants> ResultantPatches::at(std::size_t cell, const Eigen::Ve
   Resultants sum = Resultants::Zero();
   for (const auto& [vertex, weight] : vertices) {
     const Patches::Plane& plane = patches_->plane(vertex);
-    const Eigen::Map<const Eigen::MatrixXd> coefficients(entry(coefficients_, vertex).data(), patches_->terms(), 8);
+    const Eigen::Map<const Eigen::MatrixXd> coefficients(coefficients_.at(vertex).data(), patches_->terms(), 8);
     sum += weight *
            in_other_axes(Resultants(patches_->basis(plane, position) * coefficients), change_of_axes(plane.axes, axes));
   }
@@ -99,7 +97,7 @@ void ResultantPatches::add_transposed(const assembly::DiscreteShell& discrete, c
   const Eigen::Index terms = patches_->terms();
   algebra::Vector weights(patches_->vertices().layout(), static_cast<int>(8 * terms));
   const auto at = [&](algebra::LocalIndex vertex) {
-    return Eigen::Map<Eigen::MatrixXd>(entry(weights, vertex).data(), terms, 8);
+    return Eigen::Map<Eigen::MatrixXd>(weights.at(vertex).data(), terms, 8);
   };
   if (point)
     for (const auto& [vertex, share] : blended(point->cell, point->xi)) {

@@ -1,6 +1,6 @@
 #include <plastron/recovery/stress_peak.hpp>
 
-#include <plastron/assembly/bounding_box.hpp>
+#include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/solution/place_order.hpp>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include <plastron/solution/body_reactions.hpp>
 
-#include <plastron/fem/carried_nodes.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 
 #include <algorithm>
 
@@ -9,11 +8,8 @@ namespace plastron::solution {
 
 namespace {
 
-using BodyVector = Eigen::Matrix<double, 6, 1>;
-
-BodyVector six_of(const algebra::Vector& v, std::size_t node) {
-  return Eigen::Map<const BodyVector>(v.local().data() + 6 * node);
-}
+using assembly::node_values;
+using BodyVector = assembly::Vector6;
 
 /// Returns (d, length theta).
 BodyVector in_lengths(const fem::PlacedBody& placed, const fem::BodyMotion& motion) {
@@ -31,7 +27,7 @@ BodyVector add_unknowns(const assembly::DiscreteShell& discrete, const fem::Plac
     const auto host = placed.hosts[c < 3 ? 0 : 1];
     if (host < 0 || host >= discrete.space().layout->owned) continue;
     const auto node = static_cast<std::size_t>(host);
-    const double component = six_of(residual, node)[c % 3], given = six_of(load, node)[c % 3];
+    const double component = node_values(residual, node)[c % 3], given = node_values(load, node)[c % 3];
     const bool is_held = placed.body.fixed[static_cast<std::size_t>(c)].has_value();
     balance.all_forces += given * given + (is_held ? component * component : 0);
     if (is_held)
@@ -79,7 +75,7 @@ double distance_from_body(const assembly::DiscreteShell& discrete, const fem::Pl
     const fem::CarriedNode& at = space.carried->nodes[member];
     if (at.node >= space.layout->owned) continue;
     const auto node = static_cast<std::size_t>(at.node);
-    BodyVector rest = six_of(y, node);
+    BodyVector rest = node_values(y, node);
     for (int h = 0; h < 2; ++h)
       rest -= at.carriers[static_cast<std::size_t>(h)].second.leftCols<3>() * q.segment<3>(3 * h);
     if (!placed.body.turns_normals) rest.tail<3>().setZero();

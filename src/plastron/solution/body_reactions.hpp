@@ -1,7 +1,7 @@
 // Rigid bodies: their motions, the reactions where these are prescribed, and the residuals of their free unknowns.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
-#include <plastron/fem/carried_nodes.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/solution/wrench.hpp>
 
 #include <limits>

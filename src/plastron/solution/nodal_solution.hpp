@@ -1,6 +1,7 @@
 // The solution at the nodes: displacement, rotation, pressure of each obstacle, multiplier.
 #pragma once
 #include <plastron/assembly/discrete_shell.hpp>
+#include <plastron/contact/problem.hpp>
 
 namespace plastron::solution {
 

@@ -1,6 +1,201 @@
 #include <plastron/solution/summary.hpp>
 
+#include <plastron/assembly/normal_rotation.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace plastron::solution {
+
+namespace {
+
+using assembly::node_values;
+using assembly::Vector6;
+
+/// A ratio of squares. Smaller strains relative to displacements are rounding: double precision leaves 1e-32 (L/h)^2.
+constexpr double rounding_of_energy = 1e-22;
+
+/// Sums over the owned nodes of one rank.
+struct Sums {
+  Wrench loads, supports;
+  std::vector<ObstacleContact> obstacles{};
+  double load_work = 0, lift_work = 0;
+  double max_pressure = 0;
+  double displacement = 0, relative_displacement = 0, rotation = 0;
+  double thickness = std::numeric_limits<double>::infinity();
+  std::int64_t touching = 0;
+  std::vector<NodalSupportForce> at_supports{};
+};
+
+void note_size(const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
+  const double u = y.head<3>().norm();
+  sums.displacement = std::max(sums.displacement, u);
+  sums.relative_displacement = std::max(sums.relative_displacement, u / p.thickness);
+  sums.rotation = std::max(sums.rotation, y.tail<3>().norm());
+  sums.thickness = std::min(sums.thickness, p.thickness);
+}
+
+/// Adds all obstacles at one node. Returns their generalised force.
+Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i,
+                     Sums& sums) {
+  const assembly::NodalPoint& point = discrete.points[i];
+  Vector6 all = Vector6::Zero();
+  for (const assembly::ContactRow& row : discrete.coordinates.rows_of(i)) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    const Vector6 force = contact_force(discrete, solution, row);
+    all += force;
+    if (solution.touching.at(i)[k] == 0) continue;
+    const double pressure = solution.pressure.at(i)[k];
+    sums.obstacles[k].nodes += 1;
+    sums.obstacles[k].reaction += nodal_wrench(point.phi, point.a3, force);
+    sums.max_pressure = std::max(sums.max_pressure, pressure);
+    sums.lift_work += pressure * point.weight * discrete.state.lift(i, k);
+  }
+  if (touches(solution, i)) sums.touching += 1;
+  return all;
+}
+
+/// Adds one node. Supports carry the part of its residual r along prescribed coordinates that obstacles do not.
+void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& r,
+              Sums& sums) {
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  const assembly::NodalPoint& point = discrete.points[i];
+  const Vector6 y = node_values(solution.y, i), load = node_values(discrete.load, i);
+  sums.loads += nodal_wrench(point.phi, point.a3, load);
+  sums.load_work += load.dot(y);
+  note_size(point, y, sums);
+  if (coordinates.tied[i]) return;
+  const Vector6 contact = add_contacts(discrete, solution, i, sums);
+  const Vector6 rest = r - contact;
+  Vector6 support = Vector6::Zero();
+  for (int k = 0; k < coordinates.width; ++k) {
+    const Vector6 direction = coordinates.direction(i, k);
+    if (direction.isZero(0) || !coordinates.is_prescribed(i, k)) continue;
+    const Vector6 force = direction.dot(rest) * direction;
+    sums.supports += nodal_wrench(point.phi, point.a3, force);
+    support += force;
+  }
+  if (!support.isZero(0)) sums.at_supports.push_back({i, support});
+}
+
+/// The obstacle's place, with no contact.
+ObstacleContact untouched(const obstacle::Obstacle& at_start, const obstacle::Obstacle& now) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.placement.rotation * at_start.placement.rotation.transpose()));
+  return {.name = now.name,
+          .translation = now.placement.translation - at_start.placement.translation,
+          .rotation = turn.angle() * turn.axis()};
+}
+
+Sums sums_over_nodes(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                     const algebra::Vector& residual) {
+  Sums sums;
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
+    sums.obstacles.push_back(untouched(discrete.obstacles_at_start.all[k], discrete.obstacles.now(k)));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+    add_node(discrete, solution, i, node_values(residual, i), sums);
+  return sums;
+}
+
+/// Adds up the sums of all ranks.
+void add_totals(const Sums& sums, MPI_Comm comm, Summary& s) {
+  s.load_work = algebra::sum_over_ranks(sums.load_work, comm);
+  s.loads = over_ranks(sums.loads, comm);
+  for (const ObstacleContact& contact : sums.obstacles) {
+    s.obstacles.push_back(contact);
+    s.obstacles.back().reaction = over_ranks(contact.reaction, comm);
+    s.obstacles.back().nodes = algebra::sum_over_ranks(contact.nodes, comm);
+    s.reaction += s.obstacles.back().reaction;
+  }
+  s.support_reaction = over_ranks(sums.supports, comm);
+  s.touching_nodes = algebra::sum_over_ranks(sums.touching, comm);
+  s.max_pressure = algebra::max_over_ranks(sums.max_pressure, comm);
+  s.max_displacement = algebra::max_over_ranks(sums.displacement, comm);
+  s.max_relative_displacement = algebra::max_over_ranks(sums.relative_displacement, comm);
+  s.max_rotation = algebra::max_over_ranks(sums.rotation, comm);
+  s.least_thickness = algebra::min_over_ranks(sums.thickness, comm);
+  s.lift_work = algebra::sum_over_ranks(sums.lift_work, comm);
+}
+
+double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  const assembly::ShellOperator& shell = discrete.shell;
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(shell.space().layout->owned); ++i)
+    most = std::max(most, std::abs(node_values(y, i).tail<3>().dot(discrete.points[i].a3)));
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const element::FieldRows rows =
+        shell.interpolation().fields(c, shell.tables().quadrature, shell.quadrature_bases(c), shell.gather(c, y));
+    for (int q = 0; q < shell.tables().points_per_cell(); ++q)
+      most = std::max(most, std::abs(rows.at(q).r.dot(shell.point(c, q).frame.a3)));
+  }
+  return algebra::max_over_ranks(most, shell.space().layout->comm);
+}
+
+/// Adds energies, and whether they are only rounding.
+void add_energies(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Summary& s) {
+  s.energy = discrete.shell.energies(solution.y);
+  s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
+  s.second_order = assembly::second_order(discrete.shell, solution.y);
+  s.rounding_energy = rounding_of_energy * strain_scale(discrete, solution.y, s.size).energy;
+  s.is_unstrained = 2 * (s.energy.total() + s.tangency_energy) < s.rounding_energy;
+  if (s.is_unstrained) s.second_order.work = 0;  // membrane forces are only rounding
+}
+
+/// Sum of the norms of the nodal loads, couples divided by `size` [N] (collective).
+double load_norms(const assembly::DiscreteShell& discrete, double size) {
+  double sum = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const Vector6 load = node_values(discrete.load, i);
+    sum += load.head<3>().norm() + load.tail<3>().norm() / size;
+  }
+  return algebra::sum_over_ranks(sum, discrete.space().layout->comm);
+}
+
+}  // namespace
+
+Summary summarise(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                  const algebra::Vector& residual, const BodyBalance& bodies) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  Sums sums = sums_over_nodes(discrete, solution, residual);
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  if (rank == 0) sums.supports += bodies.reaction;  // all ranks share it
+  Summary s;
+  const auto place = [&](std::size_t i) { return discrete.points[i].phi; };
+  s.size = assembly::bounding_box(discrete.points.size(), place, comm).half_diagonal();
+  add_totals(sums, comm, s);
+  add_energies(discrete, solution, s);
+  s.load_norms = load_norms(discrete, s.size);
+  s.max_normal_rotation = max_normal_rotation(discrete, solution.y);
+  s.edge = edge_contact(discrete, solution);
+  s.is_admissible_wanted = discrete.state.is_admissible();
+  if (s.is_admissible_wanted) s.largest_lift = algebra::max_abs(discrete.state.lifts);
+  if (solution.lambda.layout()) s.multiplier_norm = gradient_norm(discrete.shell, solution.lambda);
+  SupportReactions supports = support_reactions(discrete, sums.at_supports);
+  s.support_reactions = std::move(supports.boundaries);
+  s.corner_reactions = std::move(supports.corners);
+  s.point_reactions = std::move(supports.points);
+  s.body_reactions = bodies.bodies;
+  return s;
+}
+
+StrainScale strain_scale(const assembly::DiscreteShell& discrete, const algebra::Vector& y, double size) {
+  StrainScale sum;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const assembly::NodalPoint& p = discrete.points[i];
+    const Vector6 moved = node_values(y, i);
+    const double u = moved.head<3>().norm() + size * moved.tail<3>().norm(), f = p.young * p.thickness * u;
+    sum.force += f;
+    sum.squared_force += f * f;
+    sum.moment += f * (p.phi.norm() + size);
+    sum.energy += f * u * p.weight / (size * size);
+  }
+  const MPI_Comm comm = discrete.space().layout->comm;
+  return {algebra::sum_over_ranks(sum.force, comm), algebra::sum_over_ranks(sum.squared_force, comm),
+          algebra::sum_over_ranks(sum.moment, comm), algebra::sum_over_ranks(sum.energy, comm)};
+}
 
 void take_moments_about(const Vector3d& point, Summary& summary) {
   const Vector3d by = point - summary.moment_point;

@@ -2,8 +2,8 @@
 #pragma once
 #include <plastron/assembly/second_order.hpp>
 #include <plastron/solution/body_reactions.hpp>
+#include <plastron/solution/contact_forces.hpp>
 #include <plastron/solution/contact_zone.hpp>
-#include <plastron/solution/edge_contact.hpp>
 #include <plastron/solution/support_reactions.hpp>
 
 #include <algorithm>
@@ -22,13 +22,15 @@ struct ObstacleContact {
   Vector3d translation =
       Vector3d::Zero();  ///< displacement of the origin of the shape's own coordinates since the start [m]
   Vector3d rotation = Vector3d::Zero();  ///< rotation since the start: axis times angle [rad]
-  /// Smallest gap anywhere between the shell and the obstacle, see searched_gaps(); infinite if no cell is near [m].
+  /// Smallest gap anywhere between the shell and the obstacle, see certificate::searched_gaps(); infinite if no cell is
+  /// near [m].
   double least_gap = std::numeric_limits<double>::infinity();
   Eigen::Vector2d least_gap_at = Eigen::Vector2d::Zero();  ///< parameters in Omega
   /// Number of nodes pushed along the shell, out of a place deep inside the obstacle.
   std::int64_t sideways_nodes = 0;
-  double sideways_part = 0;          ///< part of the reaction at these nodes, without nodes on an edge of the shell
-  std::vector<ContactZone> zones{};  ///< zones on the finest mesh, see contact_zones(); certify() leaves them empty
+  double sideways_part = 0;  ///< part of the reaction at these nodes, without nodes on an edge of the shell
+  std::vector<ContactZone>
+      zones{};  ///< zones on the finest mesh, see zones::contact_zones(); certify() leaves them empty
 };
 
 /// Totals of the solution: energies, works, resultants, contact.
@@ -73,6 +75,20 @@ struct Summary {
     return part == 0 ? 0 : part / stored;
   }
 };
+
+/// Computes the totals, with moments about the origin, from the solution's residual() and body_balance(). What must be
+/// searched for an obstacle is left out: area, least gap and nodes pushed sideways, see certificate::certify()
+/// (collective).
+Summary summarise(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+                  const algebra::Vector& residual, const BodyBalance& bodies);
+
+/// Forces, moments and energies of strains as large as the displacements relative to the shell's size, summed over the
+/// nodes. Much smaller ones are rounding.
+struct StrainScale {
+  double force = 0, squared_force = 0, moment = 0, energy = 0;
+};
+/// Computes the scale for nodal values y of a shell of this size (collective).
+StrainScale strain_scale(const assembly::DiscreteShell& discrete, const algebra::Vector& y, double size);
 
 /// Refers all moments in `summary`, also of contact zones, to `point` [m]. The certificate's balance stays about the
 /// origin.

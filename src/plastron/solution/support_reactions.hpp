@@ -12,7 +12,7 @@ namespace plastron::solution {
 /// Force [N] and couple [N m] of the supports at an owned node.
 struct NodalSupportForce {
   std::size_t node = 0;
-  Eigen::Matrix<double, 6, 1> force = Eigen::Matrix<double, 6, 1>::Zero();
+  assembly::Vector6 force = assembly::Vector6::Zero();
 };
 
 struct SupportReaction {

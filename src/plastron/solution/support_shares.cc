@@ -3,7 +3,7 @@
 #include <plastron/assembly/kinked_supports.hpp>
 #include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/ties.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/solution/place_order.hpp>
 

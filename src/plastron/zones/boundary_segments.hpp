@@ -3,8 +3,8 @@
 // the shell's rim in contact.
 #pragma once
 #include <plastron/solution/contact_zone.hpp>
+#include <plastron/zones/sub_cells.hpp>
 #include <plastron/zones/touching_nodes.hpp>
-#include <plastron/zones/zone_labels.hpp>
 
 #include <array>
 #include <vector>
@@ -37,5 +37,10 @@ struct ZoneBoundaries {
 /// Computes the boundaries of one obstacle's zones (collective). Throws the exceptions of the chart.
 ZoneBoundaries zone_boundaries(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                                std::size_t obstacle, const TouchingNodes& touching, const ZoneLabels& labels);
+
+/// Returns the polylines joined from the segments of one zone, in an order that depends only on their places: inside
+/// the shell first, then along the rim; long before short. Where a line crosses a joined edge, it has the same place
+/// twice, with the parameters of either side. `size`: size of the shell [m].
+std::vector<solution::ContactLine> contact_lines(const std::vector<Segment>& segments, double size);
 
 }  // namespace plastron::zones

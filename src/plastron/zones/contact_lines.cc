@@ -1,4 +1,4 @@
-#include <plastron/zones/contact_lines.hpp>
+#include <plastron/zones/boundary_segments.hpp>
 
 #include <plastron/solution/place_order.hpp>
 

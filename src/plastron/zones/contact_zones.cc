@@ -2,7 +2,7 @@
 
 #include <plastron/solution/nodal_solution.hpp>
 #include <plastron/solution/place_order.hpp>
-#include <plastron/zones/contact_lines.hpp>
+#include <plastron/zones/boundary_segments.hpp>
 
 #include <algorithm>
 #include <limits>

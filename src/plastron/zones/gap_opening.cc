@@ -1,6 +1,6 @@
 #include <plastron/zones/gap_opening.hpp>
 
-#include <plastron/zones/node_neighbours.hpp>
+#include <plastron/zones/sub_cells.hpp>
 
 #include <Eigen/QR>
 

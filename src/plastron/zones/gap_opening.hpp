@@ -11,8 +11,8 @@
 // in the tangent plane; c is such that it has slope 1 at its zero. Touching nodes do not enter the fit: the outermost
 // ones often lie outside of the true zone, by less than half the distance of nodes.
 #pragma once
+#include <plastron/zones/sub_cells.hpp>
 #include <plastron/zones/touching_nodes.hpp>
-#include <plastron/zones/zone_labels.hpp>
 
 #include <optional>
 

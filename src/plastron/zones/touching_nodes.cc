@@ -2,7 +2,7 @@
 
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/solution/nodal_solution.hpp>
-#include <plastron/zones/node_neighbours.hpp>
+#include <plastron/zones/sub_cells.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,177 @@
+#include <plastron/assembly/box_problem.hpp>
+
+#include <plastron/algebra/factorisation.hpp>
+#include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/fem/constraints.hpp>
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+
+namespace plastron::assembly {
+
+namespace {
+
+/// Multiplies rows from `first` on, in place, by the transpose of the Cholesky factor of a point's stiffness times its
+/// area.
+template <int size>
+void scale_rows(const Eigen::Matrix<double, size, size>& stiffness, double area, Eigen::Index first, RowMatrix& b) {
+  const Eigen::Matrix<double, size, size> upper = std::sqrt(area) * stiffness.llt().matrixU().toDenseMatrix();
+  for (int i = 0; i < size; ++i) {
+    b.row(first + i) *= upper(i, i);
+    for (int j = i + 1; j < size; ++j) b.row(first + i) += upper(i, j) * b.row(first + j);
+  }
+}
+
+/// Computes C' B, where C C' is the weighted section stiffness at each point. The element matrix is then (C' B)'
+/// (C' B).
+void scale_by_stiffness(const ShellOperator& shell, std::size_t cell, RowMatrix& b) {
+  for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
+    const QuadraturePoint p = shell.point(cell, q);
+    scale_rows(p.stiffness.membrane, p.area, 8 * q, b);
+    scale_rows(p.stiffness.bending, p.area, 8 * q + 3, b);
+    scale_rows(p.stiffness.shear, p.area, 8 * q + 6, b);
+  }
+}
+
+RowMatrix gram(const ShellOperator& shell, const RowMatrix& b) {
+  RowMatrix k(b.cols(), b.cols());
+  shell.kernels().gram(b.data(), static_cast<int>(b.rows()), static_cast<int>(b.cols()), k.data());
+  k.triangularView<Eigen::StrictlyUpper>() = k.transpose();
+  return k;
+}
+
+/// Returns the constraint b(U, q) = 0 in nodal coordinates. The Schur complement of the multiplier is spectrally close
+/// to the matrix of int a^{ab} d_a p d_b q. The reason: b(s, q) is equal to this form for s = q a_3, and this s adds
+/// little other energy.
+contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete) {
+  const auto& layout = discrete.space().layout;
+  const auto zeros = std::make_shared<const std::vector<char>>(multiplier_zeros(discrete.coordinates, *layout));
+  const auto clear = [zeros](algebra::Vector& q) {
+    for (std::size_t i = 0; i < zeros->size(); ++i)
+      if ((*zeros)[i]) q.owned()[i] = 0;
+  };
+  struct Gradients {
+    explicit Gradients(algebra::Matrix m) : matrix(std::move(m)), factor(matrix) {}
+    algebra::Matrix matrix;
+    algebra::Factorisation factor;
+  };
+  const auto gradients = std::make_shared<Gradients>(gradient_matrix(discrete.shell));
+  if (!gradients->factor.factorise(*zeros))
+    throw SupportError("the mixed formulation needs r . a_3 = 0 somewhere: fix a component of r on a boundary");
+  const auto y = std::make_shared<algebra::Vector>(layout, 6), spread = std::make_shared<algebra::Vector>(layout, 1);
+  return {.multipliers = algebra::Vector(layout, 1),
+          .apply =
+              [&discrete, y, clear](const algebra::Vector& z, algebra::Vector& q) {
+                discrete.coordinates.to_cartesian(z, *y);
+                apply_coupling(discrete.shell, *y, q);
+                clear(q);
+              },
+          .apply_transposed =
+              [&discrete, y, spread](const algebra::Vector& q, algebra::Vector& z) {
+                *spread = q;
+                apply_coupling_transposed(discrete.shell, *spread, *y);
+                z.fill(0);
+                discrete.coordinates.add_transposed(*y, z);
+              },
+          .precondition = [gradients](const algebra::Vector& q, algebra::Vector& p) { gradients->factor.solve(q, p); }};
+}
+
+/// Returns the decrease of a row's gap for a unit motion of its obstacle along the force.
+double closing(const DiscreteShell& discrete, const ContactRow& row) {
+  const auto k = static_cast<std::size_t>(row.obstacle);
+  return discrete.coordinates.gaps[k][row.node].normal.dot(discrete.obstacles.all[k].force.normalized());
+}
+
+/// Returns the forces in the order of pressed_obstacles().
+std::vector<contact::PressingForce> pressing_forces(const DiscreteShell& discrete) {
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  std::vector<contact::PressingForce> forces;
+  for (const std::size_t k : pressed_obstacles(discrete)) {
+    const algebra::Vector zero(coordinates.lower.layout(), coordinates.width);
+    forces.push_back({.lower_shape = zero,
+                      .upper_shape = zero,
+                      .force = discrete.state.force_factor(k) * discrete.obstacles.all[k].force.norm()});
+    for (const ContactRow& row : coordinates.rows) {
+      if (!row.binds || static_cast<std::size_t>(row.obstacle) != k) continue;
+      algebra::Vector& shape = row.scale > 0 ? forces.back().lower_shape : forces.back().upper_shape;
+      shape.owned()[coordinates.at(row.node, row.coordinate)] = closing(discrete, row) / row.scale;
+    }
+  }
+  return forces;
+}
+
+}  // namespace
+
+algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
+  const ShellOperator& shell = discrete.shell;
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  const double tangency_factor = discrete.tangency_factor();
+  const fem::Space& space = shell.space();
+  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_carriers(space));
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    auto [nodes, b] = in_coordinates(coordinates, c, shell.strain_matrix(c));
+    scale_by_stiffness(shell, c, b);
+    RowMatrix k = gram(shell, b);
+    if (tangency_factor > 0)
+      k += gram(shell, in_coordinates(coordinates, c, scaled_normal_rotation_matrix(shell, c, tangency_factor)).matrix);
+    matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
+  }
+  matrix.finish();
+  return matrix;
+}
+
+contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix) {
+  const auto& layout = discrete.space().layout;
+  algebra::Vector load(layout, discrete.coordinates.width);
+  algebra::Vector forces = discrete.load;
+  discrete.coordinates.add_transposed(forces, load);
+  // Scratch vectors live as long as the operator because it is applied many times.
+  const auto y = std::make_shared<algebra::Vector>(layout, 6), f = std::make_shared<algebra::Vector>(layout, 6);
+  const auto apply = [&discrete, y, f](const algebra::Vector& z, algebra::Vector& result) {
+    discrete.coordinates.to_cartesian(z, *y);
+    discrete.apply(*y, *f);
+    result.fill(0);
+    discrete.coordinates.add_transposed(*f, result);
+  };
+  contact::BoxProblem problem{.matrix = matrix,
+                              .apply = apply,
+                              .load = std::move(load),
+                              .lower = discrete.coordinates.lower,
+                              .upper = discrete.coordinates.upper};
+  problem.pressing = pressing_forces(discrete);
+  if (discrete.tangency.formulation == element::Formulation::mixed) problem.equations = tangency_constraints(discrete);
+  return problem;
+}
+
+std::vector<std::size_t> pressed_obstacles(const DiscreteShell& discrete) {
+  std::vector<std::size_t> pressed;
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
+    if (discrete.obstacles.all[k].is_pressed() && discrete.state.force_factor(k) > 0) pressed.push_back(k);
+  return pressed;
+}
+
+void press(DiscreteShell& discrete, std::span<const double> ways) {
+  NodalCoordinates& coordinates = discrete.coordinates;
+  std::vector<double> way(discrete.obstacles.all.size(), 0);
+  const auto pressed = pressed_obstacles(discrete);
+  PLASTRON_ASSERT(ways.size() == pressed.size(), ways.size(), pressed.size());
+  for (std::size_t j = 0; j < pressed.size(); ++j) way[pressed[j]] = ways[j];
+  for (ContactRow& row : coordinates.rows) {
+    const double closed = way[static_cast<std::size_t>(row.obstacle)] * closing(discrete, row);
+    if (closed == 0) continue;
+    row.bound_gap -= closed;
+    if (!row.binds) continue;
+    algebra::Vector& bounds = row.scale > 0 ? coordinates.lower : coordinates.upper;
+    bounds.owned()[coordinates.at(row.node, row.coordinate)] = -row.bound_gap / row.scale;
+  }
+  coordinates.lower.update_ghosts();
+  coordinates.upper.update_ghosts();
+  for (const std::size_t k : pressed) {
+    const Vector3d by = way[k] * discrete.obstacles.all[k].force.normalized();
+    discrete.obstacles.moved[k] += by;
+    for (obstacle::Gap& gap : coordinates.gaps[k]) gap.initial -= gap.normal.dot(by);
+  }
+}
+
+}  // namespace plastron::assembly

@@ -1,0 +1,32 @@
+// The box-constrained program of a discrete shell: the stiffness matrix A = T' (B' C B) T in nodal coordinates, bounds, the
+// equations of the mixed formulation, and the forces that press obstacles.
+//
+// The position of a pressed obstacle is an unknown of the contact problem beside (u, r). The obstacle moves by s along the
+// direction d of its force. To first order this closes its gaps by s n . d, as in (M16) with the normals of the
+// linearisation.
+#pragma once
+#include <plastron/algebra/matrix.hpp>
+#include <plastron/assembly/discrete_shell.hpp>
+#include <plastron/contact/problem.hpp>
+
+#include <span>
+#include <vector>
+
+namespace plastron::assembly {
+
+/// Returns the matrix of a(., .) in nodal coordinates, including the form of normal_rotation.hpp (collective).
+algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);
+
+/// Returns the program. In the mixed formulation it contains the equations b(U, q) = 0. `matrix` is the shell's
+/// stiffness_matrix(). `discrete` and `matrix` must outlive the result (collective).
+contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix);
+
+/// Returns the obstacles that a force presses in the discrete shell's state, by their place in its list. The forces of
+/// box_problem() have the same order, and their positions are measured from the obstacles' present positions.
+std::vector<std::size_t> pressed_obstacles(const DiscreteShell& discrete);
+
+/// Moves the pressed obstacles by `ways` [m] along their forces, and changes gaps and bounds. The normals stay, as in
+/// the linearisation (collective).
+void press(DiscreteShell& discrete, std::span<const double> ways);
+
+}  // namespace plastron::assembly

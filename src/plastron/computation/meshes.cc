@@ -1,0 +1,160 @@
+#include <plastron/computation/meshes.hpp>
+
+#include <plastron/computation/adaptivity.hpp>
+#include <plastron/computation/approach.hpp>
+#include <plastron/computation/evaluation.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <plastron/problem/description.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace plastron::computation {
+
+namespace {
+
+/// Whether no finer mesh can change this status.
+bool is_final(contact::Status status) {
+  return status == contact::Status::infeasible || status == contact::Status::singular ||
+         status == contact::Status::not_finite;
+}
+
+}  // namespace
+
+Meshes::Meshes(Run& run)
+    : run_(run),
+      sequence_(meshing::mesh_sequence(run.problem, run.comm)),
+      surface_(std::make_shared<const fem::Surface>(sequence_.space()->coarse, run.problem.charts)),
+      shell_(problem::shell_description(run.problem)),
+      instant_(&run.instants.front()) {}
+
+bool Meshes::solve() { return run_.problem.accuracy ? solve_to_accuracy() : solve_uniform(); }
+
+bool Meshes::solve_uniform() {
+  for (int number = 0; number <= run_.problem.discretisation.refinements; ++number)
+    if (!solve_next(number)) return false;
+  return true;
+}
+
+bool Meshes::solve_to_accuracy() {
+  for (int i = 0; i < run_.problem.discretisation.refinements; ++i) sequence_.refine({});
+  if (!solve_for_goals()) return false;
+  if (run_.instants.size() == 1 || are_ahead_) return true;
+  if (!approach_last(run_)) return false;
+  instant_ = &run_.instants.back();
+  cuts_.clear();
+  marks_.assign(space().owned_cells, 0);
+  run_.end_of_meshes = run_.problem.accuracy->max_seconds;  // the solution at the first instant can be the result
+  // The last instant may be unreachable at once; the steps then show where.
+  return solve_for_goals() || run_.result.status != contact::Status::interrupted;
+}
+
+bool Meshes::solve_for_goals() {
+  Result& result = run_.result;
+  const bool is_first = instant_ == &run_.instants.front();
+  const int instants_to_come = run_.problem.steps.empty() ? 0 : static_cast<int>(run_.instants.size());
+  AccuracyLoop loop(run_.problem, run_.since_start, instants_to_come);
+  for (bool wants_more = true; wants_more;) {
+    const int number = static_cast<int>(result.levels.size());
+    if (!solve_next(number)) {
+      if (!run_.is_out_of_time()) return false;
+      result.status = result.levels.back().status;
+      are_ahead_ = true;
+      loop.give_up(fmt::format("the next mesh was stopped for max_seconds = {:g}", run_.problem.accuracy->max_seconds));
+      break;
+    }
+    if (loop.wants_witness(result, space())) confirm(*instant_);
+    wants_more = loop.wants_more(result, space()) && (is_first || result.estimates);
+    run_.end_of_meshes = loop.end_of_meshes();
+    result.levels.back().goals = loop.goals();
+    if (run_.observer.level) run_.observer.level(number, result.levels.back());
+    cuts_ = loop.cuts();
+    marks_ = loop.marks();
+    if (is_first) continue;
+    // Cells that the first instant needs stay.
+    for (signed char& mark : marks_) mark = std::max<signed char>(mark, 0);
+  }
+  run_.end_of_meshes = std::numeric_limits<double>::infinity();
+  run_.missed_accuracy = loop.missed();
+  return true;
+}
+
+bool Meshes::solve_next(int number) {
+  Result& result = run_.result;
+  result.status = contact::Status::interrupted;
+  if (wants_to_stop(run_.observer, run_.comm)) return false;
+  Stopwatch watch;
+  LevelTask task = number == 0 ? run_.task(0) : run_.task_after_first_level(number);
+  const bool is_end = number == run_.problem.discretisation.refinements && run_.instants.size() == 1;
+  if (run_.problem.accuracy || is_end) task.goals = run_.goals();
+  assembly::State start = run_.state_at(*instant_);
+  if (number > 0) refine(task, start);
+  task.seconds.mesh = watch.lap();
+  if (run_.observer.phase) run_.observer.phase(number, "geometry");
+  auto discrete = assembly::discretise(sequence_.space(), surface_, shell_, std::move(start));
+  if (number == 0 && !approach_from_start(run_, discrete, *instant_)) {
+    if (result.levels.empty()) result.solution.reset();
+    return false;
+  }
+  if (!discrete)
+    discrete = run_.relinearised(run_.continued_at(*instant_),
+                                 contact_trend(*run_.solution().discrete, run_.solution().nodal), task);
+  task.seconds.discretisation = watch.lap();
+  LevelResult level = solve_level(task, std::move(discrete), run_.observer);
+  if (level.record.status == contact::Status::interrupted) return false;  // the previous mesh is the result
+  if (run_.observer.level && !run_.problem.accuracy) run_.observer.level(number, level.record);
+  if (run_.observer.solution) run_.observer.solution(number, level.solution);
+  result.levels.push_back(level.record);
+  run_.take(std::move(level));
+  return !is_final(result.status);
+}
+
+std::vector<algebra::Vector> Meshes::fields_to_transfer() const {
+  const Solution& solution = run_.solution();
+  std::vector<algebra::Vector> fields{solution.nodal.touching, continued_roots(*solution.discrete, solution.nodal)};
+  if (solution.discrete->state.is_deformed()) fields.push_back(solution.nodal.y);
+  return fields;
+}
+
+void Meshes::refine(LevelTask& task, assembly::State& start) {
+  std::vector<algebra::Vector> fields = fields_to_transfer();
+  start.positions = run_.positions();
+  // One mesh at a time in memory, except where this may be the last one.
+  if (!run_.observer.stop) run_.result.solution.reset();
+  if (!cuts_.empty()) {
+    sequence_.cut(fields, cuts_);
+    surface_ = std::make_shared<const fem::Surface>(space().coarse, run_.problem.charts);
+  } else if (run_.problem.accuracy) {
+    sequence_.refine(fields, marks_);
+  } else {
+    sequence_.refine(fields);
+  }
+  task.zone = interpolated_zone(std::move(fields[0]), fields[1]);
+  if (fields.size() == 2) return;
+  start.displacement = std::move(fields[2]);
+  start.displacement.update_ghosts();
+}
+
+void Meshes::confirm(const problem::Instant& instant) {
+  Stopwatch watch;
+  const Solution& solution = run_.solution();
+  std::vector<algebra::Vector> fields = fields_to_transfer();
+  auto space = sequence_.raised(fields, degrees_of_witness(run_.problem));
+  assembly::State start = run_.continued_at(instant);
+  if (start.is_deformed()) start.displacement = std::move(fields[2]);
+  LevelTask task = run_.task_after_first_level(run_.last_level());
+  task.zone = interpolated_zone(std::move(fields[0]), fields[1]);
+  task.valued = run_.goals();
+  const LevelResult higher =
+      solve_level(task, assembly::discretise(std::move(space), surface_, shell_, std::move(start)), run_.observer);
+  estimation::Estimates& estimates = *run_.result.estimates;
+  for (std::size_t g = 0; g < higher.values.size(); ++g) estimates.goals[g].at_higher_degree = higher.values[g];
+  if (!higher.values.empty())
+    estimates.edge_change = edge_change(solution, higher.solution, run_.result.summary.least_thickness);
+  run_.result.levels.back().seconds.witness = watch.lap();
+}
+
+}  // namespace plastron::computation

@@ -1,0 +1,51 @@
+// The meshes of a computation, each solved at one instant: uniform refinements, or refinements that follow the estimated
+// errors until an accuracy is reached.
+#pragma once
+#include <plastron/computation/run.hpp>
+#include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/fem/surface.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace plastron::computation {
+
+class Meshes {
+ public:
+  explicit Meshes(Run& run);
+
+  /// Solves the meshes at the first instant; with an accuracy also at the last one. Returns whether the computation
+  /// continues (collective).
+  bool solve();
+  /// Computes the goals at one degree more on the cells of the solution at hand, if that problem can be solved
+  /// (collective).
+  void confirm(const problem::Instant& instant);
+
+  const fem::Space& space() const { return *sequence_.space(); }
+  /// The instant that is solved on each mesh.
+  const problem::Instant& instant() const { return *instant_; }
+  /// Whether the clock stopped a mesh after the one of the solution at hand.
+  bool are_ahead() const { return are_ahead_; }
+
+ private:
+  bool solve_uniform();
+  bool solve_to_accuracy();
+  /// Solves meshes at the present instant until the goals are met, from the present mesh on.
+  bool solve_for_goals();
+  /// Solves the present instant on the next mesh. First guess and state come from the previous mesh.
+  bool solve_next(int number);
+  void refine(LevelTask& task, assembly::State& start);
+  /// The zone of the solution's contact, and its displacement if the state is deformed, on another mesh.
+  std::vector<algebra::Vector> fields_to_transfer() const;
+
+  Run& run_;
+  fem::MeshSequence sequence_;
+  std::shared_ptr<const fem::Surface> surface_;
+  assembly::ShellDescription shell_;
+  const problem::Instant* instant_;
+  std::vector<fem::Cuts> cuts_{};     ///< cuts for the next mesh, where an accuracy is requested
+  std::vector<signed char> marks_{};  ///< marks of cells for the next mesh, where there are no cuts
+  bool are_ahead_ = false;
+};
+
+}  // namespace plastron::computation

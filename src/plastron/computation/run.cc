@@ -1,0 +1,161 @@
+#include <plastron/computation/run.hpp>
+
+#include <plastron/computation/evaluation.hpp>
+#include <plastron/computation/warnings.hpp>
+#include <plastron/problem/goal_names.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace plastron::computation {
+
+Run::Run(const problem::Problem& p, MPI_Comm c, const Observer& asked)
+    : problem(p), comm(c), observer(asked), instants(problem::instants(p)), asked_(asked) {
+  if (p.accuracy && !std::isinf(p.accuracy->max_seconds))
+    observer.stop = [this] { return (asked_.stop && asked_.stop()) || since_start.seconds() > end_of_meshes; };
+  result.has_obstacle = !p.obstacles.empty();
+  result.formulation = p.discretisation.tangency.formulation;
+  result.warnings = locking_warnings(p);
+  MPI_Comm_size(comm, &result.ranks);
+}
+
+bool Run::is_interrupted() {
+  if (!wants_to_stop(observer, comm)) return false;
+  result.status = contact::Status::interrupted;
+  return true;
+}
+
+bool Run::is_out_of_time() const {
+  return result.status == contact::Status::interrupted && !std::isinf(end_of_meshes) && result.solution &&
+         !wants_to_stop(asked_, comm);
+}
+
+bool Run::has_time_for(const problem::Instant& instant) {
+  if (!problem.accuracy) return true;
+  const double max_seconds = problem.accuracy->max_seconds;
+  if (algebra::max_over_ranks(since_start.seconds(), comm) <= max_seconds) return true;
+  missed_accuracy += fmt::format("{}max_seconds = {:g} was over before time {:g}, and the result is that of time {:g}",
+                                 missed_accuracy.empty() ? "" : "; ", max_seconds, instant.time, at->time);
+  return false;
+}
+
+std::vector<estimation::Goal> Run::goals() const {
+  if (problem.accuracy) return problem::estimated_goals(problem);
+  std::vector<estimation::Goal> goals{{"energy", estimation::Energy{}}};
+  if (!problem.obstacles.empty()) goals.push_back({"reaction", estimation::ObstacleForce{}});
+  return goals;
+}
+
+LevelTask Run::task(int number) const {
+  return {.number = number,
+          .settings = problem.contact,
+          .linearisation = problem.linearisation,
+          .admissible = problem.admissible};
+}
+
+LevelTask Run::task_after_first_level(int number) const {
+  LevelTask next = task(number);
+  if (supports_hold(result.levels.front().history, problem.contact)) next.settings.detect_free_motions = false;
+  return next;
+}
+
+assembly::State Run::state_at(const problem::Instant& instant) const {
+  return {.time = instant.time, .load_factor = instant.load_factor, .force_factors = instant.force_factors};
+}
+
+assembly::State Run::continued_at(const problem::Instant& instant) const {
+  assembly::State start = state_at(instant);
+  start.positions = positions();
+  if (solution().discrete->state.is_deformed()) start.displacement = solution().nodal.y;
+  return start;
+}
+
+std::vector<double> Run::positions() const {
+  return problem.linearisation.once ? std::vector<double>{} : solution().discrete->positions();
+}
+
+std::unique_ptr<assembly::DiscreteShell> Run::relinearised(assembly::State state, const ContactTrend& expected,
+                                                           LevelTask& task) {
+  auto discrete = std::move(solution().discrete);
+  result.solution.reset();
+  linearise(*discrete, std::move(state));
+  task.zone = expected_zone(*discrete, expected);
+  return discrete;
+}
+
+void Run::take(LevelResult level) {
+  result.status = level.record.status;
+  result.summary = level.verdict.summary;
+  take_moments_about(problem.output.moment_point, result.summary);
+  result.certificate = level.verdict.certificate;
+  latest_ = std::move(level.record);
+  result.solution = std::move(level.solution);
+  result.estimates = std::move(level.estimates);
+}
+
+void Run::record(const problem::Instant& instant) {
+  judge_certificate(result);
+  recover();
+  result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
+                            .time = instant.time,
+                            .load_factor = instant.load_factor,
+                            .status = result.status,
+                            .missed_limits = result.missed_limits,
+                            .level = latest_,
+                            .summary = result.summary,
+                            .probes = result.probes});
+  if (observer.instant) observer.instant(result.history.back(), solution());
+  at = &instant;
+}
+
+void Run::warn(std::vector<std::string> warnings) {
+  for (std::string& text : warnings) {
+    if (std::ranges::find(result.warnings, text) != result.warnings.end()) continue;
+    if (observer.warning) observer.warning(text);
+    result.warnings.push_back(std::move(text));
+  }
+}
+
+void Run::recover() {
+  choose_recovery(problem.output, solution());
+  result.probes = probe(solution(), problem.probes);
+}
+
+Result Run::finish() {
+  if (result.solution) {
+    if (problem.steps.empty()) judge_certificate(result);
+    warn(linear_model_warnings(result));
+    add_contact_zones(result);
+    warn(contact_warnings(result, problem.contact));
+    warn(sideways_warnings(result.summary));
+    warn(body_warnings(result.summary));
+    warn(point_support_warnings(result, problem.supports));
+    if (result.history.empty()) recover();
+    find_stress_peak(result);
+    warn(strain_warnings(result));
+  }
+  adopt_worst_status();
+  result.peak_memory = peak_memory(comm);
+  return std::move(result);
+}
+
+void Run::adopt_worst_status() {
+  if (result.status == contact::Status::solved && !missed_accuracy.empty()) {
+    result.status = contact::Status::accuracy_not_reached;
+    result.missed_limits = missed_accuracy;
+  }
+  if (result.status == contact::Status::solved && !missed_between.empty()) {
+    result.status = contact::Status::inaccurate;
+    result.missed_limits = missed_between;
+  }
+  for (const HistoryEntry& entry : result.history)
+    if (result.status == contact::Status::solved && entry.status != contact::Status::solved) {
+      result.status = entry.status;
+      result.missed_limits = fmt::format("at time {:g}: {}", entry.time, entry.missed_limits);
+    }
+}
+
+}  // namespace plastron::computation

@@ -1,0 +1,94 @@
+// The state of a running computation: its problem, its clock, the latest solution, and the result so far.
+#pragma once
+#include <plastron/computation/contact_forecast.hpp>
+#include <plastron/computation/level.hpp>
+#include <plastron/computation/resources.hpp>
+#include <plastron/problem/instants.hpp>
+#include <plastron/problem/problem.hpp>
+
+#include <mpi.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plastron::computation {
+
+/// Contact at an instant, from which the contact of later ones is extrapolated.
+struct PreviousInstant {
+  double time;
+  ContactTrend trend;
+};
+
+/// A computation from its start to its result. Functions that return bool return whether the computation continues; if
+/// it does not, result.status says why.
+class Run {
+ public:
+  Run(const problem::Problem& problem, MPI_Comm comm, const Observer& observer);
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  const problem::Problem& problem;
+  const MPI_Comm comm;
+  const Stopwatch since_start{};
+  Observer observer;  ///< the caller's observer; with max_seconds, the clock also stops a mesh once a mesh is finished
+  /// Time at which the clock stops a mesh [s since the start]; infinite before the first mesh is finished.
+  double end_of_meshes = std::numeric_limits<double>::infinity();
+  const std::vector<problem::Instant> instants;
+  const problem::Instant* at = nullptr;  ///< instant of the latest entry of the history
+  /// The instant before that one, if no intermediate instant was solved since.
+  std::optional<PreviousInstant> before{};
+  Result result{};
+  std::string missed_accuracy{};  ///< text on goals that are not met
+  std::string missed_between{};   ///< text on limits that intermediate instants miss
+
+  /// The solution at hand. Precondition: there is one.
+  Solution& solution() { return *result.solution; }
+  const Solution& solution() const { return *result.solution; }
+
+  /// Whether the caller requests the end. The status is then interrupted (collective).
+  bool is_interrupted();
+  /// Whether only the clock stopped a mesh, so that the previous one is the result (collective).
+  bool is_out_of_time() const;
+  /// Whether max_seconds leaves time for an instant. A running instant is not stopped, because the previous solution no
+  /// longer exists (collective).
+  bool has_time_for(const problem::Instant& instant);
+
+  /// Quantities whose errors are estimated: the goals where an accuracy is requested, else energy and reaction.
+  std::vector<estimation::Goal> goals() const;
+  /// The settings of a contact problem on a level.
+  LevelTask task(int number) const;
+  /// The same, without the search for free motions if the first level showed that the supports alone fix the shell.
+  LevelTask task_after_first_level(int number) const;
+  int last_level() const { return std::max(0, static_cast<int>(result.levels.size()) - 1); }
+
+  assembly::State state_at(const problem::Instant& instant) const;
+  /// The state of an instant that starts from the solution at hand.
+  assembly::State continued_at(const problem::Instant& instant) const;
+  /// Positions of pressed obstacles for the linearisation there; empty if gaps are linearised at the start.
+  std::vector<double> positions() const;
+  /// The shell of the solution at hand, linearised at another state; `task` gets the contact zone expected there. There
+  /// is no solution afterwards.
+  std::unique_ptr<assembly::DiscreteShell> relinearised(assembly::State state, const ContactTrend& expected,
+                                                        LevelTask& task);
+
+  /// Takes a level as the solution at hand.
+  void take(LevelResult level);
+  /// Adds the solution at hand to the history.
+  void record(const problem::Instant& instant);
+  /// Adds new warnings to the result and passes them to the observer.
+  void warn(std::vector<std::string> warnings);
+  /// Evaluates the last solution, and returns the result.
+  Result finish();
+
+ private:
+  void recover();
+  /// Sets the worst status, so that a solved end does not hide a missed limit of an earlier instant.
+  void adopt_worst_status();
+
+  const Observer& asked_;
+  Level latest_{};
+};
+
+}  // namespace plastron::computation

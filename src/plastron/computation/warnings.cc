@@ -1,0 +1,245 @@
+#include <plastron/computation/warnings.hpp>
+
+#include <plastron/meshing/sizes.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace plastron::computation {
+
+namespace {
+
+/// Part of the stored energy that linear strains may omit without a warning.
+constexpr double notable_left_out = 0.05;
+/// Ratio of membrane forces to the buckling forces. Above this value, thin shells with imperfections buckle.
+constexpr double near_buckling = 0.5;
+/// Strain above which measures of strain differ by more than 1 %; metals yield at a tenth of it.
+constexpr double largest_strain = 0.02;
+/// Penetration between nodes that causes a warning, as a part of the thickness.
+constexpr double notable_depth = 0.05;
+/// Factor by which tolerances may be looser than requested without a warning.
+constexpr double notable_loosening = 1e3;
+
+std::string linear_model_text(const HistoryEntry& instant) {
+  const solution::Summary& s = instant.summary;
+  const LeftOut part = left_out(s, instant.level);
+  return fmt::format(
+      "{}the linear model is left: what it leaves out is {} of the stored energy (membrane forces on turned parts {}, "
+      "stretch by rotations {}, turned lengths {}) at displacements of up to {:.3g} m or {:.3g} thicknesses and "
+      "rotations of up to {:.3g} rad; energy, displacements and forces may be wrong by that and more; use a smaller "
+      "load, a thicker shell or a program for finite rotations",
+      instant.step.empty() ? "" : fmt::format("at time {:g}, ", instant.time), percent(part.largest()),
+      percent(part.work), percent(part.remaining_stretch.value_or(part.stretch)), percent(part.rotation),
+      s.max_displacement, s.max_relative_displacement, s.max_rotation);
+}
+
+std::string buckling_text(double buckling) {
+  return fmt::format(
+      "the membrane forces are {:.2g} times those under which a perfect shell buckles, contact held, and real ones "
+      "buckle from half of these on; the linear model knows no buckling; use a smaller load, a thicker shell or a "
+      "program for finite rotations",
+      buckling);
+}
+
+std::string penetration_text(double depth, double part) {
+  return fmt::format(
+      "between its nodes the shell enters the obstacle by {:.2g} m, {:.0f} % of the thickness: no bound holds it "
+      "there; refine the mesh, raise the degree or set admissible = true in [contact]",
+      depth, 100 * part);
+}
+
+/// Returns one warning for each obstacle that the shell touches along lines inside.
+std::vector<std::string> line_contact_warnings(const solution::Summary& summary) {
+  constexpr double notable = 0.01;  // part of the obstacle's reaction
+  std::vector<std::string> warnings;
+  for (const solution::ObstacleContact& obstacle : summary.obstacles) {
+    double force = 0, per_length = 0;
+    for (const solution::ContactZone& zone : obstacle.zones) {
+      if (!zone.is_line()) continue;
+      force += zone.reaction.force.norm();
+      per_length = std::max(per_length, zone.line_reaction());
+    }
+    if (!(force > notable * obstacle.reaction.force.norm())) continue;
+    warnings.push_back(fmt::format(
+        "the shell touches {} along lines or in points that are narrower than the distance of nodes: they carry "
+        "{:.4g} N{}; the pressure (eta) at their nodes depends on the mesh",
+        obstacle.name.empty() ? "the obstacle" : "\"" + obstacle.name + "\"", force,
+        per_length > 0 ? fmt::format(", up to {:.4g} N/m", per_length) : ""));
+  }
+  return warnings;
+}
+
+/// Limit below which a force counts as zero, relative to the sum of the norms of all loads.
+constexpr double negligible_force = 1e-6;
+
+/// Whether there are six components, all at points: then statics alone determines their forces.
+bool is_isostatic(const std::vector<assembly::Support>& supports) {
+  std::size_t components = 0;
+  for (const assembly::Support& support : supports) {
+    if (!support.point) return false;
+    components += support.components.size();
+  }
+  return components == 6;
+}
+
+/// Whether loads and the obstacle's reaction balance without the supports.
+bool in_equilibrium(const solution::Summary& s) {
+  solution::Wrench sum = s.loads;
+  sum += s.reaction;
+  sum.move_point(-s.moment_point);  // back to the origin
+  const double force = sum.force.norm(), moment = sum.moment.norm();
+  return force <= negligible_force * s.load_norms && moment <= negligible_force * s.load_norms * s.size;
+}
+
+/// Limit of the size h (e/L)^{-1/k} / L, at which locking costs a tenth of the deflection, measured for degree 1 to 3
+/// (docs/methods/triangles.md). The reason: the membrane and shear strains of a cell can only follow a bending to order
+/// h^k. The cell's energy is too large by (h^k / (e L^{k-1}))^2. Higher degrees did not lock on meshes of practical
+/// size.
+constexpr std::array<double, 3> largest_size = {0.7, 1.3, 1.7};
+
+}  // namespace
+
+std::vector<std::string> locking_warnings(const problem::Problem& problem) {
+  const problem::Discretisation& d = problem.discretisation;
+  const bool is_tied = d.tying && d.cells == fem::Shape::quadrilateral;
+  if (is_tied || d.degree > static_cast<int>(largest_size.size())) return {};
+  const double L = meshing::extent(problem);
+  double worst = 0, size = 0, limit = 0, thickness = 0;
+  for (const auto& [h, e] : meshing::cell_sizes(problem)) {
+    const double allowed = largest_size[static_cast<std::size_t>(d.degree - 1)] * L * std::pow(e / L, 1.0 / d.degree);
+    if (h / allowed <= worst) continue;
+    worst = h / allowed;
+    size = h;
+    limit = allowed;
+    thickness = e;
+  }
+  if (worst <= 1) return {};
+  const bool triangles = d.cells == fem::Shape::triangle;
+  return {fmt::format(
+      "{} of degree {} without tying are likely to lock: sides of the finest mesh are up to {:.3g} m long, {:.3g} "
+      "times the "
+      "thickness, and displacements in bending come out more than 10 % too small from about {:.2g} m on; {}, or "
+      "refine {} more time{}",
+      triangles ? "triangles" : "quadrilaterals", d.degree, size, size / thickness, limit,
+      triangles ? (d.degree == 1 ? "take cells = \"quadrilateral\" with tying, or degree 2"
+                                 : "take cells = \"quadrilateral\" with tying")
+                : "set tying = true",
+      std::ceil(std::log2(worst)), worst > 2 ? "s" : "")};
+}
+
+std::vector<std::string> sideways_warnings(const solution::Summary& summary) {
+  std::vector<std::string> warnings;
+  for (const solution::ObstacleContact& obstacle : summary.obstacles) {
+    const std::int64_t count = obstacle.sideways_nodes;
+    if (count == 0) continue;
+    warnings.push_back(
+        fmt::format("{} {} deep inside of {} at the start {} pushed out of it sideways, along the shell: the surface "
+                    "nearest to a point inside of a body need not be the one that the shell meets; let the obstacle "
+                    "come in by [[step]]s, round its edges or refine the mesh",
+                    count, count == 1 ? "node" : "nodes",
+                    obstacle.name.empty() ? "the obstacle" : "\"" + obstacle.name + "\"", count == 1 ? "was" : "were"));
+  }
+  return warnings;
+}
+
+std::string percent(double part) {
+  if (!(part < 10)) return "more than 1000 %";
+  return part < 0.1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
+}
+
+std::vector<std::string> linear_model_warnings(const Result& result) {
+  const HistoryEntry end{.step = "", .level = result.last_level(), .summary = result.summary};
+  const std::span<const HistoryEntry> instants =
+      result.history.empty() ? std::span(&end, 1) : std::span<const HistoryEntry>(result.history);
+  const HistoryEntry* worst = nullptr;
+  double most = notable_left_out, buckling = 0;
+  for (const HistoryEntry& instant : instants) {
+    if (instant.level.status != contact::Status::solved) continue;  // a result that is no solution is not judged
+    const double part = left_out(instant.summary, instant.level).largest();
+    if (part > most) worst = &instant;
+    most = std::max(most, part);
+    buckling = std::max(buckling, instant.level.linearity.buckling.value_or(0));
+  }
+  std::vector<std::string> warnings;
+  if (worst != nullptr) warnings.push_back(linear_model_text(*worst));
+  if (buckling > near_buckling) warnings.push_back(buckling_text(buckling));
+  return warnings;
+}
+
+std::vector<std::string> strain_warnings(const Result& result) {
+  const double strain = result.summary.second_order.largest_strain;
+  if (!(strain > largest_strain)) return {};
+  const Eigen::Vector3d& at = result.peak.position;
+  const std::string stress = result.peak.von_mises > 0
+                                 ? fmt::format(", the largest von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) m",
+                                               result.peak.von_mises, at[0], at[1], at[2])
+                                 : "";
+  return {fmt::format(
+      "the largest strain is {:.2g} %{}: most metals yield at strains of 0.1 to 0.5 %, and the law is linear; compare "
+      "stresses with the yield stress, use a smaller load or a program with plasticity",
+      100 * strain, stress)};
+}
+
+std::vector<std::string> body_warnings(const solution::Summary& summary) {
+  std::vector<std::string> warnings;
+  for (const solution::BodyReaction& body : summary.body_reactions)
+    if (-body.least_gap > notable_depth * summary.least_thickness)
+      warnings.push_back(fmt::format(
+          "the rigid body \"{}\" takes the shell {:.2g} m into an obstacle: nothing holds the nodes of a body "
+          "out of obstacles; fix the body where the obstacle would, or let it carry an edge that stays out",
+          body.name, -body.least_gap));
+  return warnings;
+}
+
+std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked) {
+  std::vector<std::string> warnings;
+  const solution::Summary& s = result.summary;
+  const double depth = -result.certificate.min_gap_between, part = depth / s.least_thickness;
+  if (std::isfinite(depth) && s.touching_nodes > 0 && part > notable_depth)
+    warnings.push_back(penetration_text(depth, part));
+  if (s.edge.is_line())
+    warnings.push_back(
+        fmt::format("the shell stands on its edge: {:.4g} N of the reaction are concentrated on it, up to {:.4g} N/m; "
+                    "the pressure (eta) at nodes of that edge depends on the mesh",
+                    s.edge.force, s.edge.max_per_length));
+  else
+    for (std::string& text : line_contact_warnings(s)) warnings.push_back(std::move(text));
+  if (result.levels.empty()) return warnings;
+  const contact::Tolerances& used = result.levels.back().tolerances;
+  if (used.gap > notable_loosening * asked.gap_tolerance ||
+      used.multiplier > notable_loosening * asked.multiplier_tolerance)
+    warnings.push_back(
+        fmt::format("rounding has loosened the tolerances of contact: gaps are closed to {:.1g} of the largest "
+                    "displacement at contact "
+                    "nodes, signs of reactions hold to {:.1g} of the largest (asked: {:.1g} and {:.1g})",
+                    used.gap, used.multiplier, asked.gap_tolerance, asked.multiplier_tolerance));
+  return warnings;
+}
+
+std::vector<std::string> point_support_warnings(const Result& result, const std::vector<assembly::Support>& supports) {
+  const solution::Summary& s = result.summary;
+  if (s.point_reactions.empty() || s.is_unstrained) return {};
+  const auto most = std::ranges::max_element(
+      s.point_reactions, {}, [](const solution::PointReaction& reaction) { return reaction.force.norm(); });
+  const double force = most->force.norm();
+  double pressed = 0;  // force of obstacles, which may be the only load of the shell
+  for (const solution::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
+  if (force <= negligible_force * (s.load_norms + pressed)) return {};
+  const std::string what =
+      fmt::format("the support at the point ({:.6g}, {:.6g}) carries {:.4g} N", most->at[0], most->at[1], force);
+  if (is_isostatic(supports) && in_equilibrium(s))
+    return {what + fmt::format(", {:.1g} of the loads, though these are in equilibrium: on a curved shell the mesh "
+                               "misses so much of a rigid rotation; refine it or raise the degree",
+                               force / s.load_norms)};
+  return {
+      what +
+      ": a force at a point is singular in this model, the displacement under it grows without limit as the mesh is "
+      "refined; let the loads be in equilibrium, so that points hold the rigid motions alone, or support a boundary"};
+}
+
+}  // namespace plastron::computation

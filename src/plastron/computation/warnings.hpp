@@ -1,0 +1,69 @@
+// Warnings about a problem or a result: where the linear model, the mesh or the contact search reaches its limits. Each
+// is a text for the user.
+#pragma once
+#include <plastron/assembly/supports.hpp>
+#include <plastron/computation/result.hpp>
+#include <plastron/contact/settings.hpp>
+#include <plastron/problem/problem.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plastron::computation {
+
+/// Energies that the linear model omits, as parts of the stored energy of a solution (docs/theory.md, "What linearity
+/// leaves out").
+struct LeftOut {
+  double work = 0;                            ///< |int N^{ab} q_ab dS|, q_ab = 1/2 d_a u . d_b u
+  double stretch = 0;                         ///< 1/2 int e a^{abrs} q_ab q_rs dS
+  std::optional<double> remaining_stretch{};  ///< the part of it that no further displacement removes
+  double rotation = 0;  ///< half the square of the largest rotation: the relative change of lengths
+
+  /// Returns the largest doubtful part of the energy. Without remaining_stretch, the whole stretch is used.
+  double largest() const { return std::max({work, remaining_stretch.value_or(stretch), rotation}); }
+};
+
+inline LeftOut left_out(const solution::Summary& summary, const Level& level) {
+  LeftOut part{.work = std::abs(summary.over_stored(summary.second_order.work)),
+               .stretch = summary.over_stored(summary.second_order.stretch),
+               .rotation = summary.max_rotation * summary.max_rotation / 2};
+  if (summary.is_unstrained)
+    part.remaining_stretch = 0;  // a rigid motion: the exact rotation removes all of it
+  else if (level.linearity.remaining_stretch)
+    part.remaining_stretch = std::abs(summary.over_stored(*level.linearity.remaining_stretch));
+  return part;
+}
+
+/// Returns one warning, in words for the user, if the finest mesh of a problem is so coarse that its elements lock.
+/// Empty with tying. Each rank checks the whole problem. Precondition: a regular chart and a positive thickness.
+std::vector<std::string> locking_warnings(const problem::Problem& problem);
+
+/// Warns where the linear model omits a notable part of the energy, at the worst instant, or where the shell would
+/// buckle. Precondition: a level was solved.
+std::vector<std::string> linear_model_warnings(const Result& result);
+
+/// Returns a part of an energy as per cent, as long as this is meaningful: rigid motions have almost no energy.
+std::string percent(double part);
+
+/// Warns of strains beyond the range of the linear material law; needs the stress peak.
+std::vector<std::string> strain_warnings(const Result& result);
+
+/// Warns of nodes that were deep inside an obstacle and were pushed out along the shell instead of across it. Their
+/// nearest surface at the start may have been the wrong one.
+std::vector<std::string> sideways_warnings(const solution::Summary& summary);
+
+/// Warns of rigid bodies that move their nodes into obstacles.
+std::vector<std::string> body_warnings(const solution::Summary& summary);
+
+/// Warns of penetration between nodes, reactions concentrated on edges, and tolerances that rounding has loosened.
+std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked);
+
+/// Forces that supports carry at points: a shell fixed at three points against its rigid motions needs none if its loads
+/// are in equilibrium. A remaining force has no limit as the mesh is refined (docs/model.md, section 6).
+/// Returns one warning for the point with the largest reaction, if this is above a millionth of the loads.
+std::vector<std::string> point_support_warnings(const Result& result, const std::vector<assembly::Support>& supports);
+
+}  // namespace plastron::computation
