@@ -1,17 +1,25 @@
 #include "command_line.hpp"
 
-#include "event_log.hpp"
 #include "terminal.hpp"
 
 #include <plastron/config/nearest.hpp>
-#include <plastron/io/version.hpp>
+#include <plastron/io/results.hpp>
+#include <research/names/kind_names.hpp>
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
 #include <sstream>
 
 namespace plastron::app {
 
+namespace {
+
+/// Sets up the description, version and footer of the program.
 void describe_program(CLI::App& program) {
   program.description("Plastron computes thin elastic shells (Naghdi's model) pressed on a rigid obstacle.");
   program.set_version_flag("--version", std::string(io::version));
@@ -20,26 +28,30 @@ void describe_program(CLI::App& program) {
       "Exit codes: 0 solved or verified, 2 bad input, 3 not converged, interrupted or not verified, 4 internal error.");
 }
 
+/// Adds --set for a command that reads a case.
 void add_settings(CLI::App& command, std::vector<std::string>& settings) {
   command
       .add_option(
           "--set", settings,
-          "KEY=VALUE in place of what the case has, in TOML: shell.thickness=0.02, 'obstacle[0].force=[0,0,-2]'")
+          "Value of a key, instead of the one in the case, in TOML: shell.thickness=0.02, 'obstacle[0].force=[0,0,-2]'")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
 
+/// Adds --json-log for a command that reports its progress.
 void add_json_log(CLI::App& command, bool& json_log) {
-  command.add_flag("--json-log", json_log, "Tell what happens on standard error, one JSON object a line");
+  command.add_flag("--json-log", json_log, "Write events to standard error, one JSON object per line");
 }
 
+/// Adds -q and --threads for a command that computes.
 void add_computing_options(CLI::App& command, bool& quiet, int& threads) {
   command.add_flag("-q,--quiet", quiet, "Print errors only");
-  command.add_option("--threads", threads, "Threads of each process; 0: as many as the work is worth")
+  command.add_option("--threads", threads, "Threads of each process; 0: as many as the amount of work justifies")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
 }
 
+/// Adds these options, and -o, --output (or --out). Returns the last one, which is required.
 CLI::Option* add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
                                 bool& quiet, int& threads) {
   CLI::Option* option = command.add_option("-o,--output,--out", output, output_meaning)->required();
@@ -47,6 +59,7 @@ CLI::Option* add_output_options(CLI::App& command, const std::string& output_mea
   return option;
 }
 
+/// Declares a command that takes a case; with an output directory if `output_meaning` is given.
 CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& summary,
                       const std::string& output_meaning, Options& options) {
   CLI::App* command = program.add_subcommand(name, summary);
@@ -58,18 +71,16 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
   return command;
 }
 
-namespace {
-
 /// `compare` compares formulations, or with --solvers contact solvers; the latter also without files.
 CLI::App* add_compare(CLI::App& program, Options& options) {
   CLI::App* compare =
-      add_command(program, "compare", "Solve a case in every formulation and set them side by side", "", options);
+      add_command(program, "compare", "Solve a case in every formulation and compare the results", "", options);
   CLI::Option* output =
       add_output_options(*compare, "Directory for compare.json and compare.svg; not required with --solvers",
                          options.output, options.quiet, options.threads)
           ->required(false);
   compare->add_flag("--solvers", options.solvers,
-                    "Set all contact solvers side by side, in the case's own formulation (compare-solvers.json)");
+                    "Compare all contact solvers in the formulation of the case instead (compare-solvers.json)");
   compare->callback([output, &options] {
     if (!options.solvers && output->empty()) throw CLI::RequiredError("--output");
   });
@@ -86,16 +97,14 @@ CLI::App* add_run(CLI::App& program, Options& options) {
 /// `verify` takes results, not a case.
 CLI::App* add_verify(CLI::App& program, Options& options) {
   CLI::App* verify = program.add_subcommand(
-      "verify", "Recompute the certificate of written results from the case alone: PASSED, or what fails");
+      "verify", "Recompute the certificate of written results from the case and print PASSED, or what fails");
   verify->add_option("DIR", options.results, "Directory that plastron run wrote to")->required();
   verify->add_option("--files", options.files,
-                     "Folder of the meshes and other files that the case names, if not where the case was run");
+                     "Folder of meshes and other files that the case names; default: where the case was run");
   add_computing_options(*verify, options.quiet, options.threads);
   add_json_log(*verify, options.json_log);
   return verify;
 }
-
-}  // namespace
 
 CommonCommands add_common_commands(CLI::App& program, Options& options) {
   return {
@@ -106,13 +115,68 @@ CommonCommands add_common_commands(CLI::App& program, Options& options) {
   };
 }
 
+/// Checks combinations of a study's options.
+void check_study_options(const CLI::App& app, const study::KindName& kind, const std::vector<double>& factors) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name(), takers = study::kinds_that_take(name);
+    if (option->count() > 0 && !takers.empty() && !study::takes_option(kind, name))
+      throw CLI::ValidationError("--" + name, fmt::format("{} does not take it; it is for: {}", kind.name, takers));
+  }
+  if (std::ranges::adjacent_find(factors, std::less_equal<>{}) != factors.end())
+    throw CLI::ValidationError("--factors", "must decrease from one to the next");
+}
+
+/// Adds options that only some kinds have. Returns the number of halvings.
+std::shared_ptr<int> add_options_of_kinds(CLI::App& app, study::StudyOptions& o) {
+  const auto add = [&app](const std::string& name, auto& value, const std::string& what) {
+    return app.add_option("--" + name, value, study::kinds_that_take(name) + ": " + what);
+  };
+  add("reference", o.reference, "levels between the finest mesh and the reference")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  CLI::Option* factors = add("factors", o.factors, "multiples of the case's thickness, from thick to thin")
+                             ->delimiter(',')
+                             ->check(CLI::PositiveNumber);
+  auto steps = std::make_shared<int>(0);
+  add("steps", *steps, "number of halvings, instead of --factors")->check(CLI::Range(1, 20))->excludes(factors);
+  add("load-exponent", o.load_exponent, "P: loads are multiplied by factor^P; default 0, with obstacle 3");
+  add("samples", o.samples, "perturbations of each kind")->check(CLI::Range(1, 100000))->capture_default_str();
+  add("size", o.size, "largest relative perturbation")->check(CLI::Range(1e-6, 0.5))->capture_default_str();
+  add("seed", o.seed, "seed of the random numbers")->capture_default_str();
+  return steps;
+}
+
+CLI::App* add_study(CLI::App& program, StudyCommand& command) {
+  std::vector<std::string> names;
+  std::string footer = "Kinds:\n";
+  for (const study::KindName& kind : study::kind_names()) {
+    names.emplace_back(kind.name);
+    footer += fmt::format("  {:<12} {}\n", kind.name, kind.question);
+  }
+  CLI::App* app = program.add_subcommand("study", "Solve a case many times to examine a theorem or a limit");
+  app->footer(footer);
+  app->add_option("KIND", command.kind, "What to examine; see below")->required()->check(CLI::IsMember(names));
+  app->add_option("CASE", command.case_file, "Case file (TOML)")->required();
+  add_settings(*app, command.settings);
+  add_json_log(*app, command.json_log);
+  add_output_options(*app, "Directory for KIND.json and KIND.svg", command.output, command.quiet, command.threads);
+  const auto steps = add_options_of_kinds(*app, command.options);
+  app->callback([app, &command, steps] {
+    if (*steps > 0)
+      for (int i = 0; i <= *steps; ++i) command.options.factors.push_back(std::ldexp(1.0, -i));
+    check_study_options(*app, *study::find_kind_name(command.kind), command.options.factors);
+  });
+  return app;
+}
+
 QuestionCommands add_question_commands(CLI::App& program, Questions& questions) {
-  CLI::App* explain =
-      program.add_subcommand("explain", "Print the manual of a key of the case file, a field, a number or a status");
+  CLI::App* explain = program.add_subcommand(
+      "explain", "Explain a key of the case file, a field, a number, a status or a limit of the program");
   explain->add_option("WORD", questions.word, "shell.thickness, obstacle.ball, eta, contact.area, not_held, ...");
-  CLI::App* make_new = program.add_subcommand("new", "Write a commented case to begin with; nothing is overwritten");
+  CLI::App* make_new =
+      program.add_subcommand("new", "Write a commented case to start from; existing files are not overwritten");
   CLI::Option* name = make_new->add_option("NAME", questions.name, "Directory for case.toml, or a file NAME.toml");
-  make_new->add_option("-t,--template", questions.template_name, "What to begin with; see --list")
+  make_new->add_option("-t,--template", questions.template_name, "Name of a template, see --list")
       ->capture_default_str();
   make_new->add_flag("-l,--list", questions.is_listing, "List the templates");
   make_new->callback([name, &questions] {
@@ -122,11 +186,12 @@ QuestionCommands add_question_commands(CLI::App& program, Questions& questions) 
   schema->add_option("OF", questions.schema, "case or results")
       ->check(CLI::IsMember({"case", "results"}))
       ->capture_default_str();
-  CLI::App* completion = program.add_subcommand("completion", "Print what a shell needs to complete this command line");
+  CLI::App* completion =
+      program.add_subcommand("completion", "Print a script by which a shell completes this command line");
   completion->add_option("SHELL", questions.shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  CLI::App* manual = program.add_subcommand("man", "Print the manual page; plastron man | man -l -");
+  CLI::App* manual = program.add_subcommand("man", "Print the manual page: plastron man | man -l -");
   CLI::App* plot = program.add_subcommand(
       "plot", "Draw written results as SVG: convergence and contact by mesh, profiles along lines, histories of steps");
   plot->add_option("DIR", questions.results, "Directory that plastron run wrote to; plot-*.svg are written there")
@@ -139,6 +204,15 @@ QuestionCommands add_question_commands(CLI::App& program, Questions& questions) 
           .plot = plot};
 }
 
+}  // namespace
+
+CommandLine::CommandLine() {
+  describe_program(program);
+  commands = add_common_commands(program, options);
+  study = add_study(program, study_options);
+  asked = add_question_commands(program, questions);
+}
+
 void log_start(const CommandLine& line) {
   const auto chosen = line.program.get_subcommands();
   const bool is_study = line.study->parsed(), is_verify = line.commands.verify->parsed();
@@ -148,13 +222,6 @@ void log_start(const CommandLine& line) {
   log_event("start", {{"command", chosen.empty() ? "" : chosen.front()->get_name()},
                       {is_verify ? "directory" : "case", of.string()},
                       {"version", io::version}});
-}
-
-CommandLine::CommandLine() {
-  describe_program(program);
-  commands = add_common_commands(program, options);
-  study = add_study(program, study_options);
-  asked = add_question_commands(program, questions);
 }
 
 namespace {
@@ -180,7 +247,7 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& reply) {
   if (const std::string word = unknown_command(program); !good && !word.empty()) {
     const auto known = command_names(program);
     const std::string meant = config::did_you_mean(word, known);
-    print_error("there is no command \"{}\"; {}the commands are {}; plastron --help tells more\n", word,
+    print_error("there is no command \"{}\"; {}the commands are {}; see plastron --help\n", word,
                 meant.empty() ? "" : meant + " ", fmt::join(known, ", "));
   } else if (is_first_rank()) {
     print_text(stdout, out.str());

@@ -1,7 +1,7 @@
-// The arguments of the command line.
+// The command line: its arguments, its commands and their exit codes (docs/user-guide.md).
 #pragma once
-#include "exit_codes.hpp"
-#include "study_command.hpp"
+#include <plastron/contact/problem.hpp>
+#include <research/names/study_options.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -10,6 +10,19 @@
 #include <vector>
 
 namespace plastron::app {
+
+enum ExitCode : int { solved = 0, bad_input = 2, not_converged = 3, not_verified = 3, internal_error = 4 };
+
+constexpr ExitCode exit_code(contact::Status status) {
+  switch (status) {
+    case contact::Status::solved:
+      return solved;
+    case contact::Status::infeasible:
+      return bad_input;
+    default:
+      return not_converged;
+  }
+}
 
 /// Options of run, check, compare and verify. Options that a command does not use keep their defaults.
 struct Options {
@@ -25,6 +38,18 @@ struct Options {
   std::filesystem::path files{};        ///< verify: folder of the files that the case names; empty: folder of the run
 };
 
+/// Options of study: one table of kinds, and options for some of them.
+struct StudyCommand {
+  std::string kind;
+  std::filesystem::path case_file;
+  std::filesystem::path output;
+  std::vector<std::string> settings{};  ///< settings that replace keys of the case file
+  bool quiet = false;                   ///< print errors only
+  int threads = 0;                      ///< for each process; 0: as many as the amount of work justifies
+  bool json_log = false;                ///< events on standard error
+  study::StudyOptions options{};
+};
+
 /// Options of the commands that compute nothing.
 struct Questions {
   std::string word{};                  ///< explain: the word; empty: all
@@ -36,32 +61,15 @@ struct Questions {
   std::filesystem::path results{};     ///< plot: the directory that run wrote to
 };
 
-/// Sets up the program's description, version and footer.
-void describe_program(CLI::App& program);
-/// Declares a command that takes a case; with an output directory if `output_meaning` is given.
-CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& summary,
-                      const std::string& output_meaning, Options& options);
-/// Adds --set for a command that reads a case.
-void add_settings(CLI::App& command, std::vector<std::string>& settings);
-/// Adds --json-log for a command that reports its progress.
-void add_json_log(CLI::App& command, bool& json_log);
-/// Adds -q and --threads for a command that computes.
-void add_computing_options(CLI::App& command, bool& quiet, int& threads);
-/// Adds these options, and -o, --output (or --out). Returns the last one, which is required.
-CLI::Option* add_output_options(CLI::App& command, const std::string& output_meaning, std::filesystem::path& output,
-                                bool& quiet, int& threads);
-
 /// The commands run, check, compare and verify, which share one Options.
 struct CommonCommands {
   CLI::App *run, *check, *compare, *verify;
 };
-CommonCommands add_common_commands(CLI::App& program, Options& options);
 
 /// The commands that compute nothing. The solver program needs their names only for its help.
 struct QuestionCommands {
   CLI::App *explain, *make_new, *schema, *completion, *manual, *plot;
 };
-QuestionCommands add_question_commands(CLI::App& program, Questions& questions);
 
 /// The parser of all arguments of plastron, and the parsed values. It must not move, because the parser writes into it.
 struct CommandLine {
@@ -83,5 +91,33 @@ void log_start(const CommandLine& line);
 
 /// Prints the help, the version, or the error in the arguments, and returns the exit code.
 ExitCode answer(const CLI::App& program, const CLI::ParseError& reply);
+
+// The commands that compute.
+
+ExitCode run(const Options& options);
+ExitCode study_case(const StudyCommand& command);
+ExitCode verify(const Options& options);
+ExitCode check(const Options& options);
+
+/// Runs the command of the line; each program has its own version.
+ExitCode carry_out(const CommandLine& line);
+
+// The commands that compute nothing: `plastron` runs them itself, without the solver.
+
+/// Prints the manual for a word; an overview without a word.
+ExitCode explain(const std::string& word);
+/// Returns the words that explain() knows in full, for completion.
+std::vector<std::string> explained_words();
+
+/// Writes the template as NAME.toml or NAME/case.toml, or lists the templates.
+ExitCode new_case(const std::filesystem::path& name, const std::string& template_name, bool is_listing);
+std::vector<std::string> template_names();
+
+/// Prints the completion for "bash", "zsh" or "fish".
+ExitCode print_completion(const CLI::App& program, const std::string& shell);
+ExitCode print_manual_page(const CLI::App& program);
+
+/// Writes plot-*.svg of the results in a directory into this directory.
+ExitCode plot(const std::filesystem::path& directory);
 
 }  // namespace plastron::app

@@ -1,6 +1,6 @@
 #include "command_list.hpp"
 
-#include "inquiries.hpp"
+#include "command_line.hpp"
 
 #include <plastron/config/schema.hpp>
 #include <research/names/kind_names.hpp>

@@ -1,7 +1,7 @@
 // plastron completion: scripts for bash, zsh and fish that complete commands, options, case files and words of this
 // program.
+#include "command_line.hpp"
 #include "command_list.hpp"
-#include "inquiries.hpp"
 #include "terminal.hpp"
 
 #include <algorithm>

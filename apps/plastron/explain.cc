@@ -1,16 +1,311 @@
-// plastron explain: the manual for one word, from the declarations of the program.
-#include "inquiries.hpp"
+// plastron explain: the manual for one word. Its topics are keys of the case file, fields and numbers of the results,
+// statuses, and limits of the program. Each is made from the declaration that the program itself uses.
+#include "command_line.hpp"
 #include "terminal.hpp"
-#include "topic.hpp"
 
 #include <plastron/config/nearest.hpp>
+#include <plastron/config/schema.hpp>
+#include <plastron/contact/problem.hpp>
+#include <plastron/io/fields.hpp>
+#include <plastron/io/results_schema.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <string>
+#include <vector>
 
 namespace plastron::app {
 
 namespace {
+
+struct Topic {
+  std::string name;                    ///< "shell.thickness"
+  std::string what;                    ///< "key of the case file"
+  std::vector<std::string> aliases{};  ///< other words for it
+  std::function<std::string()> text{};
+  /// Whether the word names the topic: is_called() by the whole name or an alias, ends_with() without the first parts.
+  bool is_called(const std::string& word) const {
+    return name == word || std::ranges::find(aliases, word) != aliases.end();
+  }
+  bool ends_with(const std::string& word) const { return name.ends_with("." + word); }
+};
+
+using config::Key;
+using config::Section;
+
+std::string path_of(const Section& section, const Key& key) {
+  return section.path.empty() ? key.name : section.path + "." + key.name;
+}
+
+bool is_section(const std::string& path) {
+  for (const Section& section : config::sections())
+    if (section.path == path) return true;
+  return false;
+}
+
+std::string written(const Key& key) {
+  if (key.kind == config::Kind::tables) return fmt::format("{} = [{{ ... }}, ...], or [[...{}]]", key.name, key.name);
+  const std::string value = !key.example.empty() ? key.example : key.fallback;
+  return value.empty() ? "" : fmt::format("{} = {}", key.name, value);
+}
+
+std::string text_of(const Section& section, const Key& key) {
+  constexpr std::size_t width = 9;
+  std::string text = paragraph(key.meaning, 2) + "\n";
+  const auto add = [&](const char* label, const std::string& what) {
+    if (!what.empty()) text += row(label, width, what);
+  };
+  add("value", config::description(key.kind));
+  add("unit", key.unit);
+  add("allowed", key.words.empty() ? key.range.text(key.name) : config::joined(config::word_names(key.words)));
+  add("default", key.required ? "none; required" : key.fallback);
+  add("written", written(key));
+  add("section", section.path.empty() ? section.header : fmt::format("{} ({})", section.header, section.path));
+  return text;
+}
+
+std::string line_of(const Key& key) {
+  const std::string fallback = key.required ? "; required" : key.fallback.empty() ? "" : "; default " + key.fallback;
+  return fmt::format("{}{}{}", key.meaning, key.unit.empty() ? "" : " [" + key.unit + "]", fallback);
+}
+
+std::string text_of(const Section& section) {
+  std::string text = paragraph(section.meaning, 2);
+  if (!section.keys.empty()) text += "\n";
+  for (const Key& key : section.keys) text += row(key.name, 20, line_of(key));
+  return text;
+}
+
+std::vector<std::string> word_aliases(const Key& key) { return config::word_names(key.words); }
+
+/// Returns sections of the case file and their keys.
+std::vector<Topic> case_topics() {
+  std::vector<Topic> topics;
+  for (const Section& section : config::sections()) {
+    if (!section.path.empty())
+      topics.push_back({section.path, "section of the case file", {}, [&] { return text_of(section); }});
+    for (const Key& key : section.keys)
+      if (!is_section(path_of(section, key)))
+        topics.push_back(
+            {path_of(section, key), "key of the case file", word_aliases(key), [&] { return text_of(section, key); }});
+  }
+  return topics;
+}
+
+/// Returns the topics of the case file, one line for each section.
+std::string case_overview() {
+  std::string text = "Sections and keys of the case file (docs/case-file.md):\n";
+  for (const Section& section : config::sections()) {
+    std::string keys;
+    for (const Key& key : section.keys) keys += (keys.empty() ? "" : ", ") + key.name;
+    text += row(section.path.empty() ? "(the file)" : section.path, 26, keys.empty() ? section.meaning : keys);
+  }
+  return text;
+}
+
+using io::Entry;
+using io::Part;
+
+/// Returns "a.b.NAME" without "[]", in the form that people write.
+std::string plain(std::string name) {
+  for (std::size_t at = 0; (at = name.find("[]")) != std::string::npos;) name.erase(at, 2);
+  return name;
+}
+
+std::string form_text(io::Form form) {
+  switch (form) {
+    case io::Form::number:
+      return "a number, null where it is not finite";
+    case io::Form::integer:
+      return "a whole number";
+    case io::Form::text:
+      return "text";
+    case io::Form::flag:
+      return "true or false";
+    case io::Form::pair:
+      return "a list of two numbers";
+    case io::Form::triple:
+      return "a list of three numbers";
+  }
+  return "";
+}
+
+std::string text_of(const Part& part, const Entry& entry) {
+  std::string text = paragraph(entry.meaning, 2) + "\n";
+  text += row("value", 9, form_text(entry.form) + (entry.can_be_absent ? "; null where it has no meaning" : ""));
+  if (entry.unit != "-") text += row("unit", 9, entry.unit);
+  return text + row("part", 9, part.meaning);
+}
+
+std::string part_name(const Part& part) {
+  std::string name = io::dotted(part.place, "");
+  if (name.ends_with('.')) name.pop_back();
+  return name;
+}
+
+std::string text_of(const Part& part) {
+  std::string text = paragraph(part.meaning, 2) + "\n";
+  for (const Entry& e : part.entries)
+    text += row(io::dotted("", e.path), 30,
+                fmt::format("{}{}", e.meaning, e.unit == "-" ? "" : fmt::format(" [{}]", e.unit)));
+  return text;
+}
+
+std::string text_of(const io::Field& field) {
+  std::string arrays;
+  for (const std::string& array : field.arrays) arrays += fmt::format("{}{}", arrays.empty() ? "" : ", ", array);
+  std::string text = paragraph(field.meaning, 2) + "\n";
+  text += row("symbol", 9, field.symbol) + row("unit", 9, field.unit);
+  text += row("array", 9, fmt::format("{}{} in solution.vtu", arrays, field.is_vector() ? " (vector)" : ""));
+  text += row("probe", 9, io::dotted("probes/*/", field.key) + " in results.json");
+  if (field.presence == io::Presence::with_obstacle) text += row("where", 9, "with an obstacle");
+  if (field.presence == io::Presence::with_multiplier) text += row("where", 9, "in the mixed formulation");
+  return text;
+}
+
+std::string text_of(contact::Status status) {
+  return paragraph(contact::explain(status), 2) + "\n" + row("exit code", 9, std::to_string(exit_code(status)));
+}
+
+void add_fields(std::vector<Topic>& topics) {
+  for (const io::Field& field : io::fields()) {
+    std::vector<std::string> aliases(field.arrays.begin(), field.arrays.end());
+    aliases.emplace_back(field.symbol);
+    topics.push_back(
+        {io::dotted("", field.key), "field of the results", std::move(aliases), [&field] { return text_of(field); }});
+  }
+}
+
+void add_parts(std::vector<Topic>& topics) {
+  for (const Part& part : io::parts()) {
+    const std::string name = part_name(part);
+    if (!name.empty())
+      topics.push_back({name, "part of results.json", {plain(name)}, [&part] { return text_of(part); }});
+    if (part.place.ends_with("probes/*/")) continue;  // these are the fields
+    for (const Entry& entry : part.entries) {
+      const std::string path = io::dotted(part.place, entry.path);
+      topics.push_back({path, "number of results.json", {plain(path)}, [&] { return text_of(part, entry); }});
+      if (entry.form == io::Form::text) topics.back().what = "text in results.json";
+    }
+  }
+}
+
+/// Returns statuses, fields, and the contents of results.json.
+std::vector<Topic> result_topics() {
+  std::vector<Topic> topics;
+  for (const contact::Status status : contact::statuses())
+    topics.push_back({std::string(contact::to_string(status)), "status", {}, [status] { return text_of(status); }});
+  add_fields(topics);
+  add_parts(topics);
+  return topics;
+}
+
+std::string result_overview() {
+  std::string text = "Fields of the results (solution.vtu, and probes in results.json):\n";
+  for (const io::Field& field : io::fields()) text += row(io::dotted("", field.key), 26, field.meaning);
+  text += "\nParts of results.json (docs/results.md):\n";
+  for (const Part& part : io::parts()) {
+    const std::string name = part_name(part);
+    text += row(name.empty() ? "(the top)" : name, 26, part.meaning);
+  }
+  text += "\nStatuses:\n";
+  std::string statuses;
+  for (const contact::Status status : contact::statuses())
+    statuses += fmt::format("{}{}", statuses.empty() ? "" : ", ", contact::to_string(status));
+  return text + paragraph(statuses, 2);
+}
+
+/// A limit of the program, as in docs/limits.md: a test compares both.
+struct Limit {
+  std::string name;
+  std::vector<std::string> aliases;
+  std::string left_out, shows, advice;
+};
+
+const std::vector<Limit>& limits() {
+  static const std::vector<Limit> all{
+      {"rotations",
+       {"large-displacements", "nonlinear"},
+       "Strains are linear in the displacements: no finite rotations, and no change of stiffness by membrane forces.",
+       "`linearity` in `results.json`, in the summary and at the top of `report.html`; a warning if 5 % of the energy "
+       "is left out",
+       "a smaller load, a thicker shell, or a program with finite rotations"},
+      {"buckling",
+       {"snap-through", "stability"},
+       "The equilibrium is unique: no buckling, no snap-through, no postbuckling.",
+       "`linearity.buckling`, the membrane forces over the forces under which a perfect shell with the same contact "
+       "buckles; a warning from 0.5 on",
+       "a buckling analysis with imperfections by another program"},
+      {"plasticity",
+       {"yield", "yielding"},
+       "The law is linear and isotropic: no yielding, no rubber, no creep, no damage.",
+       "`linearity.max_strain`; a warning from 2 % on (most metals yield at 0.1 to 0.5 %)",
+       "compare `stress.max_von_mises` with the yield stress; use a program with plasticity"},
+      {"laminates",
+       {"orthotropic"},
+       "Each region has one E and one nu: no layers, no fibre directions.",
+       "not shown",
+       "a program for laminates"},
+      {"friction",
+       {},
+       "Contact forces act along the normal of the obstacle only.",
+       "supports must prevent motions along the obstacle; `check` names motions that are free",
+       "supports instead of friction, or a program with friction"},
+      {"self-contact",
+       {},
+       "Obstacles are rigid. Shells do not touch themselves or each other.",
+       "only the deformed shape",
+       "a program with deformable contact"},
+      {"temperature",
+       {"thermal"},
+       "There are no thermal strains and no prestress.",
+       "not shown",
+       "a program with thermal strains"},
+      {"vibrations",
+       {"dynamics", "frequencies"},
+       "There is no inertia: loads and obstacles are slow.",
+       "not shown",
+       "a program for dynamics"},
+      {"follower-loads",
+       {"follower"},
+       "A pressure acts along the normal and on the area of the undeformed shell.",
+       "as for rotations",
+       "a smaller load, or a program with finite rotations"},
+      {"beams",
+       {"springs", "solids"},
+       "The model has shells, rigid bodies and rigid obstacles: no beams, solids or springs.",
+       "not shown",
+       "a general program"},
+      {"T-joints",
+       {"stiffeners"},
+       "`[[join]]` joins edges. An edge cannot be joined to the inside of a shell.",
+       "an error of `check`",
+       "divide the other shell there into two pieces"},
+  };
+  return all;
+}
+
+std::string text_of(const Limit& limit) {
+  constexpr std::size_t width = 9;
+  return paragraph(limit.left_out, 2) + "\n" + row("result", width, limit.shows) + row("remedy", width, limit.advice) +
+         row("page", width, "docs/limits.md");
+}
+
+std::vector<Topic> limit_topics() {
+  std::vector<Topic> topics;
+  for (const Limit& limit : limits())
+    topics.push_back({limit.name, "cannot be computed", limit.aliases, [&limit] { return text_of(limit); }});
+  return topics;
+}
+
+std::string limit_overview() {
+  std::string names;
+  for (const Limit& limit : limits()) names += (names.empty() ? "" : ", ") + limit.name;
+  return "Limits of the program (docs/limits.md):\n" + paragraph(names, 2);
+}
 
 std::vector<Topic> all_topics() {
   std::vector<Topic> all = case_topics();
@@ -45,7 +340,7 @@ ExitCode refuse(const std::string& word, const std::vector<Topic>& topics) {
   constexpr std::size_t most = 5;
   const auto near = config::nearest_few(word, known, most);
   const std::string advice = near.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(near, ", "));
-  print_error("error: nothing is called \"{}\"; {}plastron explain lists what there is\n", word, advice);
+  print_error("error: unknown word \"{}\"; {}plastron explain lists all words\n", word, advice);
   return bad_input;
 }
 
@@ -55,10 +350,6 @@ void print_topic(const Topic& topic, bool is_first) {
 }
 
 }  // namespace
-
-bool Topic::is_called(const std::string& word) const {
-  return name == word || std::ranges::find(aliases, word) != aliases.end();
-}
 
 std::vector<std::string> explained_words() {
   std::vector<std::string> words;
@@ -72,7 +363,7 @@ ExitCode explain(const std::string& given) {
   if (given.empty()) {
     if (is_first_rank())
       print_text(stdout, case_overview() + "\n" + result_overview() + "\n" + limit_overview() +
-                             "\nplastron explain WORD tells of each of them.\n");
+                             "\nplastron explain WORD explains each of them.\n");
     return solved;
   }
   const std::string word = plain_word(given);

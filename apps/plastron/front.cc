@@ -2,11 +2,11 @@
 // process. The solver's 200 shared libraries alone take longer to load than a response to help, a wrong argument or a
 // mistake in a case file may take.
 #include "command_line.hpp"
-#include "event_log.hpp"
-#include "inquiries.hpp"
 #include "terminal.hpp"
 
 #include <plastron/config/case.hpp>
+#include <plastron/config/json_schema.hpp>
+#include <plastron/io/results_schema.hpp>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -30,8 +30,9 @@ bool has_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= least_address_space)
     return true;
-  print_error("error: not enough memory: the address space is limited to {} MB (ulimit -v), and {} MB are the least\n",
-              limit.rlim_cur >> 20, least_address_space >> 20);
+  print_error(
+      "error: not enough memory: the address space is limited to {} MB (ulimit -v), at least {} MB are needed\n",
+      limit.rlim_cur >> 20, least_address_space >> 20);
   return false;
 }
 
@@ -75,6 +76,13 @@ void tell(const config::CaseErrors& errors) {
                           {"allowed", m.allowed},
                           {"advice", m.advice}});
   log_event("exit", {{"exit_code", static_cast<int>(bad_input)}});
+}
+
+/// Prints the JSON Schema of the "case" file or of "results".json.
+ExitCode print_schema(const std::string& of) {
+  const auto schema = of == "results" ? io::results_schema() : config::case_schema();
+  if (is_first_rank()) print_raw(stdout, schema.dump(2) + "\n");
+  return solved;
 }
 
 /// Runs a command that needs no computation; returns nothing for other commands.

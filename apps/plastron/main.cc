@@ -1,9 +1,7 @@
 // The main function of plastron-solver and plastron-study, which plastron starts with the same arguments for a
 // computation. The version of carry_out() determines the program.
-#include "commands.hpp"
-#include "event_log.hpp"
-#include "interruption.hpp"
-#include "reading.hpp"
+#include "command_line.hpp"
+#include "console.hpp"
 #include "terminal.hpp"
 
 #include <plastron/algebra/session.hpp>
@@ -12,7 +10,7 @@
 #include <plastron/config/mistakes.hpp>
 #include <plastron/fem/domain.hpp>
 #include <plastron/io/atomic_file.hpp>
-#include <plastron/io/unusable_results.hpp>
+#include <plastron/io/results.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <mpi.h>
@@ -48,8 +46,7 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
     return bad_input;
   } catch (const io::WriteError& error) {
     print_error(
-        "error: {}; nothing that was there before has changed. Free space there, or choose another place with "
-        "--output\n",
+        "error: {}; earlier files have not changed. Free space there, or choose another directory with --output\n",
         error.what());
     return bad_input;
   }

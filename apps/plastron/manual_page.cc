@@ -1,11 +1,10 @@
 // plastron man: the manual page in troff format.
+#include "command_line.hpp"
 #include "command_list.hpp"
-#include "exit_codes.hpp"
-#include "inquiries.hpp"
 #include "terminal.hpp"
 
 #include <plastron/contact/problem.hpp>
-#include <plastron/io/version.hpp>
+#include <plastron/io/results.hpp>
 
 namespace plastron::app {
 
@@ -87,9 +86,9 @@ std::string statuses() {
 }
 
 constexpr const char* last_sections = R"(.SH FILES
-A case is a TOML file; \fBplastron explain\fR tells of its keys, \fBplastron new\fR writes one to begin with.
+A case is a TOML file; \fBplastron explain\fR explains its keys, \fBplastron new\fR writes one to start from.
 \fBplastron run\fR writes results.json, solution.vtu and .pvd (for ParaView), obstacles.vtu, contact\-boundary.csv and .vtu,
-history.csv and .svg where there are steps, and solution.plastron and solution.case.toml for \fBplastron verify\fR.
+history.csv and .svg if there are steps, and solution.plastron and solution.case.toml for \fBplastron verify\fR.
 .SH EXAMPLES
 .nf
 plastron new bowl

@@ -1,6 +1,5 @@
 // plastron new: writes a commented case. It is written completely or not at all, and existing files are not changed.
-#include "inquiries.hpp"
-#include "layout.hpp"
+#include "command_line.hpp"
 #include "templates.hpp"
 #include "terminal.hpp"
 
@@ -75,7 +74,7 @@ class Made {
     paths_.push_back(file.path);
     stream << file.text;
     stream.close();
-    if (!stream) throw std::runtime_error(file.path.string() + " cannot be written as a whole");
+    if (!stream) throw std::runtime_error(file.path.string() + " cannot be written completely");
   }
   void keep() { paths_.clear(); }
 
@@ -117,7 +116,7 @@ ExitCode new_case(const fs::path& name, const std::string& template_name, bool i
   for (const NewFile& file : files) paths.push_back(file.path);
   for (const fs::path& path : paths)
     if (is_there(path)) {
-      print_error("error: {} is there already, and nothing is overwritten; choose another name\n", path.string());
+      print_error("error: {} exists already and is not overwritten; choose another name\n", path.string());
       return bad_input;
     }
   try {

@@ -1,11 +1,11 @@
 // plastron plot DIR: pictures of results for papers and for use without a browser, as in report.html, and profiles
 // along lines.
-#include "inquiries.hpp"
+#include "command_line.hpp"
 #include "terminal.hpp"
 
-#include <plastron/io/line_plots.hpp>
 #include <plastron/io/plot.hpp>
-#include <plastron/io/unusable_results.hpp>
+#include <plastron/io/result_plots.hpp>
+#include <plastron/io/results.hpp>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -36,7 +36,7 @@ std::string text_of_line(const fs::path& file) {
   std::ifstream stream = opened(file);
   std::error_code error;
   if (fs::file_size(file, error) > largest)
-    throw io::UnusableResults(fmt::format("{} has more than {} bytes, too many to be drawn", file.string(), largest));
+    throw io::UnusableResults(fmt::format("{} has more than {} bytes, too many for a plot", file.string(), largest));
   std::ostringstream text;
   if (!(text << stream.rdbuf())) throw io::UnusableResults(fmt::format("{} cannot be read", file.string()));
   return std::move(text).str();
@@ -46,11 +46,11 @@ io::Json read_results(const fs::path& directory) {
   std::error_code error;
   if (!fs::is_directory(directory, error))
     throw io::UnusableResults(
-        fmt::format("{} is no directory; name one that plastron run wrote to", directory.string()));
+        fmt::format("{} is not a directory; give the directory that plastron run wrote", directory.string()));
   const fs::path file = directory / "results.json";
   if (!fs::exists(file, error))
     throw io::UnusableResults(
-        fmt::format("{} has no results.json; name a directory that plastron run wrote to", directory.string()));
+        fmt::format("{} has no results.json; give the directory that plastron run wrote", directory.string()));
   std::ifstream stream = opened(file);
   return io::parts_to_plot(stream);
 }
@@ -124,8 +124,8 @@ ExitCode plot(const fs::path& directory) {
     }
     return solved;
   } catch (const io::Json::exception& error) {
-    print_error("error: {} is not as plastron run writes it: {}\n", (directory / "results.json").string(),
-                error.what());
+    print_error("error: {} does not have the form that plastron run writes: {}\n",
+                (directory / "results.json").string(), error.what());
   } catch (const io::UnusableResults& error) {
     print_error("error: {}\n", error.what());
   }

@@ -1,8 +1,6 @@
 #include "progress.hpp"
 
-#include "event_log.hpp"
-#include "interruption.hpp"
-#include "messages.hpp"
+#include "console.hpp"
 #include "terminal.hpp"
 
 #include <plastron/computation/warnings.hpp>
@@ -70,7 +68,7 @@ computation::Observer Progress::observer() {
 std::string Progress::place(int level) const {
   if (parts_) return fmt::format("part {} of {}", parts_->number_done() + 2, number_of_parts_);
   if (!is_by_accuracy_) return fmt::format("level {} of {}", level, meshes_ - 1);
-  return most_missed_ > 1 ? fmt::format("mesh {}, the last missed a goal by a factor of {:.2g}", level, most_missed_)
+  return most_missed_ > 1 ? fmt::format("mesh {}, errors up to {:.2g} times their tolerances", level, most_missed_)
                           : fmt::format("mesh {}", level);
 }
 
@@ -132,7 +130,7 @@ void Progress::instant(const computation::HistoryEntry& entry) {
     for (const auto& obstacle : obstacles)
       print(" {:>18}",
             (obstacles.size() == 1 ? "obstacle" : geometry::shortened(obstacle.name, 14)) + with_unit_names(" [N]"));
-    print("{}\n", entry.summary.obstacles.size() > most_obstacles ? "  and others in history.csv" : "");
+    print("{}\n", entry.summary.obstacles.size() > most_obstacles ? "  others: history.csv" : "");
   }
   has_instants_ = true;
   print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>16.6e} {:>16.9e} {:>8.2g}", entry.time,
@@ -169,7 +167,7 @@ void print_lifts(const computation::Result& result) {
   if (!result.summary.is_admissible_wanted) return;
   const computation::Level& level = result.last_level();
   const double change = level.energy - level.energy_before_lifts;
-  print("admissible        after {} rounds of lifts of bounds, up to {:.2e} m, which changed the energy by {:.2e} J\n",
+  print("admissible        {} rounds lifted bounds of gaps by up to {:.2e} m and changed the energy by {:.2e} J\n",
         level.lift_rounds, result.summary.largest_lift, change);
 }
 
@@ -182,10 +180,10 @@ void print_estimates(const computation::Result& result) {
   for (const solution::ObstacleContact& obstacle : result.summary.obstacles) forces += obstacle.reaction.force.norm();
   for (const estimation::GoalEstimate& g : result.estimates->goals)
     if (std::abs(g.value) > (g.name == "reaction" ? rest * forces : 0))
-      print("estimated error   of {} {:.2g} % of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value), g.value,
+      print("estimated error   {} {:.2g} % of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value), g.value,
             g.unit);
   if (result.estimates->unjudged_cells > 0)
-    print("                  and more in {} cells that have no neighbours to judge them by\n",
+    print("                  too small in {} cells, which have no neighbours for comparison\n",
           result.estimates->unjudged_cells);
 }
 
@@ -206,7 +204,7 @@ void print_stress(const computation::Result& result) {
             : "");
   constexpr std::size_t most = 4;
   if (result.singular_places.empty()) return;
-  print("                  away from places where stresses have no limit:\n");
+  print("                  without these places, where stresses have no limit:\n");
   for (std::size_t i = 0; i < std::min(most, result.singular_places.size()); ++i) {
     const recovery::SingularPlace& place = result.singular_places[i];
     print("                    {} at ({:.4g}, {:.4g}, {:.4g}) m\n", place.what, place.position[0], place.position[1],
@@ -222,7 +220,7 @@ void print_linearity(const computation::Result& result) {
         computation::percent(part.largest()), computation::percent(part.work),
         computation::percent(part.remaining_stretch.value_or(part.stretch)), computation::percent(part.rotation));
   if (const auto& buckling = result.last_level().linearity.buckling; buckling.value_or(0) > 0)
-    print("                  membrane forces {:.2g} times those that buckle the shell\n", *buckling);
+    print("                  membrane forces are {:.2g} times the buckling load\n", *buckling);
 }
 
 }  // namespace
@@ -248,14 +246,14 @@ void print_summary(const computation::Result& result) {
   for (const auto& r : s.support_reactions) largest = std::max(largest, r.reaction.force.norm());
   for (const auto& corner : s.corner_reactions)
     if (corner.reaction.force.norm() > 1e-6 * largest)  // smaller forces are rounding errors
-      print("  at {:<12} {} N, of the corner of {}\n", fmt::format("({:g}, {:g})", corner.at[0], corner.at[1]),
+      print("  at {:<12} {} N, corner of {}\n", fmt::format("({:g}, {:g})", corner.at[0], corner.at[1]),
             vector_text(corner.reaction.force), fmt::format("{}", fmt::join(corner.boundaries, ", ")));
   for (const auto& p : s.point_reactions)
     print("  at {:<12} {} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
   for (const auto& b : s.body_reactions) {
-    print("{:<17} moved by {} m, turned by {} rad\n", b.name, vector_text(b.displacement), vector_text(b.rotation));
+    print("{:<17} displacement {} m, rotation {} rad\n", b.name, vector_text(b.displacement), vector_text(b.rotation));
     if (b.reaction.force.norm() + b.moment_at_reference.norm() > 0)
-      print("  held by         {} N, {} N m\n", vector_text(b.reaction.force), vector_text(b.moment_at_reference));
+      print("  reaction        {} N, {} N m\n", vector_text(b.reaction.force), vector_text(b.moment_at_reference));
   }
   if (result.has_obstacle) {
     for (const auto& o : s.obstacles)
@@ -265,13 +263,13 @@ void print_summary(const computation::Result& result) {
         std::isfinite(result.max_pressure()) ? fmt::format(", pressure at most {:.6e} Pa", result.max_pressure()) : "");
     print_zones(s.obstacles);
     if (s.edge.is_line())
-      print("on the edge       {} nodes, {:.6e} N, a line reaction of at most {:.6e} N/m\n", s.edge.nodes, s.edge.force,
+      print("on edges          {} nodes, {:.6e} N, line reaction at most {:.6e} N/m\n", s.edge.nodes, s.edge.force,
             s.edge.max_per_length);
     const double between = std::isfinite(c.min_gap_between) ? std::max(0.0, -c.min_gap_between) : 0.0;
-    print("penetration       {:.2e} m between the nodes, {:.2e} m at them\n", between, std::max(0.0, -c.min_gap_nodes));
+    print("penetration       {:.2e} m between nodes, {:.2e} m at nodes\n", between, std::max(0.0, -c.min_gap_nodes));
     print_lifts(result);
   }
-  print("certificate       equilibrium {:.1e}, balance of forces {:.1e}, of moments {:.1e}, energy identity {:.1e}\n",
+  print("certificate       equilibrium {:.1e}, force balance {:.1e}, moment balance {:.1e}, energy identity {:.1e}\n",
         c.stationarity, c.force_balance, c.moment_balance, c.energy_identity);
   if (result.has_obstacle)
     print("                  min pressure {:.2e} Pa, max |pressure * gap| {:.1e}\n", c.min_pressure, c.complementarity);

@@ -1,10 +1,6 @@
-#include "commands.hpp"
-#include "event_log.hpp"
-#include "exit_codes.hpp"
-#include "messages.hpp"
-#include "outcome.hpp"
+#include "command_line.hpp"
+#include "console.hpp"
 #include "progress.hpp"
-#include "reading.hpp"
 #include "terminal.hpp"
 
 #include <plastron/algebra/agreement.hpp>
@@ -15,6 +11,18 @@
 #include <algorithm>
 
 namespace plastron::app {
+
+ExitCode check(const Options& options) {
+  const config::Case c = read_case(options.case_file, options.settings);
+  const std::string case_file = options.case_file.string();
+  print("{}: ", case_file);
+  print_title(c.title, "untitled");
+  const auto findings = examine_together([&] { return examination::examine(c.problem); });
+  print_findings(findings, case_file, true);
+  if (examination::has_errors(findings)) return bad_input;
+  print("  ready to run\n");
+  return solved;
+}
 
 namespace {
 
@@ -109,6 +117,11 @@ ExitCode run(const Options& options) {
   else if (result.status != contact::Status::solved)
     print_error("{}: not converged: {}\n", case_file, computation::status_text(result));
   return exit_code(result.status);
+}
+
+ExitCode carry_out(const CommandLine& line) {
+  if (line.commands.verify->parsed()) return verify(line.options);
+  return line.commands.run->parsed() ? run(line.options) : check(line.options);
 }
 
 }  // namespace plastron::app

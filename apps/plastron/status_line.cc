@@ -1,7 +1,5 @@
 #include "status_line.hpp"
 
-#include "event_log.hpp"
-#include "layout.hpp"
 #include "terminal.hpp"
 #include "time_left.hpp"
 

@@ -1,8 +1,5 @@
 #include "terminal.hpp"
 
-#include "event_log.hpp"
-#include "layout.hpp"
-
 #include <plastron/algebra/session.hpp>
 
 #include <fcntl.h>
@@ -10,8 +7,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <sstream>
 
 namespace plastron::app {
 
@@ -106,6 +106,83 @@ void print_text(std::FILE* stream, std::string_view given) {
     return;
   }
   print_raw(stream, wrapped(config::printable(text, config::LineBreaks::keep)));
+}
+
+std::size_t characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text)
+    if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) ++count;
+  return count;
+}
+
+namespace {
+
+/// Returns words from column `column` on; further lines begin at `indent`.
+std::string filled(std::string_view text, std::size_t column, std::size_t indent) {
+  std::istringstream words{std::string(text)};
+  std::string result, word;
+  bool is_first = true;
+  while (words >> word) {
+    const std::size_t length = characters(word);
+    if (!is_first && column + 1 + length > text_width) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+      is_first = true;
+    }
+    if (!is_first) result += ' ';
+    result += word;
+    column += length + (is_first ? 0 : 1);
+    is_first = false;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string paragraph(std::string_view text, std::size_t indent) {
+  return std::string(indent, ' ') + filled(text, indent, indent) + "\n";
+}
+
+std::string row(std::string_view label, std::size_t label_width, std::string_view text, std::size_t indent) {
+  const std::size_t column = indent + label_width + 1, length = characters(label);
+  std::string line = std::string(indent, ' ') + std::string(label);
+  if (text.empty()) return line + "\n";
+  line += length > label_width ? "\n" + std::string(column, ' ') : std::string(column - indent - length, ' ');
+  return line + filled(text, column, column) + "\n";
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::optional<Clock::time_point> logging_since;
+
+double seconds() {
+  const double exact = std::chrono::duration<double>(Clock::now() - *logging_since).count();
+  return std::round(1e3 * exact) / 1e3;
+}
+
+void write(std::string_view name, const Details& details) {
+  Details event{{"event", name}, {"time", seconds()}};
+  event.update(details);
+  print_raw(stderr, event.dump(-1, ' ', false, Details::error_handler_t::replace) + "\n");
+  std::fflush(stderr);
+}
+
+}  // namespace
+
+void log_events() {
+  if (!logging_since) logging_since = Clock::now();
+}
+
+bool is_logging_events() { return logging_since.has_value(); }
+
+void log_event(std::string_view name, const Details& details) {
+  if (is_logging_events() && is_first_rank()) write(name, details);
+}
+
+void log_error(std::string_view text) {
+  if (is_logging_events()) write("error", {{"text", text}});
 }
 
 }  // namespace plastron::app

@@ -1,10 +1,11 @@
-// Printing: one process only, results on standard output, errors on standard error. Text from files
-// and arguments is made printable here. A print that fails (a closed pipe, a full disk) never ends a computation.
+// Output of the program: text of one process only, results on standard output, errors on standard error. Text from
+// files and arguments is made printable here. A print that fails (a closed pipe, a full disk) never ends a computation.
 #pragma once
 #include <plastron/config/printable.hpp>
 #include <plastron/problem/unit_names.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <string>
@@ -57,5 +58,32 @@ void print_error(fmt::format_string<Args...> text, Args&&... args) {
 /// Returns lines of at most `width` characters, if there are blanks. Continued lines are indented. Quoted lines of a
 /// case file ("   12 | ...") are not broken.
 std::string wrapped(std::string_view text, std::size_t width = 120);
+
+// --json-log: events as one JSON object per line on standard error, for programs that monitor the computation. Every
+// line has "event", and "time" in seconds since the start of the program. All other text for standard error becomes an
+// event "error", so that each line is JSON.
+
+using Details = nlohmann::ordered_json;
+
+/// Starts the event log. Call it once, before anything is printed.
+void log_events();
+bool is_logging_events();
+
+/// Logs an event on the first rank, if events are logged.
+void log_event(std::string_view name, const Details& details = Details::object());
+/// Logs an error on the rank where it occurs.
+void log_error(std::string_view text);
+
+// Text for a terminal of 100 columns: paragraphs, and rows of a label with its explanation.
+
+inline constexpr std::size_t text_width = 100;
+
+/// Number of characters, not of bytes.
+std::size_t characters(std::string_view text);
+
+/// Returns the text broken at blanks, with every line indented and a final line break.
+std::string paragraph(std::string_view text, std::size_t indent = 0);
+/// Returns the label with the text as a paragraph beside it, or below it if the label is wider than `label_width`.
+std::string row(std::string_view label, std::size_t label_width, std::string_view text, std::size_t indent = 2);
 
 }  // namespace plastron::app

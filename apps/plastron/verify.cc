@@ -1,12 +1,11 @@
 // plastron verify DIR: checks whether given results solve their case.
-#include "commands.hpp"
-#include "messages.hpp"
-#include "reading.hpp"
+#include "command_line.hpp"
+#include "console.hpp"
 #include "terminal.hpp"
 
 #include <plastron/io/claims.hpp>
+#include <plastron/io/results.hpp>
 #include <plastron/io/solution_file.hpp>
-#include <plastron/io/version.hpp>
 
 #include <mpi.h>
 
@@ -65,8 +64,8 @@ void judge_numbers(const std::vector<io::Comparison>& numbers, bool quiet, Failu
       print("{:<36} {:>17} {:>17} {:>12.2g} {}\n", c.path, shown(c.recomputed), shown(c.claimed), c.tolerance,
             verdict(c.agrees));
     if (!c.agrees)
-      failures.push_back(fmt::format("results.json claims {} = {}, recomputed it is {}", c.path, shown(c.claimed),
-                                     shown(c.recomputed)));
+      failures.push_back(fmt::format("results.json claims {} = {}, the recomputed value is {}", c.path,
+                                     shown(c.claimed), shown(c.recomputed)));
   }
   if (!quiet) print("{} numbers of results.json recomputed, {} agree\n", numbers.size(), agreeing);
 }
@@ -81,8 +80,8 @@ void judge_settings(const std::vector<io::Comparison>& settings, Failures& failu
 void judge_files(const io::StoredChecksums& files, bool quiet, Failures& failures) {
   if (!quiet)
     print(
-        "{} of {} files have the SHA-256 that run stored: title, warnings, estimates and times of results.json, "
-        "report.html, .vtu, .csv, .svg and .pvd are covered by it alone\n",
+        "{} of {} files have the SHA-256 that run stored. Only this tests title, warnings, estimates and times of "
+        "results.json, and report.html, .vtu, .csv, .svg and .pvd\n",
         files.files - std::min(files.files, files.failures.size()), files.files);
   failures.insert(failures.end(), files.failures.begin(), files.failures.end());
 }
@@ -117,7 +116,7 @@ void check_names(const config::Case& c, const io::Claims& claims) {
   for (const config::InputFile& file : c.files)
     if (std::ranges::find(claims.files, file.name, &io::SourceFile::name) == claims.files.end())
       throw io::UnusableResults(
-          fmt::format("the case names the file \"{}\", of which results.json has no checksum", file.name));
+          fmt::format("the case names the file \"{}\", and results.json has no checksum of it", file.name));
 }
 
 }  // namespace

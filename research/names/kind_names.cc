@@ -18,13 +18,13 @@ std::span<const KindName> kind_names() {
   static constexpr std::array all{
       KindName{"convergence", "how fast the error falls with the mesh size", of_convergence},
       KindName{"adaptivity",
-               "what an accuracy costs on graded and on uniform meshes, and whether estimated errors are true"},
+               "what an accuracy costs on graded and on uniform meshes, and whether estimated errors are right"},
       KindName{"penalty", "whether the penalised solution converges as p goes to zero"},
       KindName{"thickness", "what happens as the thickness goes to zero", of_thickness},
       KindName{"continuity", "whether the solution depends continuously on load, thickness and obstacle",
                of_continuity},
       KindName{"stability", "whether the constants of coercivity and inf-sup hold as h and e go to zero", of_stability},
-      KindName{"soft-modes", "which motions cost nothing once all supports are removed"},
+      KindName{"soft-modes", "which motions cost no energy without supports"},
   };
   return all;
 }

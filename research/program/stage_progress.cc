@@ -1,8 +1,7 @@
 #include "stage_progress.hpp"
 
-#include "event_log.hpp"
-#include "interruption.hpp"
-#include "messages.hpp"
+#include "console.hpp"
+#include "terminal.hpp"
 
 #include <fmt/format.h>
 

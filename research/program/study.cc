@@ -1,10 +1,6 @@
 // The commands of plastron-study.
-#include "commands.hpp"
-#include "event_log.hpp"
-#include "exit_codes.hpp"
-#include "messages.hpp"
-#include "outcome.hpp"
-#include "reading.hpp"
+#include "command_line.hpp"
+#include "console.hpp"
 #include "stage_progress.hpp"
 #include "terminal.hpp"
 

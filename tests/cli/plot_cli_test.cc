@@ -118,10 +118,10 @@ TEST(PlotCommand, RefusesWhatIsNoResult) {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
     EXPECT_THAT(outcome.output, AllOf(StartsWith("error: "), HasSubstr(word)));
   };
-  refused("nowhere", "no directory");
+  refused("nowhere", "not a directory");
   refused(".", "no results.json");
   const auto results = scratch.write("results.json", "{\"levels\": [");
-  refused(".", "not as plastron run writes it");
+  refused(".", "does not have the form");
   scratch.write("results.json", "{\"levels\": [], \"history\": []}");
   refused(".", "'contact' not found");
   scratch.write("results.json", R"({"levels": [], "history": [], "contact": null, "files": []})");
@@ -129,7 +129,7 @@ TEST(PlotCommand, RefusesWhatIsNoResult) {
   scratch.write("results.json", R"({"levels": [], "history": [], "contact": null, "files": ["line-a.csv"]})");
   refused(".", "line-a.csv cannot be read");
   scratch.write("line-a.csv", "s [m],N_11 [N/m]\n0,1\n1,one\n");
-  refused(".", "line 3: \"one\" is no number");
+  refused(".", "line 3: \"one\" is not a number");
   scratch.write("line-a.csv", "s [m],N_11 [N/m]\n0,1,2\n");
   refused(".", "3 columns, where the first line has 2");
   EXPECT_EQ(plastron({"plot"}, scratch.path).exit_code, 2);

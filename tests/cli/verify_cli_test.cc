@@ -255,12 +255,12 @@ TEST(Verify, RefusesWhatIsDamaged) {
   const Ran ran(plate + plane + mesh(""));
   const std::string solution = text_of(ran.file("solution.plastron")), results = text_of(ran.file("results.json"));
   write_bytes(ran.file("solution.plastron"), solution.substr(0, solution.size() / 2));
-  expect_unusable(ran, "not complete");
+  expect_unusable(ran, "incomplete");
   fs::remove(ran.file("solution.plastron"));
   expect_unusable(ran, "there is no such file");
   write_bytes(ran.file("solution.plastron"), solution);
   write_bytes(ran.file("results.json"), results.substr(0, 1000));
-  expect_unusable(ran, "no JSON");
+  expect_unusable(ran, "not JSON");
   write_bytes(ran.file("results.json"), results);
   EXPECT_EQ(ran.verify().exit_code, 0);
   fs::remove(ran.file("results.json"));
@@ -295,7 +295,7 @@ TEST(Verify, NamesEveryFileThatHasChangedAndSaysWhatAChecksumAloneCovers) {
     write_bytes(ran.file(name), good + " ");
     expect_failed(ran, name + " is not the file");
     fs::remove(ran.file(name));
-    expect_failed(ran, name + " is not there");
+    expect_failed(ran, name + " is missing");
     write_bytes(ran.file(name), good);
   }
   const std::string good = text_of(ran.file("results.json"));

@@ -150,7 +150,7 @@ TEST(Claims, that_cannot_be_read_are_refused_in_words) {
   EXPECT_THAT(words(), HasSubstr("no results.json"));
   const std::vector<std::pair<const char*, const char*>> wrong{
       {"", "cannot be read"},
-      {"{\"status\":", "no JSON"},
+      {"{\"status\":", "not JSON"},
       {"7", "status"},
       {R"({"status": 1})", "status"},
       {R"({"status": "solved"})", "verification"},

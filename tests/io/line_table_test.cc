@@ -1,6 +1,6 @@
 // line-NAME.csv, read back.
 #include <plastron/computation/evaluation.hpp>
-#include <plastron/io/line_table.hpp>
+#include <plastron/io/csv_tables.hpp>
 #include <plastron/io/output.hpp>
 
 #include <gtest/gtest.h>

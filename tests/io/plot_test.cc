@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/io/plot.hpp>
-#include <plastron/io/plot_axis.hpp>
 
 #include <cmath>
 #include <set>

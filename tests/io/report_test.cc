@@ -1,11 +1,10 @@
 // report.html: its data are those of results.json and of the solution, nothing of the case becomes markup, and it stays small.
-#include <plastron/io/base64.hpp>
+#include <plastron/io/bytes.hpp>
+#include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/output.hpp>
 #include <plastron/io/report.hpp>
 #include <plastron/io/report_html.hpp>
 #include <plastron/io/report_scene.hpp>
-#include <plastron/io/report_surface.hpp>
-#include <plastron/io/thinned_surface.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
 #include <plastron/io/results.hpp>
-#include <plastron/io/version.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

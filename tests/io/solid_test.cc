@@ -1,6 +1,6 @@
 // solid.vtu, read back: it fills the volume between the faces, and its stresses integrate to resultants.
 #include <plastron/io/output.hpp>
-#include <plastron/io/solid.hpp>
+#include <plastron/io/vtu.hpp>
 
 #include <gtest/gtest.h>
 #include <io/pressed_plate.hpp>

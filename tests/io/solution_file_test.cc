@@ -1,6 +1,5 @@
 // solution.plastron: every digit comes back, on as many ranks as one likes, and nothing damaged is taken.
 #include <plastron/io/solution_file.hpp>
-#include <plastron/io/solution_record.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -147,28 +146,28 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
   const std::vector<std::pair<const char*, std::function<void(std::string&)>>> damages{
       {"too short", [](std::string& t) { t.resize(30); }},
       {"too short", [](std::string& t) { t.clear(); }},
-      {"not complete", [](std::string& t) { t.pop_back(); }},
-      {"not complete", [](std::string& t) { t += '\0'; }},
-      {"begins otherwise", [](std::string& t) { t[0] = 'p'; }},
+      {"incomplete", [](std::string& t) { t.pop_back(); }},
+      {"incomplete", [](std::string& t) { t += '\0'; }},
+      {"begins differently", [](std::string& t) { t[0] = 'p'; }},
       {"version 1", [](std::string& t) { put(t, 8, std::uint32_t{1}); }},
       {"version 3", [](std::string& t) { put(t, 8, std::uint32_t{3}); }},
-      {"corners a cell", [](std::string& t) { put(t, 12, std::uint32_t{3}); }},
+      {"corners per cell", [](std::string& t) { put(t, 12, std::uint32_t{3}); }},
       {"degree", [](std::string& t) { put(t, 16, std::uint32_t{4}); }},
       {"2 obstacles", [](std::string& t) { put(t, 20, std::uint32_t{2}); }},
       {"multipliers", [](std::string& t) { put(t, 24, std::uint32_t{1}); }},
-      {"not complete", [](std::string& t) { put(t, 28, std::uint32_t{1}); }},
-      {"no solution has", [](std::string& t) { put(t, 28, std::uint32_t{1000}); }},
-      {"lifts a gap", [](std::string& t) { put(t, 30, std::uint16_t{1}); }},
+      {"incomplete", [](std::string& t) { put(t, 28, std::uint32_t{1}); }},
+      {"impossible values", [](std::string& t) { put(t, 28, std::uint32_t{1000}); }},
+      {"lifts per gap", [](std::string& t) { put(t, 30, std::uint16_t{1}); }},
       {"cells", [](std::string& t) { put(t, 32, std::int64_t{1} << 60); }},
       {"nodes", [](std::string& t) { put(t, 40, std::int64_t{-1}); }},
-      {"no solution has", [](std::string& t) { put(t, 56, std::numeric_limits<double>::quiet_NaN()); }},
+      {"impossible values", [](std::string& t) { put(t, 56, std::numeric_limits<double>::quiet_NaN()); }},
       {"3 numbers of cuts", [](std::string& t) { put(t, 64, std::int64_t{3}); }},
-      {"no solution has", [](std::string& t) { put(t, 64, std::int64_t{-1}); }},
-      {"no solution has", [](std::string& t) { put(t, 64, std::int64_t{1} << 60); }},
-      {"not all cells",
+      {"impossible values", [](std::string& t) { put(t, 64, std::int64_t{-1}); }},
+      {"impossible values", [](std::string& t) { put(t, 64, std::int64_t{1} << 60); }},
+      {"missing in the file",
        [&](std::string& t) { t.replace(header_bytes, record, t.substr(header_bytes + record, record)); }},
-      {"not all cells", [](std::string& t) { put(t, header_bytes, std::int32_t{1000}); }},
-      {"the mesh is another one", [](std::string& t) { put(t, header_bytes + 16, 0.123); }},
+      {"missing in the file", [](std::string& t) { put(t, header_bytes, std::int32_t{1000}); }},
+      {"the mesh is different", [](std::string& t) { put(t, header_bytes + 16, 0.123); }},
       {"not finite", [&](std::string& t) { put(t, first_node, std::numeric_limits<double>::infinity()); }},
       {"not finite", [&](std::string& t) { put(t, first_node + 40, std::numeric_limits<double>::quiet_NaN()); }},
   };

@@ -271,4 +271,6 @@ void QuadrilateralSequence::refine(std::span<algebra::Vector> fields, Marks mark
   }
 }
 
+std::string deal_ii_version() { return DEAL_II_PACKAGE_VERSION; }
+
 }  // namespace plastron::fem

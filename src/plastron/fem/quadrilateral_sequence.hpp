@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace plastron::fem {
 
@@ -33,5 +34,8 @@ class QuadrilateralSequence {
   struct Storage;
   std::unique_ptr<Storage> storage_;
 };
+
+/// Returns the version of deal.II, whose quadtree the sequence uses.
+std::string deal_ii_version();
 
 }  // namespace plastron::fem

@@ -145,7 +145,7 @@ std::pair<std::filesystem::path, int> new_temporary(const std::filesystem::path&
     if (lock >= 0) return {name, lock};
     ::rmdir(name.c_str());
   }
-  throw std::runtime_error("a temporary directory is removed again and again");
+  throw std::runtime_error("another program keeps removing the temporary directory");
 }
 
 std::int64_t offset_of(std::int64_t size, MPI_Comm comm) {
@@ -203,6 +203,10 @@ void AtomicFiles::add(const std::filesystem::path& path, const Piece& piece) {
     file.flush();
     file.close();
   });
+}
+
+void AtomicFiles::add_text(const std::filesystem::path& path, const Piece& text) {
+  add(path, [&] { return rank_in(comm_) == 0 ? text() : std::string(); });
 }
 
 void AtomicFiles::commit(std::string_view sign) {

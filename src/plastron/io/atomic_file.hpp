@@ -37,6 +37,8 @@ class AtomicFiles {
   /// Writes the pieces of all ranks, in the order of the ranks, into a temporary directory. The ranks must share the
   /// file system.
   void add(const std::filesystem::path& path, const Piece& piece);
+  /// Writes a text that the first rank makes.
+  void add_text(const std::filesystem::path& path, const Piece& text);
   /// Gives all files their names, in the order of their addition. The file called `sign`, if any, shows that the others
   /// belong together. The `sign` of an earlier run is removed first, the new one is named last.
   void commit(std::string_view sign = {});

@@ -19,11 +19,10 @@ constexpr std::uintmax_t largest_results = std::uintmax_t{64} << 20;
 std::string text_of_file(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    throw UnusableResults(
-        fmt::format("{}: there are no results here: no {}; name the directory that plastron run wrote to",
-                    path.parent_path().string(), path.filename().string()));
+    throw UnusableResults(fmt::format("{}: there is no {} here; give the directory that plastron run wrote",
+                                      path.parent_path().string(), path.filename().string()));
   if (std::filesystem::file_size(path, error) > largest_results)
-    throw UnusableResults(fmt::format("{}: the file is larger than any results are", path.string()));
+    throw UnusableResults(fmt::format("{}: the file is too large for results of plastron run", path.string()));
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (file.bad() || text.empty()) throw UnusableResults(fmt::format("{}: the file cannot be read", path.string()));
@@ -41,13 +40,15 @@ Json json_of(const std::string& text, const std::filesystem::path& path) {
   // Copies and destructors of a JSON value are recursive in its depth.
   constexpr int deepest = 100;
   const auto is_shallow = [&](int depth, Json::parse_event_t, const Json&) {
-    if (depth > deepest) throw UnusableResults(fmt::format("{}: it is nested deeper than any results", path.string()));
+    if (depth > deepest)
+      throw UnusableResults(
+          fmt::format("{}: the JSON is nested too deeply for results of plastron run", path.string()));
     return true;
   };
   try {
     return Json::parse(text, is_shallow);
   } catch (const Json::exception& error) {
-    throw UnusableResults(fmt::format("{}: this is no JSON, or not all of it: {}", path.string(), error.what()));
+    throw UnusableResults(fmt::format("{}: the file is not JSON, or not complete: {}", path.string(), error.what()));
   }
 }
 
@@ -87,10 +88,10 @@ class Entries {
 
  private:
   [[noreturn]] void refuse(const char* name) const {
-    throw UnusableResults(
-        fmt::format("{}.{} is not there, or not as plastron run writes it: an earlier version wrote these results, or "
-                    "the case was not run from a file; run the case again",
-                    where_, name));
+    throw UnusableResults(fmt::format(
+        "{}.{} is missing, or does not have the form that plastron run writes: an earlier version wrote these "
+        "results, or the case was not run from a file; run the case again",
+        where_, name));
   }
   const Json& json_;
   std::string where_;
@@ -115,7 +116,7 @@ std::map<std::string, std::string> stored_hashes(const std::filesystem::path& pa
   for (std::string line; std::getline(lines, line);) {
     const std::string name = line.size() > digits + 2 ? line.substr(digits + 2) : "";
     if (name.empty() || line.substr(digits, 2) != "  " || std::filesystem::path(name).filename() != name)
-      throw UnusableResults(fmt::format("{}: line {} is no checksum", path.string(), hashes.size() + 1));
+      throw UnusableResults(fmt::format("{}: line {} is not a checksum", path.string(), hashes.size() + 1));
     hashes[name] = line.substr(0, digits);
   }
   return hashes;
@@ -123,7 +124,7 @@ std::map<std::string, std::string> stored_hashes(const std::filesystem::path& pa
 
 std::string difference(const std::filesystem::path& path, const std::string& stored) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) return fmt::format("{} is not there", path.filename().string());
+  if (!std::filesystem::exists(path, error)) return fmt::format("{} is missing", path.filename().string());
   try {
     if (checksum_of_file(path).hash == stored) return {};
     return fmt::format("{} is not the file that plastron run wrote: its SHA-256 differs", path.filename().string());
@@ -148,8 +149,7 @@ StoredChecksums compare_checksums(const std::filesystem::path& directory, const 
     std::error_code error;
     if (!std::filesystem::exists(directory / checksums_name, error))
       throw UnusableResults(
-          fmt::format("{}: there is no {}, so nothing tells whether the files are those that one run wrote; run the "
-                      "case again",
+          fmt::format("{}: there is no {}, so changes of the files cannot be detected; run the case again",
                       directory.string(), checksums_name));
     const auto hashes = stored_hashes(directory / checksums_name);
     StoredChecksums found{.files = hashes.size()};

@@ -1,7 +1,6 @@
 // A results directory from outside, and the comparison of the claims in results.json with recomputed values.
 #pragma once
 #include <plastron/io/results.hpp>
-#include <plastron/io/unusable_results.hpp>
 
 #include <mpi.h>
 

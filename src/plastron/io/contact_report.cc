@@ -10,7 +10,7 @@ namespace plastron::io {
 namespace {
 
 constexpr int poly_line = 4;  // VTK_POLY_LINE
-constexpr std::array names{"contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv"};
+constexpr std::array file_names{"contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv"};
 
 /// Calls visit(obstacle, zone, line number, line) for every line.
 template <class Visit>
@@ -117,17 +117,15 @@ std::string contact_forces_csv(const std::vector<solution::ContactForce>& forces
 std::vector<std::string> add_contact_report(const solution::Summary& summary, const computation::Solution& solution,
                                             const std::filesystem::path& directory, AtomicFiles& files) {
   if (std::ranges::all_of(summary.obstacles, [](const auto& o) { return o.zones.empty(); })) return {};
-  int rank = 0;
-  MPI_Comm_rank(files.comm(), &rank);
-  files.add(directory / names[0], [&] { return rank == 0 ? contact_boundary_csv(summary) : std::string(); });
-  files.add(directory / names[1], [&] { return rank == 0 ? contact_boundary_vtu(summary) : std::string(); });
+  files.add_text(directory / file_names[0], [&] { return contact_boundary_csv(summary); });
+  files.add_text(directory / file_names[1], [&] { return contact_boundary_vtu(summary); });
   const auto forces = solution::contact_forces(*solution.discrete, solution.nodal);
-  files.add(directory / names[2], [&] { return rank == 0 ? contact_forces_csv(forces) : std::string(); });
-  return {names.begin(), names.end()};
+  files.add_text(directory / file_names[2], [&] { return contact_forces_csv(forces); });
+  return {file_names.begin(), file_names.end()};
 }
 
 void remove_contact_report(const std::filesystem::path& directory, MPI_Comm comm) {
-  for (const char* name : names) remove_file(directory / name, comm);
+  for (const char* name : file_names) remove_file(directory / name, comm);
 }
 
 }  // namespace plastron::io

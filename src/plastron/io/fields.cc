@@ -77,7 +77,8 @@ const std::vector<Field>& table() {
           "eta", {"eta"}, "eta", "Pa", "reaction of the obstacle per unit mid-surface area", 1,
           [](const PointValues& p) { return one(p.pressure); }, Presence::with_obstacle),
       field(
-          "contact", {"contact"}, "-", "1", "1 in contact, 0 free, in between next to the edge of the contact zone", 1,
+          "contact", {"contact"}, "-", "1",
+          "1 in contact, 0 where free, between 0 and 1 next to the edge of a contact zone", 1,
           [](const PointValues& p) { return one(contact_between(p.touching)); }, Presence::with_obstacle),
       field("N", {"N_11", "N_22", "N_12"}, "N^ab", "N/m", "membrane forces in the axes t1, t2", 3,
             [](const PointValues& p) { return three(p.N); }),
@@ -122,12 +123,14 @@ const std::vector<Field>& table() {
       field("von_mises", {"von_mises"}, "-", "Pa",
             "largest equivalent stress of von Mises over the thickness, with the parabolic shear stress", 1,
             [](const PointValues& p) { return one(shell::largest_von_mises(section_forces(p)).stress); }),
-      field("shear_stress", {"shear_stress_1", "shear_stress_2"}, "sigma^a3", "Pa",
-            "transverse shear stresses in the axes t1, t2, mean over the thickness: Q^a / e", 2,
-            [](const PointValues& p) { return two(shell::mean_shear_stress(section_forces(p))); }),
+      field(
+          "shear_stress", {"shear_stress_1", "shear_stress_2"}, "sigma^a3", "Pa",
+          "transverse shear stresses in the axes t1, t2, mean over the thickness: Q^a / e (in solid.vtu: the parabola)",
+          2, [](const PointValues& p) { return two(shell::mean_shear_stress(section_forces(p))); }),
       field("shear_stress_middle", {"shear_stress_1_middle", "shear_stress_2_middle"}, "sigma^a3", "Pa",
-            "the same of the parabola over the thickness, at its peak: 3/2 Q^a / e", 2,
-            [](const PointValues& p) { return two(shell::parabolic_shear_stress(section_forces(p), 0)); }),
+            "transverse shear stresses in the axes t1, t2 at the mid-surface, by the parabola over the thickness: 3/2 "
+            "Q^a / e",
+            2, [](const PointValues& p) { return two(shell::parabolic_shear_stress(section_forces(p), 0)); }),
       field("energy_density", {"energy_density_membrane", "energy_density_bending", "energy_density_shear"}, "-",
             "J/m^2", "stored energy per mid-surface area: membrane, bending, shear", 3,
             [](const PointValues& p) {
@@ -144,8 +147,8 @@ const std::vector<Field>& table() {
       field("thickness", {"thickness"}, "e", "m", "full thickness of the shell", 1,
             [](const PointValues& p) { return one(p.thickness); }),
       field("curvatures", {"kappa_1", "kappa_2"}, "kappa", "1/m",
-            "principal curvatures of the undeformed mid-surface, the larger last; positive where it bends towards a_3",
-            2, [](const PointValues& p) { return two(p.curvatures); }),
+            "principal curvatures of the undeformed mid-surface, the larger last; positive if it bends towards a_3", 2,
+            [](const PointValues& p) { return two(p.curvatures); }),
   };
   return all;
 }
@@ -161,7 +164,7 @@ void add_height(double height, std::vector<Field>& fields) {
                          "principal stresses" + where + ", the larger first", 2,
                          [side](const PointValues& p) { return principal_stress(p, side); }));
   fields.push_back(field("shear_stress" + at, {"shear_stress_1" + at, "shear_stress_2" + at}, "sigma^a3", "Pa",
-                         "transverse shear stresses in the axes t1, t2, of the parabola" + where, 2,
+                         "transverse shear stresses in the axes t1, t2, by the parabola over the thickness," + where, 2,
                          [side](const PointValues& p) {
                            return two(shell::parabolic_shear_stress(section_forces(p), side * p.thickness / 2));
                          }));

@@ -1,8 +1,9 @@
-// The surfaces of the obstacles as triangles for ParaView, beside the shell.
+// The surfaces of the obstacles as triangles, drawn beside the shell in ParaView and in report.html.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/obstacle/surface_mesh.hpp>
+#include <plastron/obstacle/triangle_mesh.hpp>
 
 #include <filesystem>
 #include <string>
@@ -28,5 +29,11 @@ std::string obstacle_surfaces_vtu(const assembly::RigidObstacles& obstacles, con
 /// Adds the file if there are obstacles; returns whether it did (collective). Throws std::runtime_error.
 bool add_obstacle_surfaces(const computation::Solution& solution, const std::filesystem::path& path,
                            AtomicFiles& files);
+
+/// Returns the surface itself if it has at most `most` triangles. Otherwise vertices in the same box of a grid become
+/// one (vertex clustering of Rossignac and Borrel), on the finest possible grid of 96, 48, 24 or 12 boxes along its
+/// longest side. A box's vertex is the first of the surface's own vertices in it, so that drawn points are on the
+/// surface.
+obstacle::TriangleMesh thinned_surface(const obstacle::TriangleMesh& surface, std::size_t most);
 
 }  // namespace plastron::io

@@ -3,14 +3,13 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/contact_report.hpp>
-#include <plastron/io/history.hpp>
-#include <plastron/io/line_table.hpp>
+#include <plastron/io/csv_tables.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/report.hpp>
 #include <plastron/io/result_plots.hpp>
-#include <plastron/io/solid.hpp>
 #include <plastron/io/solution_file.hpp>
+#include <plastron/io/vtu.hpp>
 
 #include <fmt/format.h>
 
@@ -48,7 +47,7 @@ std::string in_the_way(const std::filesystem::path& directory, const std::string
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     if (entry.is_directory(ignored) && is_written(entry.path().filename().string(), base_name))
-      return fmt::format("\"{}\" is a directory, and a file of this name is to be written", entry.path().string());
+      return fmt::format("\"{}\" is a directory; a file of this name cannot be written", entry.path().string());
   for (const std::filesystem::path& input : inputs) {
     const auto path = std::filesystem::weakly_canonical(input);
     if (is_written(path.filename().string(), base_name) &&
@@ -103,10 +102,8 @@ void Output::add_fields(const computation::Solution& solution, double time, cons
 
 /// Adds a text that only the first rank writes.
 void Output::add_text(const std::string& name, const Piece& text) {
-  int rank = 0;
-  MPI_Comm_rank(files_.comm(), &rank);
   names_.push_back(name);
-  files_.add(directory_ / name, [&] { return rank == 0 ? text() : std::string(); });
+  files_.add_text(directory_ / name, text);
 }
 
 void Output::add_history(const computation::Result& result) {
@@ -114,15 +111,12 @@ void Output::add_history(const computation::Result& result) {
   add_text("history.svg", [&] { return svg_text(renamed(history_plot(history_json(result)), given_.units)); });
 }
 
-/// Adds checksums in the format of sha256sum; the first rank alone makes them.
+/// Adds checksums in the format of sha256sum.
 void Output::add_checksums() {
-  int rank = 0;
-  MPI_Comm_rank(files_.comm(), &rank);
-  files_.add(directory_ / checksums_name, [&] {
+  files_.add_text(directory_ / checksums_name, [&] {
     std::string text;
     for (const AtomicFiles::File& file : files_.added())
-      if (rank == 0)
-        text += fmt::format("{}  {}\n", checksum_of_file(file.temporary).hash, file.path.filename().string());
+      text += fmt::format("{}  {}\n", checksum_of_file(file.temporary).hash, file.path.filename().string());
     return text;
   });
 }

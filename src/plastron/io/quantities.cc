@@ -1,6 +1,5 @@
-#include <plastron/io/quantities.hpp>
-
 #include <plastron/computation/warnings.hpp>
+#include <plastron/io/quantities.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,8 @@ namespace {
 using computation::Result;
 
 Json triple(const Eigen::Vector3d& v) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
+
+Json pair(const Eigen::Vector2d& v) { return Json::array({number(v[0]), number(v[1])}); }
 
 Json known(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
@@ -28,88 +29,84 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 std::span<const Quantity<Result>> result_quantities() {
   static const std::vector<Quantity<Result>> all{
-      {"status", "-", "how the computation ended, in a word",
+      {"status", "-", "how the computation ended, in one word",
        [](const Result& r) { return Json(contact::to_string(r.status)); }, Form::text},
-      {"status_text", "-", "the same in a sentence", [](const Result& r) { return Json(computation::status_text(r)); },
-       Form::text},
-      {"formulation", "-", "how r . a_3 = 0 is kept",
+      {"status_text", "-", "the status in a sentence",
+       [](const Result& r) { return Json(computation::status_text(r)); }, Form::text},
+      {"formulation", "-", "method that imposes r . a_3 = 0 (shell.formulation)",
        [](const Result& r) { return Json(element::to_string(r.formulation)); }, Form::text},
       {"energy", "J", "stored energy, 1/2 a(U, U)", [](const Result& r) { return number(r.summary.energy.total()); }},
-      {"energy_parts/membrane", "J", "its membrane part",
+      {"energy_parts/membrane", "J", "membrane part of the energy",
        [](const Result& r) { return number(r.summary.energy.membrane); }},
-      {"energy_parts/bending", "J", "its bending part",
+      {"energy_parts/bending", "J", "bending part of the energy",
        [](const Result& r) { return number(r.summary.energy.bending); }},
-      {"energy_parts/shear", "J", "its transverse shear part",
+      {"energy_parts/shear", "J", "transverse shear part of the energy",
        [](const Result& r) { return number(r.summary.energy.shear); }},
-      {"load_work", "J", "l(U)", [](const Result& r) { return number(r.summary.load_work); }},
-      {"moment_point", "m", "the point that all moments of forces here are about: output.moment_point",
+      {"load_work", "J", "work of the loads, l(U)", [](const Result& r) { return number(r.summary.load_work); }},
+      {"moment_point", "m", "reference point of moments (output.moment_point)",
        [](const Result& r) { return triple(r.summary.moment_point); }, Form::triple},
       {"loads/force", "N", "resultant of all loads", [](const Result& r) { return triple(r.summary.loads.force); },
        Form::triple},
-      {"loads/moment", "N m", "their moment about moment_point",
+      {"loads/moment", "N m", "resultant moment of all loads about moment_point",
        [](const Result& r) { return triple(r.summary.loads.moment); }, Form::triple},
-      {"reaction/force", "N", "resultant of the obstacles' reaction on the shell",
+      {"reaction/force", "N", "resultant force of all obstacles on the shell",
        [](const Result& r) { return triple(r.summary.reaction.force); }, Form::triple},
-      {"reaction/moment", "N m", "its moment about moment_point",
+      {"reaction/moment", "N m", "resultant moment of all obstacles on the shell about moment_point",
        [](const Result& r) { return triple(r.summary.reaction.moment); }, Form::triple},
-      {"support_reaction/force", "N", "resultant of the supports' reactions on the shell",
+      {"support_reaction/force", "N", "resultant force of all supports on the shell",
        [](const Result& r) { return triple(r.summary.support_reaction.force); }, Form::triple},
-      {"support_reaction/moment", "N m", "their moment about moment_point",
+      {"support_reaction/moment", "N m", "resultant moment of all supports on the shell about moment_point",
        [](const Result& r) { return triple(r.summary.support_reaction.moment); }, Form::triple},
       {"size/max_displacement", "m", "largest |u| at a node",
        [](const Result& r) { return number(r.summary.max_displacement); }},
       {"size/max_relative_displacement", "1", "largest |u| / e at a node",
        [](const Result& r) { return number(r.summary.max_relative_displacement); }},
-      {"size/max_rotation", "rad", "largest |r| at a node; the linear model needs it small",
+      {"size/max_rotation", "rad", "largest |r| at a node; the linear model requires a small value",
        [](const Result& r) { return number(r.summary.max_rotation); }},
       {"linearity/left_out", "1",
-       "what the linear model leaves out, over the stored energy: the largest of work, remaining_stretch and half the "
-       "square of the largest rotation; a warning from 0.05 on",
+       "energy that the linear model leaves out, over the stored energy: the largest of work, remaining_stretch and "
+       "half the square of the largest rotation; a warning from 0.05 on",
        [](const Result& r) { return number(left_out_of(r).largest()); }},
       {"linearity/work", "1",
-       "|int N^{ab} q_ab dS| with q_ab = 1/2 d_a u . d_b u, what membrane forces do on turned parts, over the stored "
+       "work of membrane forces on turned parts, |int N^{ab} q_ab dS| with q_ab = 1/2 d_a u . d_b u, over the stored "
        "energy",
        [](const Result& r) { return number(left_out_of(r).work); }},
       {"linearity/stretch", "1",
-       "1/2 int e a^{abrs} q_ab q_rs dS, the energy of the stretch by rotations, over the stored energy; large for "
-       "every thin shell that bends freely",
+       "energy of the stretch by rotations, 1/2 int e a^{abrs} q_ab q_rs dS, over the stored energy; large for every "
+       "thin shell that bends freely",
        [](const Result& r) { return number(left_out_of(r).stretch); }},
       {"linearity/remaining_stretch", "1",
-       "the part of stretch that the shell cannot take back by moving on; null if not known",
+       "part of stretch that no further displacement of the shell removes; null if not known",
        [](const Result& r) { return known(left_out_of(r).remaining_stretch); }},
       {"linearity/buckling", "1",
-       "membrane forces over those under which a perfect shell buckles, contact held; a warning from 0.5 on; null if "
-       "not known",
+       "membrane forces over the forces under which a perfect shell with the same contact buckles; a warning from 0.5 "
+       "on; null if not known",
        [](const Result& r) { return r.levels.empty() ? Json(nullptr) : known(r.last_level().linearity.buckling); }},
       {"linearity/max_strain", "1",
-       "largest principal strain at the faces, by its size; a warning from 0.02 on, most metals yield at 0.001 to "
-       "0.005",
+       "largest absolute value of a principal strain at the faces; a warning from 0.02 on; most metals yield at 0.001 "
+       "to 0.005",
        [](const Result& r) { return number(r.summary.second_order.largest_strain); }},
-      {"stress/max_von_mises", "Pa",
-       "largest equivalent stress of von Mises at points of output, away from singular_places",
+      {"stress/max_von_mises", "Pa", "largest von Mises stress at points of output, away from singular_places",
        [](const Result& r) { return number(r.peak.von_mises); }},
       {"stress/error", "Pa",
-       "estimate of its error: that of the goal \"stress\" if that is asked for, else the difference to the resultants "
-       "of its cell alone",
+       "estimated error of max_von_mises: the error of the goal \"stress\" if the case asks for it, else the "
+       "difference from the resultants of its cell alone",
        [](const Result& r) { return number(r.peak.error); }},
-      {"stress/x", "the chart's", "parameters in Omega of its place",
-       [](const Result& r) {
-         return Json::array({number(r.peak.x[0]), number(r.peak.x[1])});
-       },
-       Form::pair},
-      {"stress/position", "m", "its place on the undeformed mid-surface",
+      {"stress/x", "the chart's", "parameters in Omega of the place of max_von_mises",
+       [](const Result& r) { return pair(r.peak.x); }, Form::pair},
+      {"stress/position", "m", "place of max_von_mises on the undeformed mid-surface",
        [](const Result& r) { return triple(r.peak.position); }, Form::triple},
-      {"stress/height", "m", "its height z over the mid-surface, along a_3",
+      {"stress/height", "m", "height z of the place of max_von_mises over the mid-surface, along a_3",
        [](const Result& r) { return number(r.peak.height); }},
       {"tangency/max_normal_rotation", "1", "largest |r . a_3| at nodes and quadrature points",
        [](const Result& r) { return number(r.summary.max_normal_rotation); }},
-      {"tangency/energy", "J", "energy of the penalty or the stabilisation",
+      {"tangency/energy", "J", "energy of the penalty or of the stabilisation",
        [](const Result& r) { return number(r.summary.tangency_energy); }},
       {"tangency/multiplier_norm", "N m", "norm of the gradient of lambda over the surface (mixed formulation)",
        [](const Result& r) { return number(r.summary.multiplier_norm); }},
       {"memory/peak_bytes", "byte", "peak memory of all ranks together",
        [](const Result& r) { return Json(std::llround(r.peak_memory)); }, Form::integer},
-      {"ranks", "1", "MPI processes", [](const Result& r) { return Json(r.ranks); }, Form::integer},
+      {"ranks", "1", "number of MPI processes", [](const Result& r) { return Json(r.ranks); }, Form::integer},
   };
   return all;
 }
@@ -117,15 +114,12 @@ std::span<const Quantity<Result>> result_quantities() {
 std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities() {
   using recovery::SingularPlace;
   static const std::vector<Quantity<SingularPlace>> all{
-      {"what", "-", "in words", [](const SingularPlace& p) { return Json(p.what); }, Form::text},
-      {"at", "the chart's", "parameters of the place in Omega",
-       [](const SingularPlace& p) {
-         return Json::array({number(p.at[0]), number(p.at[1])});
-       },
+      {"what", "-", "cause, in words", [](const SingularPlace& p) { return Json(p.what); }, Form::text},
+      {"at", "the chart's", "parameters of the place in Omega", [](const SingularPlace& p) { return pair(p.at); },
        Form::pair},
-      {"position", "m", "on the undeformed mid-surface", [](const SingularPlace& p) { return triple(p.position); },
-       Form::triple},
-      {"radius", "m", "stresses that are nearer do not count for stress.max_von_mises",
+      {"position", "m", "position on the undeformed mid-surface",
+       [](const SingularPlace& p) { return triple(p.position); }, Form::triple},
+      {"radius", "m", "stresses within this distance do not count for stress.max_von_mises",
        [](const SingularPlace& p) { return number(p.radius); }},
   };
   return all;
@@ -134,13 +128,13 @@ std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities() {
 std::span<const Quantity<solution::SupportReaction>> support_quantities() {
   using solution::SupportReaction;
   static const std::vector<Quantity<SupportReaction>> all{
-      {"boundary", "-", "its name", [](const SupportReaction& r) { return Json(r.boundary); }, Form::text},
+      {"boundary", "-", "name of the boundary", [](const SupportReaction& r) { return Json(r.boundary); }, Form::text},
       {"reaction/force", "N",
-       "what the supports of the boundary carry along it, without the forces at its corners (corner_supports)",
+       "force of the supports on the shell along the boundary, without the forces at its corners (corner_supports)",
        [](const SupportReaction& r) { return triple(r.reaction.force); }, Form::triple},
-      {"reaction/moment", "N m", "its moment about moment_point",
+      {"reaction/moment", "N m", "moment of the reaction about moment_point",
        [](const SupportReaction& r) { return triple(r.reaction.moment); }, Form::triple},
-      {"nodes", "1", "nodes that it holds", [](const SupportReaction& r) { return Json(r.nodes); }, Form::integer},
+      {"nodes", "1", "supported nodes", [](const SupportReaction& r) { return Json(r.nodes); }, Form::integer},
   };
   return all;
 }
@@ -148,25 +142,22 @@ std::span<const Quantity<solution::SupportReaction>> support_quantities() {
 std::span<const Quantity<solution::CornerReaction>> corner_support_quantities() {
   using solution::CornerReaction;
   static const std::vector<Quantity<CornerReaction>> all{
-      {"boundaries", "-", "names of the boundaries that meet there",
+      {"boundaries", "-", "names of the boundaries that meet at the corner",
        [](const CornerReaction& r) {
          std::string names;
          for (const std::string& name : r.boundaries) names += (names.empty() ? "" : ", ") + name;
          return Json(names);
        },
        Form::text},
-      {"at", "the chart's", "parameters of the corner in Omega",
-       [](const CornerReaction& r) {
-         return Json::array({number(r.at[0]), number(r.at[1])});
-       },
+      {"at", "the chart's", "parameters of the corner in Omega", [](const CornerReaction& r) { return pair(r.at); },
        Form::pair},
-      {"position", "m", "its place on the undeformed mid-surface",
+      {"position", "m", "position of the corner on the undeformed mid-surface",
        [](const CornerReaction& r) { return triple(r.position); }, Form::triple},
       {"reaction/force", "N",
-       "what the supports carry within two thicknesses of the corner beyond the line reactions of its edges, in "
-       "directions that several of them fix",
+       "force of the supports within two thicknesses of the corner beyond the line reactions of its edges, in "
+       "directions that several edges fix",
        [](const CornerReaction& r) { return triple(r.reaction.force); }, Form::triple},
-      {"reaction/moment", "N m", "its moment about moment_point",
+      {"reaction/moment", "N m", "moment of the reaction about moment_point",
        [](const CornerReaction& r) { return triple(r.reaction.moment); }, Form::triple},
   };
   return all;
@@ -175,40 +166,61 @@ std::span<const Quantity<solution::CornerReaction>> corner_support_quantities() 
 std::span<const Quantity<solution::PointReaction>> point_support_quantities() {
   using solution::PointReaction;
   static const std::vector<Quantity<PointReaction>> all{
-      {"at", "the chart's", "parameters of the point in Omega",
-       [](const PointReaction& r) {
-         return Json::array({number(r.at[0]), number(r.at[1])});
-       },
+      {"at", "the chart's", "parameters of the point in Omega", [](const PointReaction& r) { return pair(r.at); },
        Form::pair},
       {"force", "N",
-       "what it carries in directions that no boundary through it fixes; a force that is not zero depends on the mesh",
+       "force of the support in directions that no boundary through the point fixes; a force that is not zero depends "
+       "on the mesh",
        [](const PointReaction& r) { return triple(r.force); }, Form::triple},
+  };
+  return all;
+}
+
+std::span<const Quantity<solution::BodyReaction>> rigid_body_quantities() {
+  using solution::BodyReaction;
+  static const std::vector<Quantity<BodyReaction>> all{
+      {"name", "-", "name of the body", [](const BodyReaction& b) { return Json(b.name); }, Form::text},
+      {"reference", "m", "reference point before the motion", [](const BodyReaction& b) { return triple(b.reference); },
+       Form::triple},
+      {"displacement", "m", "displacement d of the reference point",
+       [](const BodyReaction& b) { return triple(b.displacement); }, Form::triple},
+      {"rotation", "rad", "small rotation theta", [](const BodyReaction& b) { return triple(b.rotation); },
+       Form::triple},
+      {"reaction/force", "N", "reaction of the fixed components of the body; part of support_reaction",
+       [](const BodyReaction& b) { return triple(b.reaction.force); }, Form::triple},
+      {"reaction/moment", "N m", "moment of the reaction about the origin",
+       [](const BodyReaction& b) { return triple(b.reaction.moment); }, Form::triple},
+      {"moment_at_reference", "N m", "moment of the reaction about the reference point",
+       [](const BodyReaction& b) { return triple(b.moment_at_reference); }, Form::triple},
+      {"least_gap", "m", "smallest gap at nodes of the body, which have no contact constraints; null without obstacle",
+       [](const BodyReaction& b) { return number(b.least_gap); }},
   };
   return all;
 }
 
 std::span<const Quantity<Result>> contact_quantities() {
   static const std::vector<Quantity<Result>> all{
-      {"area", "m^2", "mid-surface area in contact, within the boundaries of the zones; the sum over the obstacles",
+      {"area", "m^2", "mid-surface area within the boundaries of the contact zones, summed over the obstacles",
        [](const Result& r) { return number(r.summary.contact_area); }},
       {"nodes", "1", "touching nodes", [](const Result& r) { return Json(r.summary.touching_nodes); }, Form::integer},
       {"min_gap", "m", "smallest gap at a node", [](const Result& r) { return number(r.certificate.min_gap_nodes); }},
       {"max_penetration_between_nodes", "m",
-       "depth of the shell in the obstacle between nodes, where no bound holds it (contact.admissible brings it to 0)",
+       "penetration of the shell between nodes, where the gap is not constrained (contact.admissible = true makes it "
+       "0)",
        [](const Result& r) { return number(penetration(r.certificate.min_gap_between)); }},
       {"max_pressure", "Pa",
-       "largest eta at a node of a zone that has an area; where an edge carries a line reaction, at a node that lies "
-       "on "
-       "no edge; null where all contact is along lines",
+       "largest eta at a node of a zone that has an area; if an edge carries a line reaction, nodes on edges do not "
+       "count; null if all contact is along lines",
        [](const Result& r) { return number(r.max_pressure()); }},
       {"edge/nodes", "1", "touching nodes on edges of the shell",
        [](const Result& r) { return Json(r.summary.edge.nodes); }, Form::integer},
-      {"edge/force", "N", "sum of their reactions", [](const Result& r) { return number(r.summary.edge.force); }},
+      {"edge/force", "N", "sum of the forces at touching nodes on edges of the shell",
+       [](const Result& r) { return number(r.summary.edge.force); }},
       {"edge/max_line_reaction", "N/m",
-       "largest of their reactions over the length of edge that the node stands for; settles where the edge carries a "
+       "largest force at a touching node on an edge over the node's length of edge; it converges if the edge carries a "
        "line reaction",
        [](const Result& r) { return number(r.summary.edge.max_per_length); }},
-      {"edge/is_line", "-", "the edge carries a line reaction: pressures at its nodes depend on the mesh",
+      {"edge/is_line", "-", "true if the edge carries a line reaction; pressures at its nodes then depend on the mesh",
        [](const Result& r) { return Json(r.summary.edge.is_line()); }, Form::flag},
   };
   return all;
@@ -218,16 +230,60 @@ std::span<const Quantity<Result>> admissible_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"rounds", "1", "rounds in which bounds of gaps were lifted, on the finest mesh",
        [](const Result& r) { return Json(r.last_level().lift_rounds); }, Form::integer},
-      {"largest_lift", "m", "the largest that a gap at a node must be, in place of 0",
+      {"largest_lift", "m", "largest lower bound of a gap at a node, in place of 0",
        [](const Result& r) { return number(r.summary.largest_lift); }},
       {"lift_work", "J",
-       "sum of nodal reaction times lift: 1/2 a(U, U) - l(U) is above its least under the bounds at nodes alone, by "
-       "this at most",
+       "sum of nodal reaction times lift; 1/2 a(U, U) - l(U) exceeds its minimum under the bounds at nodes alone by at "
+       "most this number",
        [](const Result& r) { return number(r.summary.lift_work); }},
       {"energy_before", "J", "stored energy before bounds were lifted",
        [](const Result& r) { return number(r.last_level().energy_before_lifts); }},
-      {"energy_change", "J", "stored energy, minus that",
+      {"energy_change", "J", "change of the stored energy by the lifts",
        [](const Result& r) { return number(r.last_level().energy - r.last_level().energy_before_lifts); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<Result>> estimate_quantities() {
+  static const std::vector<Quantity<Result>> all{
+      {"energy_norm/squared", "J", "a(e, e) of the error e of the solution, estimated",
+       [](const Result& r) { return number(r.estimates->energy_norm_squared); }},
+      {"energy_norm/relative", "1", "square root of a(e, e) / a(U, U)",
+       [](const Result& r) {
+         return number(std::sqrt(r.estimates->energy_norm_squared / (2 * r.summary.energy.total())));
+       }},
+      {"unjudged_cells", "1", "cells without a neighbour for comparison; their estimated errors are too small",
+       [](const Result& r) { return Json(r.estimates->unjudged_cells); }, Form::integer},
+  };
+  return all;
+}
+
+std::span<const Quantity<estimation::GoalEstimate>> goal_quantities() {
+  using estimation::GoalEstimate;
+  static const std::vector<Quantity<GoalEstimate>> all{
+      {"name", "-", "name of the number", [](const GoalEstimate& g) { return Json(g.name); }, Form::text},
+      {"unit", "-", "unit of the number", [](const GoalEstimate& g) { return Json(g.unit); }, Form::text},
+      {"value", "see unit", "computed value", [](const GoalEstimate& g) { return number(g.value); }},
+      {"tolerance", "1", "requested relative error; null if none was requested",
+       [](const GoalEstimate& g) { return known(g.tolerance); }},
+      {"difference", "see unit",
+       "estimate of the exact value minus value, from the solution of higher degree if there is one, else without the "
+       "effect of the edges of contact zones",
+       [](const GoalEstimate& g) { return number(g.difference()); }},
+      {"corrected", "see unit", "value plus difference",
+       [](const GoalEstimate& g) { return number(g.value + g.difference()); }},
+      {"at_higher_degree", "see unit",
+       "value on the same cells at degree k+1, if this solution was needed to confirm an accuracy, else null",
+       [](const GoalEstimate& g) { return known(g.at_higher_degree); }},
+      {"contact_edge", "see unit", "possible error by the edges of contact zones, of either sign",
+       [](const GoalEstimate& g) { return number(g.contact_edge); }},
+      {"error", "see unit", "estimate of |exact value - value|",
+       [](const GoalEstimate& g) { return number(g.error()); }},
+      {"has_dual", "-", "true if the dual problem was solved; otherwise its part of the difference is missing",
+       [](const GoalEstimate& g) { return Json(g.has_dual); }, Form::flag},
+      {"dual_energy", "J",
+       "energy of the dual solution per squared unit; if it grows with refinement, the number has no limit",
+       [](const GoalEstimate& g) { return number(g.dual_energy); }},
   };
   return all;
 }
@@ -243,13 +299,15 @@ std::span<const Quantity<certificate::Certificate>> certificate_quantities() {
        [](const Certificate& c) { return number(c.min_gap_nodes); }},
       {"min_gap_between", "m", "smallest gap between nodes; null if no cell is near the obstacle",
        [](const Certificate& c) { return number(c.min_gap_between); }},
-      {"support_error", "m", "largest distance of a supported component from its value, rotations times the thickness",
+      {"support_error", "m",
+       "largest deviation of a supported component from its prescribed value, rotations times the thickness",
        [](const Certificate& c) { return number(c.support_error); }},
-      {"complementarity", "Pa m", "largest |eta g| at a node, g from its lift where bounds are lifted",
+      {"complementarity", "Pa m", "largest |eta g| at a node; where bounds are lifted, g is the gap minus the lift",
        [](const Certificate& c) { return number(c.complementarity); }},
       {"force_balance", "1", "sum of loads and reactions over the largest of them",
        [](const Certificate& c) { return number(c.force_balance); }},
-      {"moment_balance", "1", "the same for moments about the origin; falls with the mesh width on curved shells",
+      {"moment_balance", "1",
+       "sum of moments about the origin over the largest of them; on curved shells it falls with the mesh size",
        [](const Certificate& c) { return number(c.moment_balance); }},
       {"energy_identity", "1", "|a(U, U) - work of loads and reactions| over a(U, U)",
        [](const Certificate& c) { return number(c.energy_identity); }},
@@ -262,7 +320,7 @@ std::span<const Quantity<computation::Level>> level_quantities() {
   static const std::vector<Quantity<Level>> all{
       {"cells", "1", "cells of the mesh", [](const Level& l) { return Json(l.cells); }, Form::integer},
       {"nodes", "1", "nodes", [](const Level& l) { return Json(l.nodes); }, Form::integer},
-      {"unknowns", "1", "unknowns, supported ones included", [](const Level& l) { return Json(l.unknowns); },
+      {"unknowns", "1", "unknowns, including supported ones", [](const Level& l) { return Json(l.unknowns); },
        Form::integer},
       {"active", "1", "touching nodes", [](const Level& l) { return Json(l.active); }, Form::integer},
       {"iterations", "1", "active-set iterations", [](const Level& l) { return Json(l.iterations); }, Form::integer},
@@ -274,23 +332,23 @@ std::span<const Quantity<computation::Level>> level_quantities() {
        [](const Level& l) { return Json(l.lift_rounds); }, Form::integer},
       {"gap_error", "m", "largest |distance - linearised gap| of the deformed faces in contact with curved obstacles",
        [](const Level& l) { return number(l.gap_error); }},
-      {"status", "-", "how the level ended", [](const Level& l) { return Json(contact::to_string(l.status)); },
-       Form::text},
+      {"status", "-", "how the computation on this mesh ended, in one word",
+       [](const Level& l) { return Json(contact::to_string(l.status)); }, Form::text},
       {"energy", "J", "stored energy", [](const Level& l) { return number(l.energy); }},
-      {"reaction", "N", "norm of the obstacle's resultant force", [](const Level& l) { return number(l.reaction); }},
-      {"contact_area", "m^2",
-       "mid-surface area in contact, within the boundaries of the zones; the sum over the obstacles",
+      {"reaction", "N", "norm of the resultant force of the obstacles",
+       [](const Level& l) { return number(l.reaction); }},
+      {"contact_area", "m^2", "mid-surface area within the boundaries of the contact zones, summed over the obstacles",
        [](const Level& l) { return number(l.contact_area); }},
       {"max_normal_rotation", "1", "largest |r . a_3|", [](const Level& l) { return number(l.max_normal_rotation); }},
       {"multiplier_norm", "N m", "norm of the gradient of lambda",
        [](const Level& l) { return number(l.multiplier_norm); }},
       {"min_gap", "m", "smallest gap at a node; null without obstacle",
        [](const Level& l) { return number(l.min_gap); }},
-      {"linear_residual", "1", "of the last linear solve, relative",
+      {"linear_residual", "1", "relative residual of the last linear solve",
        [](const Level& l) { return number(l.linear_residual); }},
-      {"tolerances/bounds", "1", "to which bounds were held, over the largest displacement at contact nodes",
+      {"tolerances/bounds", "1", "tolerance of the bounds, over the largest displacement at contact nodes",
        [](const Level& l) { return number(l.tolerances.gap); }},
-      {"tolerances/signs", "1", "to which signs of reactions were held, over the largest reaction",
+      {"tolerances/signs", "1", "tolerance of the signs of reactions, over the largest reaction",
        [](const Level& l) { return number(l.tolerances.multiplier); }},
       {"max_rotation", "rad", "largest |r|", [](const Level& l) { return number(l.max_rotation); }},
       {"seconds/mesh", "s", "refinement, numbering, transfer", [](const Level& l) { return number(l.seconds.mesh); }},
@@ -300,13 +358,13 @@ std::span<const Quantity<computation::Level>> level_quantities() {
       {"seconds/analysis", "s", "symbolic factorisation", [](const Level& l) { return number(l.seconds.analysis); }},
       {"seconds/factorisation", "s", "numeric factorisations",
        [](const Level& l) { return number(l.seconds.factorisation); }},
-      {"seconds/iteration", "s", "the rest of the active-set iteration",
+      {"seconds/iteration", "s", "active-set iteration without the factorisations",
        [](const Level& l) { return number(l.seconds.iteration); }},
       {"seconds/certificate", "s", "the certificate", [](const Level& l) { return number(l.seconds.certificate); }},
       {"seconds/estimates", "s", "estimates of errors", [](const Level& l) { return number(l.seconds.estimates); }},
-      {"seconds/witness", "s", "the solution at one degree more, where it was needed to judge an accuracy",
+      {"seconds/witness", "s", "solution at degree k+1, if it was needed to confirm an accuracy",
        [](const Level& l) { return number(l.seconds.witness); }},
-      {"seconds/total", "s", "all of these", [](const Level& l) { return number(l.seconds.total()); }},
+      {"seconds/total", "s", "sum of all times", [](const Level& l) { return number(l.seconds.total()); }},
   };
   return all;
 }
@@ -314,17 +372,17 @@ std::span<const Quantity<computation::Level>> level_quantities() {
 std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities() {
   using solution::ObstacleContact;
   static const std::vector<Quantity<ObstacleContact>> all{
-      {"name", "-", "that the case gives it", [](const ObstacleContact& o) { return Json(o.name); }, Form::text},
-      {"reaction/force", "N", "resultant of its reaction on the shell",
+      {"name", "-", "name of the obstacle", [](const ObstacleContact& o) { return Json(o.name); }, Form::text},
+      {"reaction/force", "N", "resultant force of the obstacle on the shell",
        [](const ObstacleContact& o) { return triple(o.reaction.force); }, Form::triple},
-      {"reaction/moment", "N m", "its moment about moment_point",
+      {"reaction/moment", "N m", "resultant moment of the obstacle on the shell about moment_point",
        [](const ObstacleContact& o) { return triple(o.reaction.moment); }, Form::triple},
-      {"area", "m^2", "mid-surface area that touches it, within the boundaries of its zones",
+      {"area", "m^2", "mid-surface area within the boundaries of its contact zones",
        [](const ObstacleContact& o) { return number(o.area); }},
-      {"nodes", "1", "nodes that touch it", [](const ObstacleContact& o) { return Json(o.nodes); }, Form::integer},
-      {"translation", "m", "how far it has come from where it stood at the start",
+      {"nodes", "1", "touching nodes", [](const ObstacleContact& o) { return Json(o.nodes); }, Form::integer},
+      {"translation", "m", "translation since the start",
        [](const ObstacleContact& o) { return triple(o.translation); }, Form::triple},
-      {"rotation", "rad", "how far it has turned: direction of the axis times the angle",
+      {"rotation", "rad", "rotation since the start: direction of the axis times the angle",
        [](const ObstacleContact& o) { return triple(o.rotation); }, Form::triple},
   };
   return all;
@@ -333,27 +391,25 @@ std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities() {
 std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
   using computation::HistoryEntry;
   static const std::vector<Quantity<HistoryEntry>> all{
-      {"time", "1", "steps that are over, the part of the present one included",
+      {"time", "1", "number of completed steps, plus the completed part of the present one",
        [](const HistoryEntry& h) { return number(h.time); }},
-      {"step", "-", "the step's name", [](const HistoryEntry& h) { return Json(h.step); }, Form::text},
-      {"status", "-", "how this instant ended, in a word",
+      {"step", "-", "name of the step", [](const HistoryEntry& h) { return Json(h.step); }, Form::text},
+      {"status", "-", "how this instant ended, in one word",
        [](const HistoryEntry& h) { return Json(contact::to_string(h.status)); }, Form::text},
-      {"load_factor", "1", "what all loads are multiplied by",
-       [](const HistoryEntry& h) { return number(h.load_factor); }},
+      {"load_factor", "1", "factor of all loads", [](const HistoryEntry& h) { return number(h.load_factor); }},
       {"energy", "J", "stored energy, 1/2 a(U, U)",
        [](const HistoryEntry& h) { return number(h.summary.energy.total()); }},
-      {"load_work", "J", "l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},
+      {"load_work", "J", "work of the loads, l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},
       {"max_displacement", "m", "largest |u| at a node",
        [](const HistoryEntry& h) { return number(h.summary.max_displacement); }},
-      {"left_out", "1", "what the linear model leaves out, as linearity.left_out",
+      {"left_out", "1", "energy that the linear model leaves out, as linearity.left_out",
        [](const HistoryEntry& h) { return number(computation::left_out(h.summary, h.level).largest()); }},
-      {"contact_area", "m^2",
-       "mid-surface area in contact, within the boundaries of the zones; the sum over the obstacles",
+      {"contact_area", "m^2", "mid-surface area within the boundaries of the contact zones, summed over the obstacles",
        [](const HistoryEntry& h) { return number(h.summary.contact_area); }},
       {"max_pressure", "Pa", "largest eta at a node",
        [](const HistoryEntry& h) { return number(h.summary.max_pressure); }},
       {"min_gap", "m", "smallest gap at a node", [](const HistoryEntry& h) { return number(h.level.min_gap); }},
-      {"support_force", "N", "resultant of the supports' reactions on the shell",
+      {"support_force", "N", "resultant force of all supports on the shell",
        [](const HistoryEntry& h) { return triple(h.summary.support_reaction.force); }, Form::triple},
       {"iterations", "1", "active-set iterations", [](const HistoryEntry& h) { return Json(h.level.iterations); },
        Form::integer},
@@ -366,32 +422,33 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
 std::span<const Quantity<solution::ContactZone>> zone_quantities() {
   using solution::ContactZone;
   static const std::vector<Quantity<ContactZone>> all{
-      {"area", "m^2", "mid-surface area within its boundary", [](const ContactZone& z) { return number(z.area); }},
-      {"nodes", "1", "nodes that touch", [](const ContactZone& z) { return Json(z.nodes); }, Form::integer},
-      {"reaction/force", "N", "resultant of the reaction in the zone on the shell",
+      {"area", "m^2", "mid-surface area within the boundary of the zone",
+       [](const ContactZone& z) { return number(z.area); }},
+      {"nodes", "1", "touching nodes", [](const ContactZone& z) { return Json(z.nodes); }, Form::integer},
+      {"reaction/force", "N", "resultant force of the obstacle on the zone",
        [](const ContactZone& z) { return triple(z.reaction.force); }, Form::triple},
-      {"reaction/moment", "N m", "its moment about moment_point",
+      {"reaction/moment", "N m", "resultant moment of the obstacle on the zone about moment_point",
        [](const ContactZone& z) { return triple(z.reaction.moment); }, Form::triple},
       {"centre_of_pressure", "m", "mean place of the reaction on the touching face of the undeformed shell",
        [](const ContactZone& z) { return triple(z.centre); }, Form::triple},
       {"is_line", "-",
-       "the zone is a line or a point, narrower than the distance of nodes: pressures at its nodes depend on the mesh",
+       "true if the zone is a line or a point, narrower than the distance of nodes; pressures at its nodes then depend "
+       "on the mesh",
        [](const ContactZone& z) { return Json(z.is_line()); }, Form::flag},
-      {"line_reaction", "N/m", "its force over half the length of its boundary; settles where the zone is a line",
+      {"line_reaction", "N/m",
+       "force of the zone over half the length of its boundary; it converges if the zone is a line",
        [](const ContactZone& z) { return number(z.line_reaction()); }},
-      {"peak/pressure", "Pa", "largest eta at a node; in a line, or where an edge carries one, it depends on the mesh",
+      {"peak/pressure", "Pa",
+       "largest eta at a node; it depends on the mesh if the zone is a line or if an edge carries a line reaction",
        [](const ContactZone& z) { return number(z.peak_pressure); }},
-      {"peak/x", "the chart's", "parameters in Omega of that node",
-       [](const ContactZone& z) {
-         return Json::array({number(z.peak_x[0]), number(z.peak_x[1])});
-       },
-       Form::pair},
-      {"peak/position", "m", "its place on the touching face of the undeformed shell",
+      {"peak/x", "the chart's", "parameters in Omega of the node with the largest eta",
+       [](const ContactZone& z) { return pair(z.peak_x); }, Form::pair},
+      {"peak/position", "m", "place of the node with the largest eta on the touching face of the undeformed shell",
        [](const ContactZone& z) { return triple(z.peak_place); }, Form::triple},
-      {"boundary/lines", "1", "polylines of its boundary, see contact-boundary.csv",
+      {"boundary/lines", "1", "polylines of the boundary, see contact-boundary.csv",
        [](const ContactZone& z) { return Json(z.lines.size()); }, Form::integer},
-      {"boundary/points", "1", "their points", [](const ContactZone& z) { return Json(z.line_points()); },
-       Form::integer},
+      {"boundary/points", "1", "points of the polylines of the boundary",
+       [](const ContactZone& z) { return Json(z.line_points()); }, Form::integer},
       {"boundary/length", "m", "length of the boundary inside the shell, where the gap opens",
        [](const ContactZone& z) { return number(z.line_length()); }},
       {"boundary/rim_length", "m", "length of the shell's rim in the zone",
@@ -404,8 +461,8 @@ std::span<const Quantity<contact::Iteration>> iteration_quantities() {
   using contact::Iteration;
   static const std::vector<Quantity<Iteration>> all{
       {"active", "1", "unknowns at a bound", [](const Iteration& i) { return Json(i.active); }, Form::integer},
-      {"changes", "1", "unknowns that changed sides", [](const Iteration& i) { return Json(i.changes); },
-       Form::integer},
+      {"changes", "1", "unknowns that entered or left the active set",
+       [](const Iteration& i) { return Json(i.changes); }, Form::integer},
       {"energy", "J", "potential energy, 1/2 a(U, U) - l(U)", [](const Iteration& i) { return number(i.energy); }},
       {"worst_violation", "m", "largest violation of a bound",
        [](const Iteration& i) { return number(i.worst_violation); }},
@@ -413,8 +470,8 @@ std::span<const Quantity<contact::Iteration>> iteration_quantities() {
        [](const Iteration& i) { return number(i.worst_multiplier); }},
       {"linear_steps", "1", "conjugate-gradient steps", [](const Iteration& i) { return Json(i.linear_steps); },
        Form::integer},
-      {"safeguarded", "-", "made by the safeguarded search", [](const Iteration& i) { return Json(i.safeguarded); },
-       Form::flag},
+      {"safeguarded", "-", "true if the safeguarded search made this iteration",
+       [](const Iteration& i) { return Json(i.safeguarded); }, Form::flag},
   };
   return all;
 }

@@ -1,20 +1,42 @@
 #include <plastron/io/report.hpp>
 
-#include <plastron/io/base64.hpp>
-#include <plastron/io/embedded_page.hpp>
-#include <plastron/io/line_plots.hpp>
+#include <plastron/io/bytes.hpp>
 #include <plastron/io/plot.hpp>
-#include <plastron/io/report_case.hpp>
 #include <plastron/io/report_html.hpp>
 #include <plastron/io/report_scene.hpp>
-#include <plastron/io/report_tables.hpp>
 #include <plastron/io/result_plots.hpp>
 
 #include <fmt/format.h>
 
+// Defined in embedded_page.S, which includes the files without change.
+extern "C" {
+extern const char plastron_page_begin[], plastron_page_end[];
+extern const char plastron_style_begin[], plastron_style_end[];
+extern const char plastron_script_begin[], plastron_script_end[];
+extern const char plastron_script_source_begin[], plastron_script_source_end[];
+}
+
 namespace plastron::io {
 
 namespace {
+
+/// The parts of the page that do not depend on the computation (cmake/PlastronViewer.cmake). Page and style are copied
+/// from viewer/src; the script is bundled from viewer/src with vtk.js.
+struct EmbeddedPage {
+  std::string_view page;    ///< HTML with places {{...}} that report_html() fills
+  std::string_view style;   ///< CSS
+  std::string_view script;  ///< the three-dimensional view; empty where Plastron was built with PLASTRON_VIEWER=OFF
+  std::string_view script_source;  ///< hash of the script, its name in the page's policy; 'none' without script
+};
+
+std::string_view between(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
+
+EmbeddedPage embedded_page() {
+  return {.page = between(plastron_page_begin, plastron_page_end),
+          .style = between(plastron_style_begin, plastron_style_end),
+          .script = between(plastron_script_begin, plastron_script_end),
+          .script_source = between(plastron_script_source_begin, plastron_script_source_end)};
+}
 
 /// Returns a text on the drawn instant, for a computation with steps.
 std::string instant_html(const Json& results) {
@@ -27,16 +49,14 @@ std::string instant_html(const Json& results) {
 std::string view_html(const Json& results, const Json& scene, bool has_script) {
   if (!has_script)
     return "<p class=\"note\">This Plastron was built without the three-dimensional view (PLASTRON_VIEWER=OFF). Open "
-           "solution.pvd in "
-           "ParaView.</p>\n";
+           "solution.pvd in ParaView.</p>\n";
   if (scene.is_null())
-    return "<p class=\"note\">There is no surface to draw: nothing was solved, it is not finite, or its coarsest mesh "
-           "alone has more points "
-           "than a page can hold. In the last case open solution.pvd in ParaView.</p>\n";
+    return "<p class=\"note\">There is no surface to draw: nothing was solved, the solution is not finite, or the "
+           "coarsest "
+           "mesh has too many points for this page. In the last case open solution.pvd in ParaView.</p>\n";
   return instant_html(results) +
-         "<div id=\"view\"><noscript><p class=\"note\">The three-dimensional view needs JavaScript; everything else on "
-         "this page does "
-         "not.</p></noscript></div>\n";
+         "<div id=\"view\"><noscript><p class=\"note\">The three-dimensional view needs JavaScript. The other parts of "
+         "this page do not.</p></noscript></div>\n";
 }
 
 /// Returns the plots as pictures with separate styles and names.
@@ -89,12 +109,9 @@ std::string report_html(const Json& results, const Json& scene, const std::vecto
 
 void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,
                 const std::vector<LineTable>& lines, const std::filesystem::path& directory, AtomicFiles& files) {
-  int rank = 0;
-  MPI_Comm_rank(files.comm(), &rank);
   const bool has_view = is_drawn && !embedded_page().script.empty();
   const Json scene = has_view ? scene_json(*result.solution, result.summary, provenance.units) : Json(nullptr);
-  files.add(directory / report_name, [&]() -> std::string {
-    if (rank != 0) return "";
+  files.add_text(directory / report_name, [&] {
     const std::string text = results_json(result, provenance).dump(-1, ' ', false, Json::error_handler_t::replace);
     return report_html(Json::parse(text), scene, lines);
   });

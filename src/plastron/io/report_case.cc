@@ -1,4 +1,4 @@
-#include <plastron/io/report_case.hpp>
+#include <plastron/io/report.hpp>
 
 #include <plastron/io/report_html.hpp>
 

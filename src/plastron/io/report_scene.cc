@@ -1,17 +1,186 @@
-#include <plastron/io/report_scene.hpp>
-
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/fem/reference_cell.hpp>
-#include <plastron/io/base64.hpp>
+#include <plastron/io/bytes.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
-#include <plastron/io/report_surface.hpp>
-#include <plastron/io/thinned_surface.hpp>
+#include <plastron/io/report_scene.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace plastron::io {
+
+namespace {
+
+/// Identity of a point: coarse cell, place of its drawn cell in it, number in the drawn cell.
+using Key = std::array<std::int64_t, 4>;
+
+struct PointRecords {
+  std::vector<Key> keys{};
+  std::vector<float> values{};  ///< for each key one value per row
+};
+
+std::int64_t points_in(fem::Shape shape, int subdivisions) { return fem::nodes_per_cell(shape, subdivisions); }
+
+/// A block of finest cells, 2^merged on each side, that contains a cell, or the cell itself if it is larger. Its
+/// coordinates refer to the coarse cell, as in fem::Cell.
+struct Block {
+  Key key;
+  fem::Cell cell;
+};
+
+Block block_of(const fem::Cell& cell, fem::Shape shape, const DrawnCells& drawn) {
+  const double finest = std::ldexp(1.0, -drawn.levels);
+  const double size = std::max(std::abs(cell.size), std::ldexp(finest, drawn.merged_levels));
+  const Eigen::Vector2d middle = (cell.corner + cell.size * fem::centre(shape)) / size;
+  const Eigen::Vector2d low(std::floor(middle[0]), std::floor(middle[1]));
+  const bool is_turned = shape == fem::Shape::triangle && (middle - low).sum() > 1;
+  const Eigen::Vector2d corner = is_turned ? (low + Eigen::Vector2d::Ones()).eval() : low;
+  const auto place = [&](double multiple) { return static_cast<std::int64_t>(multiple * size / finest); };
+  return {{cell.coarse, place(low[1]), 2 * place(low[0]) + (is_turned ? 1 : 0), 0},
+          {.coarse = cell.coarse, .corner = size * corner, .size = is_turned ? -size : size}};
+}
+
+/// Whether corner k of the cell is corner k of its block.
+bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape shape, int k) {
+  const Eigen::Vector2d corner = fem::corner(shape, k);
+  const Eigen::Vector2d distance = cell.corner + cell.size * corner - block.corner - block.size * corner;
+  return distance.norm() < 0.25 * std::abs(cell.size);
+}
+
+/// Returns the least pressure at a node, or 0: between nodes polynomials have lower values.
+double least_pressure(const computation::Solution& solution) {
+  double least = 0;
+  const auto owned = static_cast<std::size_t>(solution.discrete->space().layout->owned);
+  for (std::size_t i = 0; i < owned; ++i) least = std::min(least, solution::total_pressure(solution.nodal, i));
+  return algebra::min_over_ranks(least, solution.discrete->space().layout->comm);
+}
+
+void append(recovery::PointValues point, double least_pressure, const std::vector<Field>& fields,
+            std::vector<float>& values) {
+  if (point.pressure < least_pressure) point.pressure = least_pressure;
+  for (const Field& field : fields) {
+    const auto taken = field.take(point);
+    for (int c = 0; c < field.components; ++c) values.push_back(static_cast<float>(taken[static_cast<std::size_t>(c)]));
+  }
+}
+
+/// Returns the points from cells of this rank.
+PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn, double least_pressure,
+                        const std::vector<Field>& fields) {
+  const fem::Space& space = solution.discrete->space();
+  const fem::Shape shape = space.shape();
+  PointRecords records;
+  if (space.owned_cells == 0) return records;
+  const recovery::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(shape, drawn.subdivisions),
+                                    solution.recovery);
+  const int slots = static_cast<int>(points_in(shape, drawn.subdivisions));
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
+    const Block block = block_of(space.cells[cell], shape, drawn);
+    std::vector<int> wanted;
+    for (int k = 0; k < slots; ++k)
+      if (drawn.merged_levels == 0 || is_blocks_corner(space.cells[cell], block.cell, shape, k)) wanted.push_back(k);
+    if (wanted.empty()) continue;
+    const auto points = recovery(cell);
+    for (const int k : wanted) {
+      records.keys.push_back(block.key);
+      records.keys.back()[3] = k;
+      append(points[static_cast<std::size_t>(k)], least_pressure, fields, records.values);
+    }
+  }
+  return records;
+}
+
+/// Returns all ranks' entries, ordered by rank, on the first rank; empty on the others (collective).
+template <class Entry>
+std::vector<Entry> gathered(const std::vector<Entry>& mine, MPI_Comm comm) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &ranks);
+  const algebra::ItemType entry(sizeof(Entry), MPI_BYTE);
+  const int count = static_cast<int>(mine.size());
+  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks));
+  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
+  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+  const auto total = static_cast<std::size_t>(rank == 0 ? starts.back() + counts.back() : 0);
+  std::vector<Entry> all(total);
+  MPI_Gatherv(mine.data(), count, entry.get(), all.data(), counts.data(), starts.data(), entry.get(), 0, comm);
+  return all;
+}
+
+/// Returns the values by rows, with points in the order of their keys.
+std::vector<std::vector<float>> in_rows(const PointRecords& records) {
+  const std::size_t points = records.keys.size();
+  if (points == 0) return {};
+  const std::size_t rows = records.values.size() / points;
+  std::vector<std::size_t> order(points);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return records.keys[i]; });
+  std::vector<std::vector<float>> result(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    result[row].reserve(points);
+    for (const std::size_t i : order) result[row].push_back(records.values[i * rows + row]);
+  }
+  return result;
+}
+
+/// Returns the number of cells on all ranks from coarse cells divided 0, 1, 2, ... times; the last ones are the finest.
+std::vector<std::int64_t> cells_by_level(const fem::Space& space) {
+  constexpr int most_levels = 64;
+  std::vector<std::int64_t> counts(most_levels, 0);
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+    ++counts.at(static_cast<std::size_t>(-std::ilogb(std::abs(space.cells[cell].size))));
+  MPI_Allreduce(MPI_IN_PLACE, counts.data(), most_levels, MPI_INT64_T, MPI_SUM, space.layout->comm);
+  while (counts.size() > 1 && counts.back() == 0) counts.pop_back();
+  return counts;
+}
+
+}  // namespace
+
+DrawnCells drawn_cells(fem::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
+                       std::int64_t most_points) {
+  const int levels = static_cast<int>(cells_by_level.size()) - 1;
+  const auto blocks = [&](int merged) {
+    double count = 0;  // cells of several sizes form a block together
+    for (int level = 0; level <= levels; ++level)
+      count += std::ldexp(static_cast<double>(cells_by_level[static_cast<std::size_t>(level)]),
+                          -2 * std::max(0, level - levels + merged));
+    return std::llround(count);
+  };
+  for (int n = degree; n >= 1; --n)
+    if (blocks(0) * points_in(shape, n) <= most_points) return {n, 0, levels, blocks(0)};
+  for (int merged = 1; merged <= levels; ++merged)
+    if (blocks(merged) * points_in(shape, 1) <= most_points) return {1, merged, levels, blocks(merged)};
+  return {};
+}
+
+std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier) {
+  auto fields = fields_of(has_obstacle, has_multiplier);
+  std::erase_if(fields, [](const Field& field) {
+    return field.key.starts_with("frame/t") || field.key.ends_with("_direction") || field.key.ends_with("_face");
+  });
+  return fields;
+}
+
+SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points) {
+  const assembly::DiscreteShell& discrete = *solution.discrete;
+  const fem::Space& space = discrete.space();
+  const MPI_Comm comm = space.layout->comm;
+  SampledSurface surface;
+  surface.fields =
+      report_fields(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
+  surface.cells = drawn_cells(space.shape(), space.degree, cells_by_level(space), most_points);
+  if (surface.cells.count == 0) return surface;
+  surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);
+  const double least = least_pressure(solution);
+  const PointRecords mine =
+      algebra::in_agreement(comm, [&] { return own_points(solution, surface.cells, least, surface.fields); });
+  const PointRecords all{gathered(mine.keys, comm), gathered(mine.values, comm)};
+  surface.rows = in_rows(all);
+  return surface;
+}
 
 namespace {
 

@@ -2,10 +2,46 @@
 // shell, obstacles, boundaries of contact zones, supported edges. viewer/src/scene.js reads it.
 #pragma once
 #include <plastron/computation/result.hpp>
+#include <plastron/io/fields.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/problem/unit_names.hpp>
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 namespace plastron::io {
+
+/// Drawn cells, which may be blocks of the mesh's cells.
+struct DrawnCells {
+  int subdivisions = 1;  ///< lattice of points in each: fem::lattice
+  /// A drawn cell is a block of 2^merged_levels of the finest cells on each side, or one larger cell.
+  int merged_levels = 0;
+  int levels = 0;          ///< number of divisions from the coarse cells to the finest ones
+  std::int64_t count = 0;  ///< 0: the surface has too many points for the page
+};
+
+/// Returns the finest drawing of at most `most_points` points. Subdivisions are tried from the degree down to one in
+/// each cell. Then blocks of the smallest cells are tried, within one coarse cell. `cells_by_level`: number of cells
+/// divided 0, 1, 2, ... times.
+DrawnCells drawn_cells(fem::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
+                       std::int64_t most_points);
+
+/// The deformed surface: all fields at a limited number of points, in single precision.
+struct SampledSurface {
+  DrawnCells cells;
+  std::int64_t points = 0;
+  std::vector<Field> fields{};  ///< fields with a meaning here
+  /// A row for each component of each field, with a value for each point; on the first rank only.
+  std::vector<std::vector<float>> rows{};
+};
+
+/// Returns the fields that colours can show: no tangents, no directions, no places except the mid-surface.
+std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier);
+
+/// Returns the surface with cells in an order that does not depend on the number of ranks (collective). Throws the
+/// errors of the chart at points between nodes, on all ranks together.
+SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points);
 
 /// Largest number of points of the shell's surface on a page. The page stays below 12 MB (a field's 4 bytes are 5.3
 /// letters, some 60 components).

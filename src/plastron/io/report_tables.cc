@@ -1,4 +1,4 @@
-#include <plastron/io/report_tables.hpp>
+#include <plastron/io/report.hpp>
 
 #include <plastron/io/report_html.hpp>
 
@@ -122,7 +122,7 @@ std::string verdict_html(const Json& results) {
   return fmt::format(
       "<div class=\"verdict {}\" role=\"status\"><span class=\"sign\" aria-hidden=\"true\">{}</span><div><strong "
       "data-path=\"status\">{}</strong> {}<br>\n"
-      "<a href=\"#certificate\">Certificate</a>: {} of {} rows keep their limits. {}</div></div>\n",
+      "<a href=\"#certificate\">Certificate</a>: {} of {} rows are within their limits. {}</div></div>\n",
       is_good ? "good" : "bad", is_good ? "&#10003;" : "!", html_text(status),
       html_text(plain_words(at_path(results, "status_text"))), kept, limits.size(), linearity_html(results));
 }
@@ -211,8 +211,9 @@ std::string balance_html(const Json& results) {
   table.row(sums, "sum");
   return table.text() +
          fmt::format(
-             "<p class=\"note\">What acts on the shell; moments about {} m. Muted numbers are rounding beside the "
-             "largest of their kind. The sum of moments is as good as the mesh on curved shells.</p>\n",
+             "<p class=\"note\">Forces and moments on the shell; moments about {} m. Muted numbers are rounding errors "
+             "compared with the largest of their kind. On curved shells the sum of moments falls with the mesh size."
+             "</p>\n",
              html_text(plain_words(at_path(results, "moment_point"))));
 }
 
@@ -274,8 +275,8 @@ std::string certificate_html(const Json& results) {
           holds ? "" : "missed");
   }
   return table.text() +
-         "<p class=\"note\">Recomputed from displacements alone, without the solver. <code>plastron verify</code> does "
-         "it again from the files.</p>\n";
+         "<p class=\"note\">Recomputed from displacements alone, without the solver. <code>plastron verify</code> "
+         "repeats this from the files.</p>\n";
 }
 
 std::string levels_html(const Json& results) {

@@ -1,5 +1,6 @@
-// The line plots of a result: convergence of energy, reaction and contact from mesh to mesh, and the history of steps.
-// They are made from results.json, so that report.html and `plastron plot` show the same.
+// The line plots of a result: convergence of energy, reaction and contact from mesh to mesh, the history of steps, and
+// profiles along lines of the case. They are made from results.json and line-NAME.csv, so that report.html and
+// `plastron plot` show the same.
 #pragma once
 #include <plastron/io/plot.hpp>
 #include <plastron/io/quantities.hpp>
@@ -7,6 +8,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plastron::io {
@@ -33,5 +35,9 @@ Plot renamed(Plot plot, const problem::UnitNames& units);
 /// Plots the force of each obstacle on the shell over the longest distance that an obstacle has moved. If none has
 /// moved, it plots over the time. `history` is from results.json.
 Plot history_plot(const Json& history);
+
+/// Returns the plots of `csv`, the table of line_csv() for the line of that name: displacement, gap, reaction, resultants
+/// and stresses over the length. They are named plot-line-NAME-FIELD. Throws UnusableResults where it is no such table.
+std::vector<NamedPlot> line_plots(const std::string& name, std::string_view csv);
 
 }  // namespace plastron::io

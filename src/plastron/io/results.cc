@@ -1,12 +1,12 @@
 #include <plastron/io/results.hpp>
 
+#include <plastron/fem/quadrilateral_sequence.hpp>
 #include <plastron/io/fields.hpp>
-#include <plastron/io/parts.hpp>
-#include <plastron/io/version.hpp>
+#include <plastron/io/results_schema.hpp>
 
-#include <deal.II/base/config.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace plastron::io {
@@ -28,42 +28,10 @@ Json probe_json(const recovery::PointValues& values, const computation::Result& 
   return json;
 }
 
-/// Returns a record for every place where stresses have no limit.
-Json singular_places_json(const computation::Result& result) {
+template <class Record>
+Json records_json(std::span<const Quantity<Record>> quantities, const std::vector<Record>& records) {
   Json list = Json::array();
-  for (const recovery::SingularPlace& place : result.singular_places)
-    list.push_back(record_json(singular_place_quantities(), place));
-  return list;
-}
-
-/// Returns a record for every boundary with supports.
-Json supports_json(const computation::Result& result) {
-  Json list = Json::array();
-  for (const solution::SupportReaction& reaction : result.summary.support_reactions)
-    list.push_back(record_json(support_quantities(), reaction));
-  return list;
-}
-
-/// Returns a record for every corner where supported edges meet.
-Json corner_supports_json(const computation::Result& result) {
-  Json list = Json::array();
-  for (const solution::CornerReaction& reaction : result.summary.corner_reactions)
-    list.push_back(record_json(corner_support_quantities(), reaction));
-  return list;
-}
-
-/// Returns a record for every point with supports.
-Json point_supports_json(const computation::Result& result) {
-  Json list = Json::array();
-  for (const solution::PointReaction& reaction : result.summary.point_reactions)
-    list.push_back(record_json(point_support_quantities(), reaction));
-  return list;
-}
-
-Json rigid_bodies_json(const computation::Result& result) {
-  Json list = Json::array();
-  for (const solution::BodyReaction& body : result.summary.body_reactions)
-    list.push_back(record_json(rigid_body_quantities(), body));
+  for (const Record& record : records) list.push_back(record_json(quantities, record));
   return list;
 }
 
@@ -80,8 +48,7 @@ Json limits_json(const computation::Result& result) {
 
 Json obstacle_json(const solution::ObstacleContact& contact) {
   Json json = record_json(obstacle_quantities(), contact);
-  json["zones"] = Json::array();
-  for (const solution::ContactZone& zone : contact.zones) json["zones"].push_back(record_json(zone_quantities(), zone));
+  json["zones"] = records_json(zone_quantities(), contact.zones);
   return json;
 }
 
@@ -97,15 +64,13 @@ Json contact_json(const computation::Result& result) {
 Json estimates_json(const computation::Result& result) {
   if (!result.estimates) return nullptr;
   Json json = record_json(estimate_quantities(), result);
-  json["goals"] = Json::array();
-  for (const auto& goal : result.estimates->goals) json["goals"].push_back(record_json(goal_quantities(), goal));
+  json["goals"] = records_json(goal_quantities(), result.estimates->goals);
   return json;
 }
 
 Json level_json(const computation::Level& level) {
   Json json = record_json(level_quantities(), level);
-  json["history"] = Json::array();
-  for (const contact::Iteration& i : level.history) json["history"].push_back(record_json(iteration_quantities(), i));
+  json["history"] = records_json(iteration_quantities(), level.history);
   return json;
 }
 
@@ -129,7 +94,7 @@ Json versions_json() {
   MPI_Get_library_version(mpi.data(), &length);
   return Json{{"plastron", version},
               {"compiler", compiler()},
-              {"deal.II", DEAL_II_PACKAGE_VERSION},
+              {"deal.II", fem::deal_ii_version()},
               {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
               {"MPI", std::string(mpi.data())}};
 }
@@ -156,6 +121,22 @@ void rename_units(Json& json, const problem::UnitNames& units, bool are_names = 
   }
 }
 
+/// Returns {"bytes": ..., "sha256": ...}.
+Json checksum_json(const Checksum& checksum) { return {{"bytes", checksum.bytes}, {"sha256", checksum.hash}}; }
+
+/// Returns path, copy, set, bytes, sha256, and files with their names and checksums.
+Json case_source_json(const CaseSource& source, const std::string& copy) {
+  Json json{{"path", source.path.string()}, {"copy", copy}, {"set", source.settings}};
+  json.update(checksum_json(checksum_of_text(source.text)));
+  json["files"] = Json::array();
+  for (const SourceFile& file : source.files) {
+    Json entry{{"name", file.name}};
+    entry.update(checksum_json(file.checksum));
+    json["files"].push_back(std::move(entry));
+  }
+  return json;
+}
+
 /// Returns the data, besides the numbers, that `plastron verify` reads.
 Json verification_json(const Provenance& provenance) {
   const auto or_null = [](const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); };
@@ -174,19 +155,26 @@ Json fields_json(const computation::Result& result, const std::vector<double>& h
                     {"arrays", {"error_indicator"}},
                     {"symbol", "a(e, e)"},
                     {"unit", "J"},
-                    {"meaning", "of a cell: its part of the squared error in the energy norm, as estimated"}});
+                    {"meaning", "estimated contribution of a cell to the squared error in the energy norm"}});
   return list;
 }
 
 }  // namespace
 
+CaseSource case_source(const std::filesystem::path& case_file, std::string text,
+                       const std::vector<std::pair<std::string, std::filesystem::path>>& files) {
+  CaseSource source{.path = std::filesystem::absolute(case_file).lexically_normal(), .text = std::move(text)};
+  for (const auto& [name, path] : files)
+    if (std::ranges::find(source.files, name, &SourceFile::name) == source.files.end())
+      source.files.push_back({.name = name, .checksum = checksum_of_file(path)});
+  return source;
+}
+
 Json history_json(const computation::Result& result) {
   Json list = Json::array();
   for (const computation::HistoryEntry& entry : result.history) {
     list.push_back(record_json(history_quantities(), entry));
-    list.back()["obstacles"] = Json::array();
-    for (const auto& contact : entry.summary.obstacles)
-      list.back()["obstacles"].push_back(record_json(obstacle_quantities(), contact));
+    list.back()["obstacles"] = records_json(obstacle_quantities(), entry.summary.obstacles);
     list.back()["probes"] = probes_json(entry.probes, result);
   }
   return list;
@@ -196,11 +184,11 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
-  json["singular_places"] = singular_places_json(result);
-  json["supports"] = supports_json(result);
-  json["corner_supports"] = corner_supports_json(result);
-  json["point_supports"] = point_supports_json(result);
-  json["rigid_bodies"] = rigid_bodies_json(result);
+  json["singular_places"] = records_json(singular_place_quantities(), result.singular_places);
+  json["supports"] = records_json(support_quantities(), result.summary.support_reactions);
+  json["corner_supports"] = records_json(corner_support_quantities(), result.summary.corner_reactions);
+  json["point_supports"] = records_json(point_support_quantities(), result.summary.point_reactions);
+  json["rigid_bodies"] = records_json(rigid_body_quantities(), result.summary.body_reactions);
   json["contact"] = contact_json(result);
   json["obstacles"] = Json::array();
   for (const auto& contact : result.summary.obstacles) json["obstacles"].push_back(obstacle_json(contact));
@@ -228,14 +216,10 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
 
 void add_results(const computation::Result& result, const Provenance& provenance,
                  const std::filesystem::path& directory, AtomicFiles& files) {
-  int rank = 0;
-  MPI_Comm_rank(files.comm(), &rank);
-  const auto text = [&] {
-    // A title with invalid UTF-8 must not cause the loss of the results.
-    return rank == 0 ? results_json(result, provenance).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                     : std::string();
-  };
-  files.add(directory / results_name, text);
+  // A title with invalid UTF-8 must not cause the loss of the results.
+  files.add_text(directory / results_name, [&] {
+    return results_json(result, provenance).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  });
 }
 
 void write_results(const computation::Result& result, const Provenance& provenance,

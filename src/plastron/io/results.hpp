@@ -2,7 +2,7 @@
 // quantities.cc and fields.cc, and for the reader in docs/results.md.
 #pragma once
 #include <plastron/io/atomic_file.hpp>
-#include <plastron/io/case_source.hpp>
+#include <plastron/io/bytes.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/problem/unit_names.hpp>
 
@@ -10,11 +10,38 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace plastron::io {
+
+/// The version of Plastron in results; a test compares it with the version of the build.
+inline constexpr std::string_view version = "0.1.0";
+
+/// Missing or wrong parts of results from outside, in words for the user.
+struct UnusableResults : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct SourceFile {
+  std::string name;  ///< name as written in the case, relative to the case's folder
+  Checksum checksum;
+};
+
+/// The source files of a computation. results.json describes them under "verification", so that `plastron verify` finds
+/// them again and detects changed ones.
+struct CaseSource {
+  std::filesystem::path path;  ///< path of the case file, absolute
+  std::string text;            ///< its bytes, as edited by settings
+  std::vector<SourceFile> files{};
+  std::vector<std::string> settings{};  ///< settings that replaced keys of the file
+};
+
+/// Returns the source with the files by name and path; reads these files (throws std::runtime_error).
+CaseSource case_source(const std::filesystem::path& case_file, std::string text,
+                       const std::vector<std::pair<std::string, std::filesystem::path>>& files);
 
 /// Data of results.json besides the result itself.
 struct Provenance {

@@ -1,10 +1,67 @@
 #include <plastron/contact/problem.hpp>
-#include <plastron/io/parts.hpp>
+#include <plastron/io/fields.hpp>
 #include <plastron/io/results_schema.hpp>
 
 #include <algorithm>
 
 namespace plastron::io {
+
+namespace {
+
+template <class Record>
+Part part(std::string place, std::string_view meaning, std::span<const Quantity<Record>> quantities) {
+  Part part{std::move(place), meaning, {}};
+  for (const auto& q : quantities) part.entries.push_back({q.path, q.unit, q.meaning, q.form});
+  return part;
+}
+
+Form form_of(const Field& field) {
+  return field.components == 1 ? Form::number : field.components == 2 ? Form::pair : Form::triple;
+}
+
+Part probes(std::string place, std::string_view meaning) {
+  Part part{std::move(place), meaning, {}};
+  for (const Field& f : fields())
+    part.entries.push_back({f.key, f.unit, f.meaning, form_of(f), f.presence != Presence::always});
+  return part;
+}
+
+}  // namespace
+
+const std::vector<Part>& parts() {
+  static const std::vector<Part> all{
+      part("", "the whole result; with steps, the result of the last step", result_quantities()),
+      part("singular_places/*/", "places where stresses have no limit as the mesh is refined",
+           singular_place_quantities()),
+      part("supports/*/", "reaction at each supported boundary", support_quantities()),
+      part("corner_supports/*/", "reaction at each corner where supported edges meet", corner_support_quantities()),
+      part("point_supports/*/", "reaction at each supported point", point_support_quantities()),
+      part("rigid_bodies/*/", "motion and reaction of each rigid body", rigid_body_quantities()),
+      part("contact/", "contact with all obstacles; null without obstacle", contact_quantities()),
+      part("contact/admissible/", "effect of lifted bounds; null unless contact.admissible = true",
+           admissible_quantities()),
+      part("obstacles/*/", "contact with each obstacle", obstacle_quantities()),
+      part("history/*/", "state at the end of each part of the steps; empty without steps", history_quantities()),
+      part("history/*/obstacles/*/", "contact with each obstacle at this instant", obstacle_quantities()),
+      part("obstacles/*/zones/*/", "each connected contact zone", zone_quantities()),
+      probes("probes/*/", "fields at each [[probe]], by its name"),
+      probes("history/*/probes/*/", "fields at each [[probe]] at this instant"),
+      part("estimates/", "estimated distance of the last solution from the exact one; null if it was not estimated",
+           estimate_quantities()),
+      part("estimates/goals/*/", "estimated error of each requested number", goal_quantities()),
+      part("certificate/", "how well the result satisfies the equations", certificate_quantities()),
+      part("levels/*/", "each mesh of the sequence", level_quantities()),
+      part("levels/*/history/*/", "each active-set iteration on this mesh", iteration_quantities())};
+  return all;
+}
+
+std::string dotted(std::string_view place, std::string_view path) {
+  std::string result = std::string(place).append(path);
+  std::ranges::replace(result, '/', '.');
+  for (std::size_t at = 0; (at = result.find(".*")) != std::string::npos;)
+    result.replace(at, 2, result.substr(0, at).ends_with("probes") ? ".NAME" : "[]");
+  return result;
+}
 
 namespace {
 
@@ -87,9 +144,9 @@ void add_others(Json& schema) {
     described.update(value);
     member(schema, name) = std::move(described);
   };
-  add("title", "of the case", text());
-  add("warnings", "what to doubt in the result", list_of(text()));
-  add("certificate_limits", "row of the certificate -> its limit, whether it holds, and why it is what it is",
+  add("title", "title of the case", text());
+  add("warnings", "warnings about the result", list_of(text()));
+  add("certificate_limits", "row of the certificate -> its limit, whether it holds, and the reason for the limit",
       map_to({{"type", "object"},
               {"required", {"unit", "holds", "reason"}},
               {"properties",
@@ -98,16 +155,16 @@ void add_others(Json& schema) {
                 {"unit", text()},
                 {"holds", {{"type", "boolean"}}},
                 {"reason", text()}}}}));
-  add("settings", "the case with every default written out; see plastron schema", {{"type", {"object", "null"}}});
-  add("versions", "of the program and what it is made of", map_to(text()));
-  add("files", "written beside results.json", list_of(text()));
-  add("verification", "what plastron verify reads",
+  add("settings", "the case with every default; see plastron schema", {{"type", {"object", "null"}}});
+  add("versions", "versions of the program and its libraries", map_to(text()));
+  add("files", "files beside results.json", list_of(text()));
+  add("verification", "data for plastron verify",
       {{"type", "object"},
        {"required", {"solution", "case"}},
        {"properties", {{"solution", text_or_null()}, {"case", {{"type", {"object", "null"}}}}}}});
   add("fields", "the arrays of the .vtu file", list_of(map_to(Json::object())));
   add("units", "path -> unit of every number", map_to(text()));
-  add("unit_names", "of length and force, from [units]", map_to(text()));
+  add("unit_names", "names of length and force, from [units]", map_to(text()));
 }
 
 }  // namespace

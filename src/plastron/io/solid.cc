@@ -1,4 +1,4 @@
-#include <plastron/io/solid.hpp>
+#include <plastron/io/vtu.hpp>
 
 #include <plastron/io/vtu_piece.hpp>
 
@@ -19,6 +19,7 @@ struct SolidPoint {
   double z() const { return part * at.thickness; }
 };
 
+/// An array of the file. Unlike in solution.vtu, shear_stress_1 and shear_stress_2 are the parabola over the thickness.
 struct SolidField {
   std::string name, unit;
   bool of_contact;

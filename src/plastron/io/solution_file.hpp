@@ -6,13 +6,72 @@
 // of each of its cells.
 #pragma once
 #include <plastron/computation/verify.hpp>
+#include <plastron/fem/space.hpp>
 #include <plastron/io/atomic_file.hpp>
-#include <plastron/io/unusable_results.hpp>
+#include <plastron/io/results.hpp>
 
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace plastron::io {
+
+static_assert(std::endian::native == std::endian::little, "the file holds little-endian numbers");
+
+struct SolutionHeader {
+  std::array<char, 8> magic{'P', 'L', 'A', 'S', 'T', 'R', 'O', 'N'};
+  std::uint32_t version = 2;
+  std::uint32_t corners = 4;  ///< corners of a cell
+  std::uint32_t degree = 1;
+  std::uint32_t obstacles = 0;
+  std::uint32_t has_multiplier = 0;
+  /// Gaps are linearised at a displacement, which follows the displacement of each node.
+  std::uint16_t is_deformed = 0;
+  std::uint16_t has_lifts = 0;  ///< bounds of gaps are lifted: the shell is outside obstacles also between its nodes
+  std::int64_t cells = 0;
+  std::int64_t nodes = 0;
+  double time = 0, load_factor = 1;
+  std::int64_t cut_numbers = 0;  ///< length of the list of cuts, see flat_cuts
+
+  /// Number of values: u, r; (u, r) of the linearisation; lambda; eta, touching and lift of every obstacle.
+  std::size_t values_per_node() const {
+    return 6u * (1u + is_deformed) + has_multiplier + (2u + has_lifts) * obstacles;
+  }
+};
+static_assert(sizeof(SolutionHeader) == 72);
+
+/// Data of each obstacle, after the header: distance by which its force moved it before the linearisation of its gaps,
+/// and after it [m].
+using ObstacleRecord = std::array<double, 2>;
+
+/// The start of a record; values of its nodes follow, node by node.
+struct CellHead {
+  fem::CellPlace place{};
+  std::array<double, 6> at{};  ///< places in Omega of xi = (0, 0), (1, 0) and (0, 1), which differ in another mesh
+};
+static_assert(sizeof(CellHead) == 64);
+
+CellHead cell_head(const fem::Space& space, std::size_t cell);
+
+/// Returns the cuts of a coarse mesh as a list: number and places for each cell and direction.
+std::vector<double> flat_cuts(const std::vector<fem::Cuts>& cuts);
+/// Returns the cuts from a list of flat_cuts; nothing if it is no such list.
+std::optional<std::vector<fem::Cuts>> cuts_of_list(std::span<const double> list);
+
+/// Bytes before the first cell.
+inline std::size_t preamble_size(const SolutionHeader& header) {
+  return sizeof(SolutionHeader) + header.obstacles * sizeof(ObstacleRecord) +
+         static_cast<std::size_t>(header.cut_numbers) * sizeof(double);
+}
+
+/// Bytes of a cell.
+inline std::size_t record_size(const SolutionHeader& header, int nodes_per_cell) {
+  return sizeof(CellHead) + static_cast<std::size_t>(nodes_per_cell) * header.values_per_node() * sizeof(double);
+}
 
 /// Adds the file (collective). Throws std::runtime_error.
 void add_solution(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files);

@@ -92,9 +92,7 @@ void add_vtu(const computation::Solution& solution, const std::filesystem::path&
 }
 
 void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path, AtomicFiles& files) {
-  int rank = 0;
-  MPI_Comm_rank(files.comm(), &rank);
-  files.add(path, [&] { return rank == 0 ? pvd_text(sets) : std::string(); });
+  files.add_text(path, [&] { return pvd_text(sets); });
 }
 
 std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,

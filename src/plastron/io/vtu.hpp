@@ -1,5 +1,5 @@
-// The deformed surface with all fields for ParaView: one .vtu file of Lagrange quadrilaterals or triangles of the
-// elements' degree.
+// The deformed shell for ParaView: solution.vtu, the surface with all fields in Lagrange quadrilaterals or triangles of
+// the elements' degree, and solid.vtu, the shell with its thickness in layers of hexahedra or wedges.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/io/atomic_file.hpp>
@@ -35,5 +35,15 @@ void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path
 /// Writes only base_name.vtu and base_name.pvd, and returns their names.
 std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
                                    const std::string& base_name, const VtuChoice& choice = {});
+
+/// The file of the last instant; other instants have solid-0001.vtu and so on.
+inline constexpr std::string_view solid_name = "solid.vtu";
+
+/// Adds a .vtu file of layers from the lower to the upper face. Each cell of the mesh is divided k x k times, and into
+/// layers through the thickness. It has its own points phi + z a_3 + u + z r, with displacement, z, the stresses at z
+/// and, with obstacles, contact and eta of the face that contains them (collective). `choice` gives precision and names
+/// of units. Throws std::runtime_error.
+void add_solid(const computation::Solution& solution, int layers, const std::filesystem::path& path, AtomicFiles& files,
+               const VtuChoice& choice = {});
 
 }  // namespace plastron::io

@@ -1,7 +1,7 @@
 #include <plastron/io/vtu_piece.hpp>
 
 #include <plastron/algebra/threads.hpp>
-#include <plastron/io/base64.hpp>
+#include <plastron/io/bytes.hpp>
 
 #include <fmt/format.h>
 #include <zlib.h>

@@ -1,13 +1,66 @@
-#include <plastron/io/history.hpp>
-
+#include <plastron/computation/evaluation.hpp>
+#include <plastron/io/csv_tables.hpp>
 #include <plastron/io/fields.hpp>
-#include <plastron/io/parts.hpp>
 #include <plastron/io/results.hpp>
+#include <plastron/io/results_schema.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace plastron::io {
+
+namespace {
+
+std::string line_header(const std::vector<Field>& present, const problem::UnitNames& units) {
+  std::string header = fmt::format("s [{}]", units.length);
+  for (const Field& field : present)
+    for (int c = 0; c < field.components; ++c) {
+      const std::string name = field.is_vector() ? fmt::format("{} {}", field.arrays[0], "XYZ"[c])
+                                                 : std::string(field.arrays[static_cast<std::size_t>(c)]);
+      header += field.unit == "1" || field.unit == "the chart's"
+                    ? "," + name
+                    : fmt::format(",{} [{}]", name, units.label(field.unit));
+    }
+  return header + "\n";
+}
+
+std::string number_text(double value) { return std::isfinite(value) ? fmt::format("{:.15g}", value) : ""; }
+
+}  // namespace
+
+std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
+                     const problem::Output& given) {
+  const std::vector<Field> present = fields_of(has_obstacle, has_multiplier, given.heights);
+  std::string text = line_header(present, given.units);
+  double length = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) length += (points[i].phi - points[i - 1].phi).norm();
+    text += number_text(length);
+    for (const Field& field : present) {
+      const auto values = field.take(points[i]);
+      for (int c = 0; c < field.components; ++c) text += "," + number_text(values[static_cast<std::size_t>(c)]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<problem::Line>& lines,
+                                   const problem::Output& given) {
+  int rank = 0;
+  MPI_Comm_rank(solution.discrete->space().layout->comm, &rank);
+  const bool has_obstacle = !solution.discrete->obstacles.empty();
+  const bool has_multiplier = solution.discrete->tangency.formulation == element::Formulation::mixed;
+  std::vector<LineTable> tables;
+  for (const problem::Line& line : lines) {
+    const auto points = computation::values_at(solution, line.points, fmt::format("the line \"{}\"", line.name));
+    tables.push_back({line.name, rank == 0 ? line_csv(points, has_obstacle, has_multiplier, given) : std::string()});
+  }
+  return tables;
+}
 
 namespace {
 

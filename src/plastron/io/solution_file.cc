@@ -1,7 +1,6 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/io/solution_file.hpp>
-#include <plastron/io/solution_record.hpp>
 
 #include <fmt/format.h>
 
@@ -14,6 +13,102 @@
 #include <utility>
 
 namespace plastron::io {
+
+CellHead cell_head(const fem::Space& space, std::size_t cell) {
+  const fem::Cell& c = space.cells[cell];
+  CellHead head{.place = fem::place_of(c)};
+  const fem::CellMap& map = space.coarse->cells[static_cast<std::size_t>(c.coarse)].map;
+  std::size_t next = 0;
+  for (const Eigen::Vector2d& xi : {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)})
+    for (const double x : map(c.corner + c.size * xi).value) head.at[next++] = x;
+  return head;
+}
+
+std::vector<double> flat_cuts(const std::vector<fem::Cuts>& cuts) {
+  std::vector<double> list;
+  for (const fem::Cuts& of_cell : cuts)
+    for (const std::vector<double>& points : of_cell) {
+      list.push_back(static_cast<double>(points.size()));
+      list.insert(list.end(), points.begin(), points.end());
+    }
+  return list;
+}
+
+namespace {
+
+void append_bytes(std::string& text, const void* data, std::size_t bytes) {
+  text.append(static_cast<const char*>(data), bytes);
+}
+
+SolutionHeader header_of(const computation::Solution& solution) {
+  const fem::Space& space = solution.discrete->space();
+  const assembly::State& state = solution.discrete->state;
+  return {.corners = static_cast<std::uint32_t>(fem::corner_count(space.shape())),
+          .degree = static_cast<std::uint32_t>(space.degree),
+          .obstacles = static_cast<std::uint32_t>(solution.discrete->obstacles.all.size()),
+          .has_multiplier = solution.nodal.lambda.layout() ? 1u : 0u,
+          .is_deformed = static_cast<std::uint16_t>(state.is_deformed()),
+          .has_lifts = static_cast<std::uint16_t>(state.is_admissible()),
+          .cells = space.global_cells,
+          .nodes = space.layout->global_size,
+          .time = state.time,
+          .load_factor = state.load_factor,
+          .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size())};
+}
+
+/// The vectors of a node's values, in the order of the file. Ghosts have exactly their owners' values: a node has
+/// the same value on any rank that writes it (collective).
+struct NodeFields {
+  explicit NodeFields(const computation::Solution& solution) {
+    const solution::NodalSolution& nodal = solution.nodal;
+    add(nodal.y);
+    if (solution.discrete->state.is_deformed()) add(solution.discrete->state.displacement);
+    if (nodal.lambda.layout()) add(nodal.lambda);
+    if (solution.discrete->obstacles.empty()) return;
+    add(nodal.pressure);
+    add(nodal.touching);
+    if (solution.discrete->state.is_admissible()) add(solution.discrete->state.lifts);
+  }
+  void append(std::size_t node, std::string& text) const {
+    for (const algebra::Vector& field : fields) {
+      const auto block = static_cast<std::size_t>(field.block());
+      append_bytes(text, field.local().data() + node * block, block * sizeof(double));
+    }
+  }
+
+ private:
+  void add(const algebra::Vector& field) { fields.emplace_back(field).update_ghosts(); }
+  std::vector<algebra::Vector> fields{};
+};
+
+}  // namespace
+
+void add_solution(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files) {
+  const fem::Space& space = solution.discrete->space();
+  const SolutionHeader header = header_of(solution);
+  const NodeFields fields(solution);
+  int rank = 0;
+  MPI_Comm_rank(files.comm(), &rank);
+  files.add(path, [&] {
+    std::string text;
+    text.reserve(preamble_size(header) + space.owned_cells * record_size(header, space.nodes_per_cell()));
+    if (rank == 0) {
+      append_bytes(text, &header, sizeof header);
+      for (std::size_t k = 0; k < solution.discrete->obstacles.all.size(); ++k) {
+        const ObstacleRecord record{solution.discrete->state.position(k), solution.discrete->way_pressed(k)};
+        append_bytes(text, &record, sizeof record);
+      }
+      const std::vector<double> cuts = flat_cuts(space.coarse->cuts);
+      append_bytes(text, cuts.data(), cuts.size() * sizeof(double));
+    }
+    for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
+      const CellHead head = cell_head(space, cell);
+      append_bytes(text, &head, sizeof head);
+      for (const algebra::LocalIndex node : space.nodes(cell)) fields.append(static_cast<std::size_t>(node), text);
+    }
+    return text;
+  });
+}
 
 std::optional<std::vector<fem::Cuts>> cuts_of_list(std::span<const double> list) {
   constexpr double least_part = 1e-9;  // part of a side
@@ -67,8 +162,7 @@ class SolutionFile {
     const auto cells = static_cast<std::uintmax_t>(std::min(header_.cells, most_cells));
     const std::uintmax_t wanted = preamble_size(header_) + cells * record_size(header_, nodes_per_cell());
     if (size_ != wanted)
-      refuse(fmt::format("the file has {} bytes where its header makes {}: it is not complete, or not whole", size_,
-                         wanted));
+      refuse(fmt::format("the file has {} bytes, its header requires {}: it is incomplete or damaged", size_, wanted));
   }
 
   const SolutionHeader& header() const { return header_; }
@@ -89,7 +183,7 @@ class SolutionFile {
     constexpr std::uint32_t most_obstacles = 10000;
     constexpr std::int64_t most_cut_numbers = 1 << 24;
     const SolutionHeader ours;
-    if (header_.magic != ours.magic) refuse("this is no solution of Plastron: the file begins otherwise");
+    if (header_.magic != ours.magic) refuse("the file is not a solution of Plastron: it begins differently");
     if (header_.version != ours.version)
       refuse(fmt::format("the file has version {} of the format; this program reads version {}", header_.version,
                          ours.version));
@@ -98,7 +192,7 @@ class SolutionFile {
                           header_.has_lifts <= 1 && header_.is_deformed <= 1 && header_.cells >= 0 &&
                           header_.cut_numbers >= 0 && header_.cut_numbers <= most_cut_numbers &&
                           std::isfinite(header_.time) && std::isfinite(header_.load_factor);
-    if (!is_sound) refuse("the header holds values that no solution has");
+    if (!is_sound) refuse("the header contains impossible values");
   }
 
   std::filesystem::path path_;
@@ -120,7 +214,7 @@ class SolutionReader {
     for (ObstacleRecord& record : obstacles_) {
       file_.read(&record, sizeof record);
       if (!(std::abs(record[0]) <= largest_value && std::abs(record[1]) <= largest_value))
-        refuse(fmt::format("an obstacle's position is not finite, or beyond {:g}", largest_value));
+        refuse(fmt::format("the position of an obstacle is not finite, or beyond {:g}", largest_value));
     }
     file_.skip(static_cast<std::size_t>(header_.cut_numbers) * sizeof(double));
   }
@@ -147,7 +241,7 @@ class SolutionReader {
         take(static_cast<std::size_t>(nodes[i]), std::span(values).subspan(i * per_node, per_node));
       mine.erase(found);
     }
-    if (!mine.empty()) refuse("the file has not all cells of the case's finest mesh, or some twice");
+    if (!mine.empty()) refuse("cells of the case's finest mesh are missing in the file, or occur twice");
   }
 
   [[noreturn]] void refuse(const std::string& what) const { file_.refuse(what); }
@@ -156,13 +250,13 @@ class SolutionReader {
   /// Checks that the file belongs to the mesh and the problem.
   void check_problem() const {
     const auto same = [this](const char* what, std::int64_t found, std::int64_t wanted) {
-      if (found != wanted) refuse(fmt::format("the file has {} {}, the case makes it {}", found, what, wanted));
+      if (found != wanted) refuse(fmt::format("the file has {} {}, the case requires {}", found, what, wanted));
     };
-    same("corners a cell", header_.corners, fem::corner_count(space_.shape()));
+    same("corners per cell", header_.corners, fem::corner_count(space_.shape()));
     same("as the degree", header_.degree, space_.degree);
     same("obstacles", header_.obstacles, shape_.obstacles);
-    same("multipliers a node", header_.has_multiplier, shape_.has_multiplier ? 1 : 0);
-    same("lifts a gap", header_.has_lifts, shape_.has_lifts ? 1 : 0);
+    same("multipliers per node", header_.has_multiplier, shape_.has_multiplier ? 1 : 0);
+    same("lifts per gap", header_.has_lifts, shape_.has_lifts ? 1 : 0);
     same("numbers of cuts", header_.cut_numbers, static_cast<std::int64_t>(flat_cuts(space_.coarse->cuts).size()));
     same("cells", header_.cells, space_.global_cells);
     same("nodes", header_.nodes, space_.layout->global_size);
@@ -173,7 +267,7 @@ class SolutionReader {
     for (std::size_t k = 0; k < ours.at.size(); ++k)
       if (!(std::abs(head.at[k] - ours.at[k]) <= tolerance))
         refuse(
-            fmt::format("a cell lies at ({:g}, {:g}), on the case's mesh at ({:g}, {:g}): the mesh is another one, "
+            fmt::format("a cell lies at ({:g}, {:g}), on the case's mesh at ({:g}, {:g}): the mesh is different, "
                         "or made by another version of the mesh generator",
                         head.at[0], head.at[1], ours.at[0], ours.at[1]));
     for (const double value : values)
@@ -184,7 +278,7 @@ class SolutionReader {
     for (std::size_t node = 0; node < values.size(); node += per_node)
       for (std::size_t k = node + end - header_.obstacles; k < node + end; ++k)
         if (values[k] != 0 && values[k] != 1)
-          refuse(fmt::format("a node of the cell at ({:g}, {:g}) touches an obstacle by {:g}; it can be 0 or 1",
+          refuse(fmt::format("a node of the cell at ({:g}, {:g}) has the contact state {:g}; it can be 0 or 1",
                              ours.at[0], ours.at[1], values[k]));
   }
 
@@ -214,8 +308,7 @@ std::vector<algebra::Vector*> fields_of_file(const SolutionHeader& header, compu
   return fields;
 }
 
-constexpr const char* torn =
-    "the values at a node differ from cell to cell: the file is damaged, or was changed by hand";
+constexpr const char* torn = "the values at a node differ from cell to cell: the file is damaged or was edited";
 
 /// Checks that every ghost in a cell of this rank has its owner's value (collective).
 void check_ghosts(algebra::Vector& field, const std::vector<char>& is_read, const SolutionReader& reader) {
@@ -247,7 +340,7 @@ computation::MeshCells stored_cells(const std::filesystem::path& path, MPI_Comm 
     std::vector<double> list(static_cast<std::size_t>(file.header().cut_numbers));
     file.read(list.data(), list.size() * sizeof(double));
     auto cuts = cuts_of_list(list);
-    if (!cuts || cells_of(*cuts) > file.header().cells) file.refuse("its cuts through coarse cells are not such");
+    if (!cuts || cells_of(*cuts) > file.header().cells) file.refuse("its list of cuts of coarse cells is invalid");
     computation::MeshCells cells{.cuts = std::move(*cuts)};
     cells.places.resize(static_cast<std::size_t>(file.header().cells));
     for (fem::CellPlace& place : cells.places) {

@@ -1,6 +1,8 @@
-// Tables of every field along the case's lines: line-NAME.csv.
+// Tables for spreadsheets: every field along the case's lines (line-NAME.csv), and the history of a computation in steps
+// (history.csv).
 #pragma once
 #include <plastron/computation/result.hpp>
+#include <plastron/io/quantities.hpp>
 #include <plastron/problem/problem.hpp>
 
 #include <string>
@@ -21,5 +23,10 @@ struct LineTable {
 /// Returns the tables of all lines (collective).
 std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<problem::Line>& lines,
                                    const problem::Output& given);
+
+/// Returns a line of names, then one line of comma-separated values for each instant: all numbers and words of
+/// history_json(). Paths have '.', and the obstacle's or probe's name in place of its number. Components of vectors are
+/// _x, _y, _z, components of tensors have their names in the fields, N_11. Values that are not finite are empty.
+std::string history_csv(const computation::Result& result);
 
 }  // namespace plastron::io

@@ -1,8 +1,9 @@
-#include <plastron/io/checksum.hpp>
+#include <plastron/io/bytes.hpp>
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <memory>
@@ -29,7 +30,7 @@ class Sha256 {
   }
 
  private:
-  [[noreturn]] static void refuse() { throw std::runtime_error("OpenSSL computes no SHA-256"); }
+  [[noreturn]] static void refuse() { throw std::runtime_error("OpenSSL cannot compute SHA-256"); }
   struct Free {
     void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
   };
@@ -59,5 +60,19 @@ Checksum checksum_of_file(const std::filesystem::path& path) {
   if (file.bad() || !file.eof()) throw std::runtime_error(fmt::format("{}: the file cannot be read", path.string()));
   return sum.checksum();
 }
+
+std::string base64(std::span<const std::byte> bytes) {
+  // OpenSSL counts with int. Every part but the last is a multiple of three bytes, so that none needs padding.
+  constexpr std::size_t longest = 3 << 20;
+  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // OpenSSL adds a closing zero
+  auto* place = reinterpret_cast<unsigned char*>(text.data());
+  for (; !bytes.empty(); bytes = bytes.subspan(std::min(longest, bytes.size())))
+    place += EVP_EncodeBlock(place, reinterpret_cast<const unsigned char*>(bytes.data()),
+                             static_cast<int>(std::min(longest, bytes.size())));
+  text.pop_back();
+  return text;
+}
+
+std::string base64(const std::string& bytes) { return base64(std::as_bytes(std::span(bytes.data(), bytes.size()))); }
 
 }  // namespace plastron::io
