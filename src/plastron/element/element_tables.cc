@@ -32,8 +32,7 @@ std::vector<std::vector<std::pair<int, double>>> nonzeros(const MatrixXd& interp
   std::vector<std::vector<std::pair<int, double>>> rows(static_cast<std::size_t>(interpolation.rows()));
   for (Eigen::Index q = 0; q < interpolation.rows(); ++q)
     for (Eigen::Index t = 0; t < interpolation.cols(); ++t)
-      if (std::abs(interpolation(q, t)) > 1e-13)
-        rows[static_cast<std::size_t>(q)].emplace_back(static_cast<int>(t), interpolation(q, t));
+      if (std::abs(interpolation(q, t)) > 1e-13) rows[q].emplace_back(static_cast<int>(t), interpolation(q, t));
   return rows;
 }
 
@@ -42,8 +41,8 @@ MatrixXd tensor_interpolation(const SamplingLines& lines, const std::vector<Vect
   const auto n1 = static_cast<Eigen::Index>(lines.along_1.size()), n2 = static_cast<Eigen::Index>(lines.along_2.size());
   MatrixXd interpolation(static_cast<Eigen::Index>(xi.size()), n1 * n2);
   for (Eigen::Index p = 0; p < interpolation.rows(); ++p) {
-    const auto a = fem::lagrange(lines.along_1, xi[static_cast<std::size_t>(p)][0]).value;
-    const auto b = fem::lagrange(lines.along_2, xi[static_cast<std::size_t>(p)][1]).value;
+    const auto a = fem::lagrange(lines.along_1, xi[p][0]).value;
+    const auto b = fem::lagrange(lines.along_2, xi[p][1]).value;
     for (Eigen::Index j = 0; j < n2; ++j)
       for (Eigen::Index i = 0; i < n1; ++i) interpolation(p, j * n1 + i) = a[i] * b[j];
   }
@@ -56,8 +55,8 @@ BasisAt square_basis(int degree, const std::vector<Vector2d>& xi) {
   const auto points = static_cast<Eigen::Index>(xi.size());
   BasisAt basis{xi, MatrixXd(points, n * n), MatrixXd(points, n * n), MatrixXd(points, n * n)};
   for (Eigen::Index p = 0; p < points; ++p) {
-    const auto a = fem::lagrange(nodes, xi[static_cast<std::size_t>(p)][0]);
-    const auto b = fem::lagrange(nodes, xi[static_cast<std::size_t>(p)][1]);
+    const auto a = fem::lagrange(nodes, xi[p][0]);
+    const auto b = fem::lagrange(nodes, xi[p][1]);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         basis.value(p, j * n + i) = a.value[i] * b.value[j];
@@ -73,7 +72,7 @@ BasisAt triangle_basis(int degree, const std::vector<Vector2d>& xi) {
   const int n = fem::nodes_per_cell(Shape::triangle, degree);
   BasisAt basis{xi, MatrixXd(points, n), MatrixXd(points, n), MatrixXd(points, n)};
   for (Eigen::Index p = 0; p < points; ++p) {
-    const auto at = fem::triangle_lagrange(degree, xi[static_cast<std::size_t>(p)]);
+    const auto at = fem::triangle_lagrange(degree, xi[p]);
     basis.value.row(p) = at.value;
     basis.d1.row(p) = at.d[0];
     basis.d2.row(p) = at.d[1];
@@ -138,7 +137,7 @@ ElementTables triangle_tables(int degree) {
 MatrixXd linear_interpolation(const std::vector<Vector2d>& from, const std::vector<Vector2d>& xi) {
   const auto vandermonde = [](const std::vector<Vector2d>& points) {
     MatrixXd v(static_cast<Eigen::Index>(points.size()), 3);
-    for (Eigen::Index p = 0; p < v.rows(); ++p) v.row(p) << 1, points[static_cast<std::size_t>(p)].transpose();
+    for (Eigen::Index p = 0; p < v.rows(); ++p) v.row(p) << 1, points[p].transpose();
     return v;
   };
   return vandermonde(xi) * vandermonde(from).inverse();

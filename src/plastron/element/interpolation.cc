@@ -35,8 +35,7 @@ Interpolation::Interpolation(std::shared_ptr<const fem::Space> space, std::share
   std::vector<geometry::SurfaceJet> jets(tables.nodes.size());
   for (std::size_t c = 0; c < space_->owned_cells; ++c) {
     surface_->parameter_jets(space_->cells[c], tables.nodes, jets);
-    for (std::size_t i = 0; i < jets.size(); ++i)
-      node_bases_[static_cast<std::size_t>(space_->nodes(c)[i])] = geometry::covariant_basis(jets[i]);
+    for (std::size_t i = 0; i < jets.size(); ++i) node_bases_[space_->nodes(c)[i]] = geometry::covariant_basis(jets[i]);
   }
 }
 
@@ -57,7 +56,7 @@ CellField Interpolation::components(std::size_t cell, const CellField& nodal) co
   CellField result(nodal.rows(), 6);
   const auto nodes = space_->nodes(cell);
   for (Eigen::Index i = 0; i < nodal.rows(); ++i) {
-    const Matrix3d& covariant = node_bases_[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])];
+    const Matrix3d& covariant = node_bases_[nodes[i]];
     result.row(i).head<3>() = nodal.row(i).head<3>() * covariant;
     result.row(i).tail<3>() = nodal.row(i).tail<3>() * covariant;
     result(i, 5) = 0;
@@ -68,7 +67,7 @@ CellField Interpolation::components(std::size_t cell, const CellField& nodal) co
 void Interpolation::to_nodal_forces(std::size_t cell, CellField& forces) const {
   const auto nodes = space_->nodes(cell);
   for (Eigen::Index i = 0; i < forces.rows(); ++i) {
-    const Matrix3d& covariant = node_bases_[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])];
+    const Matrix3d& covariant = node_bases_[nodes[i]];
     forces(i, 5) = 0;
     forces.row(i).head<3>() = (forces.row(i).head<3>() * covariant.transpose()).eval();
     forces.row(i).tail<3>() = (forces.row(i).tail<3>() * covariant.transpose()).eval();
@@ -107,7 +106,7 @@ FieldRows Interpolation::fields(std::size_t cell, const BasisAt& at, Bases bases
   const CellField c = components(cell, nodal);
   FieldRows rows{at.d1 * c, at.d2 * c, at.value * c};
   for (Eigen::Index p = 0; p < rows.value.rows(); ++p) {
-    const MovingBasis& basis = bases[static_cast<std::size_t>(p)];
+    const MovingBasis& basis = bases[p];
     for (const int part : {0, 3}) {
       const Eigen::RowVector3d value = rows.value.row(p).segment<3>(part);
       const auto differentiate = [&](CellField& d, int along) {
@@ -126,7 +125,7 @@ void Interpolation::add_forces(std::size_t cell, const BasisAt& at, Bases bases,
                                CellField& forces) const {
   if (is_covariant_)
     for (Eigen::Index p = 0; p < dual.value.rows(); ++p) {
-      const MovingBasis& basis = bases[static_cast<std::size_t>(p)];
+      const MovingBasis& basis = bases[p];
       for (const int part : {0, 3}) {
         const Eigen::RowVector3d d1 = dual.d1.row(p).segment<3>(part), d2 = dual.d2.row(p).segment<3>(part),
                                  value = dual.value.row(p).segment<3>(part);
@@ -152,7 +151,7 @@ void Interpolation::write_row(std::size_t cell, const BasisAt& at, Eigen::Index 
     }
     return;
   }
-  const MovingBasis& basis = bases[static_cast<std::size_t>(point)];
+  const MovingBasis& basis = bases[point];
   const Vector3d u = basis.da[0].transpose() * dual.du[0] + basis.da[1].transpose() * dual.du[1];
   const Vector3d u1 = basis.a.transpose() * dual.du[0], u2 = basis.a.transpose() * dual.du[1];
   const Vector3d r =
@@ -161,7 +160,7 @@ void Interpolation::write_row(std::size_t cell, const BasisAt& at, Eigen::Index 
   const auto nodes = space_->nodes(cell);
   for (Eigen::Index i = 0; i < at.value.cols(); ++i) {
     const double n = at.value(point, i), n1 = at.d1(point, i), n2 = at.d2(point, i);
-    const Matrix3d& covariant = node_bases_[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])];
+    const Matrix3d& covariant = node_bases_[nodes[i]];
     row.segment<3>(6 * i) = covariant * (n1 * u1 + n2 * u2 + n * u);
     row.segment<3>(6 * i + 3) = covariant.leftCols<2>() * (n1 * r1 + n2 * r2 + n * r).head<2>();
   }

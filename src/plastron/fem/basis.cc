@@ -86,7 +86,7 @@ LagrangeTable lagrange_table(std::span<const double> nodes, std::span<const doub
   const auto rows = static_cast<Eigen::Index>(points.size()), columns = static_cast<Eigen::Index>(nodes.size());
   LagrangeTable table{Eigen::MatrixXd(rows, columns), Eigen::MatrixXd(rows, columns)};
   for (Eigen::Index p = 0; p < rows; ++p) {
-    const LagrangeValues l = lagrange(nodes, points[static_cast<std::size_t>(p)]);
+    const LagrangeValues l = lagrange(nodes, points[p]);
     table.value.row(p) = l.value;
     table.d.row(p) = l.d;
   }

@@ -43,7 +43,7 @@ std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, i
     const Vector2d tangent = side_tangent(space.shape(), side.side);
     const auto on_side = side_nodes(space.shape(), space.degree, side.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
-      const LocalIndex node = space.nodes(side.cell)[static_cast<std::size_t>(on_side[i])];
+      const LocalIndex node = space.nodes(side.cell)[on_side[i]];
       mine[space.layout->global(node)] = {jets[i].value, geometry::unit_normal(jets[i]),
                                           (tangent[0] * jets[i].d[0] + tangent[1] * jets[i].d[1]).normalized()};
     }

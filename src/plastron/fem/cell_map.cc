@@ -59,13 +59,13 @@ PlaneJet BlendedMap::operator()(const Vector2d& xi) const {
 PlaneJet LagrangeMap::operator()(const Vector2d& xi) const {
   if (order == 1) return bilinear(nodes, xi);
   std::vector<double> equidistant(static_cast<std::size_t>(order + 1));
-  for (int i = 0; i <= order; ++i) equidistant[static_cast<std::size_t>(i)] = static_cast<double>(i) / order;
+  for (int i = 0; i <= order; ++i) equidistant[i] = static_cast<double>(i) / order;
   const LagrangeValues p = lagrange(equidistant, xi[0]), q = lagrange(equidistant, xi[1]);
   PlaneJet f;
   for (int j = 0; j <= order; ++j)
     for (int i = 0; i <= order; ++i) {
       const int k = j * (order + 1) + i;
-      const Vector2d& node = nodes[static_cast<std::size_t>(k)];
+      const Vector2d& node = nodes[k];
       f.value += p.value[i] * q.value[j] * node;
       f.d[0] += p.d[i] * q.value[j] * node;
       f.d[1] += p.value[i] * q.d[j] * node;

@@ -64,8 +64,8 @@ struct CellMap {
   PlaneJet operator()(const Vector2d& xi) const;
 };
 
-/// Finds the point of the reference cell for a point of the plane, by Newton's method from the centre. Empty if the point lies outside the cell by more than
-/// rounding.
+/// Finds the point of the reference cell for a point of the plane, by Newton's method from the centre. Empty if the
+/// point lies outside the cell by more than rounding.
 std::optional<Vector2d> invert_map(Shape shape, const CellMap& map, const Vector2d& point);
 
 }  // namespace plastron::fem

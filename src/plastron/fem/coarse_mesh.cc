@@ -27,7 +27,7 @@ CoarseMesh grid_mesh(std::vector<Vector2d> vertices, std::size_t columns) {
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
       const std::array v{vertex(i, j), vertex(i + 1, j), vertex(i, j + 1), vertex(i + 1, j + 1)};
-      const auto at = [&](std::size_t k) { return p[static_cast<std::size_t>(v[k])]; };
+      const auto at = [&](std::size_t k) { return p[v[k]]; };
       mesh.cells.push_back({v, 0, {straight_map(at(0), at(1), at(2), at(3))}});
     }
   for (std::size_t j = 0; j < rows; ++j) {
@@ -59,7 +59,7 @@ CoarseMesh disk_mesh(const Disk& disk) {
   mesh.cells.push_back({{2, 3, 1, 0}, 0, {straight_map(p[2], p[3], p[1], p[0])}});
   for (int k = 0; k < 4; ++k) {
     const int next = (k + 1) % 4;
-    const auto at = [&](int i) { return p[static_cast<std::size_t>(i)]; };
+    const auto at = [&](int i) { return p[i]; };
     // xi_1 runs outwards, xi_2 anticlockwise.
     const BlendedMap map{.left = Segment{at(k), at(next)},
                          .right = Arc{disk.centre, disk.radius, quarters.angle(k), quarters.angle(k + 1)},
@@ -82,7 +82,7 @@ void add_rings(const Rings& rings, std::span<const double> radii, std::vector<in
     for (int k = 0; k < rings.sectors; ++k) {
       const auto here = static_cast<std::size_t>(k), next = static_cast<std::size_t>((k + 1) % rings.sectors);
       const std::array v{near[here], far[here], near[next], far[next]};
-      const auto at = [&](std::size_t n) { return mesh.vertices[static_cast<std::size_t>(v[n])]; };
+      const auto at = [&](std::size_t n) { return mesh.vertices[v[n]]; };
       const BlendedMap map{.left = Arc{rings.centre, radii[i], rings.angle(k), rings.angle(k + 1)},
                            .right = Arc{rings.centre, radii[i + 1], rings.angle(k), rings.angle(k + 1)},
                            .bottom = Segment{at(0), at(1)},
@@ -219,8 +219,7 @@ void cut_crosswise(const CoarseCell& quadrilateral, CoarseMesh& mesh) {
   mesh.vertices.push_back(quadrilateral.map(middle).value);
   constexpr std::array<int, 2> anticlockwise[4] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
   for (const auto& [from, to] : anticlockwise) {
-    mesh.cells.push_back({{quadrilateral.vertices[static_cast<std::size_t>(from)],
-                           quadrilateral.vertices[static_cast<std::size_t>(to)], top, -1},
+    mesh.cells.push_back({{quadrilateral.vertices[from], quadrilateral.vertices[to], top, -1},
                           quadrilateral.region,
                           triangle_map(quadrilateral.map, corner(Shape::quadrilateral, from),
                                        corner(Shape::quadrilateral, to), middle)});
@@ -233,8 +232,7 @@ std::vector<MeshEdge> edges_of(const std::vector<CoarseCell>& cells) {
     const Shape shape = shape_of(cells[c]);
     for (int side = 0; side < corner_count(shape); ++side) {
       const auto [from, to] = anticlockwise_corners(shape, side);
-      const int a = cells[c].vertices[static_cast<std::size_t>(from)],
-                b = cells[c].vertices[static_cast<std::size_t>(to)];
+      const int a = cells[c].vertices[from], b = cells[c].vertices[to];
       edges.push_back({{std::min(a, b), std::max(a, b)}, c, side, a < b});
     }
   }

@@ -181,8 +181,8 @@ void collect_at_kinks(const Space& space, algebra::Vector& values) {
   std::ranges::fill(all.subspan(values.owned().size()), 0.0);
   for (const CarriedNode& at : space.carried->nodes) {
     if (at.node >= space.layout->owned || !is_kinked(*space.carried, at)) continue;
-    double& own = all[static_cast<std::size_t>(at.node)];
-    all[static_cast<std::size_t>(at.carriers[0].first)] += own;
+    double& own = all[at.node];
+    all[at.carriers[0].first] += own;
     own = 0;
   }
   values.accumulate_ghosts();

@@ -26,14 +26,14 @@ class Subdivision {
     const auto columns = static_cast<int>(cuts[0].size()) + 1, rows = static_cast<int>(cuts[1].size()) + 1;
     const auto place = [&](int i, int j) { return Vector2d(place_of(cuts[0], i), place_of(cuts[1], j)); };
     std::vector<int> lattice(static_cast<std::size_t>((columns + 1) * (rows + 1)), -1);
-    const auto at = [&](int i, int j) -> int& { return lattice[static_cast<std::size_t>(j * (columns + 1) + i)]; };
+    const auto at = [&](int i, int j) -> int& { return lattice[j * (columns + 1) + i]; };
     for (const int j : {0, rows}) {
       const auto side = side_vertices(cell, j == 0 ? std::array{0, 1} : std::array{2, 3}, cuts[0]);
-      for (int i = 0; i <= columns; ++i) at(i, j) = side[static_cast<std::size_t>(i)];
+      for (int i = 0; i <= columns; ++i) at(i, j) = side[i];
     }
     for (const int i : {0, columns}) {
       const auto side = side_vertices(cell, i == 0 ? std::array{0, 2} : std::array{1, 3}, cuts[1]);
-      for (int j = 0; j <= rows; ++j) at(i, j) = side[static_cast<std::size_t>(j)];
+      for (int j = 0; j <= rows; ++j) at(i, j) = side[j];
     }
     for (int j = 1; j < rows; ++j)
       for (int i = 1; i < columns; ++i) at(i, j) = add_vertex(cell.map(place(i, j)).value);
@@ -57,7 +57,7 @@ class Subdivision {
   /// Place of line i: 0, the cuts, 1.
   static double place_of(const std::vector<double>& cuts, int i) {
     if (i == 0) return 0;
-    return i > static_cast<int>(cuts.size()) ? 1 : cuts[static_cast<std::size_t>(i - 1)];
+    return i > static_cast<int>(cuts.size()) ? 1 : cuts[i - 1];
   }
 
   int add_vertex(const Vector2d& position) {
@@ -68,8 +68,7 @@ class Subdivision {
   /// Vertices from the first of two corners of a cell to the second.
   std::vector<int> side_vertices(const CoarseCell& cell, const std::array<int, 2>& corners,
                                  const std::vector<double>& cuts) {
-    const int from = cell.vertices[static_cast<std::size_t>(corners[0])],
-              to = cell.vertices[static_cast<std::size_t>(corners[1])];
+    const int from = cell.vertices[corners[0]], to = cell.vertices[corners[1]];
     auto& line = sides_[std::minmax(from, to)];
     if (line.empty()) {
       const Vector2d a = corner(Shape::quadrilateral, corners[0]), b = corner(Shape::quadrilateral, corners[1]);
@@ -178,8 +177,7 @@ bool are_conforming(const CoarseMesh& mesh, std::span<const Cuts> cuts) {
   for (std::size_t c = 0; c < cuts.size(); ++c)
     for (int side = 0; side < 4; ++side) {
       const auto [from, to] = side_corners(Shape::quadrilateral, side);
-      const int a = mesh.cells[c].vertices[static_cast<std::size_t>(from)],
-                b = mesh.cells[c].vertices[static_cast<std::size_t>(to)];
+      const int a = mesh.cells[c].vertices[from], b = mesh.cells[c].vertices[to];
       std::vector<double> points = cuts[c][side < 2 ? 1 : 0];
       if (a > b) {
         std::ranges::reverse(points);
@@ -233,7 +231,7 @@ algebra::Vector interpolated(const algebra::Vector& field, const Space& before, 
   const auto block = static_cast<std::size_t>(field.block());
   algebra::Vector result(after.layout, field.block());
   for (std::size_t cell = 0; cell < after.owned_cells; ++cell) {
-    const CutCell& here = new_cells[static_cast<std::size_t>(after.cells[cell].coarse)];
+    const CutCell& here = new_cells[after.cells[cell].coarse];
     for (std::size_t i = 0; i < n * n; ++i) {
       const auto node = static_cast<std::size_t>(after.nodes(cell)[i]);
       if (node >= static_cast<std::size_t>(after.layout->owned)) continue;

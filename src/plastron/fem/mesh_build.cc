@@ -55,12 +55,12 @@ class Builder {
   }
 
   const MeshNode& node(const MeshElement& element, std::size_t i) const {
-    return data_.nodes[static_cast<std::size_t>(data_.element_nodes[element.first_node + i])];
+    return data_.nodes[data_.element_nodes[element.first_node + i]];
   }
 
   /// The vertex index of a node, assigned at its first use as a corner.
   int vertex(const MeshElement& element, std::size_t i) {
-    int& index = vertex_of_[static_cast<std::size_t>(data_.element_nodes[element.first_node + i])];
+    int& index = vertex_of_[data_.element_nodes[element.first_node + i]];
     if (index < 0) {
       index = static_cast<int>(cells_.mesh.vertices.size());
       cells_.mesh.vertices.push_back(node(element, i).position.head<2>());
@@ -78,8 +78,7 @@ class Builder {
     for (const int group : groups)
       if (region_of_.at(std::abs(group)) != first)
         refuse(fmt::format("{} lies in two physical surfaces, \"{}\" and \"{}\"", place_of(element),
-                           cells_.mesh.regions[static_cast<std::size_t>(first)],
-                           cells_.mesh.regions[static_cast<std::size_t>(region_of_.at(std::abs(group)))]));
+                           cells_.mesh.regions[first], cells_.mesh.regions[region_of_.at(std::abs(group))]));
     return first;
   }
 
@@ -181,7 +180,7 @@ class Builder {
   }
 
   int vertex_or_none(const MeshElement& element, std::size_t i) const {
-    return vertex_of_[static_cast<std::size_t>(data_.element_nodes[element.first_node + i])];
+    return vertex_of_[data_.element_nodes[element.first_node + i]];
   }
 
   [[noreturn]] void refuse_line(const MeshElement& element, int boundary) const {
@@ -189,7 +188,7 @@ class Builder {
     refuse(fmt::format(
         "{}, from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) on the curve \"{}\", is no side of a cell; mesh curve "
         "and surface together, so that cells have their sides on the curve",
-        place_of(element), a[0], a[1], b[0], b[1], cells_.mesh.boundaries[static_cast<std::size_t>(boundary)]));
+        place_of(element), a[0], a[1], b[0], b[1], cells_.mesh.boundaries[boundary]));
   }
 
   /// Returns cells of the requested shape: for triangles, quadrilaterals are cut.

@@ -115,18 +115,15 @@ void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
 std::vector<std::size_t> cells_along(const Space& space, const std::vector<std::string>& boundaries) {
   const auto is_named = [&](const BoundarySide& side) {
     return side.boundary >= 0 &&
-           std::ranges::find(boundaries, space.coarse->boundaries[static_cast<std::size_t>(side.boundary)]) !=
-               boundaries.end();
+           std::ranges::find(boundaries, space.coarse->boundaries[side.boundary]) != boundaries.end();
   };
   std::vector<char> is_on(static_cast<std::size_t>(space.layout->local_size()), 0);
   for (const BoundarySide& side : space.sides)
     if (is_named(side))
-      for (const int k : side_nodes(space.shape(), space.degree, side.side))
-        is_on[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(k)])] = 1;
+      for (const int k : side_nodes(space.shape(), space.degree, side.side)) is_on[space.nodes(side.cell)[k]] = 1;
   std::vector<std::size_t> cells;
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
-    if (std::ranges::any_of(space.nodes(cell), [&](auto node) { return is_on[static_cast<std::size_t>(node)] != 0; }))
-      cells.push_back(cell);
+    if (std::ranges::any_of(space.nodes(cell), [&](auto node) { return is_on[node] != 0; })) cells.push_back(cell);
   return cells;
 }
 

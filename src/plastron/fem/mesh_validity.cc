@@ -24,7 +24,7 @@ struct HangingVertex {
 std::vector<int> sorted_along(int axis, const CoarseMesh& mesh, const std::vector<MeshEdge>& boundary) {
   std::vector<int> vertices;
   for (const MeshEdge& e : boundary) vertices.insert(vertices.end(), e.ends.begin(), e.ends.end());
-  const auto key = [&](int v) { return std::pair(mesh.vertices[static_cast<std::size_t>(v)][axis], v); };
+  const auto key = [&](int v) { return std::pair(mesh.vertices[v][axis], v); };
   std::ranges::sort(vertices, {}, key);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
@@ -79,12 +79,12 @@ std::optional<HangingVertex> find_hanging_vertex(const CoarseMesh& mesh, const s
     const auto [low, high] = box_round(curve);
     std::span<const int> near[2];
     for (int axis = 0; axis < 2; ++axis) {
-      const auto key = [&](int v) { return mesh.vertices[static_cast<std::size_t>(v)][axis]; };
+      const auto key = [&](int v) { return mesh.vertices[v][axis]; };
       const auto first = std::ranges::lower_bound(sorted[axis], low[axis], {}, key);
       near[axis] = {first, std::ranges::upper_bound(first, sorted[axis].end(), high[axis], {}, key)};
     }
     for (const int v : near[near[0].size() < near[1].size() ? 0 : 1]) {
-      const Vector2d& p = mesh.vertices[static_cast<std::size_t>(v)];
+      const Vector2d& p = mesh.vertices[v];
       if (v == edge.ends[0] || v == edge.ends[1] || (p.array() < low.array()).any() || (p.array() > high.array()).any())
         continue;
       if (passes_through(curve, p)) return HangingVertex{v, edge};
@@ -118,7 +118,7 @@ class Examiner {
   [[noreturn]] void refuse(const std::string& what) const { throw DomainError(source_ + ": " + what); }
   std::string element(std::size_t cell) const { return place_of(*cells_.elements[cell]); }
   static std::string place(const Vector2d& x) { return fmt::format("({:.6g}, {:.6g})", x[0], x[1]); }
-  const Vector2d& vertex(int v) const { return cells_.mesh.vertices[static_cast<std::size_t>(v)]; }
+  const Vector2d& vertex(int v) const { return cells_.mesh.vertices[v]; }
   Vector2d centre_of(std::size_t cell) const {
     const CoarseCell& c = cells_.mesh.cells[cell];
     return c.map(centre(shape_of(c))).value;
@@ -175,14 +175,14 @@ JacobianTable jacobian_table(Shape shape, int order) {
   table.d2.resize(rows, nodes);
   std::vector<Vector2d> unit(static_cast<std::size_t>(nodes), Vector2d::Zero());
   for (Eigen::Index n = 0; n < nodes; ++n) {
-    unit[static_cast<std::size_t>(n)] = Vector2d::UnitX();  // the map then equals the n-th polynomial
+    unit[n] = Vector2d::UnitX();  // the map then equals the n-th polynomial
     for (Eigen::Index p = 0; p < rows; ++p) {
-      const PlaneJet f = mapped(shape, order, unit, table.xi[static_cast<std::size_t>(p)]);
+      const PlaneJet f = mapped(shape, order, unit, table.xi[p]);
       table.value(p, n) = f.value[0];
       table.d1(p, n) = f.d[0][0];
       table.d2(p, n) = f.d[1][0];
     }
-    unit[static_cast<std::size_t>(n)] = Vector2d::Zero();
+    unit[n] = Vector2d::Zero();
   }
   return table;
 }

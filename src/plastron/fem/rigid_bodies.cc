@@ -80,7 +80,7 @@ constexpr double no_motion = 1e-10;
 std::vector<int> free_components(const RigidBody& body) {
   std::vector<int> free;
   for (int k = 0; k < 6; ++k)
-    if (!body.fixed[static_cast<std::size_t>(k)]) free.push_back(k);
+    if (!body.fixed[k]) free.push_back(k);
   return free;
 }
 
@@ -162,7 +162,7 @@ void add_members(const Space& space, const Members& members, PlacedBody& placed,
     for (int h = 0; h < 2; ++h) {
       Matrix6 block = Matrix6::Zero();
       block.leftCols<3>() = w.middleCols<3>(3 * h);
-      at.carriers.emplace_back(placed.hosts[static_cast<std::size_t>(h)], block);
+      at.carriers.emplace_back(placed.hosts[h], block);
     }
     nodes.push_back(std::move(at));
   }
@@ -252,8 +252,7 @@ BodyMotion motion_of(const Space& space, const PlacedBody& placed, const algebra
   for (double& component : sum) component = algebra::sum_over_ranks(component, space.layout->comm);
   Vector6 motion = Vector6::Zero();
   for (int k = 0; k < 6; ++k)
-    if (const auto& value = placed.body.fixed[static_cast<std::size_t>(k)])
-      motion[k] = k < 3 ? *value : placed.length * *value;
+    if (const auto& value = placed.body.fixed[k]) motion[k] = k < 3 ? *value : placed.length * *value;
   sum -= placed.gram * motion;
   const auto free = free_components(placed.body);
   const Eigen::MatrixXd of_free = placed.gram(free, free);

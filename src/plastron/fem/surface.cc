@@ -32,13 +32,13 @@ Surface::Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::s
 const geometry::Chart& Surface::chart_of(const Cell& cell) const {
   PLASTRON_ASSERT(cell.coarse >= 0 && static_cast<std::size_t>(cell.coarse) < coarse_->cells.size(), cell.coarse,
                   coarse_->cells.size());
-  return charts_[static_cast<std::size_t>(coarse_->cells[static_cast<std::size_t>(cell.coarse)].region)];
+  return charts_[coarse_->cells[cell.coarse].region];
 }
 
 PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
   PLASTRON_ASSERT(cell.coarse >= 0 && static_cast<std::size_t>(cell.coarse) < coarse_->cells.size(), cell.coarse,
                   coarse_->cells.size());
-  PlaneJet f = coarse_->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * xi);
+  PlaneJet f = coarse_->cells[cell.coarse].map(cell.corner + cell.size * xi);
   for (auto& d : f.d) d *= cell.size;
   for (auto& dd : f.dd) dd *= cell.size * cell.size;
   return f;

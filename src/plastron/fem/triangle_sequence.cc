@@ -15,7 +15,7 @@ std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)
 
 /// Returns the half of an edge at one of its vertices: edge e becomes 2e (at its first vertex) and 2e + 1.
 int half(const TriangleTopology& mesh, int edge, int vertex) {
-  return 2 * edge + (mesh.edges[static_cast<std::size_t>(edge)][0] == vertex ? 0 : 1);
+  return 2 * edge + (mesh.edges[edge][0] == vertex ? 0 : 1);
 }
 
 void refine_cell(const TriangleTopology& mesh, std::size_t c, TriangleTopology& fine) {
@@ -27,7 +27,7 @@ void refine_cell(const TriangleTopology& mesh, std::size_t c, TriangleTopology& 
     middle[k] = mesh.vertex_count + e[k];
     inner[k] = static_cast<int>(2 * mesh.edges.size() + 3 * c + k);
   }
-  for (std::size_t k = 0; k < 3; ++k) fine.edges[static_cast<std::size_t>(inner[k])] = {middle[k], middle[(k + 2) % 3]};
+  for (std::size_t k = 0; k < 3; ++k) fine.edges[inner[k]] = {middle[k], middle[(k + 2) % 3]};
   for (int k = 0; k < 4; ++k) {
     const Cell child = child_cell(k);
     fine.cells.push_back({cell.coarse, cell.corner + cell.size * child.corner, cell.size * child.size});
@@ -131,11 +131,10 @@ TriangleNumbering numbering(const TriangleTopology& mesh, int degree, int ranks)
 std::vector<std::size_t> cells_around(const TriangleTopology& mesh, std::size_t begin, std::size_t end) {
   std::vector<char> touched(static_cast<std::size_t>(mesh.vertex_count), 0);
   for (std::size_t c = begin; c < end; ++c)
-    for (const int v : mesh.vertices[c]) touched[static_cast<std::size_t>(v)] = 1;
+    for (const int v : mesh.vertices[c]) touched[v] = 1;
   std::vector<std::size_t> around;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if ((c < begin || c >= end) &&
-        std::ranges::any_of(mesh.vertices[c], [&](int v) { return touched[static_cast<std::size_t>(v)] != 0; }))
+    if ((c < begin || c >= end) && std::ranges::any_of(mesh.vertices[c], [&](int v) { return touched[v] != 0; }))
       around.push_back(c);
   return around;
 }
@@ -147,7 +146,7 @@ Eigen::MatrixXd to_child(int degree, int k) {
   const auto count = static_cast<Eigen::Index>(nodes.size());
   Eigen::MatrixXd matrix(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
-    matrix.row(i) = triangle_lagrange(degree, child.corner + child.size * nodes[static_cast<std::size_t>(i)]).value;
+    matrix.row(i) = triangle_lagrange(degree, child.corner + child.size * nodes[i]).value;
   return matrix;
 }
 
@@ -236,7 +235,7 @@ algebra::Vector TriangleSequence::interpolated(const algebra::Vector& coarse, co
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::MatrixXd children[4] = {to_child(degree_, 0), to_child(degree_, 1), to_child(degree_, 2),
                                        to_child(degree_, 3)};
-  const std::size_t first = numbers_.first_cell[static_cast<std::size_t>(rank_)];
+  const std::size_t first = numbers_.first_cell[rank_];
   const auto block = static_cast<Eigen::Index>(coarse.block());
   algebra::Vector fine(space_->layout, coarse.block());
   for (std::size_t c = 0; c < space_->owned_cells; ++c) {

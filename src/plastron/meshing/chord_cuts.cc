@@ -113,7 +113,7 @@ class ChordChoice {
     for (const auto& of_cell : numbers_.of_cell) {
       fem::Cuts& own = cuts.emplace_back();
       for (std::size_t d = 0; d < 2; ++d) {
-        const Chord& chord = chords_[static_cast<std::size_t>(of_cell[d])];
+        const Chord& chord = chords_[of_cell[d]];
         if (chord.is_cut) own[d] = {chord.cut};
         any = any || chord.is_cut;
       }
@@ -129,7 +129,7 @@ class ChordChoice {
     const std::size_t slices = rule.weights.size(), width = slices + 3;  // cells, crossed, without patches, slices
     std::vector<double> sums(width * static_cast<std::size_t>(numbers_.count), 0);
     const auto number = [&](std::size_t cell, std::size_t direction) {
-      return static_cast<std::size_t>(numbers_.of_cell[static_cast<std::size_t>(space_.cells[cell].coarse)][direction]);
+      return static_cast<std::size_t>(numbers_.of_cell[space_.cells[cell].coarse][direction]);
     };
     for (std::size_t c = 0; c < space_.owned_cells; ++c)
       for (std::size_t d = 0; d < 2; ++d) {
@@ -163,7 +163,7 @@ class ChordChoice {
   void place_cuts() {
     std::vector<std::vector<std::pair<std::size_t, std::size_t>>> cells(chords_.size());  // and directions
     for (std::size_t c = 0; c < numbers_.of_cell.size(); ++c)
-      for (std::size_t d = 0; d < 2; ++d) cells[static_cast<std::size_t>(numbers_.of_cell[c][d])].emplace_back(c, d);
+      for (std::size_t d = 0; d < 2; ++d) cells[numbers_.of_cell[c][d]].emplace_back(c, d);
     const std::vector<fem::CutCell> parts = fem::cut_cells(*space_.coarse);
     for (std::size_t i = 0; i < chords_.size(); ++i) {
       double& cut = chords_[i].cut;
@@ -263,8 +263,7 @@ Chords chords(const fem::CoarseMesh& mesh) {
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int side = 0; side < 4; ++side) {
       const auto [from, to] = fem::side_corners(fem::Shape::quadrilateral, side);
-      const auto ends = std::minmax(mesh.cells[c].vertices[static_cast<std::size_t>(from)],
-                                    mesh.cells[c].vertices[static_cast<std::size_t>(to)]);
+      const auto ends = std::minmax(mesh.cells[c].vertices[from], mesh.cells[c].vertices[to]);
       const std::size_t direction = 2 * c + (side < 2 ? 1 : 0);
       const auto [other, is_new] = cut.try_emplace(ends, direction);
       if (!is_new) sets.join(other->second, direction);

@@ -55,7 +55,7 @@ struct Pieces {
     std::vector<Piece> pieces{straight_piece(0, 0, r.from, {r.from[0], r.to[1]}, Vector2d::UnitX()),
                               straight_piece(1, last, {r.to[0], r.from[1]}, r.to, -Vector2d::UnitX())};
     for (int i = 0; i <= last; ++i) {
-      const double a = ends[static_cast<std::size_t>(i)], b = ends[static_cast<std::size_t>(i) + 1];
+      const double a = ends[i], b = ends[static_cast<std::size_t>(i) + 1];
       pieces.push_back(straight_piece(2, i, {a, r.from[1]}, {b, r.from[1]}, Vector2d::UnitY()));
       pieces.push_back(straight_piece(3, i, {a, r.to[1]}, {b, r.to[1]}, -Vector2d::UnitY()));
     }
@@ -79,9 +79,7 @@ struct Pieces {
   std::vector<Piece> operator()(const fem::MeshFile&) const { return {}; }
 };
 
-const std::string& region_name(const std::vector<std::string>& names, int region) {
-  return names[static_cast<std::size_t>(region)];
-}
+const std::string& region_name(const std::vector<std::string>& names, int region) { return names[region]; }
 
 const geometry::Expression& thickness_of(const assembly::CrossSections& sections, const std::string& region) {
   const auto own = sections.regions.find(region);
@@ -183,7 +181,7 @@ Interior interior(const problem::Problem& problem) {
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const geometry::PlaneJet map = coarse->cells[c].map(xi[i]);
       const double weight = std::abs(map.d[0][0] * map.d[1][1] - map.d[0][1] * map.d[1][0]) / (n * n);
-      by_region[static_cast<std::size_t>(coarse->cells[c].region)].add(jets[i], weight, e[i]);
+      by_region[coarse->cells[c].region].add(jets[i], weight, e[i]);
     }
   }
   Interior result{.area = 0, .width = INFINITY, .stretch = Vector2d::Zero()};

@@ -54,9 +54,7 @@ std::vector<int> parts_between(std::size_t near, std::size_t far, int inner) {
 
 fem::CoarseMesh grid_of_four_sides(const std::vector<Line>& sides, const std::vector<int>& boundaries,
                                    const std::vector<std::string>& names, const Rows& rows) {
-  const auto distances = [&](std::size_t k) -> const std::vector<double>& {
-    return rows.distances[static_cast<std::size_t>(boundaries[k])][0];
-  };
+  const auto distances = [&](std::size_t k) -> const std::vector<double>& { return rows.distances[boundaries[k]][0]; };
   // Side 0 is the bottom; right, top and left follow anticlockwise.
   const auto across = lines_between(sides[3], distances(3), sides[1], distances(1));
   const auto upwards = lines_between(sides[0], distances(0), sides[2], distances(2));
@@ -67,7 +65,7 @@ fem::CoarseMesh grid_of_four_sides(const std::vector<Line>& sides, const std::ve
   fem::CoarseMesh mesh = fem::grid_mesh(std::move(vertices), columns);
   mesh.boundaries = names;
   const std::array of_grid{boundaries[3], boundaries[1], boundaries[0], boundaries[2]};
-  for (fem::BoundaryEdge& edge : mesh.edges) edge.boundary = of_grid[static_cast<std::size_t>(edge.boundary)];
+  for (fem::BoundaryEdge& edge : mesh.edges) edge.boundary = of_grid[edge.boundary];
   const auto x_parts = parts_between(distances(3).size(), distances(1).size(), rows.inner[0]);
   const auto y_parts = parts_between(distances(0).size(), distances(2).size(), rows.inner[1]);
   std::vector<std::array<int, 2>> parts;
@@ -148,7 +146,7 @@ class Surrounded {
     int previous, next;  ///< end of the previous side's row, and beginning of the next side's row
   };
 
-  const Vector2d& at(int vertex) const { return mesh_.vertices[static_cast<std::size_t>(vertex)]; }
+  const Vector2d& at(int vertex) const { return mesh_.vertices[vertex]; }
   int add_vertex(const Vector2d& x) {
     mesh_.vertices.push_back(x);
     return static_cast<int>(mesh_.vertices.size()) - 1;
@@ -180,7 +178,7 @@ std::vector<double> depths_of(const std::vector<int>& boundaries, const Rows& ro
     if (!regions[0].empty()) deepest = std::max(deepest, regions[0].back());
   std::vector<double> depths;
   for (const int b : boundaries) {
-    const auto& distances = rows.distances[static_cast<std::size_t>(b)][0];
+    const auto& distances = rows.distances[b][0];
     depths.push_back(distances.empty() ? deepest : distances.back());
   }
   return depths;

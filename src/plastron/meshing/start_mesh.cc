@@ -236,8 +236,7 @@ std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinemen
   for (const fem::CoarseCell& cell : coarse.cells)
     for (int side = 0; side < fem::corner_count(coarse.shape); ++side) {
       const auto [from, to] = fem::side_corners(coarse.shape, side);
-      sides.insert(
-          std::minmax(cell.vertices[static_cast<std::size_t>(from)], cell.vertices[static_cast<std::size_t>(to)]));
+      sides.insert(std::minmax(cell.vertices[from], cell.vertices[to]));
     }
   // A refined cell has the nodes of one cell of degree n.
   const std::int64_t n = static_cast<std::int64_t>(degree) << refinements;
@@ -259,9 +258,9 @@ std::string describe(const StartMesh& mesh, const problem::Problem& problem) {
   const auto names = fem::boundary_names(problem.domain), regions = fem::region_names(problem.domain);
   std::vector<std::string> rows;
   for (const EdgeLayer& layer : mesh.rows) {
-    const std::string& region = regions[static_cast<std::size_t>(layer.region)];
-    rows.push_back(fmt::format("{}{} {:.3g} m", names[static_cast<std::size_t>(layer.boundary)],
-                               region.empty() ? "" : " of " + region, constants.row_width * layer.width));
+    const std::string& region = regions[layer.region];
+    rows.push_back(fmt::format("{}{} {:.3g} m", names[layer.boundary], region.empty() ? "" : " of " + region,
+                               constants.row_width * layer.width));
   }
   const std::string what = !mesh.no_rows.empty() ? fmt::format("no rows along edges: {}", mesh.no_rows)
                            : rows.empty()

@@ -52,7 +52,7 @@ class Cubes {
 
   /// Returns the first added point within the tolerance; adds `point` if there is none.
   int first_near(int point) {
-    const Vector3d& X = points_[static_cast<std::size_t>(point)];
+    const Vector3d& X = points_[point];
     std::set<Key> near;
     for (const double x : {-tolerance_, tolerance_})
       for (const double y : {-tolerance_, tolerance_})
@@ -61,7 +61,7 @@ class Cubes {
     for (const Key& cube : near)
       if (const auto found = cubes_.find(cube); found != cubes_.end())
         for (const int other : found->second)
-          if ((points_[static_cast<std::size_t>(other)] - X).norm() <= tolerance_) first = std::min(first, other);
+          if ((points_[other] - X).norm() <= tolerance_) first = std::min(first, other);
     if (first == point) cubes_[key(X)].push_back(point);
     return first;
   }
@@ -86,8 +86,8 @@ void remove_unused_points(TriangleMesh& mesh) {
   std::vector<Vector3d> used;
   for (auto& triangle : mesh.triangles)
     for (int& corner : triangle) {
-      int& now = number[static_cast<std::size_t>(corner)];
-      if (now < 0) now = static_cast<int>(used.size()), used.push_back(mesh.points[static_cast<std::size_t>(corner)]);
+      int& now = number[corner];
+      if (now < 0) now = static_cast<int>(used.size()), used.push_back(mesh.points[corner]);
       corner = now;
     }
   mesh.points = std::move(used);
@@ -130,7 +130,7 @@ void join_near_points(TriangleMesh& mesh) {
     const int first = cubes.first_near(point);
     if (first == point) continue;
     joined[point] = first;
-    const Vector3d way = mesh.points[static_cast<std::size_t>(point)] - mesh.points[static_cast<std::size_t>(first)];
+    const Vector3d way = mesh.points[point] - mesh.points[first];
     mesh.joined_over = std::max(mesh.joined_over, way.norm());
   }
   if (joined.empty()) return;

@@ -160,7 +160,7 @@ void read_obj(TextFile& file, Builder& builder) {
           file.refuse(fmt::format("found \"{}\" where the number of a point should stand", geometry::shown(corner)));
         const long count = static_cast<long>(points.size()), index = given < 0 ? count + given : given - 1;
         if (index < 0 || index >= count) file.refuse(fmt::format("there is no point {} yet", given));
-        corners.push_back(points[static_cast<std::size_t>(index)]);
+        corners.push_back(points[index]);
       }
       if (corners.size() < 3) file.refuse("a face has fewer than three corners");
       builder.add_polygon(corners);

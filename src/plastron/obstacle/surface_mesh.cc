@@ -40,7 +40,7 @@ class Marching {
 
   TriangleMesh surface() {
     values_.resize(static_cast<std::size_t>(n_) * n_ * n_);
-    for (int i = 0; i < n_ * n_ * n_; ++i) values_[static_cast<std::size_t>(i)] = level_(point(i));
+    for (int i = 0; i < n_ * n_ * n_; ++i) values_[i] = level_(point(i));
     for (int k = 0; k + 1 < n_; ++k)
       for (int j = 0; j + 1 < n_; ++j)
         for (int i = 0; i + 1 < n_; ++i) cell(i + n_ * (j + n_ * k));

@@ -24,7 +24,7 @@ Exact::Point_3 exact(const Vector3d& p) { return {p[0], p[1], p[2]}; }
 /// Whether two triangles cross. With a common side they cross if they fold onto each other. With a common corner they
 /// cross if the opposite side of one meets the other. All others cross if they meet.
 bool cross_each_other(const TriangleMesh& mesh, const std::array<int, 3>& s, const std::array<int, 3>& t) {
-  const auto point = [&](int i) { return exact(mesh.points[static_cast<std::size_t>(i)]); };
+  const auto point = [&](int i) { return exact(mesh.points[i]); };
   const auto triangle = [&](const std::array<int, 3>& c) {
     return Exact::Triangle_3(point(c[0]), point(c[1]), point(c[2]));
   };
