@@ -15,7 +15,7 @@ using std::numbers::pi;
 using testing::ElementsAre;
 
 /// Straight length of the edges of each boundary.
-std::map<std::string, double> meshing::chords(const CoarseMesh& mesh) {
+std::map<std::string, double> chords(const CoarseMesh& mesh) {
   std::map<std::string, double> lengths;
   for (const BoundaryEdge& e : mesh.edges)
     lengths[mesh.boundaries[static_cast<std::size_t>(e.boundary)]] +=
@@ -32,7 +32,7 @@ TEST(Rectangle, is_cut_into_the_cells_asked_for) {
   EXPECT_EQ(mesh.vertices.size(), 24u);
   EXPECT_NEAR(area(mesh), 6, 1e-14);
   EXPECT_THAT(mesh.boundaries, ElementsAre("left", "right", "bottom", "top"));
-  auto lengths = meshing::chords(mesh);
+  auto lengths = chords(mesh);
   EXPECT_NEAR(lengths["left"], 2, 1e-14);
   EXPECT_NEAR(lengths["right"], 2, 1e-14);
   EXPECT_NEAR(lengths["bottom"], 3, 1e-14);
@@ -121,7 +121,7 @@ void expect_polygon(const std::vector<Vector2d>& corners, double expected_area) 
   EXPECT_NEAR(area(mesh), expected_area, 1e-13);
   EXPECT_THAT(mesh.regions, ElementsAre(""));
   ASSERT_EQ(mesh.boundaries.size(), corners.size());
-  auto lengths = meshing::chords(mesh);
+  auto lengths = chords(mesh);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::string name = "edge" + std::to_string(i + 1);
     const Vector2d a = corners[i], b = corners[(i + 1) % corners.size()];
@@ -189,7 +189,7 @@ TEST(Triangles, of_a_domain_are_its_quadrilaterals_cut_crosswise) {
     EXPECT_EQ(cut.cells.size(), 4 * whole.cells.size());
     EXPECT_NEAR(area(cut), area(whole), 1e-13);
     EXPECT_EQ(cut.boundaries, whole.boundaries);
-    EXPECT_EQ(meshing::chords(cut), meshing::chords(whole));
+    EXPECT_EQ(chords(cut), meshing::chords(whole));
     for (const CoarseCell& c : cut.cells) EXPECT_EQ(c.vertices[3], -1);
   }
   for (const CoarseCell& c : coarse_mesh(regions, Shape::triangle).cells)
