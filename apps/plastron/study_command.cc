@@ -2,7 +2,7 @@
 
 #include "command_line.hpp"
 
-#include <research/names/kind_names.hpp>
+#include <research/names/study_names.hpp>
 
 #include <fmt/format.h>
 

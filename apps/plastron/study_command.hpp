@@ -1,6 +1,6 @@
 // The arguments of `plastron study`: one table of kinds, and options for some of them.
 #pragma once
-#include <research/names/study_options.hpp>
+#include <research/names/study_names.hpp>
 
 #include <CLI/CLI.hpp>
 

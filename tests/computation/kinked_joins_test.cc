@@ -6,7 +6,7 @@
 #include <plastron/examination/examine.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/description.hpp>
-#include <research/spectra/soft_modes.hpp>
+#include <research/spectra/spectra.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,5 @@
 // plastron compare and the penalty study: what their tables say.
-#include <research/study/compare.hpp>
-#include <research/study/compare_solvers.hpp>
-#include <research/study/penalty.hpp>
+#include <research/study/studies.hpp>
 
 #include <gtest/gtest.h>
 
@@ -9,7 +7,7 @@
 #include <set>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {

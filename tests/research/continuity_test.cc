@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
-#include <research/study/continuity.hpp>
+#include <research/study/studies.hpp>
 
 #include <algorithm>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {

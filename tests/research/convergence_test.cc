@@ -1,13 +1,13 @@
 // The study of convergence finds the rates that theory gives.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <research/study/convergence.hpp>
+#include <research/study/studies.hpp>
 
 #include <cmath>
 #include <cstddef>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {

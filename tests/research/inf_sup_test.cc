@@ -3,9 +3,7 @@
 
 #include <plastron/assembly/field_norms.hpp>
 #include <plastron/assembly/multiplier.hpp>
-#include <research/spectra/h1_matrix.hpp>
-#include <research/spectra/inf_sup.hpp>
-#include <research/spectra/soft_modes.hpp>
+#include <research/spectra/spectra.hpp>
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>

@@ -1,9 +1,9 @@
 // The constants that proofs rest on do not degrade, and the soft modes are those that theory names.
 #include <gtest/gtest.h>
-#include <research/study/stability.hpp>
+#include <research/study/studies.hpp>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {

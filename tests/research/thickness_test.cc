@@ -1,9 +1,9 @@
 // The study of thin shells tells bending from membrane dominated ones.
 #include <gtest/gtest.h>
-#include <research/study/thickness.hpp>
+#include <research/study/studies.hpp>
 
 #include "computation/problems.hpp"
-#include "study/tables.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {
