@@ -4,7 +4,7 @@
 
 #include <plastron/config/nearest.hpp>
 #include <plastron/io/results.hpp>
-#include <research/names/kind_names.hpp>
+#include <research/names/study_names.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // The command line: its arguments, its commands and their exit codes (docs/user-guide.md).
 #pragma once
 #include <plastron/contact/problem.hpp>
-#include <research/names/study_options.hpp>
+#include <research/names/study_names.hpp>
 
 #include <CLI/CLI.hpp>
 

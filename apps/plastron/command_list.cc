@@ -3,7 +3,7 @@
 #include "command_line.hpp"
 
 #include <plastron/config/schema.hpp>
-#include <research/names/kind_names.hpp>
+#include <research/names/study_names.hpp>
 
 #include <algorithm>
 

@@ -2,20 +2,56 @@
 #include "command_line.hpp"
 #include "console.hpp"
 #include "stage_progress.hpp"
+#include "commands.hpp"
+#include "event_log.hpp"
+#include "exit_codes.hpp"
+#include "interruption.hpp"
+
+#include "outcome.hpp"
+#include "reading.hpp"
+#include "status_line.hpp"
 #include "terminal.hpp"
 
 #include <research/report/study_report.hpp>
-#include <research/study/adaptivity.hpp>
 #include <research/study/kinds.hpp>
+#include <research/study/variations.hpp>
 
+#include <fmt/format.h>
 #include <mpi.h>
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace plastron::app {
 
 namespace {
+
+/// Shows the present stage of a study on a terminal.
+class StageProgress {
+ public:
+  explicit StageProgress(bool quiet) : status_(quiet) {}
+
+  study::StudyObserver observer() {
+    study::StudyObserver observer;
+    observer.stage = [this](std::string_view what) {
+      log_event("stage", {{"stage", what}});
+      stage_ = what;
+      status_.show(stage_ + " ...");
+    };
+    observer.solve.level = [this](int level, const computation::Level& record) {
+      log_level(level, record);
+      status_.show(fmt::format("{}: level {} done, {} unknowns", stage_, level, record.unknowns));
+    };
+    observer.solve.stop = is_interrupted;
+    return observer;
+  }
+  void finish() { status_.clear(); }
+
+ private:
+  StatusLine status_;
+  std::string stage_{};
+};
 
 /// Returns the study of that name, or one of the comparisons that are separate commands.
 const study::Kind& kind_of(const std::string& name) {

@@ -1,4 +1,4 @@
-#include <research/report/mesh_pictures.hpp>
+#include <research/report/study_report.hpp>
 
 #include <fmt/format.h>
 

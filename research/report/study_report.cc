@@ -3,7 +3,6 @@
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/results.hpp>
-#include <research/report/mesh_pictures.hpp>
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@ struct SquaredNorms {
   double r = 0, grad_r = 0;  ///< [m^2], [1]
 
   /// Squared norms of (u, r) in L2 x L2 and H1 x H1, the paper's spaces. They are pure numbers: the unit of length is
-  /// `length` [m], the shell's own (h1_matrix.hpp).
+  /// `length` [m], a length of the shell (research/spectra/spectra.hpp).
   double l2(double length) const { return (u / (length * length) + r) / (length * length); }
   double h1(double length) const { return h1_u(length) + h1_r(length); }
   double h1_u(double length) const { return (u / (length * length) + grad_u) / (length * length); }

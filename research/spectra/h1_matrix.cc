@@ -1,4 +1,4 @@
-#include <research/spectra/h1_matrix.hpp>
+#include <research/spectra/spectra.hpp>
 
 #include <plastron/fem/constraints.hpp>
 

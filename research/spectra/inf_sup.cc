@@ -1,9 +1,8 @@
-#include <research/spectra/inf_sup.hpp>
+#include <research/spectra/spectra.hpp>
 
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
-#include <research/spectra/h1_matrix.hpp>
 
 #include <cmath>
 #include <stdexcept>

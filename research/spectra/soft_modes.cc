@@ -1,10 +1,9 @@
-#include <research/spectra/soft_modes.hpp>
+#include <research/spectra/spectra.hpp>
 
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
-#include <research/spectra/h1_matrix.hpp>
 
 #include <Eigen/Eigenvalues>
 

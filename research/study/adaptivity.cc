@@ -1,6 +1,6 @@
-#include <research/study/adaptivity.hpp>
-
+// The cost of an accuracy on graded and on uniform meshes, and how true estimated errors are (docs/research/adaptivity.md).
 #include <plastron/computation/solve.hpp>
+#include <research/study/studies.hpp>
 
 #include <fmt/format.h>
 
@@ -157,14 +157,6 @@ problem::Accuracy default_accuracy(const problem::Problem& problem) {
 }
 
 }  // namespace
-
-problem::Problem on_uniform_meshes(problem::Problem problem) {
-  if (!problem.accuracy) return problem;
-  problem.accuracy.reset();
-  if (problem.discretisation.refinements == 0)
-    problem.discretisation.refinements = problem::Discretisation{}.refinements;
-  return problem;
-}
 
 Report adaptivity(const problem::Problem& problem, const StudyOptions&, MPI_Comm comm, const StudyObserver& observer) {
   Report report{

@@ -1,23 +1,19 @@
-#include <research/study/compare.hpp>
-
+// All formulations on one mesh sequence, side by side (docs/research/compare.md).
 #include <plastron/computation/solve.hpp>
-#include <research/study/energy_distance.hpp>
-#include <research/study/exponents.hpp>
-#include <research/study/formulations.hpp>
+#include <research/study/measures.hpp>
+#include <research/study/studies.hpp>
+#include <research/study/variations.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plastron::study {
 
 namespace {
 
 using element::Formulation;
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// One formulation on all meshes; the fields of the tangent one serve as reference for the others.
 struct Run {
@@ -35,7 +31,7 @@ Run solve_with(problem::Problem problem, const Run* tangent, MPI_Comm comm, comp
     const auto at = static_cast<std::size_t>(level);
     run.distance.push_back(tangent && at < tangent->fields.size()
                                ? relative_distance(solution.discrete->shell, solution.nodal.y, tangent->fields[at])
-                               : nothing);
+                               : no_value);
     if (!tangent) run.fields.push_back(solution.nodal.y);
     run.noise = relative_noise(solution, std::sqrt(2 * solution.discrete->shell.energies(solution.nodal.y).total()));
   };
@@ -45,10 +41,6 @@ Run solve_with(problem::Problem problem, const Run* tangent, MPI_Comm comm, comp
   return run;
 }
 
-double relative(double value, double reference) {
-  return reference != 0 ? value / reference - 1 : value == 0 ? 0 : nothing;
-}
-
 void add_rows(const Run& run, const Run& tangent, Formulation formulation, Table& table) {
   for (std::size_t l = 0; l < run.levels.size(); ++l) {
     const computation::Level& level = run.levels[l];
@@ -56,11 +48,11 @@ void add_rows(const Run& run, const Run& tangent, Formulation formulation, Table
     const bool comparable = !is_tangent && l < tangent.levels.size();
     table.rows.push_back({std::string(element::to_string(formulation)), static_cast<std::int64_t>(l), level.unknowns,
                           level.energy, level.reaction, level.contact_area, level.max_normal_rotation,
-                          formulation == Formulation::mixed ? level.multiplier_norm : nothing,
+                          formulation == Formulation::mixed ? level.multiplier_norm : no_value,
                           static_cast<std::int64_t>(level.iterations), level.seconds.total(),
-                          comparable ? relative(level.energy, tangent.levels[l].energy) : nothing,
-                          comparable ? relative(level.reaction, tangent.levels[l].reaction) : nothing,
-                          l < run.distance.size() ? run.distance[l] : nothing});
+                          comparable ? relative_difference(level.energy, tangent.levels[l].energy) : no_value,
+                          comparable ? relative_difference(level.reaction, tangent.levels[l].reaction) : no_value,
+                          l < run.distance.size() ? run.distance[l] : no_value});
   }
 }
 
@@ -108,8 +100,9 @@ Claim is_within_the_mesh_error(const Run& run, const Run& tangent) {
       "penalised: p changes the energy on the finest mesh by less than the last refinement does";
   if (const std::string why = nothing_to_compare(run, tangent); !why.empty()) return not_judged(statement, why);
   const std::size_t finest = tangent.levels.size() - 1;
-  const double by_p = std::abs(relative(run.levels.back().energy, tangent.levels[finest].energy));
-  const double by_mesh = std::abs(relative(tangent.levels[finest - 1].energy, tangent.levels[finest].energy));
+  const double by_p = std::abs(relative_difference(run.levels.back().energy, tangent.levels[finest].energy));
+  const double by_mesh =
+      std::abs(relative_difference(tangent.levels[finest - 1].energy, tangent.levels[finest].energy));
   return judged(statement, fmt::format("{:.1e} by p, {:.1e} by the mesh", by_p, by_mesh), by_p < by_mesh);
 }
 

@@ -1,18 +1,17 @@
-#include <research/study/compare_solvers.hpp>
-
+// All contact solvers on one mesh sequence, side by side (docs/research/compare.md).
 #include <plastron/computation/solve.hpp>
 #include <research/referees/solvers.hpp>
+#include <research/study/measures.hpp>
+#include <research/study/studies.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 namespace plastron::study {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The results of one solver on all meshes.
 struct Run {
@@ -21,8 +20,8 @@ struct Run {
   std::string missed{};  ///< rows of the certificate beyond their limits
   bool has_level = false;
   std::int64_t iterations = 0, safeguarded = 0, linear_steps = 0, factorisations = 0;
-  double seconds = 0;       ///< of the contact solution: factorisations and the rest of the iteration
-  double energy = nothing;  ///< of the finest mesh
+  double seconds = 0;        ///< of the contact solution: factorisations and the rest of the iteration
+  double energy = no_value;  ///< of the finest mesh
 };
 
 Run solve_with(const referees::NamedSolver& solver, problem::Problem problem, MPI_Comm comm,
@@ -50,10 +49,6 @@ bool has_solution(const Run& run) {
   return run.has_level && (run.status == contact::Status::solved || run.status == contact::Status::inaccurate);
 }
 
-double relative(double value, double reference) {
-  return reference != 0 ? value / reference - 1 : value == 0 ? 0 : nothing;
-}
-
 std::string certificate_of(const Run& run) {
   if (!has_solution(run)) return std::string(contact::to_string(run.status));
   return run.status == contact::Status::solved ? "holds" : "missed";
@@ -61,7 +56,7 @@ std::string certificate_of(const Run& run) {
 
 void add_row(const Run& run, const Run& first, Table& table) {
   table.rows.push_back({run.name, run.seconds, run.iterations, run.safeguarded, run.linear_steps, run.factorisations,
-                        run.energy, run.name == first.name ? nothing : relative(run.energy, first.energy),
+                        run.energy, run.name == first.name ? no_value : relative_difference(run.energy, first.energy),
                         certificate_of(run)});
 }
 
@@ -71,7 +66,7 @@ Claim finds_the_same(const Run& run, const Run& first) {
       fmt::format("{} finds the energy of {} to {:.0e}, relative", run.name, first.name, agreement);
   if (!has_solution(first)) return not_judged(statement, first.name + " has no solution");
   if (!has_solution(run)) return judged(statement, std::string(contact::to_string(run.status)), false);
-  const double difference = std::abs(relative(run.energy, first.energy));
+  const double difference = std::abs(relative_difference(run.energy, first.energy));
   return judged(statement, fmt::format("{:.1e}", difference), difference <= agreement);
 }
 

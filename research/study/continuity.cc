@@ -1,12 +1,10 @@
 // The solution under random changes of load, thickness and obstacle, against bounds that follow from the variational
-// inequality (M18); proofs in docs/methods/study-continuity.md. Norms are the energy norm of the unchanged shell.
-#include <research/study/continuity.hpp>
-
+// inequality (M18); proofs in docs/research/continuity.md. Norms are the energy norm of the unchanged shell.
 #include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/solve.hpp>
-#include <research/study/energy_distance.hpp>
-#include <research/study/lifting.hpp>
+#include <research/study/measures.hpp>
 #include <research/study/random_field.hpp>
+#include <research/study/studies.hpp>
 #include <research/study/variations.hpp>
 
 #include <fmt/format.h>
@@ -86,6 +84,7 @@ class Continuity {
     if (report_.status != Status::solved) return std::move(report_);
     norm_ = norm_of(base_.solution->nodal.y);
     largest_ = base_.summary.max_displacement;
+    area_ = shell_size(*base_.solution->discrete).area;
     examine("load", "the load changes the solution by no more than the dual norm of its change", &Continuity::load);
     examine("thickness",
             "a relative change of the stiffness changes the solution by no more than that part of its norm",
@@ -129,7 +128,7 @@ class Continuity {
 
   /// a(U_2 - U_1, U_2 - U_1) <= (l_2 - l_1)(U_2 - U_1) = a(W, U_2 - U_1), W the linear solution for l_2 - l_1.
   std::optional<Change> load() {
-    AreaForce field = random_field(random_, std::sqrt(area()));
+    AreaForce field = random_field(random_, std::sqrt(area_));
     const double amplitude = options_.size * typical_load();
     const assembly::AreaLoad extra{.force_function = [field, amplitude](double x, double y) -> Eigen::Vector3d {
       return amplitude * field(x, y);
@@ -205,13 +204,13 @@ class Continuity {
 
   /// |U_2 - U_1|_a against its bound.
   Change change_to(const computation::Solution& solution, double size, double bound) const {
-    algebra::Vector difference = solution.nodal.y;
-    const auto before = base_.solution->nodal.y.local();
-    for (std::size_t i = 0; i < before.size(); ++i) difference.local()[i] -= before[i];
     const double norm = norm_of(solution.nodal.y);
     const double noise =
         std::max({tolerance * norm_, tolerance * norm, rounding_norm(*base_.solution), rounding_norm(solution)});
-    return {.size = size, .change = norm_of(difference), .bound = bound, .noise = noise};
+    return {.size = size,
+            .change = norm_of(difference(solution.nodal.y, base_.solution->nodal.y)),
+            .bound = bound,
+            .noise = noise};
   }
 
   std::optional<Change> leave_out(const std::string& why) {
@@ -226,7 +225,7 @@ class Continuity {
 
   /// A force per area that does work like the loads: 2 W over area and largest displacement [Pa].
   double typical_load() const {
-    return largest_ > 0 ? norm_ * norm_ / (largest_ * area()) : problem_.shell.sections.softest().mu * 1e-6;
+    return largest_ > 0 ? norm_ * norm_ / (largest_ * area_) : problem_.shell.sections.softest().mu * 1e-6;
   }
 
   /// |V|_a with the a of the unchanged shell, the form of (M13) or (M14) included [J^{1/2}].
@@ -236,13 +235,6 @@ class Continuity {
     if (discrete.tangency_factor() > 0)
       energy += assembly::tangency_energy(discrete.shell, discrete.tangency_factor(), y);
     return std::sqrt(2 * energy);
-  }
-
-  double area() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(base_.solution->discrete->space().layout->owned); ++i)
-      sum += base_.solution->discrete->points[i].weight;
-    return algebra::sum_over_ranks(sum, comm_);
   }
 
   std::pair<double, double> range_of_bounds() const {
@@ -263,7 +255,7 @@ class Continuity {
   Report report_{};
   computation::Result base_{};
   std::string stage_{}, why_left_out_{};
-  double norm_ = 0, largest_ = 0;
+  double norm_ = 0, largest_ = 0, area_ = 0;
 };
 
 }  // namespace

@@ -1,10 +1,9 @@
-// The table of errors over mesh size, with and without obstacle, and what it says about the orders that theory gives.
-#include <research/study/convergence.hpp>
-
+// The table of errors over mesh size, with and without obstacle, and what it says about the orders that theory gives
+// (docs/research/convergence.md).
 #include <plastron/meshing/sizes.hpp>
-#include <research/study/energy_distance.hpp>
 #include <research/study/error_sequence.hpp>
-#include <research/study/exponents.hpp>
+#include <research/study/measures.hpp>
+#include <research/study/studies.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,8 +3,7 @@
 #include <plastron/computation/solve.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <research/spectra/field_norms.hpp>
-#include <research/study/energy_distance.hpp>
-#include <research/study/reference_strains.hpp>
+#include <research/study/measures.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -80,9 +79,8 @@ Norms field_norms(const assembly::ShellOperator& shell, double length, const alg
 Norms relative_error(const computation::Solution& reference, const CarriedSolutions& carried, std::size_t l,
                      double length, const Norms& scale) {
   const assembly::ShellOperator& shell = reference.discrete->shell;
-  algebra::Vector difference = shell.interpolation().nodal_values(carried.fields()[l]);
-  for (std::size_t i = 0; i < difference.local().size(); ++i) difference.local()[i] -= reference.nodal.y.local()[i];
-  Norms error = field_norms(shell, length, difference);
+  Norms error = field_norms(shell, length,
+                            difference(shell.interpolation().nodal_values(carried.fields()[l]), reference.nodal.y));
   error.energy = energy_distance(shell, carried.strains()[l], carried.strains().back());
   for (const auto norm : norm_of) error.*norm = scale.*norm > 0 ? error.*norm / scale.*norm : error.*norm;
   return error;
@@ -105,21 +103,9 @@ std::vector<FalkTerms> relative_falk_terms(const problem::Problem& problem, cons
   return all;
 }
 
-double area_of(const assembly::DiscreteShell& discrete) {
-  double area = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    area += discrete.points[i].weight;
-  return algebra::sum_over_ranks(area, discrete.space().layout->comm);
-}
-
 }  // namespace
 
-std::vector<double> ErrorSequence::of(double Norms::*norm) const {
-  std::vector<double> values;
-  values.reserve(errors.size());
-  for (const Norms& e : errors) values.push_back(e.*norm);
-  return values;
-}
+std::vector<double> ErrorSequence::of(double Norms::*norm) const { return column(errors, norm); }
 
 ErrorSequence error_sequence(problem::Problem problem, int reference, double length, MPI_Comm comm,
                              computation::Observer observer) {
@@ -144,7 +130,7 @@ ErrorSequence error_sequence(problem::Problem problem, int reference, double len
   sequence.why_without_falk = why_without_falk(problem);
   if (sequence.why_without_falk.empty())
     sequence.falk = relative_falk_terms(problem, *result.solution, carried, scale.energy * scale.energy, comm);
-  const double area = area_of(discrete);
+  const double area = shell_size(discrete).area;
   for (std::size_t l = 0; l < compared; ++l) {
     sequence.h.push_back(std::sqrt(area / static_cast<double>(carried.cells()[l])));
     sequence.errors.push_back(relative_error(*result.solution, carried, l, length, scale));

@@ -2,8 +2,8 @@
 
 #include <plastron/element/formulation.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <research/study/nearest_admissible.hpp>
-#include <research/study/nodal_interpolant.hpp>
+#include <research/study/measures.hpp>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +17,31 @@ namespace {
 using Strains = std::vector<assembly::CellStrain>;
 using assembly::DiscreteShell;
 
-Strains difference(const Strains& a, const Strains& b) {
+/// Cartesian again after every coordinate z of an owned node has become change(z, lower, upper).
+template <class Change>
+algebra::Vector changed_coordinates(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                                    Change&& change) {
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  algebra::Vector z(y.layout(), coordinates.width), result(y.layout(), 6);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(y.layout()->owned); ++i) {
+    if (coordinates.tied[i]) continue;
+    const Eigen::Matrix<double, 6, 1> at_node = coordinates.basis[i].partialPivLu().solve(
+        Eigen::Map<const Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i));
+    for (int k = 0; k < coordinates.width; ++k) {
+      const std::size_t at = coordinates.at(i, k);
+      z.local()[at] = change(at_node[k], coordinates.lower.local()[at], coordinates.upper.local()[at]);
+    }
+  }
+  z.update_ghosts();
+  coordinates.to_cartesian(z, result);
+  return result;
+}
+
+Strains strain_difference(const Strains& a, const Strains& b) {
   Strains result;
   result.reserve(a.size());
   for (std::size_t c = 0; c < a.size(); ++c) result.emplace_back(a[c] - b[c]);
   return result;
-}
-
-algebra::Vector difference(algebra::Vector a, const algebra::Vector& b) {
-  for (std::size_t i = 0; i < a.local().size(); ++i) a.local()[i] -= b.local()[i];
-  return a;
 }
 
 /// int C eps_1 : eps_2 sqrt(a) dx [J].
@@ -122,8 +137,8 @@ class Evaluation {
     const DiscreteShell& discrete = *reference_.discrete;
     const algebra::Vector &U = reference_.nodal.y, &eta = reference_.nodal.pressure;
     const algebra::Vector W_h_here = discrete.shell.interpolation().nodal_values(carried);
-    const Strains error = difference(seen_reference_.strains, U_h.strains);
-    const Strains missed = difference(seen_reference_.strains, W_h.strains);
+    const Strains error = strain_difference(seen_reference_.strains, U_h.strains);
+    const Strains missed = strain_difference(seen_reference_.strains, W_h.strains);
     const GapChange interpolation = gap_change(discrete, eta, U, W_h_here);
     const GapChange penetration = gap_change(discrete, eta, U_h.y, nearest_admissible(discrete, U_h.y));
     const algebra::Vector test = virtual_part(discrete, difference(W_h_here, U_h.y));
@@ -132,7 +147,7 @@ class Evaluation {
             .reaction = interpolation.work + penetration.work,
             .l2_reaction =
                 reaction_norm(discrete, eta) * (std::sqrt(interpolation.squared) + std::sqrt(penetration.squared)),
-            .consistency = product(discrete.shell, error, difference(W_h.strains, U_h.strains)) -
+            .consistency = product(discrete.shell, error, strain_difference(W_h.strains, U_h.strains)) -
                            residual_work(discrete, U, test) + W_h.coarse_work};
   }
 
@@ -145,6 +160,16 @@ class Evaluation {
 };
 
 }  // namespace
+
+algebra::Vector nearest_admissible(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  return changed_coordinates(discrete, y,
+                             [](double z, double lower, double upper) { return std::clamp(z, lower, upper); });
+}
+
+algebra::Vector virtual_part(const assembly::DiscreteShell& discrete, const algebra::Vector& difference) {
+  return changed_coordinates(discrete, difference,
+                             [](double z, double lower, double upper) { return lower == upper ? 0.0 : z; });
+}
 
 std::string why_without_falk(const problem::Problem& problem) {
   if (element::is_relaxed(problem.shell.tangency.formulation))

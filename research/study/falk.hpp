@@ -1,4 +1,4 @@
-// Both sides of Falk's estimate (docs/methods/study-convergence.md) with actual fields, in the energy norm, where M = alpha = 1:
+// Both sides of Falk's estimate (docs/research/convergence.md) with actual fields, in the energy norm, where M = alpha = 1:
 //
 //   |U - U_h|^2 <= |U - W_h|^2 + 2 <l - A U, U - W_h + U_h - W>      <= |U - W_h|^2 + 2 |eta|_0 (|g(W_h) - g(U)|_0 + |g(W) - g(U_h)|_0)
 //
@@ -7,7 +7,7 @@
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/problem/problem.hpp>
-#include <research/study/reference_strains.hpp>
+#include <research/study/nested_meshes.hpp>
 
 #include <mpi.h>
 
@@ -17,6 +17,14 @@
 #include <vector>
 
 namespace plastron::study {
+
+/// The field of K_h whose nodal coordinates (assembly/nodal_coordinates.hpp) are those of `y` moved to the nearest bound where they are
+/// outside: gaps that are negative are closed, supports kept, r made tangent. A field of K_h stays the same. Block 6 with valid
+/// ghosts; y is not read where nodes are tied. Precondition: no rigid bodies, and no relaxed formulation. (collective)
+algebra::Vector nearest_admissible(const assembly::DiscreteShell& discrete, const algebra::Vector& y);
+
+/// The part in V_h of a difference of fields: zero at supports, r tangent. Same precondition. (collective)
+algebra::Vector virtual_part(const assembly::DiscreteShell& discrete, const algebra::Vector& difference);
 
 /// A solution on one mesh, with the data that restore its discretisation.
 struct CoarseSolution {

@@ -1,50 +1,32 @@
 #include <research/study/kinds.hpp>
 
-#include <research/study/adaptivity.hpp>
-#include <research/study/compare.hpp>
-#include <research/study/compare_solvers.hpp>
-#include <research/study/continuity.hpp>
-#include <research/study/convergence.hpp>
-#include <research/study/penalty.hpp>
-#include <research/study/stability.hpp>
-#include <research/study/thickness.hpp>
+#include <research/study/studies.hpp>
 
 #include <algorithm>
 #include <array>
 
 namespace plastron::study {
 
-namespace {
-
-using Variants = decltype(Kind::variants);
-
-Kind kind_of(std::string_view name, decltype(Kind::run) run, Variants variants = nullptr) {
-  const KindName& of = *find_kind_name(name);
-  return {of.name, of.question, run, of.options, variants, run == adaptivity};
-}
-
-}  // namespace
-
 std::span<const Kind> kinds() {
-  static const std::array all{
-      kind_of("convergence", convergence),
-      kind_of("adaptivity", adaptivity),
-      kind_of("penalty", penalty, penalty_variants),
-      kind_of("thickness", thickness, thickness_study_variants),
-      kind_of("continuity", continuity, continuity_variants),
-      kind_of("stability", stability, stability_variants),
-      kind_of("soft-modes", soft_modes),
+  static constexpr std::array all{
+      Kind{"convergence", convergence},
+      Kind{"adaptivity", adaptivity, nullptr, true},
+      Kind{"penalty", penalty, penalty_variants},
+      Kind{"thickness", thickness, thickness_study_variants},
+      Kind{"continuity", continuity, continuity_variants},
+      Kind{"stability", stability, stability_variants},
+      Kind{"soft-modes", soft_modes},
   };
   return all;
 }
 
 const Kind& comparison() {
-  static constexpr Kind kind{"compare", "all formulations side by side", compare};
+  static constexpr Kind kind{"compare", compare};
   return kind;
 }
 
 const Kind& solver_comparison() {
-  static constexpr Kind kind{"compare-solvers", "all contact solvers side by side", compare_solvers};
+  static constexpr Kind kind{"compare-solvers", compare_solvers};
   return kind;
 }
 

@@ -1,4 +1,4 @@
-#include <research/study/mesh_picture.hpp>
+#include <research/study/report.hpp>
 
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/zones/sub_cells.hpp>

@@ -1,11 +1,9 @@
 // U_p is followed from p = 1 downwards and set against the tangent solution U on the same meshes. Theorem 3 makes their
-// difference fall with p; locking, which falls with the mesh, makes it rise again: docs/methods/study-penalty.md.
-#include <research/study/penalty.hpp>
-
+// difference fall with p; locking, which falls with the mesh, makes it rise again: docs/research/penalty.md.
 #include <plastron/computation/solve.hpp>
-#include <research/study/energy_distance.hpp>
-#include <research/study/exponents.hpp>
-#include <research/study/formulations.hpp>
+#include <research/study/measures.hpp>
+#include <research/study/studies.hpp>
+#include <research/study/variations.hpp>
 
 #include <fmt/format.h>
 

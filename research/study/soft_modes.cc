@@ -1,14 +1,13 @@
 // The first eight eigenvalues of a(V, W) = theta (V, W)_X without any support: three translations and three rotations are
 // the kernel of the strains (the rigid movement lemma). The relaxed forms see r . a_3 through its gradient only, so on
 // developable surfaces a constant r . a_3 costs nothing either.
-#include <research/study/stability.hpp>
-
 #include <plastron/geometry/frame.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/meshing/sizes.hpp>
-#include <research/spectra/soft_modes.hpp>
-#include <research/study/exponents.hpp>
-#include <research/study/formulations.hpp>
+#include <research/spectra/spectra.hpp>
+#include <research/study/measures.hpp>
+#include <research/study/studies.hpp>
+#include <research/study/variations.hpp>
 
 #include <fmt/format.h>
 
@@ -68,14 +67,6 @@ struct Samples {
   std::string classical_left_out{};  ///< why; empty if it is not
 };
 
-double mesh_size(const assembly::DiscreteShell& discrete) {
-  double area = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    area += discrete.points[i].weight;
-  area = algebra::sum_over_ranks(area, discrete.space().layout->comm);
-  return std::sqrt(area / static_cast<double>(discrete.space().global_cells));
-}
-
 /// The shell in one formulation, with nothing that holds or loads it.
 assembly::ShellDescription free_shell(const problem::Problem& problem, Formulation formulation) {
   assembly::ShellDescription shell = in_formulation(problem, formulation).shell;
@@ -102,8 +93,8 @@ Samples compute(problem::Problem problem, MPI_Comm comm, const StudyObserver& ob
       if (observer.stage) observer.stage(fmt::format("mesh {}: {}", level, element::to_string(formulation)));
       const auto discrete = assembly::discretise(meshes.space(), surface, free_shell(problem, formulation));
       samples.developable = is_developable(*discrete);
-      samples.all.push_back(
-          {formulation, level, mesh_size(*discrete), spectra::softest_modes(*discrete, first_modes, samples.length)});
+      samples.all.push_back({formulation, level, shell_size(*discrete).mesh_size,
+                             spectra::softest_modes(*discrete, first_modes, samples.length)});
     }
   }
   std::ranges::stable_sort(samples.all, {}, &Sample::formulation);
@@ -141,10 +132,8 @@ std::vector<Sample> of(const std::vector<Sample>& samples, Formulation formulati
 /// theta, on every mesh, of the stiffest of the modes that are soft on the finest one.
 std::vector<double> stiffest_soft(const std::vector<Sample>& samples) {
   const int soft = samples.back().soft();
-  std::vector<double> theta;
-  theta.reserve(samples.size());
-  for (const Sample& s : samples) theta.push_back(soft > 0 ? s.modes[static_cast<std::size_t>(soft - 1)].stiffness : 0);
-  return theta;
+  return column(samples,
+                [&](const Sample& s) { return soft > 0 ? s.modes[static_cast<std::size_t>(soft - 1)].stiffness : 0; });
 }
 
 Claim counted(const std::vector<Sample>& samples, bool developable) {
@@ -174,9 +163,7 @@ Claim counted(const std::vector<Sample>& samples, bool developable) {
 /// two meshes where theta is more than rounding.
 void examine_rate(const std::vector<Sample>& samples, int degree, Table& table) {
   const std::vector<double> theta = stiffest_soft(samples);
-  std::vector<double> h;
-  h.reserve(samples.size());
-  for (const Sample& s : samples) h.push_back(s.mesh_size);
+  const std::vector<double> h = column(samples, &Sample::mesh_size);
   const std::string name(element::to_string(samples.front().formulation));
   const std::string statement = fmt::format("{}: the soft modes become free like h^{} or faster", name, 2 * degree);
   std::vector<double> relative;
@@ -205,17 +192,10 @@ io::Plot plot_of(const std::vector<Sample>& samples) {
   for (const Formulation formulation : formulations) {
     const auto some = of(samples, formulation);
     if (some.empty()) continue;
-    io::Series softest{
-        .label = fmt::format("stiffest soft mode, {}", to_string(formulation)), .x = {}, .y = stiffest_soft(some)};
-    io::Series eighth{
-        .label = fmt::format("eighth mode, {}", to_string(formulation)), .x = {}, .y = {}, .dashed = true};
-    for (const Sample& s : some) {
-      softest.x.push_back(s.mesh_size);
-      eighth.x.push_back(s.mesh_size);
-      eighth.y.push_back(s.modes.back().stiffness);
-    }
-    plot.series.push_back(std::move(softest));
-    plot.series.push_back(std::move(eighth));
+    const std::vector<double> h = column(some, &Sample::mesh_size);
+    const std::vector<double> eighth = column(some, [](const Sample& s) { return s.modes.back().stiffness; });
+    plot.series.push_back({fmt::format("stiffest soft mode, {}", to_string(formulation)), h, stiffest_soft(some)});
+    plot.series.push_back({fmt::format("eighth mode, {}", to_string(formulation)), h, eighth, true});
   }
   return plot;
 }

@@ -1,24 +1,129 @@
-// The constants of coercivity (alpha) and of the inf-sup conditions (beta_b, beta_c) over mesh size and thickness: the table,
-// and what it says about the claims.
-#include <research/study/stability.hpp>
-
+// The constants of coercivity (alpha) and of the inf-sup conditions (beta_b, beta_c) over mesh size and thickness
+// (docs/research/stability.md).
 #include <plastron/meshing/sizes.hpp>
-#include <research/study/exponents.hpp>
-#include <research/study/stability_samples.hpp>
+#include <plastron/meshing/sequence.hpp>
+#include <research/spectra/spectra.hpp>
+#include <research/study/measures.hpp>
+#include <research/study/studies.hpp>
 #include <research/study/variations.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <memory>
 
 namespace plastron::study {
 
 namespace {
 
-using Sample = StabilitySample;
+// ---- computation -------------------------------------------------------------------------------------------------------
+
+/// One thickness on one mesh. NaN where a constant is not defined.
+struct Sample {
+  double factor = 1;
+  double thickness = 0;  ///< mean e [m]
+  int level = 0;
+  double mesh_size = 0;  ///< h, of a cell [m]
+  std::int64_t nodes = 0;
+  double alpha = no_value, relative_alpha = no_value;       ///< [J]; relative: alpha / (E e^3)
+  double b = no_value, c_dual = no_value, c_l2 = no_value;  ///< inf-sup constants
+};
 using Samples = std::vector<Sample>;
 using Value = double Sample::*;
+
+assembly::ShellDescription without_loads(const problem::Problem& problem, bool with_gap) {
+  assembly::ShellDescription shell = problem.shell;
+  shell.loads = {};
+  if (!with_gap) shell.obstacles = {};
+  return shell;
+}
+
+/// Computes the samples. All constants are extreme eigenvalues: no load and no solution enters.
+class Stability {
+ public:
+  Stability(const problem::Problem& problem, const std::vector<double>& factors, double length, MPI_Comm comm,
+            const StudyObserver& observer)
+      : problem_(problem), factors_(factors), length_(length), comm_(comm), observer_(observer) {}
+
+  /// From thick to thin, for each thickness from coarse to fine. Empty if interrupted.
+  Samples samples() {
+    const int finest = problem_.discretisation.refinements;
+    fem::MeshSequence meshes = meshing::mesh_sequence(problem_, comm_);
+    surface_ = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem_.charts);
+    Samples all;
+    for (int level = 0; level <= finest; ++level) {
+      if (level > 0) meshes.refine({});
+      if (level + 3 < finest) continue;  // h, h/2, h/4, h/8
+      const std::optional<double> b = inf_sup_of_b(meshes.space(), level);
+      for (const double factor : factors_) {
+        if (computation::wants_to_stop(observer_.solve, comm_)) return {};
+        all.push_back(measure(meshes.space(), level, factor));
+        all.back().b = b.value_or(no_value);
+      }
+    }
+    std::ranges::stable_sort(all, std::ranges::greater{}, &Sample::factor);
+    return all;
+  }
+
+ private:
+  using SpacePointer = std::shared_ptr<const fem::Space>;
+
+  void tell(int level, const std::string& what) const {
+    if (observer_.stage) observer_.stage(fmt::format("mesh {}: {}", level, what));
+  }
+
+  /// Neither b nor the norms contain the thickness or the formulation: one value a mesh.
+  std::optional<double> inf_sup_of_b(const SpacePointer& space, int level) {
+    tell(level, "inf-sup constant of b");
+    const problem::Problem mixed = in_formulation(problem_, element::Formulation::mixed);
+    return spectra::tangency_inf_sup(*assembly::discretise(space, surface_, without_loads(mixed, false)), length_);
+  }
+
+  Sample measure(const SpacePointer& space, int level, double factor) {
+    const problem::Problem thin = with_thickness_scaled(problem_, factor);
+    tell(level, fmt::format("coercivity, thickness times {:g}", factor));
+    const auto discrete = assembly::discretise(space, surface_, without_loads(thin, false));
+    const ShellSize size = shell_size(*discrete);
+    Sample sample{.factor = factor,
+                  .thickness = size.thickness,
+                  .level = level,
+                  .mesh_size = size.mesh_size,
+                  .nodes = space->layout->global_size};
+    sample.alpha = spectra::softest_modes(*discrete, 1, length_).at(0).stiffness;
+    sample.relative_alpha = sample.alpha / (problem_.shell.sections.softest().young() * std::pow(sample.thickness, 3));
+    if (problem_.shell.obstacles.empty()) return sample;
+    tell(level, fmt::format("inf-sup constant of c, thickness times {:g}", factor));
+    measure_contact(space, thin, sample);
+    return sample;
+  }
+
+  /// Takes the least constant over the obstacles, each by itself. Gaps of several obstacles may share a coordinate, and then
+  /// their multipliers never act together.
+  void measure_contact(const SpacePointer& space, const problem::Problem& thin, Sample& sample) {
+    const auto least = [](double& known, double value) { known = std::isnan(known) ? value : std::min(known, value); };
+    const assembly::ShellDescription all = without_loads(thin, true);
+    for (const obstacle::Obstacle& obstacle : all.obstacles.all) {
+      assembly::ShellDescription alone = all;
+      alone.obstacles.all = {obstacle};
+      const auto touching = assembly::discretise(space, surface_, alone);
+      if (const auto c = spectra::contact_inf_sup(*touching, length_)) {
+        least(sample.c_dual, c->dual);
+        least(sample.c_l2, c->l2);
+      }
+    }
+  }
+
+  const problem::Problem& problem_;
+  const std::vector<double>& factors_;
+  double length_;  ///< L of the norms [m]
+  MPI_Comm comm_;
+  const StudyObserver& observer_;
+  std::shared_ptr<const fem::Surface> surface_{};
+};
+
+// ---- the table and its claims ------------------------------------------------------------------------------------------
 
 Table stability_table() {
   return {.name = "stability",
@@ -40,13 +145,6 @@ void add_rows(const Samples& samples, double length, Table& table) {
   for (const Sample& s : samples)
     table.rows.push_back({s.factor, s.thickness, static_cast<std::int64_t>(s.level), s.mesh_size, s.nodes, s.alpha,
                           s.relative_alpha, s.b, s.c_dual, s.c_l2, s.c_l2 * length / s.mesh_size});
-}
-
-std::vector<double> column(const Samples& samples, Value value) {
-  std::vector<double> values;
-  values.reserve(samples.size());
-  for (const Sample& s : samples) values.push_back(s.*value);
-  return values;
 }
 
 template <class Wanted>
@@ -176,7 +274,8 @@ std::vector<Variant> stability_variants(const problem::Problem& problem, const S
 Report stability(const problem::Problem& problem, const StudyOptions& options, MPI_Comm comm,
                  const StudyObserver& observer) {
   const double length = meshing::extent(problem);
-  const auto samples = stability_samples(problem, factors_of(options), length, comm, observer);
+  const std::vector<double> factors = factors_of(options);
+  const Samples samples = Stability(problem, factors, length, comm, observer).samples();
   Report report{.table = stability_table(), .plot = {}};
   if (samples.empty()) return report.status = contact::Status::interrupted, report;
   add_rows(samples, length, report.table);

@@ -1,12 +1,10 @@
 // The same mid-surface, ever thinner. For a linear problem with load l the energy l(U) / 2 grows like 1/e in membrane
 // dominated shells and like 1/e^3 in bending dominated ones; r tends to Koiter's rotation.
-#include <research/study/thickness.hpp>
-
 #include <plastron/computation/solve.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <research/spectra/field_norms.hpp>
-#include <research/study/energy_distance.hpp>
-#include <research/study/exponents.hpp>
+#include <research/study/measures.hpp>
+#include <research/study/studies.hpp>
 #include <research/study/variations.hpp>
 
 #include <fmt/format.h>
@@ -34,61 +32,38 @@ struct Sample {
   std::int64_t touching = 0;
 };
 
-/// Sums over the mid-surface.
-struct Measures {
-  double area = 0, mean_thickness = 0, sharpest_curvature = 0;
-};
-
-Measures measure(const assembly::DiscreteShell& discrete) {
-  Measures m;
-  const MPI_Comm comm = discrete.space().layout->comm;
-  double volume = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-    m.area += discrete.points[i].weight;
-    volume += discrete.points[i].weight * discrete.points[i].thickness;
-  }
+double sharpest_curvature(const assembly::DiscreteShell& discrete) {
+  double sharpest = 0;
   for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
     for (int q = 0; q < discrete.shell.tables().points_per_cell(); ++q)
       for (const double kappa : geometry::principal_curvatures(discrete.shell.point(c, q).frame))
-        m.sharpest_curvature = std::max(m.sharpest_curvature, std::abs(kappa));
-  m.area = algebra::sum_over_ranks(m.area, comm);
-  m.mean_thickness = algebra::sum_over_ranks(volume, comm) / m.area;
-  m.sharpest_curvature = algebra::max_over_ranks(m.sharpest_curvature, comm);
-  return m;
+        sharpest = std::max(sharpest, std::abs(kappa));
+  return algebra::max_over_ranks(sharpest, discrete.space().layout->comm);
 }
 
 Sample sample_of(const computation::Result& result, const problem::Problem& problem, double factor,
                  double load_factor) {
   const assembly::DiscreteShell& discrete = *result.solution->discrete;
   const algebra::Vector& y = result.solution->nodal.y;
-  const Measures m = measure(discrete);
+  const ShellSize size = shell_size(discrete);
   const double work = result.summary.load_work / load_factor;
   const double r = std::sqrt(spectra::squared_norms(discrete.shell, y).r);
   const double energy = result.summary.energy.total() + result.summary.tangency_energy;
   const double noise = relative_noise(*result.solution, std::sqrt(2 * energy));
   // An error of so many J^{1/2} can all be shear: k mu e |2 delta|^2 <= its square.
   const shell::Material& material = problem.shell.sections.softest();
-  const double shear_noise =
-      noise * std::sqrt(2 * energy / (material.shear_correction * material.mu * m.mean_thickness));
+  const double shear_noise = noise * std::sqrt(2 * energy / (material.shear_correction * material.mu * size.thickness));
   return {.factor = factor,
-          .thickness = m.mean_thickness,
+          .thickness = size.thickness,
           .load_factor = load_factor,
           .energy = result.summary.energy,
           .stiffness = 2 * energy / (work * work),
           .noise = noise < too_noisy ? result.certificate.energy_identity : noise,
           .koiter = std::sqrt(spectra::squared_distance_to_koiter(discrete.shell, y)) / r,
           .koiter_noise = noise < too_noisy ? shear_noise / r : std::numeric_limits<double>::infinity(),
-          .mesh_size = std::sqrt(m.area / static_cast<double>(discrete.space().global_cells)),
-          .layer = std::sqrt(m.mean_thickness / m.sharpest_curvature),
+          .mesh_size = size.mesh_size,
+          .layer = std::sqrt(size.thickness / sharpest_curvature(discrete)),
           .touching = result.summary.touching_nodes};
-}
-
-template <class Take>
-std::vector<double> column(const std::vector<Sample>& samples, const Take& take) {
-  std::vector<double> values;
-  values.reserve(samples.size());
-  for (const Sample& s : samples) values.push_back(take(s));
-  return values;
 }
 
 Table thickness_table() {

@@ -1,5 +1,7 @@
 #include <research/study/variations.hpp>
 
+#include <plastron/examination/examine.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,6 +54,25 @@ problem::Problem linear_and_homogeneous(problem::Problem problem) {
     for (auto& value : body.fixed)
       if (value) value = 0;
   return problem;
+}
+
+problem::Problem on_uniform_meshes(problem::Problem problem) {
+  if (!problem.accuracy) return problem;
+  problem.accuracy.reset();
+  if (problem.discretisation.refinements == 0)
+    problem.discretisation.refinements = problem::Discretisation{}.refinements;
+  return problem;
+}
+
+problem::Problem in_formulation(problem::Problem problem, element::Formulation formulation) {
+  problem.shell.tangency.formulation = formulation;
+  return problem;
+}
+
+std::string refusal(const problem::Problem& problem, element::Formulation formulation) {
+  for (const examination::Finding& finding : examination::examine(in_formulation(problem, formulation)))
+    if (finding.severity == examination::Severity::error) return finding.text;
+  return "";
 }
 
 bool has_prescribed_motion(const problem::Problem& problem) {

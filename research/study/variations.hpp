@@ -1,6 +1,10 @@
 // A problem with one thing changed.
 #pragma once
-#include <research/study/kinds.hpp>
+#include <plastron/problem/problem.hpp>
+#include <research/study/report.hpp>
+
+#include <string>
+#include <vector>
 
 namespace plastron::study {
 
@@ -14,6 +18,13 @@ void raise(obstacle::Obstacle& half_space, double height);
 problem::Problem with_loads_scaled(problem::Problem problem, double factor);
 /// Supports hold the same components at zero, and there is no obstacle: the linear problem on V.
 problem::Problem linear_and_homogeneous(problem::Problem problem);
+/// The problem on uniform meshes, for studies that compare these. A case that leaves meshes to its accuracy gets the default
+/// number of refinements.
+problem::Problem on_uniform_meshes(problem::Problem problem);
+
+problem::Problem in_formulation(problem::Problem problem, element::Formulation formulation);
+/// Why `run` would refuse the problem in this formulation; empty if it would not.
+std::string refusal(const problem::Problem& problem, element::Formulation formulation);
 
 /// A support prescribes something other than zero, at some place.
 bool has_prescribed_motion(const problem::Problem& problem);

@@ -5,7 +5,7 @@
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <research/spectra/soft_modes.hpp>
+#include <research/spectra/spectra.hpp>
 
 #include <cmath>
 #include <numbers>

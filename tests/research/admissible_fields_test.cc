@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/meshing/sequence.hpp>
-#include <research/study/nearest_admissible.hpp>
-#include <research/study/nodal_interpolant.hpp>
+#include <research/study/falk.hpp>
+#include <research/study/nested_meshes.hpp>
 
 #include <algorithm>
 #include <array>

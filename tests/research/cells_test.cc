@@ -33,14 +33,6 @@ Problem small_panel(const Element& element) {
   return p;
 }
 
-StudyOptions few() {
-  StudyOptions options;
-  options.reference = 1;
-  options.samples = 1;
-  options.factors = {1, 0.5};
-  return options;
-}
-
 std::vector<const Kind*> all_kinds() {
   std::vector<const Kind*> all{&comparison()};
   for (const Kind& kind : kinds()) all.push_back(&kind);
@@ -51,8 +43,8 @@ void expect_computed(const Kind& kind, Problem problem) {
   SCOPED_TRACE(kind.name);
   // Its own accuracy is far for elements of degree 1.
   if (kind.name == "adaptivity") problem.accuracy = problem::Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 3000};
-  ASSERT_FALSE(examination::has_errors(study::examine(kind, problem, few())));
-  const Report report = kind.run(problem, few(), MPI_COMM_SELF, {});
+  ASSERT_FALSE(examination::has_errors(study::examine(kind, problem, few_samples(1))));
+  const Report report = kind.run(problem, few_samples(1), MPI_COMM_SELF, {});
   EXPECT_EQ(report.status, contact::Status::solved);
   EXPECT_FALSE(report.table.rows.empty());
   EXPECT_FALSE(report.table.claims.empty());
@@ -94,7 +86,7 @@ std::int64_t nodes(const Element& element, int level) {
 // Triangles are quadrilaterals cut crosswise, with a node in the middle of each.
 TEST(Stability, IsThatOfTheCellsOfTheCase) {
   for (const Element& element : {Element{Shape::triangle, 1}, Element{Shape::quadrilateral, 1}}) {
-    const Report report = find_kind("stability")->run(small_panel(element), few(), MPI_COMM_SELF, {});
+    const Report report = find_kind("stability")->run(small_panel(element), few_samples(1), MPI_COMM_SELF, {});
     for (std::int64_t row = 0; row < 4; ++row)
       EXPECT_EQ(std::get<std::int64_t>(report.table.rows[static_cast<std::size_t>(row)][4]),
                 nodes(element, static_cast<int>(row % 2)));
@@ -104,7 +96,7 @@ TEST(Stability, IsThatOfTheCellsOfTheCase) {
 TEST(SoftModesStudy, IsThatOfTheCellsOfTheCase) {
   std::vector<double> sizes;
   for (const Shape cells : {Shape::triangle, Shape::quadrilateral}) {
-    const Report report = find_kind("soft-modes")->run(small_panel({cells, 1}), few(), MPI_COMM_SELF, {});
+    const Report report = find_kind("soft-modes")->run(small_panel({cells, 1}), few_samples(1), MPI_COMM_SELF, {});
     sizes.push_back(numbers(report.table, "mesh").front());
   }
   EXPECT_NEAR(sizes[1] / sizes[0], 2, 1e-2);  // four triangles to a quadrilateral
@@ -116,7 +108,7 @@ TEST(SoftModesStudy, LeavesTheClassicalFormulationOutWhereCurvatureJumps) {
   p.charts.clear();
   p.charts.emplace("flat", Chart({"x", "y", "0.06"}, {}));
   p.charts.emplace("round", Chart({"1 + sin(x - 1)", "y", "1.06 - cos(x - 1)"}, {}));
-  const Report report = find_kind("soft-modes")->run(p, few(), MPI_COMM_SELF, {});
+  const Report report = find_kind("soft-modes")->run(p, few_samples(1), MPI_COMM_SELF, {});
   EXPECT_THAT(report.table.remarks, testing::Contains(testing::HasSubstr("classical left out")));
   for (const auto& row : report.table.rows) EXPECT_NE(std::get<std::string>(row.front()), "classical");
 }

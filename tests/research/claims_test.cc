@@ -20,14 +20,6 @@ Report run(const std::string& name, const problem::Problem& problem, const Study
   return kind.run(problem, options, MPI_COMM_SELF, {});
 }
 
-StudyOptions few() {
-  StudyOptions options;
-  options.reference = 1;
-  options.samples = 2;
-  options.factors = {1, 0.5};
-  return options;
-}
-
 /// A shallow shell, clamped at one side, that nothing loads.
 problem::Problem unloaded() {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
@@ -53,7 +45,7 @@ TEST(Claim, SpeaksOneOfThreeVerdicts) {
 TEST(EveryStudy, OfAShellThatDoesNotMoveCanJudgeNoSolution) {
   for (const std::string name : {"convergence", "penalty", "thickness", "continuity", "compare"}) {
     SCOPED_TRACE(name);
-    const Report report = run(name, unloaded(), few());
+    const Report report = run(name, unloaded(), few_samples());
     EXPECT_EQ(report.status, contact::Status::solved);
     ASSERT_FALSE(report.table.claims.empty());
     for (const Claim& claim : report.table.claims) {
@@ -68,7 +60,7 @@ TEST(EveryStudy, OfAShellThatMovesRigidlyCanJudgeNoSolution) {
   p.shell.supports.front().components[2].value = Expression(0.3);
   for (const std::string name : {"convergence", "penalty", "thickness", "compare"}) {
     SCOPED_TRACE(name);
-    for (const Claim& claim : run(name, p, few()).table.claims)
+    for (const Claim& claim : run(name, p, few_samples()).table.claims)
       EXPECT_EQ(claim.verdict, Verdict::cannot_be_judged) << claim.statement << ": " << claim.measured;
   }
 }
@@ -76,7 +68,7 @@ TEST(EveryStudy, OfAShellThatMovesRigidlyCanJudgeNoSolution) {
 TEST(EveryStudy, OnOneMeshAndWithOneThicknessCannotJudgeHowThingsChange) {
   problem::Problem p = pressed_strip();
   p.discretisation.refinements = 0;
-  StudyOptions options = few();
+  StudyOptions options = few_samples();
   options.factors = {1};
   for (const std::string name : {"convergence", "thickness", "stability", "compare"}) {
     SCOPED_TRACE(name);
@@ -85,7 +77,7 @@ TEST(EveryStudy, OnOneMeshAndWithOneThicknessCannotJudgeHowThingsChange) {
 }
 
 TEST(Convergence, OfAStripInTheAirSaysNothingOfContact) {
-  const Table table = run("convergence", strip_in_the_air(), few()).table;
+  const Table table = run("convergence", strip_in_the_air(), few_samples()).table;
   EXPECT_EQ(claim_on(table, "without obstacle: the error").verdict, Verdict::holds);
   for (const std::string part : {"with obstacle: the error in", "Falk"}) {
     EXPECT_EQ(claim_on(table, part).verdict, Verdict::cannot_be_judged);
@@ -97,7 +89,7 @@ TEST(Convergence, OfAStripInTheAirSaysNothingOfContact) {
 TEST(Convergence, OfAShellWithCornersDoesNotHaveTheOrderOfSmoothSolutions) {
   problem::Problem p = cantilever_plate();
   p.discretisation.degree = 3;
-  const Table table = run("convergence", p, few()).table;
+  const Table table = run("convergence", p, few_samples()).table;
   EXPECT_EQ(claim_on(table, "falls from mesh to mesh").verdict, Verdict::holds);
   EXPECT_EQ(claim_on(table, "Cea").verdict, Verdict::does_not_hold) << claim_on(table, "Cea").measured;
 }
@@ -108,13 +100,13 @@ TEST(Convergence, WhoseErrorsAreRoundingSaysSo) {
   p.shell.supports = {held("left", {Direction::x}), held("bottom", {Direction::y, Direction::z})};
   p.shell.supports.push_back({.boundary = "left", .components = {fixed(Unknown::displacement, Direction::z)}});
   p.shell.loads.on_edges = {{.boundary = "right", .force = vector(1, 0, 0), .couple = vector(0, 0, 0)}};
-  const Table table = run("convergence", p, few()).table;
+  const Table table = run("convergence", p, few_samples()).table;
   expect_none_judged(table, "rounding");
   EXPECT_TRUE(std::isnan(table.fits.front().exponent));
 }
 
 TEST(Continuity, OfAStripInTheAirSaysNothingOfTheObstaclesHeight) {
-  const Table table = run("continuity", strip_in_the_air(), few()).table;
+  const Table table = run("continuity", strip_in_the_air(), few_samples()).table;
   EXPECT_EQ(claim_on(table, "obstacle").verdict, Verdict::cannot_be_judged);
   EXPECT_EQ(claim_on(table, "load").verdict, Verdict::holds);
   for (const double ratio : numbers(table, "ratio", "height")) EXPECT_TRUE(std::isnan(ratio));
@@ -123,7 +115,7 @@ TEST(Continuity, OfAStripInTheAirSaysNothingOfTheObstaclesHeight) {
 TEST(Continuity, GivesTheReasonForAKindThatItLeavesOut) {
   problem::Problem p = pressed_strip();
   p.shell.supports = {held("left", {Direction::x, Direction::y}), held("right", {Direction::y})};
-  const Claim load = claim_on(run("continuity", p, few()).table, "load");
+  const Claim load = claim_on(run("continuity", p, few_samples()).table, "load");
   EXPECT_EQ(load.verdict, Verdict::cannot_be_judged);
   EXPECT_THAT(load.reason, HasSubstr("rigid motion"));
 }
@@ -133,7 +125,7 @@ TEST(Thickness, WithoutRotationSaysNothingOfKoiters) {
   problem::Problem p = free_plate();
   p.shell.supports = {clamped("left")};
   p.shell.loads.on_areas = {force(1, 0, 0)};
-  const Table table = run("thickness", p, few()).table;
+  const Table table = run("thickness", p, few_samples()).table;
   EXPECT_EQ(claim_on(table, "Koiter").verdict, Verdict::cannot_be_judged);
   EXPECT_EQ(claim_on(table, "stiffness").verdict, Verdict::holds);
 }
@@ -141,14 +133,14 @@ TEST(Thickness, WithoutRotationSaysNothingOfKoiters) {
 TEST(Thickness, IsJudgedByTheWholeEnergyInRelaxedFormulations) {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
   p.shell.tangency.formulation = element::Formulation::penalised;
-  const Claim claim = claim_on(run("thickness", p, few()).table, "stiffness");
+  const Claim claim = claim_on(run("thickness", p, few_samples()).table, "stiffness");
   EXPECT_EQ(claim.verdict, Verdict::holds) << claim.measured << claim.reason;
 }
 
 TEST(Stability, WithoutObstacleOrHeldRotationSaysSo) {
   problem::Problem p = cantilever_plate();
   p.shell.supports = {held("left", {Direction::x, Direction::y, Direction::z}), held("right", {Direction::z})};
-  const Table table = run("stability", p, few()).table;
+  const Table table = run("stability", p, few_samples()).table;
   EXPECT_THAT(claim_on(table, "beta_b").reason, HasSubstr("no support holds a rotation"));
   EXPECT_THAT(claim_on(table, "beta_c").reason, HasSubstr("without obstacle"));
   EXPECT_EQ(claim_on(table, "alpha").verdict, Verdict::holds);
@@ -216,8 +208,8 @@ TEST(Thickness, IsStoppedWhereAFactorMakesTheShellTooThick) {
 }
 
 TEST(Options, AreThoseOfTheStudiesThatTakeThem) {
-  EXPECT_TRUE(takes_option(*find_kind("convergence"), "reference"));
-  EXPECT_FALSE(takes_option(*find_kind("convergence"), "samples"));
+  EXPECT_TRUE(takes_option(*find_kind_name("convergence"), "reference"));
+  EXPECT_FALSE(takes_option(*find_kind_name("convergence"), "samples"));
   EXPECT_EQ(kinds_that_take("factors"), "thickness, stability");
   EXPECT_EQ(kinds_that_take("output"), "");
 }

@@ -1,8 +1,6 @@
 // plastron compare and the penalty study: what their tables say.
 #include <research/referees/solvers.hpp>
-#include <research/study/compare.hpp>
-#include <research/study/compare_solvers.hpp>
-#include <research/study/penalty.hpp>
+#include <research/study/studies.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
-#include <research/study/continuity.hpp>
+#include <research/study/studies.hpp>
 
 #include <algorithm>
 

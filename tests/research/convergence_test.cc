@@ -1,7 +1,7 @@
 // The study of convergence finds the rates that theory gives.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <research/study/convergence.hpp>
+#include <research/study/studies.hpp>
 
 #include <cmath>
 #include <cstddef>

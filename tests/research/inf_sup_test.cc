@@ -3,9 +3,7 @@
 
 #include <plastron/assembly/normal_rotation.hpp>
 #include <research/spectra/field_norms.hpp>
-#include <research/spectra/h1_matrix.hpp>
-#include <research/spectra/inf_sup.hpp>
-#include <research/spectra/soft_modes.hpp>
+#include <research/spectra/spectra.hpp>
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "computation/problems.hpp"
+#include "research/tables.hpp"
 
 namespace plastron::study {
 namespace {
@@ -43,10 +44,7 @@ void expect_same(const Report& together, const Report& alone) {
 TEST(Studies, find_the_same_on_any_number_of_ranks) {
   problem::Problem p = pressed_strip();
   p.discretisation.refinements = 1;
-  StudyOptions options;
-  options.reference = 1;
-  options.samples = 2;
-  options.factors = {1, 0.5};
+  const StudyOptions options = few_samples();
   for (const Kind& kind : kinds()) {
     SCOPED_TRACE(kind.name);
     expect_same(kind.run(p, options, MPI_COMM_WORLD, {}), kind.run(p, options, MPI_COMM_SELF, {}));

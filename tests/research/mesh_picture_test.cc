@@ -1,8 +1,7 @@
 // Pictures of meshes hold every cell once, the vertices that hang, and the zone that touches.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
-#include <research/study/adaptivity.hpp>
-#include <research/study/mesh_picture.hpp>
+#include <research/study/studies.hpp>
 
 #include <algorithm>
 #include <cmath>

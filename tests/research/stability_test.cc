@@ -1,6 +1,6 @@
 // The constants that proofs rest on do not degrade, and the soft modes are those that theory names.
 #include <gtest/gtest.h>
-#include <research/study/stability.hpp>
+#include <research/study/studies.hpp>
 
 #include "computation/problems.hpp"
 #include "research/tables.hpp"

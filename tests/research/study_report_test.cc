@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <io/scratch_directory.hpp>
-#include <research/report/mesh_pictures.hpp>
 #include <research/report/study_report.hpp>
 
 #include <cmath>

@@ -15,14 +15,6 @@ namespace {
 
 using namespace test;
 
-StudyOptions few() {
-  StudyOptions options;
-  options.reference = 1;
-  options.samples = 2;
-  options.factors = {1, 0.5};
-  return options;
-}
-
 /// Of a quantity in `unit`; NaN for seconds, which are never the same, and for a column of quantities of several kinds.
 double scale_of(const std::string& unit, const Units& u) {
   const double work = u.force * u.length;
@@ -67,7 +59,7 @@ void expect_like(const Table& table, const Table& plain, const Units& units, std
 const Report& in_plain_units(const Kind& kind) {
   static std::map<std::string, Report> known;
   const std::string name(kind.name);
-  if (!known.contains(name)) known.emplace(name, kind.run(panel({}), few(), MPI_COMM_SELF, {}));
+  if (!known.contains(name)) known.emplace(name, kind.run(panel({}), few_samples(), MPI_COMM_SELF, {}));
   return known.at(name);
 }
 
@@ -81,7 +73,7 @@ TEST_P(EveryStudy, FindsTheSameInAllUnits) {
   for (const Kind& kind : kinds()) all.push_back(&kind);
   for (const Kind* kind : all) {
     SCOPED_TRACE(kind->name);
-    const Report report = kind->run(panel(GetParam()), few(), MPI_COMM_SELF, {});
+    const Report report = kind->run(panel(GetParam()), few_samples(), MPI_COMM_SELF, {});
     const Report& plain = in_plain_units(*kind);
     ASSERT_EQ(report.status, contact::Status::solved);
     // How small a p can be computed is for rounding to say.

@@ -1,12 +1,21 @@
-// Reading the table of a study in a test.
+// Options of a short study, and reading its table in a test.
 #pragma once
 #include <gtest/gtest.h>
-#include <research/study/table.hpp>
+#include <research/names/study_names.hpp>
+#include <research/study/report.hpp>
 
 #include <string>
 #include <vector>
 
 namespace plastron::study {
+
+inline StudyOptions few_samples(int samples = 2) {
+  StudyOptions options;
+  options.reference = 1;
+  options.samples = samples;
+  options.factors = {1, 0.5};
+  return options;
+}
 
 /// The numbers of a column, of the rows whose first text entry is `of` (empty: of all rows).
 inline std::vector<double> numbers(const Table& table, const std::string& column, const std::string& of = "") {

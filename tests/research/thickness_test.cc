@@ -1,6 +1,6 @@
 // The study of thin shells tells bending from membrane dominated ones.
 #include <gtest/gtest.h>
-#include <research/study/thickness.hpp>
+#include <research/study/studies.hpp>
 
 #include "computation/problems.hpp"
 #include "research/tables.hpp"

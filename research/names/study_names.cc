@@ -1,4 +1,4 @@
-#include <research/names/kind_names.hpp>
+#include <research/names/study_names.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,6 +32,10 @@ std::span<const KindName> kind_names() {
 const KindName* find_kind_name(std::string_view name) {
   const auto found = std::ranges::find(kind_names(), name, &KindName::name);
   return found == kind_names().end() ? nullptr : &*found;
+}
+
+bool takes_option(const KindName& kind, std::string_view option) {
+  return std::ranges::find(kind.options, option) != kind.options.end();
 }
 
 std::string kinds_that_take(std::string_view option) {

@@ -1,6 +1,6 @@
-// Exponents of power laws.
+// Measures of solutions: exponents of power laws.
 #include <gtest/gtest.h>
-#include <research/study/exponents.hpp>
+#include <research/study/measures.hpp>
 
 #include <cmath>
 #include <vector>
