@@ -1,14 +1,7 @@
 // The commands of plastron-study.
 #include "command_line.hpp"
 #include "console.hpp"
-#include "stage_progress.hpp"
-#include "commands.hpp"
-#include "event_log.hpp"
-#include "exit_codes.hpp"
-#include "interruption.hpp"
 
-#include "outcome.hpp"
-#include "reading.hpp"
 #include "status_line.hpp"
 #include "terminal.hpp"
 

@@ -12,7 +12,6 @@ namespace plastron::study {
 
 namespace {
 
-
 /// The results of one solver on all meshes.
 struct Run {
   std::string name;

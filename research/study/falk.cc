@@ -1,9 +1,9 @@
 #include <research/study/falk.hpp>
 
+#include <Eigen/LU>
 #include <plastron/element/formulation.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <research/study/measures.hpp>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

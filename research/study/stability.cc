@@ -1,7 +1,7 @@
 // The constants of coercivity (alpha) and of the inf-sup conditions (beta_b, beta_c) over mesh size and thickness
 // (docs/research/stability.md).
-#include <plastron/meshing/sizes.hpp>
 #include <plastron/meshing/sequence.hpp>
+#include <plastron/meshing/sizes.hpp>
 #include <research/spectra/spectra.hpp>
 #include <research/study/measures.hpp>
 #include <research/study/studies.hpp>
