@@ -36,7 +36,7 @@ std::string text_of(const Section& section, const Key& key) {
   };
   add("value", config::description(key.kind));
   add("unit", key.unit);
-  add("allowed", key.words.empty() ? key.range.text(key.name) : config::joined(config::word_names(key.words)));
+  add("allowed", key.words.empty() ? key.range.text(key.name) : config::joined(key.words));
   add("default", key.required ? "none, it is required" : key.fallback);
   add("written", written(key));
   add("section", section.path.empty() ? section.header : fmt::format("{} ({})", section.header, section.path));
@@ -55,8 +55,6 @@ std::string text_of(const Section& section) {
   return text;
 }
 
-std::vector<std::string> word_aliases(const Key& key) { return config::word_names(key.words); }
-
 }  // namespace
 
 std::vector<Topic> case_topics() {
@@ -67,7 +65,7 @@ std::vector<Topic> case_topics() {
     for (const Key& key : section.keys)
       if (!is_section(path_of(section, key)))
         topics.push_back(
-            {path_of(section, key), "key of the case file", word_aliases(key), [&] { return text_of(section, key); }});
+            {path_of(section, key), "key of the case file", key.words, [&] { return text_of(section, key); }});
   }
   return topics;
 }

@@ -2,8 +2,10 @@
 #include "inquiries.hpp"
 #include "terminal.hpp"
 
-#include <plastron/config/json_schema.hpp>
+#include <plastron/config/schema.hpp>
 #include <plastron/io/results_schema.hpp>
+
+#include <nlohmann/json.hpp>
 
 namespace plastron::app {
 
