@@ -60,7 +60,7 @@ std::string text_of(const Section& section, const Key& key) {
   };
   add("value", config::description(key.kind));
   add("unit", key.unit);
-  add("allowed", key.words.empty() ? key.range.text(key.name) : config::joined(config::word_names(key.words)));
+  add("allowed", key.words.empty() ? key.range.text(key.name) : config::joined(key.words));
   add("default", key.required ? "none; required" : key.fallback);
   add("written", written(key));
   add("section", section.path.empty() ? section.header : fmt::format("{} ({})", section.header, section.path));
@@ -79,8 +79,6 @@ std::string text_of(const Section& section) {
   return text;
 }
 
-std::vector<std::string> word_aliases(const Key& key) { return config::word_names(key.words); }
-
 /// Returns sections of the case file and their keys.
 std::vector<Topic> case_topics() {
   std::vector<Topic> topics;
@@ -90,7 +88,7 @@ std::vector<Topic> case_topics() {
     for (const Key& key : section.keys)
       if (!is_section(path_of(section, key)))
         topics.push_back(
-            {path_of(section, key), "key of the case file", word_aliases(key), [&] { return text_of(section, key); }});
+            {path_of(section, key), "key of the case file", key.words, [&] { return text_of(section, key); }});
   }
   return topics;
 }

@@ -5,7 +5,7 @@
 #include "terminal.hpp"
 
 #include <plastron/config/case.hpp>
-#include <plastron/config/json_schema.hpp>
+#include <plastron/config/schema.hpp>
 #include <plastron/io/results_schema.hpp>
 
 #include <sys/resource.h>

@@ -35,10 +35,8 @@ void add_warnings(const std::vector<examination::Finding>& findings, std::vector
 
 /// Returns the case file and the files that it names, before anything is solved. Each rank reads the same files.
 io::CaseSource source_of(const config::Case& c, const Options& options) {
-  std::vector<std::pair<std::string, std::filesystem::path>> files;
-  for (const config::InputFile& file : c.files) files.emplace_back(file.name, file.path);
   auto source =
-      algebra::in_agreement(MPI_COMM_WORLD, [&] { return io::case_source(options.case_file, c.text, files); });
+      algebra::in_agreement(MPI_COMM_WORLD, [&] { return io::case_source(options.case_file, c.text, c.files); });
   source.settings = options.settings;
   return source;
 }
@@ -46,7 +44,7 @@ io::CaseSource source_of(const config::Case& c, const Options& options) {
 /// Returns the paths of the case file and of the files that it names.
 std::vector<std::filesystem::path> inputs_of(const config::Case& c, const Options& options) {
   std::vector<std::filesystem::path> inputs{options.case_file};
-  for (const config::InputFile& file : c.files) inputs.push_back(file.path);
+  for (const auto& [name, path] : c.files) inputs.push_back(path);
   return inputs;
 }
 

@@ -113,10 +113,10 @@ void print_versions(const io::Json& results, bool quiet) {
 
 /// Checks that results.json has checksums of the files that the case names.
 void check_names(const config::Case& c, const io::Claims& claims) {
-  for (const config::InputFile& file : c.files)
-    if (std::ranges::find(claims.files, file.name, &io::SourceFile::name) == claims.files.end())
+  for (const auto& [name, path] : c.files)
+    if (std::ranges::find(claims.files, name, &io::SourceFile::name) == claims.files.end())
       throw io::UnusableResults(
-          fmt::format("the case names the file \"{}\", and results.json has no checksum of it", file.name));
+          fmt::format("the case names the file \"{}\", and results.json has no checksum of it", name));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // The JSON Schema of the case file says what the declarations say. That validators understand it is tests/cli/validate_schemas.py.
 #include <gtest/gtest.h>
-#include <plastron/config/json_schema.hpp>
 #include <plastron/config/schema.hpp>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace plastron::config {

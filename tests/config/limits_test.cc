@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <plastron/config/case.hpp>
-#include <plastron/config/limits.hpp>
+#include <plastron/config/schema.hpp>
 
 #include <ctime>
 #include <filesystem>

@@ -55,9 +55,9 @@ TEST(FilesOfACase, AreListedAndMayLieInAnotherFolderThanTheCase) {
   const Case c = read_case(file, folder);
   EXPECT_EQ(c.text, text);
   ASSERT_EQ(c.files.size(), 2u);
-  EXPECT_EQ(c.files[0].name, "hills.asc");
-  EXPECT_EQ(c.files[0].path, folder / "hills.asc");
-  EXPECT_EQ(c.files[1].name, "box.obj");
+  EXPECT_EQ(c.files[0].first, "hills.asc");
+  EXPECT_EQ(c.files[0].second, folder / "hills.asc");
+  EXPECT_EQ(c.files[1].first, "box.obj");
   std::filesystem::remove(file);
 }
 

@@ -1,7 +1,6 @@
 // The declarations, the structs they fill and the manual agree.
 #include <gtest/gtest.h>
 #include <plastron/config/case.hpp>
-#include <plastron/config/describe.hpp>
 #include <plastron/config/schema.hpp>
 
 #include <cstdlib>

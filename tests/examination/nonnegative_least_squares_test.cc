@@ -1,5 +1,5 @@
 // Against brute force over all sets of columns, and the optimality conditions.
-#include <plastron/examination/nonnegative_least_squares.hpp>
+#include <plastron/examination/rigid_motions.hpp>
 
 #include <gtest/gtest.h>
 #include <Eigen/QR>

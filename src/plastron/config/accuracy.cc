@@ -12,10 +12,10 @@ namespace {
 
 /// Tolerance of energy and reaction in a case without mesh and accuracy.
 constexpr double default_tolerance = 1e-3;
+constexpr Range tolerances{.low = 1e-10, .high = 0.5};
 
 void read_other_goals(Table& accuracy, const std::vector<std::string>& known, problem::Accuracy& given) {
   Reading& reading = accuracy.reading();
-  const Range range = section("accuracy").keys.front().range;
   for (const auto& [name, value] : accuracy.other_entries()) {
     if (std::ranges::count(known, name) == 0) {
       reading.report(
@@ -24,39 +24,73 @@ void read_other_goals(Table& accuracy, const std::vector<std::string>& known, pr
           joined(known), did_you_mean(name, known));
       continue;
     }
-    if (const auto tolerance = read_number(reading, Item{value, name, range})) {
+    if (const auto tolerance = read_number(reading, Item{value, name, tolerances})) {
       given.goals.push_back({name, *tolerance});
       accuracy.effective[name] = *tolerance;
     }
   }
 }
 
-}  // namespace
-
-void read_accuracy(Table& root, problem::Problem& problem) {
-  if (!root.has("accuracy") && root.has("mesh")) return;
-  auto table = root.table("accuracy");
-  if (!table) return;
+void read_goals(Table& table, const problem::Problem& problem, problem::Accuracy& given) {
   const std::vector<std::string> known = problem::goal_names(problem);
-  problem::Accuracy given;
   for (const char* name : {"energy", "reaction", "contact_area"}) {
-    const auto tolerance = table->number(name);
+    const auto tolerance = table.number(name);
     if (!tolerance) continue;
     if (std::ranges::count(known, name) == 0)
-      table->report(name, fmt::format("there is no obstacle, and so no {}", name), joined(known), "leave it out");
+      table.report(name, fmt::format("there is no obstacle, and so no {}", name), joined(known), "leave it out");
     given.goals.push_back({name, *tolerance});
   }
-  const bool asks_for_none = given.goals.empty() && table->other_entries().empty();
-  read_other_goals(*table, known, given);
+  const bool asks_for_none = given.goals.empty() && table.other_entries().empty();
+  read_other_goals(table, known, given);
   for (const char* name : {"energy", "reaction"})
     if (asks_for_none && std::ranges::count(known, name) > 0) {
       given.goals.push_back({name, default_tolerance});
-      table->effective[name] = default_tolerance;
+      table.effective[name] = default_tolerance;
     }
-  given.max_unknowns = table->number("max_unknowns").value_or(given.max_unknowns);
-  given.max_seconds = table->number("max_seconds").value_or(given.max_seconds);
-  root.effective["accuracy"] = table->effective;
-  problem.accuracy = std::move(given);
+}
+
+}  // namespace
+
+std::vector<Section> accuracy_sections() {
+  return {
+      {"accuracy",
+       "[accuracy]",
+       "What is to be accurate, and how: meshes are refined where it matters until twice all estimated errors are "
+       "below "
+       "their tolerances, judged by the errors of recovered stress resultants and by a solution at one degree more on "
+       "the same cells (triangles: on two meshes in a row). Tolerances are relative to the number's own size, or to a "
+       "thousandth of the largest of its kind where that is more: a component that vanishes by symmetry has no digits; "
+       "that of all obstacles together is relative to the sum of what each bears, and holds for each one's own force, "
+       "too. Without [mesh] and [accuracy] the tolerances of energy and reaction are 1e-3. All triangles are refined "
+       "together, and so are cells along joined edges and along edges of rigid bodies. A mesh that would not fit into "
+       "the memory of the machine is not "
+       "begun; then the status is accuracy_not_reached.",
+       {key("energy", Kind::number, {.range = tolerances}, "tolerance of the stored energy"),
+        key("reaction", Kind::number, {.range = tolerances},
+            "tolerance of the norm of the obstacles' reaction, of all together and of each"),
+        key("contact_area", Kind::number, {.range = tolerances}, "tolerance of the area of the contact zones"),
+        key("max_unknowns", &problem::Accuracy::max_unknowns, {.fallback = "2e6", .range = {.low = 1}},
+            "no solution has more unknowns, nor the one that judges it; if that does not do, the status is "
+            "accuracy_not_reached"),
+        key("max_seconds", &problem::Accuracy::max_seconds, {.unit = "s", .range = Range::positive()},
+            "no mesh is begun that would end later, steps on it included, and the first mesh apart none goes on "
+            "beyond; if that does not do, the status is accuracy_not_reached")},
+       {},
+       "tolerances of other numbers of results.json, by their names in quotes: \"probe.NAME.u.z\" and its like for u, "
+       "r, N, M, Q; \"probe.NAME.stress_upper.11\", stress_middle, stress_lower, .von_mises; \"stress\", the largest "
+       "of von Mises; "
+       "\"support.BOUNDARY.force.z\"; \"obstacle.NAME.force.z\", .area and, of one that a force presses, .position; "
+       "load_work"}};
+}
+
+void read_accuracy(Table& root, problem::Problem& problem) {
+  if (!root.has("accuracy") && root.has("mesh")) return;
+  root.in_table("accuracy", [&](Table& table) {
+    problem::Accuracy given;
+    read_goals(table, problem, given);
+    table.fill(given);
+    problem.accuracy = std::move(given);
+  });
 }
 
 }  // namespace plastron::config

@@ -1,5 +1,4 @@
 #include <plastron/config/case.hpp>
-#include <plastron/config/limits.hpp>
 #include <plastron/config/overrides.hpp>
 #include <plastron/config/sections.hpp>
 
@@ -16,19 +15,11 @@ namespace {
 
 /// Returns the kind of a file system entry that is not a regular file.
 std::string kind_of(std::filesystem::file_type type) {
-  switch (type) {
-    case std::filesystem::file_type::directory:
-      return "a directory";
-    case std::filesystem::file_type::fifo:
-      return "a pipe";
-    case std::filesystem::file_type::character:
-    case std::filesystem::file_type::block:
-      return "a device";
-    case std::filesystem::file_type::socket:
-      return "a socket";
-    default:
-      return "no file with contents";
-  }
+  using enum std::filesystem::file_type;
+  if (type == directory) return "a directory";
+  if (type == fifo) return "a pipe";
+  if (type == character || type == block) return "a device";
+  return type == socket ? "a socket" : "no file with contents";
 }
 
 /// Reads at most one byte beyond the limit, for any reported file size.
@@ -58,22 +49,22 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   result.title = root.text("title").value_or("");
   read_constants(root);
   read_shell(root, result.problem);
-  const auto domain = read_geometry(root, result.problem);
-  read_regions(root, domain, result.problem);
+  read_geometry(root, result.problem);
+  read_regions(root, result.problem);
   read_mesh(root, result.problem);
-  read_joins(root, domain, result.problem);
-  read_rigid_bodies(root, domain, result.problem);
-  read_supports(root, domain, result.problem);
-  read_loads(root, domain, result.problem);
+  read_joins(root, result.problem);
+  read_rigid_bodies(root, result.problem);
+  read_supports(root, result.problem);
+  read_loads(root, result.problem);
   read_gravity(root, result.problem);
   read_obstacles(root, result.problem);
   read_steps(root, result.problem);
-  read_probes(root, domain, result.problem);
-  read_lines(root, domain, result.problem);
+  read_probes(root, result.problem);
+  read_lines(root, result.problem);
   read_accuracy(root, result.problem);
   read_contact(root, result.problem);
   read_solver(root, result.problem);
-  read_units(root, result.problem.output.units);
+  read_units(root, result.problem);
   result.wants_report = read_output(root, result.problem);
   if (reading.more_mistakes)
     reading.mistakes.push_back(

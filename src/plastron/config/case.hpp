@@ -1,6 +1,5 @@
 // Reads a case file as a problem::Problem. Only this folder reads case files; the format is docs/case-file.md.
 #pragma once
-#include <plastron/config/input_file.hpp>
 #include <plastron/config/mistakes.hpp>
 #include <plastron/problem/problem.hpp>
 
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plastron::config {
@@ -16,10 +16,11 @@ struct Case {
   std::string title;
   geometry::Constants constants;
   problem::Problem problem;
-  bool wants_report = true;        ///< [output] report
-  nlohmann::json effective;        ///< all settings, including defaults, in the form of the case file
-  std::string text{};              ///< text of the case file, byte for byte; after `settings` the edited text
-  std::vector<InputFile> files{};  ///< files that the case names: meshes, rasters, surfaces
+  bool wants_report = true;  ///< [output] report
+  nlohmann::json effective;  ///< all settings, including defaults, in the form of the case file
+  std::string text{};        ///< text of the case file, byte for byte; after `settings` the edited text
+  /// Files that the case names: meshes, rasters, surfaces. Each has its name as written in the case, and its path.
+  std::vector<std::pair<std::string, std::filesystem::path>> files{};
 };
 
 /// Reads a case. `settings` replace keys of the file, for example "shell.thickness=0.02" (overrides.hpp). Throws

@@ -1,3 +1,4 @@
+// Reads [constants].
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 #include <plastron/geometry/quotation.hpp>
@@ -37,6 +38,16 @@ bool check_name(Reading& reading, const std::string& name, const toml::value& va
 }
 
 }  // namespace
+
+std::vector<Section> constants_sections() {
+  return {
+      {"constants",
+       "[constants]",
+       "Any name = a number or an expression of the constants above it. A name has letters, digits and _, does not "
+       "begin with a digit, has at most 60 characters, and is not x, y, pi or a function's name; nor is it a name that "
+       "the libraries behind expressions know: log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan.",
+       {}}};
+}
 
 void read_constants(Table& root) {
   Reading& reading = root.reading();

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <plastron/config/describe.hpp>
 #include <plastron/config/schema.hpp>
 
 namespace plastron::config {
@@ -73,9 +72,7 @@ than a mesh a person would make is refused, too: a rectangle has at most a milli
 
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
-std::string allowed(const Key& key) {
-  return key.words.empty() ? code(key.range.text(key.name)) : joined(word_names(key.words));
-}
+std::string allowed(const Key& key) { return key.words.empty() ? code(key.range.text(key.name)) : joined(key.words); }
 
 std::string fallback(const Key& key) { return key.required ? "required" : code(key.fallback); }
 

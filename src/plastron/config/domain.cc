@@ -1,4 +1,4 @@
-// Reads [geometry] domain.
+// Reads [geometry] domain: a shape or a mesh file.
 #include <plastron/config/printable.hpp>
 #include <plastron/config/sections.hpp>
 
@@ -44,62 +44,53 @@ bool check_regions(const Table& rectangle, const fem::Rectangle& r) {
   return false;
 }
 
-Domain read_rectangle(Table& rectangle) {
-  const auto from = rectangle.point("from"), to = rectangle.point("to");
-  const auto cells = rectangle.cell_counts("cells");
-  const auto breaks = rectangle.numbers("breaks");
-  const auto regions = rectangle.texts("regions");
-  if (!from || !to || !breaks || !regions || (rectangle.has("cells") && !cells)) return {};
-  const fem::Rectangle r{*from, *to, cells.value_or(std::array{0, 0}), *breaks, *regions};
+/// Checks a rectangle whose keys are read.
+bool is_valid(const Table& rectangle, const fem::Rectangle& r) {
   if (static_cast<double>(r.cells[0]) * r.cells[1] > most_cells) {
     rectangle.report("cells", fmt::format("{} x {} cells on the coarsest mesh", r.cells[0], r.cells[1]),
                      fmt::format("at most {:.0f} together", most_cells), "refine with mesh.refinements instead");
-    return {};
+    return false;
   }
   if (!(r.from.array() < r.to.array()).all()) {
     rectangle.report("to", fmt::format("to = [{}, {}] does not lie right of and above from = [{}, {}]", r.to[0],
                                        r.to[1], r.from[0], r.from[1]));
-    return {};
+    return false;
   }
-  return check_breaks(rectangle, r) && check_regions(rectangle, r) ? Domain(r) : std::nullopt;
+  return check_breaks(rectangle, r) && check_regions(rectangle, r);
 }
 
-Domain read_disk(Table& disk) {
-  const auto centre = disk.point("centre");
-  const auto radius = disk.number("radius");
-  return centre && radius ? Domain(fem::Disk{*centre, *radius}) : std::nullopt;
-}
+bool is_valid(const Table& /*disk*/, const fem::Disk& /*d*/) { return true; }
 
-Domain read_annulus(Table& annulus) {
-  const auto centre = annulus.point("centre");
-  const auto inner = annulus.number("inner"), outer = annulus.number("outer");
-  if (!centre || !inner || !outer) return {};
-  if (*inner < *outer) return fem::Annulus{*centre, *inner, *outer};
-  annulus.report("inner", fmt::format("the radius inner = {} is not less than outer = {}", *inner, *outer),
+bool is_valid(const Table& annulus, const fem::Annulus& a) {
+  if (a.inner < a.outer) return true;
+  annulus.report("inner", fmt::format("the radius inner = {} is not less than outer = {}", a.inner, a.outer),
                  "0 < inner < outer");
-  return {};
+  return false;
 }
 
-std::optional<Eigen::Vector2d> read_point(Reading& reading, const Item& item) {
-  const auto list = read_list(reading, item, Kind::point, 2, read_number);
-  if (!list) return {};
-  return Eigen::Vector2d((*list)[0], (*list)[1]);
+/// Reads a shape whose keys all go to members.
+template <class Shape>
+Domain read_members(Table& domain, const std::string& name) {
+  Domain result;
+  domain.in_table(name, [&](Table& table) {
+    Shape shape;
+    if (table.fill(shape) && is_valid(table, shape)) result = shape;
+  });
+  return result;
 }
 
 // Reads polygon = { corners = [...] } or polygon = [...].
 Domain read_polygon(Table& domain) {
-  toml::value corners = domain.value("polygon").value();
-  if (corners.is_table()) {
-    const auto given = domain.table("polygon")->value("corners");
-    if (!given) return {};
-    corners = *given;
-  }
+  std::optional<toml::value> given = domain.value("polygon");
+  if (given->is_table()) domain.in_table("polygon", [&](Table& polygon) { given = polygon.value("corners"); });
+  if (!given) return {};
+  const toml::value& corners = *given;
   Reading& reading = domain.reading();
-  const auto points = read_list(reading, Item{corners, "corners"}, Kind::points, 0, read_point);
+  const auto points = read_list(reading, Item{corners, "corners"}, Kind::points, 0, read_vector<2>);
   if (!points) return {};
   const std::string fault = polygon_fault(*points);
   if (!fault.empty()) {
-    reading.report(reading.source.value(corners), fault);
+    reading.report(corners, fault);
     return {};
   }
   auto& effective = domain.effective["polygon"]["corners"] = nlohmann::json::array();
@@ -127,34 +118,63 @@ Domain read_mesh_file(Table& domain) {
 
 }  // namespace
 
+std::vector<Section> domain_sections() {
+  using fem::Rectangle, fem::Disk, fem::Annulus;
+  return {
+      {"geometry.domain",
+       "domain",
+       "Exactly one of these.",
+       {key("rectangle", Kind::table, {}, "boundaries left, right, bottom, top (x min, x max, y min, y max)"),
+        key("disk", Kind::table, {}, "boundary rim"), key("annulus", Kind::table, {}, "boundaries inner, outer"),
+        key("polygon", Kind::table, {.shorthand = Kind::points},
+            "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]"),
+        key("mesh", Kind::text, {},
+            "a Gmsh file (.msh, format 2.2 or 4.1, ASCII) of quadrilaterals or triangles in the plane, its path "
+            "relative to the case file; physical surfaces name the regions, physical curves the boundaries: "
+            "a curve may lie inside of the domain, where the conormal n of supports points to the right of "
+            "the curve as drawn, and in several groups, which then all act on it; corners of more than one "
+            "degree are corners, so mesh curved boundaries with order 2 or more")},
+       {"rectangle", "disk", "annulus", "polygon", "mesh"}},
+      {"geometry.domain.rectangle",
+       "rectangle",
+       "A rectangle, possibly cut into regions side by side.",
+       {key("from", &Rectangle::from, {.fallback = "[0, 0]"}, "corner of least x and y"),
+        key("to", &Rectangle::to, {.required = true, .example = "[1, 1]"}, "corner of greatest x and y"),
+        key("cells", &Rectangle::cells, {.range = Range::between(1, 10000)},
+            "cells of the coarsest mesh along x and y; without it they are as square as can be"),
+        key("breaks", &Rectangle::breaks, {.fallback = "[]"}, "ascending x where one region ends and the next begins"),
+        key("regions", &Rectangle::regions, {.fallback = "[]"},
+            "names of the regions from left to right, one more than breaks")}},
+      {"geometry.domain.disk",
+       "disk",
+       "A disk.",
+       {key("centre", &Disk::centre, {.fallback = "[0, 0]"}, "its centre"),
+        key("radius", &Disk::radius, {.required = true, .range = Range::positive(), .example = "1"}, "its radius")}},
+      {"geometry.domain.annulus",
+       "annulus",
+       "A disk with a concentric hole.",
+       {key("centre", &Annulus::centre, {.fallback = "[0, 0]"}, "its centre"),
+        key("inner", &Annulus::inner, {.required = true, .range = Range::positive(), .example = "0.5"},
+            "radius of the hole"),
+        key("outer", &Annulus::outer, {.required = true, .range = Range::positive(), .example = "1"},
+            "outer radius, greater than inner")}},
+      {"geometry.domain.polygon",
+       "polygon",
+       "A polygon whose sides do not cross.",
+       {key("corners", Kind::points, {.required = true, .example = "[[0, 0], [1, 0], [0, 1]]"},
+            "three to 500 corners, in either sense")}}};
+}
+
 std::optional<fem::Domain> read_domain(Table& geometry) {
-  auto domain = geometry.table("domain");
-  if (!domain) return {};
-  std::vector<std::string> given;
-  const auto shapes = names(section("geometry.domain").keys);
-  std::ranges::copy_if(shapes, std::back_inserter(given), [&](const std::string& name) { return domain->has(name); });
-  if (given.size() != 1) {
-    if (given.empty())
-      geometry.report("domain", "domain names no shape", joined(shapes),
-                      "for example domain = { disk = { radius = 1 } }");
-    else
-      domain->reading().report(domain->key_place(given[1]),
-                               fmt::format("domain has both {} and {}", given[0], given[1]),
-                               fmt::format("one of {}", joined(shapes)));
-    return {};
-  }
   Domain result;
-  if (given[0] == "polygon") {
-    result = read_polygon(*domain);
-  } else if (given[0] == "mesh") {
-    result = read_mesh_file(*domain);
-  } else if (auto shape = domain->table(given[0])) {
-    result = given[0] == "rectangle" ? read_rectangle(*shape)
-             : given[0] == "disk"    ? read_disk(*shape)
-                                     : read_annulus(*shape);
-    domain->effective[given[0]] = shape->effective;
-  }
-  geometry.effective["domain"] = domain->effective;
+  geometry.in_table("domain", [&](Table& domain) {
+    const auto shape = domain.shape("domain = { disk = { radius = 1 } }");
+    if (shape == "rectangle") result = read_members<fem::Rectangle>(domain, *shape);
+    if (shape == "disk") result = read_members<fem::Disk>(domain, *shape);
+    if (shape == "annulus") result = read_members<fem::Annulus>(domain, *shape);
+    if (shape == "polygon") result = read_polygon(domain);
+    if (shape == "mesh") result = read_mesh_file(domain);
+  });
   return result;
 }
 

@@ -22,11 +22,11 @@ void report_chart(Reading& reading, const Item& item, const Formulas& formulas) 
   for (std::size_t i = 0; i < 3; ++i) try {
       const geometry::Chart alone({formulas[i], "0", "0"}, reading.constants);
     } catch (const geometry::NotDifferentiable& error) {
-      reading.report(reading.source.value(item.value.as_array()[i]),
+      reading.report(item.value.as_array()[i],
                      fmt::format("entry {} of {} cannot be differentiated twice: {}", i + 1, item.name, error.reason),
                      fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
     } catch (const geometry::ExpressionError& error) {
-      reading.report(reading.source.value(item.value.as_array()[i]), error.what());
+      reading.report(item.value.as_array()[i], error.what());
     }
 }
 
@@ -77,8 +77,6 @@ void read_charts_by_region(const Table& geometry, const toml::value& table, cons
                       joined(regions));
 }
 
-}  // namespace
-
 void read_charts(Table& geometry, const fem::Domain& domain, problem::Problem& problem) {
   const auto given = geometry.value("chart");
   if (!given) return;
@@ -90,20 +88,35 @@ void read_charts(Table& geometry, const fem::Domain& domain, problem::Problem& p
     read_chart(geometry, Item{*given, "chart"}, "", problem, effective);
 }
 
-std::optional<fem::Domain> read_geometry(Table& root, problem::Problem& problem) {
-  auto geometry = root.table("geometry");
-  if (!geometry) return {};
-  auto domain = read_domain(*geometry);
-  if (domain) {
-    problem.domain = *domain;
-    read_charts(*geometry, *domain, problem);
-  } else if (const auto chart = geometry->value("chart"); chart && !chart->is_table()) {
-    const Item item{*chart, "chart"};  // its own mistakes are found for any domain
-    nlohmann::json unused;
-    read_chart(*geometry, item, "", problem, unused);
-  }
-  root.effective["geometry"] = geometry->effective;
-  return domain;
+}  // namespace
+
+std::vector<Section> geometry_sections() {
+  std::vector<Section> all{
+      {"geometry",
+       "[geometry]",
+       "The mid-surface is the image of a plane domain under the chart.",
+       {key("domain", Kind::table, {.required = true, .example = "{ disk = { radius = 1 } }"},
+            "the domain of the parameters x, y"),
+        key("chart", Kind::formulas, {.unit = "m", .required = true, .example = "[\"x\", \"y\", \"0\"]"},
+            "the point of the mid-surface, three expressions; for a domain of named regions also a table "
+            "region = [three expressions]")}}};
+  std::ranges::move(domain_sections(), std::back_inserter(all));
+  return all;
+}
+
+void read_geometry(Table& root, problem::Problem& problem) {
+  root.in_table("geometry", [&](Table& geometry) {
+    const auto domain = read_domain(geometry);
+    root.reading().domain = domain;
+    if (domain) {
+      problem.domain = *domain;
+      read_charts(geometry, *domain, problem);
+    } else if (const auto chart = geometry.value("chart"); chart && !chart->is_table()) {
+      const Item item{*chart, "chart"};  // its own mistakes are found for any domain
+      nlohmann::json unused;
+      read_chart(geometry, item, "", problem, unused);
+    }
+  });
 }
 
 }  // namespace plastron::config

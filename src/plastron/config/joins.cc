@@ -2,39 +2,44 @@
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 
-#include <algorithm>
-
 namespace plastron::config {
 
 namespace {
 
-bool is_boundary(Table& table, const std::string& name, const std::optional<fem::Domain>& domain) {
-  const auto known = domain ? fem::boundary_names(*domain) : std::vector<std::string>{};
+bool is_boundary(const Table& join, const std::string& name) {
+  const auto known = join.reading().boundaries();
   if (known.empty() || std::ranges::count(known, name) > 0) return true;
-  table.report("boundaries", fmt::format("the domain has no boundary \"{}\"", name), joined(known),
-               did_you_mean(name, known));
+  join.report("boundaries", fmt::format("the domain has no boundary \"{}\"", name), joined(known),
+              did_you_mean(name, known));
   return false;
 }
 
 }  // namespace
 
-void read_joins(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
-  auto& effective = root.effective["join"] = nlohmann::json::array();
-  for (Table& table : root.tables("join")) {
-    const auto names = table.texts("boundaries");
-    effective.push_back(table.effective);
-    if (!names) continue;
-    if (names->size() != 2) {
-      table.report("boundaries", fmt::format("a join has {} boundaries", names->size()), "two");
-      continue;
-    }
-    if ((*names)[0] == (*names)[1]) {
-      table.report("boundaries", fmt::format("\"{}\" is to be joined to itself", (*names)[0]), "two boundaries");
-      continue;
-    }
-    if (is_boundary(table, (*names)[0], domain) && is_boundary(table, (*names)[1], domain))
-      problem.joins.push_back({{(*names)[0], (*names)[1]}});
-  }
+std::vector<Section> join_sections() {
+  return {{"join",
+           "[[join]]",
+           "Two edges that lie on each other in space and are joined there: a rectangle closes to a tube, or pieces of "
+           "a mesh file "
+           "make one shell. Where they meet at an angle, they share u and the rotation about the edge; a3 must not "
+           "point to "
+           "opposite sides.",
+           {key("boundaries", Kind::names, {.required = true, .example = "[\"left\", \"right\"]"},
+                "the two boundaries of the domain, divided into the same cells")}}};
+}
+
+void read_joins(Table& root, problem::Problem& problem) {
+  root.in_tables("join", [&](Table& join) {
+    const auto given = join.texts("boundaries");
+    if (!given) return;
+    const std::vector<std::string>& names = *given;
+    if (names.size() != 2)
+      join.report("boundaries", fmt::format("a join has {} boundaries", names.size()), "two");
+    else if (names[0] == names[1])
+      join.report("boundaries", fmt::format("\"{}\" is to be joined to itself", names[0]), "two boundaries");
+    else if (is_boundary(join, names[0]) && is_boundary(join, names[1]))
+      problem.joins.push_back({{names[0], names[1]}});
+  });
 }
 
 }  // namespace plastron::config

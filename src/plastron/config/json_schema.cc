@@ -1,12 +1,10 @@
-#include <plastron/config/json_schema.hpp>
-#include <plastron/config/limits.hpp>
 #include <plastron/config/schema.hpp>
-
-#include <toml.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <toml.hpp>
 
 namespace plastron::config {
 
@@ -34,7 +32,7 @@ Schema number(const char* type, const Range& range) {
 
 Schema word_of(const Key& key) {
   Schema value = text();
-  if (!key.words.empty()) value["enum"] = word_names(key.words);
+  if (!key.words.empty()) value["enum"] = key.words;
   return value;
 }
 
@@ -52,51 +50,28 @@ Schema free_table() {
 }
 
 Schema schema_of(const Key& key, Kind kind, const std::string& path) {
-  Schema real = number("number", key.range), formula = any_of({{{"type", "number"}}, text()});
-  switch (kind) {
-    case Kind::text:
-    case Kind::name:
-      return text();
-    case Kind::word:
-      return word_of(key);
-    case Kind::word_or_false:
-      return any_of({word_of(key), {{"enum", {false}}}});
-    case Kind::boolean:
-      return {{"type", "boolean"}};
-    case Kind::integer:
-      return number("integer", key.range);
-    case Kind::number:
-    case Kind::field:
-      return real;
-    case Kind::numbers:
-      return list_of(real);
-    case Kind::point:
-      return list_of(real, 2);
-    case Kind::vector:
-    case Kind::field_vector:
-      return list_of(real, 3);
-    case Kind::vectors:
-      return list_of(list_of(real, 3));
-    case Kind::cell_counts:
-      return list_of(number("integer", key.range), 2);
-    case Kind::names:
-      return list_of(word_of(key));
-    case Kind::name_or_names:
-      return any_of({text(), list_of(text())});
-    case Kind::points:
-      return list_of(list_of(real, 2));
-    case Kind::space_formula:
-      return formula;
-    case Kind::formulas:
-      return any_of({list_of(formula, 3), {{"type", "object"}, {"additionalProperties", list_of(formula, 3)}}});
-    case Kind::table:
-      return is_declared(path) ? reference(path) : Schema{{"type", "object"}};
-    case Kind::tables:
-      return list_of(reference(path));
-    case Kind::free_table:
-      return is_declared(path) ? reference(path) : free_table();
-  }
-  return Schema::object();
+  const auto is = [kind](auto... kinds) { return ((kind == kinds) || ...); };
+  const Schema real = number("number", key.range), formula = any_of({{{"type", "number"}}, text()});
+  if (is(Kind::text, Kind::name)) return text();
+  if (is(Kind::word)) return word_of(key);
+  if (is(Kind::word_or_false)) return any_of({word_of(key), {{"enum", {false}}}});
+  if (is(Kind::boolean)) return {{"type", "boolean"}};
+  if (is(Kind::integer)) return number("integer", key.range);
+  if (is(Kind::number, Kind::field)) return real;
+  if (is(Kind::numbers)) return list_of(real);
+  if (is(Kind::point)) return list_of(real, 2);
+  if (is(Kind::vector, Kind::field_vector)) return list_of(real, 3);
+  if (is(Kind::vectors)) return list_of(list_of(real, 3));
+  if (is(Kind::cell_counts)) return list_of(number("integer", key.range), 2);
+  if (is(Kind::names)) return list_of(word_of(key));
+  if (is(Kind::name_or_names)) return any_of({text(), list_of(text())});
+  if (is(Kind::points)) return list_of(list_of(real, 2));
+  if (is(Kind::space_formula)) return formula;
+  if (is(Kind::formulas))
+    return any_of({list_of(formula, 3), {{"type", "object"}, {"additionalProperties", list_of(formula, 3)}}});
+  if (is(Kind::tables)) return list_of(reference(path));
+  if (is_declared(path)) return reference(path);
+  return is(Kind::table) ? Schema{{"type", "object"}} : free_table();
 }
 
 Schema json_of(const toml::value& value) {

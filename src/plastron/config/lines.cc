@@ -1,8 +1,6 @@
 // Reads [[probe]] and [[line]]: the places where results are requested.
-#include <plastron/config/limits.hpp>
 #include <plastron/config/sections.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -33,34 +31,36 @@ std::vector<Eigen::Vector2d> along(const std::vector<Eigen::Vector2d>& corners, 
   return points;
 }
 
-std::vector<Eigen::Vector2d> on_arc(Table& arc, std::size_t count) {
-  const Eigen::Vector2d centre = arc.point("centre").value_or(Eigen::Vector2d::Zero());
-  const double radius = arc.number("radius").value_or(1), degree = std::numbers::pi / 180;
-  const double from = arc.number("from").value_or(0) * degree, to = arc.number("to").value_or(360) * degree;
+/// An arc in the parameter plane, with angles in degrees.
+struct Arc {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  double radius = 1, from = 0, to = 360;
+};
+
+std::vector<Eigen::Vector2d> on_arc(const Arc& arc, std::size_t count) {
+  const double degree = std::numbers::pi / 180, from = arc.from * degree, to = arc.to * degree;
   std::vector<Eigen::Vector2d> points;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
-    points.push_back(centre + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    points.push_back(arc.centre + arc.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   return points;
 }
 
-std::vector<Eigen::Vector2d> read_points(Table& table, const std::optional<fem::Domain>& domain) {
+std::vector<Eigen::Vector2d> read_points(Table& table) {
   const auto count = static_cast<std::size_t>(std::max(table.integer("points").value_or(101), 2));
   if (table.has("through") == table.has("arc")) {
     const std::string what = "a line goes either through points or along an arc";
     if (table.has("arc"))
       table.report("arc", what, "through or arc", "remove one of them");
     else
-      table.reading().report(table.place(), what, "through or arc", "write through = [[0, 0], [1, 0]]");
+      table.report_here(what, "through or arc", "write through = [[0, 0], [1, 0]]");
     return {};
   }
   if (table.has("arc")) {
-    auto arc = table.table("arc");
-    if (!arc) return {};
-    auto points = on_arc(*arc, count);
-    table.effective["arc"] = arc->effective;
-    return points;
+    Arc arc;
+    table.in_table("arc", [&](Table& keys) { keys.fill(arc); });
+    return on_arc(arc, count);
   }
   const auto corners = table.points("through");
   if (!corners) return {};
@@ -75,40 +75,68 @@ std::vector<Eigen::Vector2d> read_points(Table& table, const std::optional<fem::
     return {};
   }
   for (const Eigen::Vector2d& at : *corners)
-    if (domain && !may_contain(*domain, at))
+    if (!may_contain(table.reading(), at))
       table.report("through", fmt::format("the point [{}, {}] is outside the domain", at[0], at[1]));
   return along(*corners, count);
 }
 
+Section probe_section() {
+  return {"probe",
+          "[[probe]]",
+          "A point where displacements, resultants and gap are reported.",
+          {key("name", Kind::name, {.required = true, .example = "\"centre\""}, "a name no other probe has"),
+           key("at", &problem::Probe::at, {.required = true, .example = "[0, 0]"}, "a point of the domain")}};
+}
+
+Section line_section() {
+  return {"line",
+          "[[line]]",
+          "Points of the domain along which every field is written, a row a point, to line-NAME.csv.",
+          {key("name", Kind::name, {.required = true, .example = "\"meridian\""},
+               "a name no other line has, of letters, digits, - and _"),
+           key("through", Kind::points, {}, "two points or more, joined by straight pieces"),
+           key("arc", Kind::table, {}, "an arc of a circle instead"),
+           key("points", Kind::integer, {.fallback = "101", .range = Range::between(2, 10000)},
+               "equidistant in the domain, the ends included")}};
+}
+
+Section arc_section() {
+  return {"line.arc",
+          "arc",
+          "An arc in the parameter plane.",
+          {key("centre", &Arc::centre, {.fallback = "[0, 0]"}, "its centre"),
+           key("radius", &Arc::radius, {.required = true, .range = Range::positive(), .example = "0.5"}, "its radius"),
+           key("from", &Arc::from, {.unit = "degrees", .fallback = "0"}, "angle from the x axis where it begins"),
+           key("to", &Arc::to, {.unit = "degrees", .fallback = "360"}, "angle where it ends")}};
+}
+
 }  // namespace
 
-void read_probes(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
-  auto& effective = root.effective["probe"] = nlohmann::json::array();
-  for (Table& table : root.tables("probe")) {
+std::vector<Section> probe_sections() { return {probe_section(), line_section(), arc_section()}; }
+
+void read_probes(Table& root, problem::Problem& problem) {
+  root.in_tables("probe", [&](Table& table) {
     const auto name = table.text("name");
-    const auto at = table.point("at");
     if (name && name->empty()) table.report("name", "a probe needs a name");
     if (name && std::ranges::count(problem.probes, *name, &problem::Probe::name) > 0)
       table.report("name", fmt::format("two probes are named \"{}\"", *name), "", "choose another name");
-    if (at && domain && !may_contain(*domain, *at))
-      table.report("at", fmt::format("the probe at [{}, {}] is outside the domain", (*at)[0], (*at)[1]));
-    problem.probes.push_back({name.value_or(""), at.value_or(Eigen::Vector2d::Zero())});
-    effective.push_back(table.effective);
-  }
+    problem::Probe probe{.name = name.value_or("")};
+    if (table.fill(probe) && !may_contain(table.reading(), probe.at))
+      table.report("at", fmt::format("the probe at [{}, {}] is outside the domain", probe.at[0], probe.at[1]));
+    problem.probes.push_back(std::move(probe));
+  });
 }
 
-void read_lines(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
-  auto& effective = root.effective["line"] = nlohmann::json::array();
-  for (Table& table : root.tables("line")) {
+void read_lines(Table& root, problem::Problem& problem) {
+  root.in_tables("line", [&](Table& table) {
     const auto name = table.text("name");
     if (name && !is_file_name(*name))
       table.report("name", "the name of a line is part of a file's name", "letters, digits, - and _",
                    "choose such a name");
     if (name && std::ranges::count(problem.lines, *name, &problem::Line::name) > 0)
       table.report("name", fmt::format("two lines are named \"{}\"", *name), "", "choose another name");
-    problem.lines.push_back({name.value_or(""), read_points(table, domain)});
-    effective.push_back(table.effective);
-  }
+    problem.lines.push_back({name.value_or(""), read_points(table)});
+  });
 }
 
 }  // namespace plastron::config

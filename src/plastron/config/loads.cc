@@ -11,14 +11,13 @@ assembly::VectorExpression vector_or_zero(Table& load, const char* name) {
   return {};
 }
 
-void read_edge_load(Table& load, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
-  const auto boundaries = read_boundaries(load, domain);
+void read_edge_load(Table& load, problem::Problem& problem) {
+  const auto boundaries = read_boundaries(load);
   if (load.has("pressure"))
-    load.reading().report(load.key_place("pressure"), "a load on a boundary has no pressure", "force, couple",
-                          "an edge is loaded by force = [x, y, z] per length");
+    load.report_key("pressure", "a load on a boundary has no pressure", "force, couple",
+                    "an edge is loaded by force = [x, y, z] per length");
   if (load.has("region"))
-    load.reading().report(load.key_place("region"), "a load acts on a boundary or on a region, not on both", "",
-                          "write two [[load]]");
+    load.report_key("region", "a load acts on a boundary or on a region, not on both", "", "write two [[load]]");
   const assembly::EdgeLoad result{
       .boundary = "", .force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
   for (const std::string& boundary : boundaries.value_or(std::vector<std::string>{})) {
@@ -27,33 +26,43 @@ void read_edge_load(Table& load, const std::optional<fem::Domain>& domain, probl
   }
 }
 
-void read_area_load(Table& load, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
+void read_area_load(Table& load, problem::Problem& problem) {
   assembly::AreaLoad result{.force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
   if (load.has("pressure"))
     result.pressure = load.field("pressure").value_or(geometry::Expression{});
   else
     load.effective["pressure"] = 0.0;
-  if (load.has("region")) {
-    const auto known = domain ? fem::region_names(*domain) : std::vector<std::string>{};
-    result.regions = load.name_list("region", "region", known).value_or(std::vector<std::string>{});
-  }
+  if (load.has("region"))
+    result.regions = load.name_list("region", "region", load.reading().regions()).value_or(std::vector<std::string>{});
   problem.shell.loads.on_areas.push_back(std::move(result));
 }
 
 }  // namespace
 
-void read_loads(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
-  auto& effective = root.effective["load"] = nlohmann::json::array();
-  for (Table& load : root.tables("load")) {
+std::vector<Section> load_sections() {
+  return {{"load",
+           "[[load]]",
+           "Dead loads, at least one of force, pressure and couple: per area of the mid-surface, or per length of a "
+           "boundary's curve if a boundary is named. Several loads add up.",
+           {key("boundary", Kind::name_or_names, {},
+                "a boundary of the domain or several; without it the load acts on the surface"),
+            key("region", Kind::name_or_names, {},
+                "a region of the domain or several; without it the load acts on all of the surface. Not together with "
+                "boundary"),
+            key("force", Kind::field_vector, {.unit = "N/m^2, N/m"}, "Cartesian force"),
+            key("pressure", Kind::field, {.unit = "N/m^2"}, "force along the normal a3; not on a boundary"),
+            key("couple", Kind::field_vector, {.unit = "N m/m^2, N m/m"}, "Cartesian vector that works on r")}}};
+}
+
+void read_loads(Table& root, problem::Problem& problem) {
+  root.in_tables("load", [&](Table& load) {
     if (!load.has("force") && !load.has("pressure") && !load.has("couple"))
-      load.reading().report(load.place(), "[[load]] has neither force nor pressure nor couple", "",
-                            "add for example force = [0, 0, -1]");
+      load.report_here("[[load]] has neither force nor pressure nor couple", "", "add for example force = [0, 0, -1]");
     if (load.has("boundary"))
-      read_edge_load(load, domain, problem);
+      read_edge_load(load, problem);
     else
-      read_area_load(load, domain, problem);
-    effective.push_back(load.effective);
-  }
+      read_area_load(load, problem);
+  });
 }
 
 }  // namespace plastron::config

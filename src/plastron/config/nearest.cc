@@ -1,5 +1,5 @@
-#include <plastron/config/limits.hpp>
 #include <plastron/config/nearest.hpp>
+#include <plastron/config/schema.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -1,16 +1,16 @@
-#include <plastron/config/obstacle_shapes.hpp>
+// Reads the shapes of obstacles, one for each key of [[obstacle]] that names one.
 #include <plastron/config/printable.hpp>
+#include <plastron/config/sections.hpp>
 #include <plastron/obstacle/error.hpp>
 
-#include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <memory>
+#include <cmath>
+#include <map>
 
 namespace plastron::config {
 
 namespace {
 
+using obstacle::HalfSpace, obstacle::Ball, obstacle::Cylinder, obstacle::Box, obstacle::Torus, obstacle::Cone;
 using obstacle::Shape;
 using MaybeShape = std::optional<Shape>;
 
@@ -22,48 +22,54 @@ bool check_fillet(const Table& table, double fillet, double most, const std::str
   return false;
 }
 
-/// Returns false if the file gives the key, but it could not be read.
-template <class Value>
-bool is_read_or_absent(const Table& table, const std::string& name, const std::optional<Value>& value) {
-  return value || !table.has(name);
-}
+bool is_right(const Table& /*table*/, const auto& /*shape*/) { return true; }
 
-MaybeShape read_half_space(Table& table) {
-  const auto point = table.vector("point"), normal = read_direction(table, "normal");
-  return point && normal ? MaybeShape(obstacle::HalfSpace{*point, *normal}) : std::nullopt;
-}
-
-MaybeShape read_ball(Table& table) {
-  const auto centre = table.vector("centre");
-  const auto radius = table.number("radius");
-  const auto inside = table.boolean("inside");
-  return centre && radius && inside ? MaybeShape(obstacle::Ball{*centre, *radius, *inside}) : std::nullopt;
-}
-
-MaybeShape read_cylinder(Table& table) {
-  const auto point = table.vector("point"), axis = read_direction(table, "axis");
-  const auto radius = table.number("radius"), length = table.number("length"), fillet = table.number("fillet");
-  const auto inside = table.boolean("inside");
-  if (!point || !axis || !radius || !is_read_or_absent(table, "length", length) || !fillet || !inside) return {};
-  obstacle::Cylinder c{.point = *point, .axis = *axis, .radius = *radius, .inside = *inside, .fillet = *fillet};
-  if (*fillet > 0 && !length) {
+bool is_right(const Table& table, const Cylinder& c) {
+  const bool is_endless = !std::isfinite(c.length);
+  if (!is_endless)
+    return check_fillet(table, c.fillet, std::min(c.radius, c.length / 2), "the lesser of radius and length / 2");
+  if (c.fillet > 0)
     table.report("fillet", "fillet rounds the caps, but a cylinder without length has none", "",
                  "leave the key out or add length = ...");
-    return {};
-  }
-  if (!length) return c;
-  c.length = *length;
-  const bool fits = check_fillet(table, *fillet, std::min(*radius, *length / 2), "the lesser of radius and length / 2");
-  return fits ? MaybeShape(c) : std::nullopt;
+  return c.fillet <= 0;
+}
+
+bool is_right(const Table& table, const Box& b) {
+  return check_fillet(table, b.fillet, b.size.minCoeff() / 2, "half of the shortest side");
+}
+
+bool is_right(const Table& table, const Torus& t) {
+  if (t.tube_radius < t.radius) return true;
+  table.report(
+      "tube_radius",
+      fmt::format("the ring has no hole: tube_radius = {} is not less than radius = {}", t.tube_radius, t.radius),
+      "0 < tube_radius < radius");
+  return false;
+}
+
+bool is_right(const Table& table, const Cone& c) {
+  const double share = 0.999;  // part of the ball that would remove the whole cone
+  return check_fillet(table, c.fillet, share * c.largest_fillet(), "0.999 of the largest ball in the cone");
+}
+
+/// Reads a shape that is a table of its own keys.
+template <class Keys>
+MaybeShape read_table(Table& obstacle, const std::string& name) {
+  MaybeShape result;
+  obstacle.in_table(name, [&](Table& table) {
+    Keys shape;
+    if (table.fill(shape) && is_right(table, shape)) result = shape;
+  });
+  return result;
 }
 
 /// Returns the columns of a box's axes from its first two.
-std::optional<Eigen::Matrix3d> read_axes(Table& table) {
-  const auto axes = table.vectors("axes");
+std::optional<Eigen::Matrix3d> read_axes(Table& table, const std::string& name) {
+  const auto axes = table.vectors(name);
   if (!axes) return {};
   constexpr double most_cosine = 1e-6;
   const auto refuse = [&](const std::string& what) {
-    table.report("axes", what, "two perpendicular vectors", "for example axes = [[1, 1, 0], [-1, 1, 0]]");
+    table.report(name, what, "two perpendicular vectors", "for example axes = [[1, 1, 0], [-1, 1, 0]]");
     return std::nullopt;
   };
   if (axes->size() != 2) return refuse(fmt::format("axes has {} vectors", axes->size()));
@@ -75,38 +81,6 @@ std::optional<Eigen::Matrix3d> read_axes(Table& table) {
   Eigen::Matrix3d all;
   all << a, across, a.cross(across);
   return all;
-}
-
-MaybeShape read_box(Table& table) {
-  const auto centre = table.vector("centre"), size = table.vector("size");
-  const auto axes = read_axes(table);
-  const auto fillet = table.number("fillet");
-  if (!centre || !size || !axes || !fillet) return {};
-  if (!check_fillet(table, *fillet, size->minCoeff() / 2, "half of the shortest side")) return {};
-  return obstacle::Box{*centre, *size, *axes, *fillet};
-}
-
-MaybeShape read_torus(Table& table) {
-  const auto centre = table.vector("centre"), axis = read_direction(table, "axis");
-  const auto radius = table.number("radius"), tube_radius = table.number("tube_radius");
-  if (!centre || !axis || !radius || !tube_radius) return {};
-  if (*tube_radius < *radius) return obstacle::Torus{*centre, *axis, *radius, *tube_radius};
-  table.report(
-      "tube_radius",
-      fmt::format("the ring has no hole: tube_radius = {} is not less than radius = {}", *tube_radius, *radius),
-      "0 < tube_radius < radius");
-  return {};
-}
-
-MaybeShape read_cone(Table& table) {
-  const auto apex = table.vector("apex"), axis = read_direction(table, "axis");
-  const auto half_angle = table.number("half_angle"), height = table.number("height"), fillet = table.number("fillet");
-  if (!apex || !axis || !half_angle || !is_read_or_absent(table, "height", height) || !fillet) return {};
-  obstacle::Cone c{.apex = *apex, .axis = *axis, .half_angle = *half_angle, .fillet = *fillet};
-  if (height) c.height = *height;
-  const double share = 0.999;  // part of the ball that would remove the whole cone
-  const bool fits = check_fillet(table, *fillet, share * c.largest_fillet(), "0.999 of the largest ball in the cone");
-  return fits ? MaybeShape(c) : std::nullopt;
 }
 
 /// Returns the file that a key names, relative to the case file; reports mistakes in the path.
@@ -131,10 +105,10 @@ MaybeShape made(const Table& table, const std::string& name, const std::string& 
   }
 }
 
-MaybeShape read_surface(Table& obstacle) {
-  const auto path = read_path(obstacle, "surface");
+MaybeShape read_surface(Table& obstacle, const std::string& name) {
+  const auto path = read_path(obstacle, name);
   if (!path) return {};
-  return made(obstacle, "surface", "a file .stl, .obj or .ply with the closed surface of a body, turned outward",
+  return made(obstacle, name, "a file .stl, .obj or .ply with the closed surface of a body, turned outward",
               [&] { return obstacle::TriangleSurface(obstacle::read_triangle_mesh(*path), *path); });
 }
 
@@ -146,10 +120,10 @@ std::shared_ptr<const geometry::SpaceFunction> read_function(Table& table, const
   return function;
 }
 
-MaybeShape read_distance(Table& obstacle) {
-  const auto function = read_function(obstacle, "distance");
+MaybeShape read_distance(Table& obstacle, const std::string& name) {
+  const auto function = read_function(obstacle, name);
   if (!function) return {};
-  return made(obstacle, "distance", "an expression of X, Y, Z, for example \"sqrt(X^2 + Y^2 + Z^2) - 1\"",
+  return made(obstacle, name, "an expression of X, Y, Z, for example \"sqrt(X^2 + Y^2 + Z^2) - 1\"",
               [&] { return obstacle::DistanceField(function); });
 }
 
@@ -161,98 +135,140 @@ MaybeShape read_height(Table& table, const std::string& name) {
 }
 
 /// Reads height_field = "expression" or { expression = ... } or { file = ... }.
-MaybeShape read_height_field(Table& obstacle) {
-  const std::string key = "height_field";
-  if (!obstacle.value(key)->is_table()) return read_height(obstacle, key);
-  auto table = obstacle.table(key);
-  const bool has_file = table->has("file");
+MaybeShape read_height_field(Table& obstacle, const std::string& name) {
+  if (!obstacle.value(name)->is_table()) return read_height(obstacle, name);
   MaybeShape shape;
-  if (has_file == table->has("expression"))
-    obstacle.report(key, has_file ? "height_field has both expression and file" : "height_field names no heights",
-                    "expression or file", "for example height_field = \"0.02*cos(X)\"");
-  else if (!has_file)
-    shape = read_height(*table, "expression");
-  else if (const auto path = read_path(*table, "file"))
-    shape = made(*table, "file", "an ESRI ASCII grid", [&] {
-      return obstacle::HeightField(std::make_shared<const obstacle::Raster>(obstacle::read_raster(*path)));
-    });
-  obstacle.effective[key] = table->effective;
+  obstacle.in_table(name, [&](Table& table) {
+    const bool has_file = table.has("file");
+    if (has_file == table.has("expression"))
+      obstacle.report(name, has_file ? "height_field has both expression and file" : "height_field names no heights",
+                      "expression or file", "for example height_field = \"0.02*cos(X)\"");
+    else if (!has_file)
+      shape = read_height(table, "expression");
+    else if (const auto path = read_path(table, "file"))
+      shape = made(table, "file", "an ESRI ASCII grid", [&] {
+        return obstacle::HeightField(std::make_shared<const obstacle::Raster>(obstacle::read_raster(*path)));
+      });
+  });
   return shape;
 }
 
-struct ShapeReader {
-  std::string key;
-  std::function<MaybeShape(Table&)> read;  ///< reads the [[obstacle]]
-};
-
-/// Returns the reader of a shape that is a table of its own keys.
-ShapeReader in_table(const std::string& key, MaybeShape (*read)(Table&)) {
-  return {key, [=](Table& obstacle) -> MaybeShape {
-            auto table = obstacle.table(key);
-            if (!table) return {};
-            MaybeShape shape = read(*table);
-            obstacle.effective[key] = table->effective;
-            return shape;
-          }};
+Key point_key(const char* name, auto member, const char* meaning) {
+  return key(name, member, {.unit = "m", .fallback = "[0, 0, 0]"}, meaning);
 }
 
-const std::vector<ShapeReader>& shape_readers() {
-  static const std::vector<ShapeReader> all{in_table("half_space", read_half_space),
-                                            in_table("ball", read_ball),
-                                            in_table("cylinder", read_cylinder),
-                                            in_table("box", read_box),
-                                            in_table("torus", read_torus),
-                                            in_table("cone", read_cone),
-                                            {"height_field", read_height_field},
-                                            {"distance", read_distance},
-                                            {"surface", read_surface}};
-  return all;
+Key direction_key(const char* name, auto member, const std::string& meaning) {
+  return key(name, member, &Table::direction, {.kind = Kind::vector, .fallback = "[0, 0, 1]"},
+             meaning + "; of any length but 0");
+}
+
+Key length_key(const char* name, auto member, const char* meaning) {
+  return key(name, member, {.unit = "m", .range = Range::positive()}, meaning);
+}
+
+Key radius_key(const char* name, auto member, const char* meaning, const char* example = "0.1") {
+  return key(name, member, {.unit = "m", .required = true, .range = Range::positive(), .example = example}, meaning);
+}
+
+Key fillet_key(auto member, const char* meaning) {
+  return key("fillet", member, {.unit = "m", .fallback = "0", .range = {.low = 0}}, meaning);
+}
+
+Key inside_key(auto member, const std::string& body) {
+  return key("inside", member, {.fallback = "false"},
+             "true: the shell is inside, and all of space but the " + body + " is the obstacle");
+}
+
+std::vector<Section> flat_shapes() {
+  return {
+      {"obstacle.half_space",
+       "half_space",
+       "The points X with (X - point) . normal <= 0.",
+       {point_key("point", &HalfSpace::point, "a point of the plane"),
+        direction_key("normal", &HalfSpace::normal, "towards the free side")}},
+      {"obstacle.box",
+       "box",
+       "A box.",
+       {point_key("centre", &Box::centre, "its centre"),
+        key("size", &Box::size, {.unit = "m", .required = true, .range = Range::positive(), .example = "[1, 1, 0.1]"},
+            "lengths of its sides"),
+        key("axes", &Box::axes, read_axes, {.kind = Kind::vectors, .fallback = "[[1, 0, 0], [0, 1, 0]]"},
+            "directions of its first and its second side, perpendicular; of any length but 0"),
+        fillet_key(&Box::fillet, "radius of its rounded edges and corners, at most half of the shortest side")}}};
+}
+
+std::vector<Section> round_shapes() {
+  return {{"obstacle.ball",
+           "ball",
+           "The points within `radius` of `centre`.",
+           {point_key("centre", &Ball::centre, "its centre"), radius_key("radius", &Ball::radius, "its radius"),
+            inside_key(&Ball::inside, "ball")}},
+          {"obstacle.cylinder",
+           "cylinder",
+           "A circular cylinder; infinite without length, with it plane caps end it.",
+           {point_key("point", &Cylinder::point, "a point of the axis, the middle of the cylinder if it has a length"),
+            direction_key("axis", &Cylinder::axis, "direction of the axis"),
+            radius_key("radius", &Cylinder::radius, "its radius"),
+            length_key("length", &Cylinder::length, "distance of the caps"), inside_key(&Cylinder::inside, "cylinder"),
+            fillet_key(&Cylinder::fillet,
+                       "radius of the rounded edges of the caps, at most radius and length / 2; wants a length")}},
+          {"obstacle.torus",
+           "torus",
+           "The points within `tube_radius` of a circle.",
+           {point_key("centre", &Torus::centre, "centre of the circle"),
+            direction_key("axis", &Torus::axis, "across the plane of the circle"),
+            radius_key("radius", &Torus::radius, "radius of the circle, greater than tube_radius"),
+            radius_key("tube_radius", &Torus::tube_radius, "radius of the ring's cross-section", "0.01")}},
+          {"obstacle.cone",
+           "cone",
+           "A circular cone; infinite without height, with it a plane base ends it. Without fillet its tip is sharp: "
+           "on the axis inside of it no direction is that of the nearest side, and any is taken.",
+           {point_key("apex", &Cone::apex, "its tip, before rounding"),
+            direction_key("axis", &Cone::axis, "direction of the axis, from the tip into the body"),
+            key("half_angle", &Cone::half_angle,
+                {.unit = "rad", .required = true, .range = Range::between(1e-3, 1.57), .example = "\"pi/6\""},
+                "angle between axis and side"),
+            length_key("height", &Cone::height, "distance of tip and base, before rounding"),
+            fillet_key(&Cone::fillet,
+                       "radius of the rounding of tip and base, less than that of the largest ball inside")}}};
+}
+
+Section height_field_section() {
+  return {"obstacle.height_field",
+          "height_field",
+          "Exactly one of these. What counts is the distance to the surface, not the height above it.",
+          {key("expression", Kind::space_formula, {.unit = "m"}, "the height h(X, Y); no Z"),
+           key("file", Kind::text, {},
+               "an ESRI ASCII grid (ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the "
+               "heights, that of the greatest Y first) of at most four million heights, its path relative to "
+               "the case file; a bicubic spline goes through them. It must reach beyond the shell by as much as the "
+               "two are apart, and have no holes (NODATA_value)")},
+          {"expression", "file"}};
 }
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> read_direction(Table& table, const std::string& name) {
-  const auto vector = table.vector(name);
-  if (!vector) return {};
-  if (const double length = vector->stableNorm(); length > 0) return *vector / length;
-  table.report(name, fmt::format("the {} is the zero vector", name), "",
-               name == "normal" ? "give the direction of the free side, for example [0, 0, 1]"
-                                : "give a direction, for example [0, 0, 1]");
-  return {};
-}
-
-std::optional<obstacle::Motion> read_motion(Table& table) {
-  const auto shift = table.vector("translate");
-  if (!table.has("rotate")) return shift ? std::optional(obstacle::Motion{.translation = *shift}) : std::nullopt;
-  auto rotate = table.table("rotate");
-  if (!rotate) return {};
-  const auto axis = read_direction(*rotate, "axis"), about = rotate->vector("about");
-  const auto angle = rotate->number("angle");
-  table.effective["rotate"] = rotate->effective;
-  if (!shift || !axis || !about || !angle) return {};
-  return obstacle::Motion{.axis = *axis, .angle = *angle, .about = *about, .translation = *shift};
+std::vector<Section> obstacle_shape_sections() {
+  std::vector<Section> all = flat_shapes();
+  std::ranges::move(round_shapes(), std::back_inserter(all));
+  all.push_back(height_field_section());
+  return all;
 }
 
 MaybeShape read_shape(Table& obstacle) {
-  std::vector<std::string> known;
-  std::vector<const ShapeReader*> given;
-  for (const ShapeReader& reader : shape_readers()) {
-    known.push_back(reader.key);
-    if (obstacle.has(reader.key)) given.push_back(&reader);
-  }
-  Reading& reading = obstacle.reading();
-  if (given.empty()) {
-    reading.report(obstacle.place(), "[[obstacle]] names no shape", joined(known),
-                   "for example half_space = { point = [0, 0, 0], normal = [0, 0, 1] }");
-    return {};
-  }
-  if (given.size() > 1) {
-    reading.report(obstacle.key_place(given[1]->key),
-                   fmt::format("[[obstacle]] has both {} and {}", given[0]->key, given[1]->key),
-                   fmt::format("one of {}", joined(known)), "write an [[obstacle]] for each");
-    return {};
-  }
-  return given[0]->read(obstacle);
+  static const std::map<std::string, MaybeShape (*)(Table&, const std::string&)> readers{
+      {"half_space", read_table<HalfSpace>},
+      {"ball", read_table<Ball>},
+      {"cylinder", read_table<Cylinder>},
+      {"box", read_table<Box>},
+      {"torus", read_table<Torus>},
+      {"cone", read_table<Cone>},
+      {"height_field", read_height_field},
+      {"distance", read_distance},
+      {"surface", read_surface}};
+  const auto name =
+      obstacle.shape("half_space = { point = [0, 0, 0], normal = [0, 0, 1] }", "write an [[obstacle]] for each");
+  return name ? readers.at(*name)(obstacle, *name) : std::nullopt;
 }
 
 }  // namespace plastron::config

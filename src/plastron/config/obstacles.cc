@@ -1,8 +1,5 @@
 // Reads [[obstacle]].
-#include <plastron/config/obstacle_shapes.hpp>
 #include <plastron/config/sections.hpp>
-
-#include <algorithm>
 
 namespace plastron::config {
 
@@ -36,7 +33,7 @@ std::string read_obstacle_name(Table& table, const problem::Problem& problem, st
     if (is_given)
       table.report("name", what, "", "choose another name");
     else
-      table.reading().report(table.place(), what, "", "give this one a name, it has none of its own");
+      table.report_here(what, "", "give this one a name, it has none of its own");
   }
   return name;
 }
@@ -59,23 +56,65 @@ void add_faces(obstacle::Obstacle body, const std::string& face, problem::Proble
   problem.shell.obstacles.all.push_back(std::move(body));
 }
 
+Section obstacle_section() {
+  const auto table = [](const char* name, const char* meaning) { return key(name, Kind::table, {}, meaning); };
+  return {
+      "obstacle",
+      "[[obstacle]]",
+      "A rigid body the shell cannot enter: exactly one of the shapes half_space to surface. There may be several: "
+      "floor "
+      "and wall, floor and ceiling.",
+      {key("name", Kind::name, {},
+           "a name no other obstacle has, for results and messages; obstacle-1, obstacle-2, ... if not given"),
+       table("half_space", "all on one side of a plane"), table("ball", "a ball, or a bowl"),
+       table("cylinder", "a roller, a bar or a tube"), table("box", "a box"), table("torus", "a ring"),
+       table("cone", "a cone"),
+       key("height_field", Kind::table, {.shorthand = Kind::space_formula},
+           "all below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate give its frame"),
+       key("distance", Kind::space_formula, {},
+           "all points where the expression is not positive; its size elsewhere does not count, for the distance to "
+           "its zero set is found. It must change its sign there; its gradient must not be zero there nor where the "
+           "shell is. A kink, as of abs(Z) - 0.1 at Z = 0, does no harm off the zero set and the shell"),
+       key("surface", Kind::text, {},
+           "a file .stl, .obj or .ply of at most 256 MB and two million triangles, its path relative to the case file: "
+           "the closed surface of a body, turned outward, that does not cut itself. Corners at open sides are joined "
+           "where they are nearer to each other than a millionth of the surface's diagonal and a hundredth of its "
+           "median side"),
+       table("rotate", "turns the shape before anything else"),
+       key("translate", &obstacle::Motion::translation, {.unit = "m", .fallback = "[0, 0, 0]"},
+           "shifts the shape, after rotate"),
+       key("force", &obstacle::Obstacle::force, {.unit = "N", .fallback = "[0, 0, 0]"},
+           "presses the obstacle along this direction, across it and against turning it is held; how far it comes is "
+           "found. [0, 0, 0]: the obstacle is held"),
+       key("face", Kind::word, {.fallback = "\"auto\"", .words = {"auto", "lower", "upper", "both"}},
+           "the face of the shell that may touch: lower at -e/2, upper at +e/2 along a3, auto: point by point the one "
+           "that looks at the obstacle; both: as two obstacles, the results of each face apart")},
+      {"half_space", "ball", "cylinder", "box", "torus", "cone", "height_field", "distance", "surface"}};
+}
+
 }  // namespace
 
+std::vector<Section> obstacle_sections() {
+  std::vector<Section> all{obstacle_section()};
+  std::ranges::move(obstacle_shape_sections(), std::back_inserter(all));
+  all.push_back(rotate_section("obstacle.rotate"));
+  return all;
+}
+
 void read_obstacles(Table& root, problem::Problem& problem) {
-  auto& effective = root.effective["obstacle"] = nlohmann::json::array();
-  for (Table& table : root.tables("obstacle")) {
+  std::size_t place = 0;
+  root.in_tables("obstacle", [&](Table& table) {
     obstacle::Obstacle result;
-    result.name = read_obstacle_name(table, problem, effective.size() + 1);
+    result.name = read_obstacle_name(table, problem, ++place);
     if (auto shape = read_shape(table)) result.shape = std::move(*shape);
     result.placement = read_motion(table).value_or(obstacle::Motion{}).after(1);
-    result.force = table.vector("force").value_or(Eigen::Vector3d::Zero());
+    table.fill(result);
     const std::string face = table.text("face").value_or("auto");
     if (face == "both" && result.is_pressed())
       table.report("force", "an obstacle that both faces may touch cannot be pressed by a force", "",
                    "say which face touches it: lower, upper or auto");
     add_faces(std::move(result), face, problem);
-    effective.push_back(table.effective);
-  }
+  });
 }
 
 }  // namespace plastron::config

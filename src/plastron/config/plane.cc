@@ -78,6 +78,8 @@ std::string polygon_fault(const std::vector<Vector2d>& corners) {
   return "";
 }
 
-bool may_contain(const fem::Domain& domain, const Vector2d& point) { return std::visit(MayContain{point}, domain); }
+bool may_contain(const Reading& reading, const Vector2d& point) {
+  return !reading.domain || std::visit(MayContain{point}, *reading.domain);
+}
 
 }  // namespace plastron::config

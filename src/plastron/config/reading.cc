@@ -17,21 +17,11 @@ constexpr double largest = 1e50, smallest = 1e-50;
 constexpr std::size_t most_digits = 18;
 
 std::string found(const toml::value& value) {
-  switch (value.type()) {
-    case toml::value_t::boolean:
-      return "true or false";
-    case toml::value_t::integer:
-    case toml::value_t::floating:
-      return "a number";
-    case toml::value_t::string:
-      return "text";
-    case toml::value_t::array:
-      return "a list";
-    case toml::value_t::table:
-      return "a table";
-    default:
-      return "a date or time";
-  }
+  if (value.is_boolean()) return "true or false";
+  if (value.is_integer() || value.is_floating()) return "a number";
+  if (value.is_string()) return "text";
+  if (value.is_array()) return "a list";
+  return value.is_table() ? "a table" : "a date or time";
 }
 
 // Returns the value if it can be used. A NaN from a constant already reported is not reported again.
@@ -40,7 +30,7 @@ std::optional<double> finite(Reading& reading, const Item& item, double value) {
   if (!reading.constants_complete && item.value.is_string()) return {};
   // toml11 converts a number that is too large to the largest one.
   const bool is_finite = std::abs(value) < std::numeric_limits<double>::max();
-  reading.report(reading.source.value(item.value),
+  reading.report(item.value,
                  fmt::format("{} is {:g}, which is {}", item.name, value,
                              is_finite ? "too large to compute with" : "no finite number"),
                  is_finite ? fmt::format("|{}| < {:g}", item.name, largest) : "");
@@ -95,8 +85,7 @@ std::optional<geometry::Expression> expression(Reading& reading, const Item& ite
 bool in_range(Reading& reading, const Item& item, double value) {
   const bool is_tiny = item.range.low == 0 && item.range.low_open && value > 0 && value < smallest;
   if (is_tiny)
-    reading.report(reading.source.value(item.value),
-                   fmt::format("{} is {:g}, which is too small to compute with", item.name, value),
+    reading.report(item.value, fmt::format("{} is {:g}, which is too small to compute with", item.name, value),
                    fmt::format("{} >= {:g}", item.name, smallest));
   if (item.range.contains(value)) return !is_tiny;
   report_range(reading, item, value);
@@ -107,6 +96,18 @@ std::string identifier_at(const std::string& text, std::size_t begin) {
   std::size_t end = begin;
   while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
   return begin < text.size() ? text.substr(begin, end - begin) : "";
+}
+
+/// Whether a value names no component: one number, or a list that does not have three values.
+bool names_no_component(Reading& reading, const std::string& name, const toml::value& value, const std::string& other) {
+  if (value.is_table() || (value.is_array() && value.as_array().size() == 3)) return false;
+  const std::string also = other.empty() ? "" : fmt::format(", {}.{} = ...", name, other);
+  reading.report(value,
+                 value.is_array() ? fmt::format("{} has {} entries, but must have 3", name, value.as_array().size())
+                                  : fmt::format("{} is a vector, and one value does not say which component", name),
+                 fmt::format("{0}.x = ...{1} and their like, or {0} = [three values]", name, also),
+                 fmt::format("for example values = {{ {0}.z = -0.02 }} or values = {{ {0} = [0, 0, -0.02] }}", name));
+  return true;
 }
 
 }  // namespace
@@ -131,6 +132,25 @@ std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading,
   return all;
 }
 
+std::vector<std::pair<std::string, toml::value>> named_values(Reading& reading, const toml::value& table,
+                                                              const std::vector<std::string>& vectors,
+                                                              const std::string& other) {
+  std::vector<std::pair<std::string, toml::value>> all;
+  for (const auto& [name, value] : entries(reading, table)) {
+    const bool is_vector = std::ranges::find(vectors, name) != vectors.end();
+    if (is_vector && names_no_component(reading, name, value, other)) continue;
+    if (value.is_table()) {
+      for (const auto& [direction, inner] : entries(reading, value))
+        all.emplace_back(fmt::format("{}.{}", name, direction), inner);
+    } else if (value.is_array() && is_vector) {
+      for (std::size_t i = 0; i < 3; ++i) all.emplace_back(fmt::format("{}.{}", name, "xyz"[i]), value.as_array()[i]);
+    } else {
+      all.emplace_back(name, value);
+    }
+  }
+  return all;
+}
+
 std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& reading, const Item& item) {
   if (item.value.is_integer() || item.value.is_floating()) {
     const auto value = plain_number(reading, item);
@@ -148,8 +168,7 @@ std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& read
     if (const auto at = unlisted_function(text)) throw geometry::ExpressionError("unknown name", *at);
     return std::make_shared<const geometry::SpaceFunction>(text, reading.constants);
   } catch (const geometry::NotDifferentiable& error) {
-    reading.report(reading.source.value(item.value),
-                   fmt::format("{} cannot be differentiated twice: {}", item.name, error.reason),
+    reading.report(item.value, fmt::format("{} cannot be differentiated twice: {}", item.name, error.reason),
                    fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
   } catch (const geometry::ExpressionError& error) {
     report_expression(reading, item, error, {"X", "Y", "Z"});
@@ -158,12 +177,12 @@ std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& read
 }
 
 void report_kind(Reading& reading, const Item& item, Kind expected) {
-  reading.report(reading.source.value(item.value),
+  reading.report(item.value,
                  fmt::format("{} must be {}, found {}", item.name, description(expected), found(item.value)));
 }
 
 void report_range(Reading& reading, const Item& item, double value) {
-  reading.report(reading.source.value(item.value), fmt::format("{} is {}, out of range", item.name, value),
+  reading.report(item.value, fmt::format("{} is {}, out of range", item.name, value),
                  item.range.text(item.name.starts_with("entry ") ? "entry" : item.name));
 }
 
@@ -216,9 +235,9 @@ std::optional<bool> read_boolean(Reading& reading, const Item& item) {
   return {};
 }
 
-std::optional<std::string> read_text(Reading& reading, const Item& item) {
+std::optional<std::string> read_text(Reading& reading, const Item& item, Kind expected) {
   if (item.value.is_string()) return item.value.as_string().str;
-  report_kind(reading, item, Kind::text);
+  report_kind(reading, item, expected);
   return {};
 }
 
@@ -227,7 +246,7 @@ std::optional<std::string> read_name(Reading& reading, const Item& item) {
   if (!name) return {};
   const bool clean = !has_control_characters(*name);
   if (clean && name->size() <= longest_name) return name;
-  reading.report(reading.source.value(item.value),
+  reading.report(item.value,
                  clean ? fmt::format("{} is {} bytes long", item.name, name->size())
                        : fmt::format("{} has a control character", item.name),
                  fmt::format("at most {} bytes, no control characters", longest_name));
@@ -251,7 +270,7 @@ std::optional<int> read_integer(Reading& reading, const Item& item) {
   const auto value = read_number(reading, item);
   if (!value) return {};
   if (*value == std::round(*value) && std::abs(*value) < 1e9) return static_cast<int>(*value);
-  reading.report(reading.source.value(item.value), fmt::format("{} is {}, not a whole number", item.name, *value),
+  reading.report(item.value, fmt::format("{} is {}, not a whole number", item.name, *value),
                  item.range.text(item.name));
   return {};
 }

@@ -2,13 +2,15 @@
 // returns nothing. Then reading continues, so that all mistakes are found together.
 #pragma once
 #include <fmt/format.h>
-#include <plastron/config/input_file.hpp>
-#include <plastron/config/limits.hpp>
 #include <plastron/config/schema.hpp>
 #include <plastron/config/source.hpp>
+#include <plastron/fem/domain.hpp>
 #include <plastron/geometry/space_function.hpp>
 
+#include <Eigen/Core>
+
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,8 +22,9 @@ namespace plastron::config {
 
 struct Reading {
   const Source& source;
-  std::filesystem::path folder{};  ///< folder of the files that the case names
-  std::vector<InputFile> files{};  ///< files that the case names
+  std::filesystem::path folder{};                                      ///< folder of the files that the case names
+  std::vector<std::pair<std::string, std::filesystem::path>> files{};  ///< files that the case names, with their paths
+  std::optional<fem::Domain> domain{};                                 ///< empty: it is wrong, or not read yet
   geometry::Constants constants{};
   std::vector<std::string> later_constants{};  ///< constants below the one being read
   bool constants_complete =
@@ -29,15 +32,20 @@ struct Reading {
   std::vector<Mistake> mistakes{};
   bool more_mistakes = false;  ///< there were more than most_mistakes, and the rest was dropped
 
-  /// Notes a file that the case names; returns its path.
-  std::filesystem::path file(const std::string& name) {
-    files.push_back({.name = name, .path = folder / name});
-    return files.back().path;
+  /// Returns the names of the domain's boundaries; empty if they are not known. The same holds for `regions`.
+  std::vector<std::string> boundaries() const {
+    return domain ? fem::boundary_names(*domain) : std::vector<std::string>{};
   }
+  std::vector<std::string> regions() const { return domain ? fem::region_names(*domain) : std::vector<std::string>{}; }
+  /// Notes a file that the case names; returns its path.
+  std::filesystem::path file(const std::string& name) { return files.emplace_back(name, folder / name).second; }
   void report(Place place, std::string what, std::string allowed = "", std::string advice = "") {
     more_mistakes = mistakes.size() >= most_mistakes;
     if (!more_mistakes)
       mistakes.push_back(source.mistake(place, std::move(what), std::move(allowed), std::move(advice)));
+  }
+  void report(const toml::value& value, std::string what, std::string allowed = "", std::string advice = "") {
+    report(source.value(value), std::move(what), std::move(allowed), std::move(advice));
   }
 };
 
@@ -49,7 +57,7 @@ struct Item {
 };
 
 std::optional<bool> read_boolean(Reading& reading, const Item& item);
-std::optional<std::string> read_text(Reading& reading, const Item& item);
+std::optional<std::string> read_text(Reading& reading, const Item& item, Kind expected = Kind::text);
 /// Reads a name of the user's choice: not empty, not long, without control characters.
 std::optional<std::string> read_name(Reading& reading, const Item& item);
 /// Reads a number or an expression of the constants, finite and in the item's range.
@@ -76,6 +84,13 @@ const std::vector<std::string>& expression_names();
 /// Returns the entries of a table in the order of the file.
 std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading, const toml::value& table);
 
+/// Returns the entries of a table "values" by component: { u.z = 1 }, { "u.z" = 1 } and { u = [0, 0, 1] } are alike.
+/// `vectors`: the names that have components. One value for a whole vector is reported. `other`: a component's other
+/// names besides x, y, z in the message, for example "n" for u.n.
+std::vector<std::pair<std::string, toml::value>> named_values(Reading& reading, const toml::value& table,
+                                                              const std::vector<std::string>& vectors,
+                                                              const std::string& other = "");
+
 /// Reads a list of `count` values (any number for 0), each by `read`.
 template <class Read>
 auto read_list(Reading& reading, const Item& item, Kind kind, std::size_t count, Read read) {
@@ -88,7 +103,7 @@ auto read_list(Reading& reading, const Item& item, Kind kind, std::size_t count,
   const auto& entries = item.value.as_array();
   if (count != 0 && entries.size() != count) {
     const std::string what = fmt::format("{} has {} entries, but must have {}", item.name, entries.size(), count);
-    reading.report(reading.source.value(item.value), what, description(kind));
+    reading.report(item.value, what, description(kind));
     return list;
   }
   std::vector<Value> values;
@@ -98,6 +113,14 @@ auto read_list(Reading& reading, const Item& item, Kind kind, std::size_t count,
   }
   if (values.size() == entries.size()) list = std::move(values);
   return list;
+}
+
+/// Reads a list of `size` numbers, two or three.
+template <int size>
+std::optional<Eigen::Matrix<double, size, 1>> read_vector(Reading& reading, const Item& item) {
+  const auto list = read_list(reading, item, size == 2 ? Kind::point : Kind::vector, size, read_number);
+  if (!list) return {};
+  return Eigen::Matrix<double, size, 1>(list->data());
 }
 
 }  // namespace plastron::config

@@ -1,5 +1,4 @@
 // Reads [[rigid_body]].
-#include <plastron/config/named_values.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 #include <plastron/geometry/quotation.hpp>
@@ -30,8 +29,7 @@ void read_body_fix(Table& table, fem::RigidBody& body) {
       auto& value = body.fixed[body_component(is_vector ? word + axis : word)];
       if (value) {
         const toml::value list = table.value("fix").value();
-        table.reading().report(table.reading().source.value(list.as_array()[i]),
-                               fmt::format("{} is fixed twice", is_vector ? word + axis : word));
+        table.reading().report(list.as_array()[i], fmt::format("{} is fixed twice", is_vector ? word + axis : word));
         break;
       }
       value = 0;
@@ -47,8 +45,7 @@ void read_body_values(Table& table, fem::RigidBody& body) {
     if (body.fixed[k]) allowed.push_back(body_components()[k]);
   for (const auto& [name, value] : named_values(reading, given, {"u", "theta"})) {
     if (std::ranges::find(allowed, name) == allowed.end())
-      reading.report(reading.source.value(value),
-                     fmt::format("values gives {}, which fix does not name", geometry::shortened(name)),
+      reading.report(value, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)),
                      joined(allowed), did_you_mean(name, allowed));
     else if (const auto number = read_number(reading, Item{value, name}))
       body.fixed[body_component(name)] = *number;
@@ -62,24 +59,46 @@ void check_body_name(const Table& table, const std::vector<fem::RigidBody>& befo
 
 }  // namespace
 
-void read_rigid_bodies(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
-  auto& effective = root.effective["rigid_body"] = nlohmann::json::array();
-  for (Table& table : root.tables("rigid_body")) {
-    fem::RigidBody body{.name = table.text("name").value_or("")};
+std::vector<Section> rigid_body_sections() {
+  using fem::RigidBody;
+  return {
+      {"rigid_body",
+       "[[rigid_body]]",
+       "A rigid body that carries edges of the shell, an end plate or a clamp: their nodes move as "
+       "u = d + theta x (phi - reference), r = theta x a3, with six unknowns for all of them. Obstacles do not hold "
+       "these nodes; how deep the "
+       "shell enters there is measured and reported.",
+       {key("name", &RigidBody::name, {.required = true, .example = "\"end plate\""}, "a name no other body has"),
+        key("boundary", &RigidBody::boundaries, read_boundaries,
+            {.kind = Kind::name_or_names, .required = true, .example = "\"right\""},
+            "a boundary of the domain or several; bodies share no nodes"),
+        key("reference", &RigidBody::reference, {.unit = "m", .required = true, .example = "[1, 0, 0]"},
+            "the point whose displacement is d, anywhere in space; force and moment act there"),
+        key("rotations", &RigidBody::turns_normals, {.fallback = "true"},
+            "r follows the body, too; false: a hinge, which carries u alone"),
+        key("fix", Kind::names,
+            {.fallback = "[]", .words = {"u", "theta", "u.x", "u.y", "u.z", "theta.x", "theta.y", "theta.z"}},
+            "the components of d, called u, and theta that are prescribed; u and theta stand for all three. Supports "
+            "of the edges may hold nothing of these nodes that is not fixed here"),
+        key("values", Kind::free_table, {.unit = "m, rad", .fallback = "{}"},
+            "values of fixed components, a number each: { u.z = -0.01 } or { theta = [0, 0, 0.1] }; 0 if not given"),
+        key("force", &RigidBody::force, {.unit = "N", .fallback = "[0, 0, 0]"}, "on the body, at the reference point"),
+        key("moment", &RigidBody::moment, {.unit = "N m", .fallback = "[0, 0, 0]"},
+            "on the body, about the reference point")}}};
+}
+
+void read_rigid_bodies(Table& root, problem::Problem& problem) {
+  root.in_tables("rigid_body", [&](Table& table) {
+    fem::RigidBody body;
+    table.fill(body);
     check_body_name(table, problem.rigid_bodies, body.name);
-    body.boundaries = read_boundaries(table, domain).value_or(std::vector<std::string>{});
-    body.reference = table.vector("reference").value_or(Eigen::Vector3d::Zero());
-    body.turns_normals = table.boolean("rotations").value_or(true);
     read_body_fix(table, body);
     read_body_values(table, body);
     auto& values = table.effective["values"] = nlohmann::json::object();
     for (std::size_t k = 0; k < 6; ++k)
       if (body.fixed[k]) values[body_components()[k]] = *body.fixed[k];
-    body.force = table.vector("force").value_or(Eigen::Vector3d::Zero());
-    body.moment = table.vector("moment").value_or(Eigen::Vector3d::Zero());
-    effective.push_back(table.effective);
     problem.rigid_bodies.push_back(std::move(body));
-  }
+  });
 }
 
 }  // namespace plastron::config

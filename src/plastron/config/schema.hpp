@@ -1,12 +1,24 @@
 // The declarations of the case file: every key with its kind, unit, default, range and meaning. They give the reader
 // its known keys, defaults and ranges, messages their lists of allowed values, and the manual its reference chapter.
 #pragma once
+#include <any>
+#include <functional>
 #include <limits>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace plastron::config {
+
+// Limits of a case file. Cases written by hand are smaller. Larger ones would take minutes to read, or exhaust memory
+// or the stack.
+inline constexpr std::size_t largest_file = 1 << 18;  ///< bytes
+inline constexpr std::size_t deepest_nesting = 20;    ///< levels of lists, tables in braces and the parts of a key
+inline constexpr std::size_t most_entries = 500;      ///< in a list or a table; also number of sections with one name
+inline constexpr std::size_t most_mistakes = 50;      ///< reported for a file
+inline constexpr std::size_t longest_name = 60;       ///< bytes of a name the user chooses
+inline constexpr double most_cells = 1e6;             ///< cells of the coarsest mesh
 
 enum class Kind {
   text,
@@ -38,16 +50,17 @@ struct Range {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool low_open = false, high_open = false;
 
-  /// Returns low < value <= high.
-  static Range above_to(double low, double high) { return {.low = low, .high = high, .low_open = true}; }
+  static Range between(double low, double high) { return {.low = low, .high = high}; }
+  /// Returns 0 < value <= high.
+  static Range positive(double high = std::numeric_limits<double>::infinity()) {
+    return {.low = 0, .high = high, .low_open = true};
+  }
   bool contains(double value) const;
   /// Returns "0 < name <= 2", or "" without limits.
   std::string text(const std::string& name) const;
 };
 
-struct Word {
-  std::string name;
-};
+class Table;
 
 struct Key {
   std::string name{};
@@ -56,10 +69,13 @@ struct Key {
   std::string fallback{};  ///< the default, in TOML; empty: none
   bool required = false;
   Range range{};
-  std::vector<Word> words{};
+  std::vector<std::string> words{};
   std::string meaning{};
   std::string example{};            ///< a value in TOML, shown when a required key is missing
   std::optional<Kind> shorthand{};  ///< kind of value allowed in place of a table
+  /// Reads the value into the object that a pointer of the right type points to (Table::fill). Returns false if the
+  /// value is wrong or missing. Empty: the reader of the section reads the key by its name.
+  std::function<bool(Table&, const Key&, const std::any& object)> put{};
 };
 
 struct Section {
@@ -71,15 +87,21 @@ struct Section {
   std::string other_keys{};                ///< description of other keys, each a number; empty: no other keys
 };
 
+/// Returns all sections in the order of the manual.
 const std::vector<Section>& sections();
 const Section& section(const std::string& path);
 
-std::vector<std::string> names(const std::vector<Key>& keys);
-/// Returns the names of the words that this version supports.
-std::vector<std::string> word_names(const std::vector<Word>& words);
 /// Returns a description for messages and the manual: "a number or an expression of the constants".
 std::string description(Kind kind);
 /// Returns the words as a list: "a, b, c".
 std::string joined(const std::vector<std::string>& words);
+
+/// Returns the manual's reference of the case file as Markdown; docs/case-file.md is this text.
+std::string describe_case_format();
+
+/// Returns the JSON Schema (draft 7) of the case file, for editors that complete and check TOML during writing.
+/// Conditions that it cannot express (names that must exist, expressions that must be valid, radii that must fit) are
+/// checked by `plastron check`.
+nlohmann::ordered_json case_schema();
 
 }  // namespace plastron::config

@@ -1,4 +1,5 @@
-// One reader for each section of a case file. Each fills its part of the problem and notes its effective settings.
+// The sections of a case file, one source file for each family: it declares the keys, reads them into the problem and
+// notes the effective settings. A reader uses what earlier ones have read, so their order in case.cc matters.
 #pragma once
 #include <plastron/config/table.hpp>
 #include <plastron/problem/problem.hpp>
@@ -9,43 +10,83 @@
 
 namespace plastron::config {
 
+std::vector<Section> constants_sections();
 /// Fills Reading::constants, which all other sections use.
 void read_constants(Table& root);
+
+/// Returns [shell], [[region]] and [gravity].
+std::vector<Section> shell_sections();
 void read_shell(Table& root, problem::Problem& problem);
 /// Reads cross-sections of regions. Call it after [shell], whose values are their initial values.
-void read_regions(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem);
+void read_regions(Table& root, problem::Problem& problem);
 /// Reads gravity. Call it after all densities.
 void read_gravity(Table& root, problem::Problem& problem);
-/// Reads the domain and its charts; returns nothing if the domain is wrong.
-std::optional<fem::Domain> read_geometry(Table& root, problem::Problem& problem);
+
+std::vector<Section> geometry_sections();
+/// Reads the domain, which Reading::domain also holds, and its charts.
+void read_geometry(Table& root, problem::Problem& problem);
+/// Returns the domain of [geometry] and its shapes.
+std::vector<Section> domain_sections();
 std::optional<fem::Domain> read_domain(Table& geometry);
-void read_charts(Table& geometry, const fem::Domain& domain, problem::Problem& problem);
-void read_mesh(Table& root, problem::Problem& problem);
+
+std::vector<Section> accuracy_sections();
 /// Reads the accuracy. Call it after probes, supports and obstacles, because it uses their names.
 void read_accuracy(Table& root, problem::Problem& problem);
-void read_contact(Table& root, problem::Problem& problem);
-void read_solver(Table& root, problem::Problem& problem);
-void read_units(Table& root, problem::UnitNames& units);
-/// Reads the output; returns whether a report is requested.
-bool read_output(Table& root, problem::Problem& problem);
-void read_joins(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem);
-void read_rigid_bodies(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem);
-void read_supports(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem);
-void read_loads(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem);
+
+std::vector<Section> mesh_sections();
+void read_mesh(Table& root, problem::Problem& problem);
+
+std::vector<Section> join_sections();
+void read_joins(Table& root, problem::Problem& problem);
+
+std::vector<Section> rigid_body_sections();
+void read_rigid_bodies(Table& root, problem::Problem& problem);
+
+std::vector<Section> support_sections();
+void read_supports(Table& root, problem::Problem& problem);
+
+std::vector<Section> load_sections();
+void read_loads(Table& root, problem::Problem& problem);
+
+std::vector<Section> obstacle_sections();
 void read_obstacles(Table& root, problem::Problem& problem);
 /// Returns places in the problem's list: two for an obstacle that both faces may touch, none for an unknown name.
 std::vector<std::size_t> obstacles_named(const problem::Problem& problem, const std::string& name);
+/// Returns the shapes that are tables of their own keys.
+std::vector<Section> obstacle_shape_sections();
+/// Returns the shape that an [[obstacle]] names. Reports mistakes, also if it names none or two.
+std::optional<obstacle::Shape> read_shape(Table& obstacle);
+
+std::vector<Section> step_sections();
 /// Reads the steps. Call it after the obstacles.
 void read_steps(Table& root, problem::Problem& problem);
-void read_lines(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem);
-void read_probes(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem);
+/// Returns the declaration of a rotation about a line, for the table at `path`.
+Section rotate_section(const std::string& path);
+/// Reads `rotate`, then `translate`.
+std::optional<obstacle::Motion> read_motion(Table& table);
 
-/// Returns the names under "boundary". They must be boundaries of the domain if its names are known.
-std::optional<std::vector<std::string>> read_boundaries(Table& table, const std::optional<fem::Domain>& domain);
+/// Returns [[probe]] and [[line]].
+std::vector<Section> probe_sections();
+void read_probes(Table& root, problem::Problem& problem);
+void read_lines(Table& root, problem::Problem& problem);
+
+/// Returns [output] and [units].
+std::vector<Section> output_sections();
+/// Reads the output; returns whether a report is requested.
+bool read_output(Table& root, problem::Problem& problem);
+void read_units(Table& root, problem::Problem& problem);
+
+/// Returns [contact] and [solver].
+std::vector<Section> solver_sections();
+void read_contact(Table& root, problem::Problem& problem);
+void read_solver(Table& root, problem::Problem& problem);
+
+/// Returns the names of a key. They must be boundaries of the domain if its names are known.
+std::optional<std::vector<std::string>> read_boundaries(Table& table, const std::string& name = "boundary");
 
 /// Returns the fault of a closed polygon, in words; "" if there is none.
 std::string polygon_fault(const std::vector<Eigen::Vector2d>& corners);
 /// Returns false if the point is certainly not in the domain; mesh files are not read.
-bool may_contain(const fem::Domain& domain, const Eigen::Vector2d& point);
+bool may_contain(const Reading& reading, const Eigen::Vector2d& point);
 
 }  // namespace plastron::config

@@ -1,38 +1,185 @@
-// Reads [shell].
-#include <plastron/config/material.hpp>
+// Reads [shell], [[region]] and [gravity]: the cross-sections of the shell, and its weight.
 #include <plastron/config/sections.hpp>
+#include <plastron/shell/material.hpp>
+
+#include <array>
+#include <iterator>
 
 namespace plastron::config {
 
 namespace {
 
-void read_tangency(Table& shell, element::Tangency& tangency) {
-  using element::Formulation;
-  static const std::map<std::string, Formulation> formulations{{"tangent", Formulation::tangent},
-                                                               {"penalised", Formulation::penalised},
-                                                               {"mixed", Formulation::mixed},
-                                                               {"classical", Formulation::classical}};
-  if (const auto name = shell.text("formulation")) tangency.formulation = formulations.at(*name);
-  if (const auto p = shell.number("penalty")) tangency.penalty = *p;
-  if (const auto rho = shell.number("stabilisation")) tangency.stabilisation = *rho;
+using assembly::CrossSection;
+using element::Formulation, element::Tangency;
+using shell::Material;
+
+constexpr Range poisson{.low = -0.999, .high = 0.5, .high_open = true};
+
+Section shell_section() {
+  return {"shell",
+          "[shell]",
+          "The elastic constants are either E and nu, or lambda and mu.",
+          {key("E", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "2.1e11"}, "Young's modulus"),
+           key("nu", Kind::number, {.range = poisson, .example = "0.3"},
+               "Poisson's ratio; towards -1 the shell becomes too soft in shape and too stiff in shear for double "
+               "precision"),
+           key("lambda", Kind::number, {.unit = "Pa", .example = "1.2e11"},
+               "first Lame constant, 3 lambda + 2 mu > 0 and Poisson's ratio at least -0.999"),
+           key("mu", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "8e10"}, "shear modulus"),
+           key("thickness", &CrossSection::thickness,
+               {.unit = "m", .required = true, .range = Range::positive(), .example = "0.02"}, "the thickness e"),
+           key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()},
+               "mass per volume, for the weight under [gravity]"),
+           key("shear_correction", &Material::shear_correction, {.fallback = "1", .range = Range::positive(2)},
+               "factor of the transverse shear energy: 1 in the paper, 5/6 on request"),
+           key("formulation", &Tangency::formulation,
+               {{"tangent", Formulation::tangent},
+                {"penalised", Formulation::penalised},
+                {"mixed", Formulation::mixed},
+                {"classical", Formulation::classical}},
+               {.fallback = "\"tangent\""},
+               "how r . a3 = 0 is kept: two rotations a node, a penalty, a multiplier, covariant components"),
+           key("penalty", &Tangency::penalty, {.fallback = "0.1", .range = Range::positive(1)},
+               "p of the penalised formulation; the penalty is E e^3 / p"),
+           key("stabilisation", &Tangency::stabilisation, {.fallback = "1", .range = Range::positive()},
+               "rho of the mixed formulation; the stabilisation is rho E e^3")}};
+}
+
+Section region_section() {
+  return {
+      "region",
+      "[[region]]",
+      "What a region of the domain has of its own: at least one of thickness, elastic constants and density. What is "
+      "not "
+      "given is that of [shell]. Where regions of different thickness meet, strains see each cell's own, the gap at "
+      "nodes the largest.",
+      {key("name", Kind::name, {.required = true, .example = "\"stiff\""},
+           "a region of the domain, one that no other [[region]] names"),
+       key("thickness", &CrossSection::thickness, {.unit = "m", .range = Range::positive()}, "the thickness e"),
+       key("E", Kind::number, {.unit = "Pa", .range = Range::positive()}, "Young's modulus, together with nu"),
+       key("nu", Kind::number, {.range = poisson}, "Poisson's ratio, together with E"),
+       key("lambda", Kind::number, {.unit = "Pa"}, "first Lame constant, together with mu"),
+       key("mu", Kind::number, {.unit = "Pa", .range = Range::positive()}, "shear modulus, together with lambda"),
+       key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()}, "mass per volume")}};
+}
+
+Section gravity_section() {
+  return {
+      "gravity",
+      "[gravity]",
+      "The weight of the shell: the load density times thickness times acceleration per area of the mid-surface, "
+      "by region.",
+      {key("acceleration", &assembly::Loads::gravity, {.unit = "m/s^2", .required = true, .example = "[0, 0, -9.81]"},
+           "Cartesian acceleration of free fall; needs a density in [shell] or in a [[region]]")}};
+}
+
+constexpr const char* pairs = "either E and nu, or lambda and mu";
+
+void from_young_poisson(Table& table, Material& material) {
+  for (const char* name : {"lambda", "mu"})
+    if (table.has(name)) {
+      table.report_key(name, fmt::format("\"{}\" is one constant too many", name), pairs);
+      return;
+    }
+  const auto E = table.number("E"), nu = table.number("nu");
+  if (E && nu) material = Material::from_young_poisson(*E, *nu, material.shear_correction);
+}
+
+void from_lame(Table& table, Material& material) {
+  const auto lambda = table.number("lambda"), mu = table.number("mu");
+  if (!lambda || !mu) return;
+  if (3 * *lambda + 2 * *mu <= 0)
+    return table.report("lambda",
+                        fmt::format("lambda is {} and mu is {}: such a material expands under pressure", *lambda, *mu),
+                        "3 lambda + 2 mu > 0");
+  const double nu = *lambda / (2 * (*lambda + *mu));
+  if (nu < poisson.low)
+    return table.report("lambda", fmt::format("lambda is {} and mu is {}: Poisson's ratio is {:.6g}", *lambda, *mu, nu),
+                        "lambda / (2 (lambda + mu)) >= -0.999", "nearer to -1 double precision does not suffice");
+  material = {*lambda, *mu, material.shear_correction};
+}
+
+bool has_elastic_constants(const Table& table) {
+  return std::ranges::any_of(std::array{"E", "nu", "lambda", "mu"}, [&](const char* name) { return table.has(name); });
+}
+
+/// Reports the missing partner in a pair of elastic constants.
+bool has_pair(const Table& table, const std::string& header, const char* first, const char* second) {
+  if (table.has(first) && table.has(second)) return true;
+  const char *given = table.has(first) ? first : second, *missing = table.has(first) ? second : first;
+  table.report_key(given, fmt::format("{} has {} but no {}", header, given, missing), pairs);
+  return false;
+}
+
+/// Sets the Lame constants from the table, if they are present and correct. `header`: name of the table in messages.
+void read_material(Table& table, const std::string& header, Material& material) {
+  if (table.has("E") || table.has("nu")) {
+    if (has_pair(table, header, "E", "nu")) from_young_poisson(table, material);
+  } else if (table.has("lambda") || table.has("mu")) {
+    if (has_pair(table, header, "lambda", "mu")) from_lame(table, material);
+  }
+}
+
+/// Reads a cross-section of a region. Its initial values are the values of [shell].
+void read_own(Table& region, CrossSection& section) {
+  if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density"))
+    region.report_here("[[region]] has nothing of its own", "thickness, E and nu, lambda and mu, density",
+                       "give one of them, or leave the region out: it is like [shell] anyway");
+  read_material(region, "[[region]]", section.material);
+  region.fill(section);
+}
+
+/// Returns the place of the first density in the file.
+std::optional<Place> density_place(const Table& root) {
+  std::vector<toml::value> tables;
+  if (root.has("shell")) tables.push_back(root.value("shell").value());
+  if (const toml::value regions = root.value("region").value(); regions.is_array())
+    std::ranges::copy(regions.as_array(), std::back_inserter(tables));
+  for (const toml::value& table : tables)
+    if (table.is_table() && table.as_table().count("density") > 0)
+      return root.reading().source.key("density", table.as_table().at("density"));
+  return {};
 }
 
 }  // namespace
 
+std::vector<Section> shell_sections() { return {shell_section(), region_section(), gravity_section()}; }
+
 void read_shell(Table& root, problem::Problem& problem) {
-  auto shell = root.table("shell");
-  if (!shell) return;
-  const auto shear_correction = shell->number("shear_correction");
-  assembly::CrossSection& section = problem.shell.sections.common;
-  section.material.shear_correction = shear_correction.value_or(1);
-  if (!has_elastic_constants(*shell))
-    shell->reading().report(shell->place(), "[shell] has no elastic constants", "either E and nu, or lambda and mu",
-                            "add E = 2.1e11 and nu = 0.3");
-  read_material(*shell, "[shell]", section.material);
-  if (const auto thickness = shell->field("thickness")) section.thickness = *thickness;
-  if (const auto density = shell->number("density")) section.density = *density;
-  read_tangency(*shell, problem.shell.tangency);
-  root.effective["shell"] = shell->effective;
+  root.in_table("shell", [&](Table& shell) {
+    CrossSection& section = problem.shell.sections.common;
+    shell.fill(section.material);
+    if (!has_elastic_constants(shell))
+      shell.report_here("[shell] has no elastic constants", pairs, "add E = 2.1e11 and nu = 0.3");
+    read_material(shell, "[shell]", section.material);
+    shell.fill(section);
+    shell.fill(problem.shell.tangency);
+  });
+}
+
+void read_regions(Table& root, problem::Problem& problem) {
+  root.in_tables("region", [&](Table& region) {
+    const auto name = region.known_name("name", "region", root.reading().regions());
+    CrossSection section = problem.shell.sections.common;
+    read_own(region, section);
+    if (name && !problem.shell.sections.regions.emplace(*name, std::move(section)).second)
+      region.report("name", fmt::format("two [[region]] are named \"{}\"", *name), "",
+                    "write all that it has in one of them");
+  });
+}
+
+void read_gravity(Table& root, problem::Problem& problem) {
+  const auto density = density_place(root);
+  if (!root.has("gravity")) {
+    if (density)
+      root.reading().report(*density, "a density is given, but nothing pulls at it", "",
+                            "add a section [gravity] with acceleration = [0, 0, -9.81]");
+    return;
+  }
+  if (!density)
+    root.report_key("gravity", "[gravity] has nothing to pull at: no density is given", "",
+                    "add density = 7850 to [shell] or to a [[region]]");
+  root.in_table("gravity", [&](Table& gravity) { gravity.fill(problem.shell.loads); });
 }
 
 }  // namespace plastron::config

@@ -1,9 +1,6 @@
-// Reads [[step]] and [[step.move]].
+// Reads [[step]] and [[step.move]], and the motions of obstacles.
 #include <plastron/config/nearest.hpp>
-#include <plastron/config/obstacle_shapes.hpp>
 #include <plastron/config/sections.hpp>
-
-#include <algorithm>
 
 namespace plastron::config {
 
@@ -57,25 +54,75 @@ void read_force(Table& table, const problem::Problem& problem, std::size_t k, pr
 
 void read_moves(Table& table, const std::vector<std::string>& known, problem::Problem& problem, problem::Step& step) {
   for (obstacle::Obstacle& o : problem.shell.obstacles.all) o.motions.emplace_back();
-  auto& effective = table.effective["move"] = nlohmann::json::array();
   std::vector<std::string> seen;
-  for (Table& move : table.tables("move")) {
+  table.in_tables("move", [&](Table& move) {
     const auto motion = read_motion(move);
     for (const std::size_t k : moved_obstacles(move, problem, known, seen)) {
       if (motion) problem.shell.obstacles.all[k].motions.back() = *motion;
       read_force(move, problem, k, step);
     }
-    effective.push_back(move.effective);
-  }
+  });
+}
+
+Section step_section() {
+  return {"step",
+          "[[step]]",
+          "Steps are computed in their order on the finest mesh, each from where the one before has ended. In a step "
+          "loads, forces on obstacles and the obstacles' motions go on in equal parts; before the first there are no "
+          "loads and no forces. Without any step the case is computed once, with all of them.",
+          {key("name", Kind::name, {}, "a name no other step has; step-1, step-2, ... if not given"),
+           key("loads", Kind::number, {},
+               "what all loads, the weight too, are multiplied by at the step's end; if not given, as at the end "
+               "of the step before, in the first step 1"),
+           key("parts", Kind::integer, {.fallback = "1", .range = Range::between(1, 1000)},
+               "equal parts of the step; each is solved and stands in the history"),
+           key("move", Kind::tables, {.fallback = "[]"}, "what obstacles do in this step")}};
+}
+
+Section move_section() {
+  return {
+      "step.move",
+      "[[step.move]]",
+      "What an obstacle does in the step above: first turned, then shifted, from where the step before has left it.",
+      {key("obstacle", Kind::name, {.required = true, .example = "\"tool\""}, "its name"),
+       key("rotate", Kind::table, {}, "how it turns in the whole step"),
+       key("translate", &obstacle::Motion::translation, {.unit = "m", .fallback = "[0, 0, 0]"},
+           "how it shifts in the whole step"),
+       key("force", Kind::number, {.range = {.low = 0}},
+           "what the obstacle's force is multiplied by at the step's end; if not given, as at the end of the step "
+           "before, in the first step 1; at 0 it stays where it is")}};
 }
 
 }  // namespace
 
+std::vector<Section> step_sections() { return {step_section(), move_section(), rotate_section("step.move.rotate")}; }
+
+Section rotate_section(const std::string& path) {
+  using obstacle::Motion;
+  return {
+      path,
+      "rotate",
+      "A turn by the right hand about a line.",
+      {key("axis", &Motion::axis, &Table::direction, {.kind = Kind::vector, .fallback = "[0, 0, 1]"},
+           "direction of the line; of any length but 0"),
+       key("angle", &Motion::angle,
+           {.unit = "rad", .required = true, .range = Range::between(-1e3, 1e3), .example = "\"pi/2\""}, "the angle"),
+       key("about", &Motion::about, {.unit = "m", .fallback = "[0, 0, 0]"}, "a point of the line")}};
+}
+
+std::optional<obstacle::Motion> read_motion(Table& table) {
+  obstacle::Motion motion;
+  bool is_right = table.fill(motion);
+  if (table.has("rotate") &&
+      !table.in_table("rotate", [&](Table& rotate) { is_right = rotate.fill(motion) && is_right; }))
+    return {};
+  return is_right ? std::optional(motion) : std::nullopt;
+}
+
 void read_steps(Table& root, problem::Problem& problem) {
-  auto& effective = root.effective["step"] = nlohmann::json::array();
   problem::Step step{.force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 1)};
   int parts = 0;
-  for (Table& table : root.tables("step")) {
+  root.in_tables("step", [&](Table& table) {
     step.name = read_step_name(table, problem);
     if (table.has("loads")) step.load_factor = table.number("loads").value_or(1);
     table.effective["loads"] = step.load_factor;
@@ -84,8 +131,7 @@ void read_steps(Table& root, problem::Problem& problem) {
       table.report("parts", fmt::format("the steps have more than {} parts in all", most_parts));
     read_moves(table, obstacle_names(root), problem, step);
     problem.steps.push_back(step);
-    effective.push_back(table.effective);
-  }
+  });
 }
 
 }  // namespace plastron::config

@@ -1,10 +1,8 @@
 // Reads [[support]].
-#include <plastron/config/named_values.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 #include <plastron/geometry/quotation.hpp>
 
-#include <algorithm>
 #include <map>
 
 namespace plastron::config {
@@ -29,7 +27,11 @@ assembly::PrescribedComponent component(const std::string& name) {
   return {name[0] == 'u' ? Unknown::displacement : Unknown::rotation, directions.at(name.substr(2)), {}};
 }
 
-const Key& fix_key() { return *std::ranges::find(section("support").keys, "fix", &Key::name); }
+const std::vector<std::string>& fix_words() {
+  static const std::vector<std::string> all{"u",   "r",   "u.x", "u.y", "u.z", "u.n",  "u.t",     "u.a3",
+                                            "r.x", "r.y", "r.z", "r.n", "r.t", "r.a3", "symmetry"};
+  return all;
+}
 
 struct Fixed {
   std::string name;
@@ -41,13 +43,12 @@ using FixedOn = std::map<std::string, std::vector<std::string>>;
 
 bool check_new(Reading& reading, const toml::value& word, const std::string& place, const std::string& name,
                const std::vector<std::string>& before) {
-  const Place at = reading.source.value(word);
   if (std::ranges::count(before, name) > 0) {
-    reading.report(at, fmt::format("{} is fixed twice on {}", name, place));
+    reading.report(word, fmt::format("{} is fixed twice on {}", name, place));
     return false;
   }
   if (std::ranges::count(before, name[0], [](const std::string& other) { return other[0]; }) < 3) return true;
-  reading.report(at,
+  reading.report(word,
                  fmt::format("{} on {}: three other components of {} are fixed there already", name, place, name[0]),
                  "at most three components of each of u and r on a boundary");
   return false;
@@ -56,7 +57,7 @@ bool check_new(Reading& reading, const toml::value& word, const std::string& pla
 std::optional<std::vector<Fixed>> read_fix(Table& support, const std::vector<std::string>& places, FixedOn& fixed_on) {
   const auto words = support.texts("fix");
   if (!words) return {};
-  if (words->empty()) support.report("fix", "fix names no component", joined(word_names(fix_key().words)));
+  if (words->empty()) support.report("fix", "fix names no component", joined(fix_words()));
   const toml::value list = support.value("fix").value();
   const auto is_new_everywhere = [&](const toml::value& word, const std::string& name) {
     return std::ranges::all_of(places, [&](const std::string& place) {
@@ -83,12 +84,11 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
     if (!component.by_symmetry) allowed.push_back(component.name);
   for (const auto& [name, value] : named_values(reading, table, {"u", "r"}, "n")) {
     const auto at = std::ranges::find(fixed, name, &Fixed::name);
-    const Place place = reading.source.value(value);
     if (at == fixed.end() || at->by_symmetry) {
-      reading.report(place, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)),
+      reading.report(value, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)),
                      joined(allowed), did_you_mean(name, allowed));
     } else if (std::ranges::count(seen, name) > 0) {
-      reading.report(place, fmt::format("values gives {} twice", geometry::shortened(name)));
+      reading.report(value, fmt::format("values gives {} twice", geometry::shortened(name)));
     } else if (auto field = read_field(reading, Item{value, name})) {
       effective[name] = as_json(*field);
       result.components[static_cast<std::size_t>(at - fixed.begin())].value = std::move(*field);
@@ -96,14 +96,6 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
     seen.push_back(name);
   }
 }
-
-}  // namespace
-
-std::optional<std::vector<std::string>> read_boundaries(Table& table, const std::optional<fem::Domain>& domain) {
-  return table.name_list("boundary", "boundary", domain ? fem::boundary_names(*domain) : std::vector<std::string>{});
-}
-
-namespace {
 
 /// Places of a support: boundaries, or a point. Nothing if they are wrong.
 struct Places {
@@ -119,18 +111,16 @@ struct Places {
   }
 };
 
-Places read_places(Table& support, const std::optional<fem::Domain>& domain) {
+Places read_places(Table& support) {
   if (support.has("boundary") == support.has("point")) {
-    support.reading().report(support.place(),
-                             support.has("point") ? "[[support]] has both boundary and point"
-                                                  : "[[support]] has no \"boundary\" and no \"point\"",
-                             "one of the two", "write boundary = \"left\", or point = [0, 0]");
+    support.report_here(support.has("point") ? "[[support]] has both boundary and point"
+                                             : "[[support]] has no \"boundary\" and no \"point\"",
+                        "one of the two", "write boundary = \"left\", or point = [0, 0]");
     return {};
   }
-  if (!support.has("point"))
-    return {.boundaries = read_boundaries(support, domain).value_or(std::vector<std::string>{})};
+  if (!support.has("point")) return {.boundaries = read_boundaries(support).value_or(std::vector<std::string>{})};
   const auto point = support.point("point");
-  if (!point || !domain || may_contain(*domain, *point)) return {.point = point};
+  if (!point || may_contain(support.reading(), *point)) return {.point = point};
   support.report("point", fmt::format("the point ({:g}, {:g}) lies outside of the domain", (*point)[0], (*point)[1]));
   return {};
 }
@@ -139,19 +129,17 @@ Places read_places(Table& support, const std::optional<fem::Domain>& domain) {
 void check_components_at_point(const Table& support) {
   const toml::value given = support.value("fix").value_or(toml::value());
   if (!given.is_array()) return;
-  const auto known = word_names(fix_key().words);
   for (const toml::value& word : given.as_array()) {
     if (!word.is_string()) continue;
     const std::string& name = word.as_string().str;
-    if (std::ranges::count(known, name) == 0 || name == "u" || name == "u.x" || name == "u.y" || name == "u.z")
+    if (std::ranges::count(fix_words(), name) == 0 || name == "u" || name == "u.x" || name == "u.y" || name == "u.z")
       continue;
     if (name.starts_with("u."))
-      support.reading().report(support.reading().source.value(word),
-                               fmt::format("{} is no component at a point: a point has no edge to go by", name),
+      support.reading().report(word, fmt::format("{} is no component at a point: a point has no edge to go by", name),
                                "u, u.x, u.y, u.z");
     else
       support.reading().report(
-          support.reading().source.value(word),
+          word,
           fmt::format("{} cannot be held at a point: rotations of this model have no value there, and "
                       "a couple at a point turns the shell without limit as the mesh is refined",
                       name),
@@ -159,35 +147,61 @@ void check_components_at_point(const Table& support) {
   }
 }
 
+void read_support(Table& support, FixedOn& fixed_on, problem::Problem& problem) {
+  const Places places = read_places(support);
+  if (support.has("point")) check_components_at_point(support);
+  FixedOn elsewhere;
+  const auto names = places.names();
+  const auto fixed =
+      read_fix(support, names.empty() ? std::vector<std::string>{"\"\""} : names, names.empty() ? elsewhere : fixed_on);
+  if (!fixed) return;
+  assembly::Support result{.point = places.point};
+  for (const Fixed& f : *fixed) {
+    result.components.push_back(component(f.name));
+    result.symmetry = result.symmetry || f.by_symmetry;
+  }
+  auto& values = support.effective["values"] = nlohmann::json::object();
+  for (const Fixed& f : *fixed)
+    if (!f.by_symmetry) values[f.name] = 0.0;
+  read_values(support, *fixed, result, values);
+  if (places.point) problem.shell.supports.push_back(result);
+  for (const std::string& boundary : places.boundaries) {
+    problem.shell.supports.push_back(result);
+    problem.shell.supports.back().boundary = boundary;
+  }
+}
+
 }  // namespace
 
-void read_supports(Table& root, const std::optional<fem::Domain>& domain, problem::Problem& problem) {
-  auto& effective = root.effective["support"] = nlohmann::json::array();
+std::optional<std::vector<std::string>> read_boundaries(Table& table, const std::string& name) {
+  return table.name_list(name, "boundary", table.reading().boundaries());
+}
+
+std::vector<Section> support_sections() {
+  return {
+      {"support",
+       "[[support]]",
+       "Components of the displacement u and of the rotation r prescribed on boundaries, or of u at a point. Three "
+       "points "
+       "that fix three, two and one component hold the six rigid motions of a shell whose loads are in equilibrium; "
+       "any "
+       "other force at a point is singular in this model, and is warned of.",
+       {key("boundary", Kind::name_or_names, {}, "a boundary of the domain or several; either this or point"),
+        key("point", Kind::point, {},
+            "a node of the coarsest mesh that finer ones keep: a corner of a cell; where the degree is even, the "
+            "middle of a side or of a quadrilateral, too. Only u.x, u.y, u.z can be fixed there"),
+        key("fix", Kind::names, {.required = true, .words = fix_words(), .example = "[\"u\", \"r\"]"},
+            "the components: n is tangent to the shell and normal to the edge, outward; t runs along the edge; a3 is "
+            "normal to the shell; u and r stand for all three; symmetry is u.n and r.n. Any component of r fixes r.a3, "
+            "too"),
+        key("values", Kind::free_table, {.unit = "m, rad", .fallback = "{}"},
+            "values of fixed components, a number or an expression of x, y each: { u.z = -0.01 } or "
+            "{ u = [0, 0, \"-0.01*x\"] }; 0 if not given")}}};
+}
+
+void read_supports(Table& root, problem::Problem& problem) {
   FixedOn fixed_on;
-  for (Table& support : root.tables("support")) {
-    const Places places = read_places(support, domain);
-    if (support.has("point")) check_components_at_point(support);
-    FixedOn elsewhere;
-    const auto names = places.names();
-    const auto fixed = read_fix(support, names.empty() ? std::vector<std::string>{"\"\""} : names,
-                                names.empty() ? elsewhere : fixed_on);
-    if (!fixed) continue;
-    assembly::Support result{.point = places.point};
-    for (const Fixed& f : *fixed) {
-      result.components.push_back(component(f.name));
-      result.symmetry = result.symmetry || f.by_symmetry;
-    }
-    auto& values = support.effective["values"] = nlohmann::json::object();
-    for (const Fixed& f : *fixed)
-      if (!f.by_symmetry) values[f.name] = 0.0;
-    read_values(support, *fixed, result, values);
-    effective.push_back(support.effective);
-    if (places.point) problem.shell.supports.push_back(result);
-    for (const std::string& boundary : places.boundaries) {
-      problem.shell.supports.push_back(result);
-      problem.shell.supports.back().boundary = boundary;
-    }
-  }
+  root.in_tables("support", [&](Table& support) { read_support(support, fixed_on, problem); });
 }
 
 }  // namespace plastron::config

@@ -18,16 +18,18 @@ template <class Value>
 nlohmann::json json_of(const Value& value) {
   return value;
 }
-nlohmann::json json_of(const std::vector<Eigen::Vector3d>& vectors) {
+nlohmann::json json_of(const geometry::Expression& field) { return as_json(field); }
+template <class Value>
+nlohmann::json json_of(const std::vector<Value>& values) {
   nlohmann::json list = nlohmann::json::array();
-  for (const auto& v : vectors) list.push_back({v[0], v[1], v[2]});
+  for (const auto& value : values) list.push_back(json_of(value));
   return list;
 }
-nlohmann::json json_of(const geometry::Expression& field) { return as_json(field); }
-nlohmann::json json_of(const std::vector<geometry::Expression>& fields) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const auto& field : fields) list.push_back(as_json(field));
-  return list;
+
+std::vector<std::string> names(const std::vector<Key>& keys) {
+  std::vector<std::string> all;
+  std::ranges::transform(keys, std::back_inserter(all), &Key::name);
+  return all;
 }
 
 // Returns the headers of the other sections that have a key of this name.
@@ -65,12 +67,6 @@ std::vector<std::pair<std::string, toml::value>> Table::other_entries() const {
   return all;
 }
 
-Place Table::place() const { return reading_->source.value(value_); }
-
-bool Table::has(const std::string& name) const { return value_.as_table().count(name) > 0; }
-
-Place Table::key_place(const std::string& name) const { return reading_->source.key(name, value_.as_table().at(name)); }
-
 const Key& Table::declared(const std::string& name) const {
   const auto key = std::ranges::find(section_->keys, name, &Key::name);
   if (key == section_->keys.end()) throw std::logic_error(section_->path + " declares no " + name);
@@ -93,13 +89,21 @@ void Table::report_missing(const Key& key) const {
     reading_->mistakes.push_back(
         {.file = reading_->source.file_name(), .what = fmt::format("the section [{}] is missing", key.name)});
   else
-    reading_->report(place(), fmt::format("{} has no \"{}\"", section_->header, key.name), key.range.text(key.name),
-                     fmt::format("add {} = {}", key.name, key.example));
+    report_here(fmt::format("{} has no \"{}\"", section_->header, key.name), key.range.text(key.name),
+                fmt::format("add {} = {}", key.name, key.example));
 }
 
 void Table::report(const std::string& name, std::string what, std::string allowed, std::string advice) const {
-  reading_->report(reading_->source.value(value_.as_table().at(name)), std::move(what), std::move(allowed),
+  reading_->report(value_.as_table().at(name), std::move(what), std::move(allowed), std::move(advice));
+}
+
+void Table::report_key(const std::string& name, std::string what, std::string allowed, std::string advice) const {
+  reading_->report(reading_->source.key(name, value_.as_table().at(name)), std::move(what), std::move(allowed),
                    std::move(advice));
+}
+
+void Table::report_here(std::string what, std::string allowed, std::string advice) const {
+  reading_->report(value_, std::move(what), std::move(allowed), std::move(advice));
 }
 
 std::optional<toml::value> Table::value(const std::string& name) const {
@@ -129,34 +133,25 @@ std::optional<std::vector<double>> Table::numbers(const std::string& name) {
   return read(name, list_reader(Kind::numbers, 0, read_number));
 }
 
-std::optional<Eigen::Vector2d> Table::point(const std::string& name) {
-  const auto list = read(name, list_reader(Kind::point, 2, read_number));
-  if (!list) return {};
-  return Eigen::Vector2d((*list)[0], (*list)[1]);
-}
-
-std::optional<Eigen::Vector3d> Table::vector(const std::string& name) {
-  const auto list = read(name, list_reader(Kind::vector, 3, read_number));
-  if (!list) return {};
-  return Eigen::Vector3d((*list)[0], (*list)[1], (*list)[2]);
-}
+std::optional<Eigen::Vector2d> Table::point(const std::string& name) { return read(name, read_vector<2>); }
+std::optional<Eigen::Vector3d> Table::vector(const std::string& name) { return read(name, read_vector<3>); }
 
 std::optional<std::vector<Eigen::Vector2d>> Table::points(const std::string& name) {
-  const auto read_one = [](Reading& reading, const Item& item) -> std::optional<Eigen::Vector2d> {
-    const auto list = read_list(reading, item, Kind::point, 2, read_number);
-    if (!list) return {};
-    return Eigen::Vector2d((*list)[0], (*list)[1]);
-  };
-  return read(name, list_reader(Kind::points, 0, read_one));
+  return read(name, list_reader(Kind::points, 0, read_vector<2>));
 }
 
 std::optional<std::vector<Eigen::Vector3d>> Table::vectors(const std::string& name) {
-  const auto read_one = [](Reading& reading, const Item& item) -> std::optional<Eigen::Vector3d> {
-    const auto list = read_list(reading, item, Kind::vector, 3, read_number);
-    if (!list) return {};
-    return Eigen::Vector3d((*list)[0], (*list)[1], (*list)[2]);
-  };
-  return read(name, list_reader(Kind::vectors, 0, read_one));
+  return read(name, list_reader(Kind::vectors, 0, read_vector<3>));
+}
+
+std::optional<Eigen::Vector3d> Table::direction(const std::string& name) {
+  const auto given = vector(name);
+  if (!given) return {};
+  if (const double length = given->stableNorm(); length > 0) return *given / length;
+  report(name, fmt::format("the {} is the zero vector", name), "",
+         name == "normal" ? "give the direction of the free side, for example [0, 0, 1]"
+                          : "give a direction, for example [0, 0, 1]");
+  return {};
 }
 
 std::optional<std::array<int, 2>> Table::cell_counts(const std::string& name) {
@@ -172,30 +167,22 @@ std::optional<assembly::VectorExpression> Table::field_vector(const std::string&
 }
 
 bool Table::check_word(const Key& key, const Item& item, const std::string& word) const {
-  const auto allowed = word_names(key.words);
-  if (allowed.empty() || std::ranges::find(allowed, word) != allowed.end()) return true;
-  reading_->report(reading_->source.value(item.value),
-                   fmt::format("unknown word \"{}\" for {}", geometry::shortened(word), item.name), joined(allowed),
-                   did_you_mean(word, allowed));
+  if (key.words.empty() || std::ranges::find(key.words, word) != key.words.end()) return true;
+  reading_->report(item.value, fmt::format("unknown word \"{}\" for {}", geometry::shortened(word), item.name),
+                   joined(key.words), did_you_mean(word, key.words));
   return false;
 }
 
 std::optional<std::string> Table::text(const std::string& name) {
-  return read(name, [&](Reading& reading, const Item& item) {
-    const Key& key = declared(name);
-    auto word = key.kind == Kind::name ? read_name(reading, item) : read_text(reading, item);
-    return word && check_word(key, item, *word) ? word : std::nullopt;
-  });
-}
-
-std::optional<std::string> Table::word_or_false(const std::string& name) {
+  const Key& key = declared(name);
   auto word = read(name, [&](Reading& reading, const Item& item) -> std::optional<std::string> {
-    if (item.value.is_boolean() && !item.value.as_boolean()) return "";
-    if (!item.value.is_string()) report_kind(reading, item, Kind::word_or_false);
-    if (!item.value.is_string() || !check_word(declared(name), item, item.value.as_string().str)) return {};
-    return item.value.as_string().str;
+    const bool may_be_false = key.kind == Kind::word_or_false;
+    if (may_be_false && item.value.is_boolean() && !item.value.as_boolean()) return "";
+    auto given = key.kind == Kind::name ? read_name(reading, item)
+                                        : read_text(reading, item, may_be_false ? key.kind : Kind::text);
+    return given && check_word(key, item, *given) ? given : std::nullopt;
   });
-  if (word && word->empty()) effective[name] = false;
+  if (word && word->empty() && key.kind == Kind::word_or_false) effective[name] = false;
   return word;
 }
 
@@ -211,11 +198,10 @@ std::optional<std::string> Table::checked_name(const Item& item, const std::stri
                                                const std::vector<std::string>& known) const {
   auto name = read_name(*reading_, item);
   if (!name) return {};
-  const Place place = reading_->source.value(item.value);
   if (name->empty())
-    reading_->report(place, fmt::format("the {} has no name", what));
+    reading_->report(item.value, fmt::format("the {} has no name", what));
   else if (!known.empty() && std::ranges::count(known, *name) == 0)
-    report_unknown_name(place, what, *name, known);
+    report_unknown_name(item, what, *name, known);
   else
     return name;
   return {};
@@ -238,7 +224,7 @@ std::optional<std::vector<std::string>> Table::name_list(const std::string& name
   const auto read_one = [&](Reading& reading, const Item& item) {
     auto word = checked_name(item, what, known);
     if (word && std::ranges::count(seen, *word) > 0) {
-      reading.report(reading.source.value(item.value), fmt::format("the {} \"{}\" is named twice", what, *word));
+      reading.report(item.value, fmt::format("the {} \"{}\" is named twice", what, *word));
       word.reset();
     }
     if (word) seen.push_back(*word);
@@ -251,44 +237,88 @@ std::optional<std::vector<std::string>> Table::name_list(const std::string& name
   return read(name, list_reader(Kind::name_or_names, 0, read_one));
 }
 
-void Table::report_unknown_name(Place place, const std::string& what, const std::string& name,
+void Table::report_unknown_name(const Item& item, const std::string& what, const std::string& name,
                                 const std::vector<std::string>& known) const {
   const bool unnamed = known == std::vector<std::string>{""};
   reading_->report(
-      place, fmt::format("the domain has no {} \"{}\"", what, geometry::shortened(name)), unnamed ? "" : joined(known),
+      item.value, fmt::format("the domain has no {} \"{}\"", what, geometry::shortened(name)),
+      unnamed ? "" : joined(known),
       unnamed ? fmt::format("the domain is one {0} without a name: give a rectangle breaks and {0}s, or take a "
                             "mesh file with named surfaces",
                             what)
               : did_you_mean(name, known));
 }
 
-std::optional<Table> Table::table(const std::string& name) const {
+std::optional<std::string> Table::shape(const std::string& example, const std::string& advice_for_several) const {
+  const auto& shapes = section_->exactly_one;
+  std::vector<std::string> given;
+  std::ranges::copy_if(shapes, std::back_inserter(given), [&](const std::string& name) { return has(name); });
+  if (given.size() == 1) return given[0];
+  const std::string& header = section_->header;
+  if (given.empty())
+    report_here(fmt::format("{} names no shape", header), joined(shapes), "for example " + example);
+  else
+    report_key(given[1], fmt::format("{} has both {} and {}", header, given[0], given[1]),
+               fmt::format("one of {}", joined(shapes)), advice_for_several);
+  return {};
+}
+
+const Section& Table::section_of(const std::string& name) const {
+  return section(section_->path.empty() ? name : section_->path + "." + name);
+}
+
+bool Table::in_table(const std::string& name, const std::function<void(Table&)>& read_table) {
   const auto given = value(name);
-  if (!given) return {};
+  if (!given) return false;
   if (!given->is_table()) {
     report_kind(*reading_, Item{*given, name}, Kind::table);
-    return {};
+    return false;
   }
-  return Table(*reading_, section(section_->path.empty() ? name : section_->path + "." + name), *given);
+  Table table(*reading_, section_of(name), *given);
+  read_table(table);
+  effective[name] = std::move(table.effective);
+  return true;
+}
+
+void Table::in_tables(const std::string& name, const std::function<void(Table&)>& read_table) {
+  effective[name] = nlohmann::json::array();
+  for (Table& table : tables(name)) {
+    read_table(table);
+    effective[name].push_back(std::move(table.effective));
+  }
 }
 
 std::vector<Table> Table::tables(const std::string& name) const {
   std::vector<Table> all;
   const toml::value given = value(name).value();
   if (given.is_table()) {
-    reading_->report(key_place(name), fmt::format("[{}] is a repeated section", name), "",
-                     fmt::format("write [[{}]] with double brackets", name));
+    report_key(name, fmt::format("[{}] is a repeated section", name), "",
+               fmt::format("write [[{}]] with double brackets", name));
   } else if (!given.is_array()) {
     report_kind(*reading_, Item{given, name}, Kind::tables);
   } else {
     for (const toml::value& entry : given.as_array()) {
       if (entry.is_table())
-        all.emplace_back(*reading_, section(section_->path.empty() ? name : section_->path + "." + name), entry);
+        all.emplace_back(*reading_, section_of(name), entry);
       else
         report_kind(*reading_, Item{entry, "an entry of " + name}, Kind::table);
     }
   }
   return all;
+}
+
+bool Table::fill_keys(const std::any& object) {
+  bool all = true;
+  for (const Key& key : section_->keys)
+    if (key.put && !key.put(*this, key, object)) all = false;
+  return all;
+}
+
+Key key(std::string name, Kind kind, Key rest, std::string meaning) {
+  rest.name = std::move(name);
+  rest.kind = kind;
+  rest.meaning = std::move(meaning);
+  return rest;
 }
 
 }  // namespace plastron::config

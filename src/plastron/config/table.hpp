@@ -4,7 +4,7 @@
 #include <plastron/assembly/loads.hpp>
 #include <plastron/config/reading.hpp>
 
-#include <Eigen/Core>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace plastron::config {
@@ -15,14 +15,22 @@ class Table {
   Table(Reading& reading, const Section& section, toml::value value);
 
   Reading& reading() const { return *reading_; }
-  Place place() const;
   /// Returns true if the file gives the key.
-  bool has(const std::string& name) const;
-  Place key_place(const std::string& name) const;
+  bool has(const std::string& name) const { return value_.as_table().count(name) > 0; }
   /// Returns the value in the file, or the default. A required key that is absent is reported.
   std::optional<toml::value> value(const std::string& name) const;
   /// Reports a mistake in the value of a key of the file.
   void report(const std::string& name, std::string what, std::string allowed = "", std::string advice = "") const;
+  /// Reports a key that the file gives, for example one too many.
+  void report_key(const std::string& name, std::string what, std::string allowed = "", std::string advice = "") const;
+  /// Reports a mistake in the table as a whole.
+  void report_here(std::string what, std::string allowed = "", std::string advice = "") const;
+
+  /// Reads the keys that are declared with a member of `Object`. Returns false if one is wrong or missing.
+  template <class Object>
+  bool fill(Object& object) {
+    return fill_keys(&object);
+  }
 
   std::optional<bool> boolean(const std::string& name);
   std::optional<int> integer(const std::string& name);
@@ -30,13 +38,13 @@ class Table {
   std::optional<std::vector<double>> numbers(const std::string& name);
   std::optional<Eigen::Vector2d> point(const std::string& name);
   std::optional<Eigen::Vector3d> vector(const std::string& name);
+  /// Returns the unit vector along the three numbers of a key; reports the zero vector.
+  std::optional<Eigen::Vector3d> direction(const std::string& name);
   std::optional<std::vector<Eigen::Vector2d>> points(const std::string& name);
   std::optional<std::vector<Eigen::Vector3d>> vectors(const std::string& name);
   std::optional<std::array<int, 2>> cell_counts(const std::string& name);
-  /// Returns a text; where words are declared, one of the words that this version supports.
+  /// Returns a text; where words are declared, one of them, or "" for false.
   std::optional<std::string> text(const std::string& name);
-  /// Returns one of the declared words, or "" for false.
-  std::optional<std::string> word_or_false(const std::string& name);
   std::optional<std::vector<std::string>> texts(const std::string& name);
   /// Returns a name that is not empty, and one of `known` if that has any. `what` is its name in messages.
   std::optional<std::string> known_name(const std::string& name, const std::string& what,
@@ -46,8 +54,12 @@ class Table {
                                                     const std::vector<std::string>& known);
   std::optional<geometry::Expression> field(const std::string& name);
   std::optional<assembly::VectorExpression> field_vector(const std::string& name);
-  std::optional<Table> table(const std::string& name) const;
-  std::vector<Table> tables(const std::string& name) const;
+  /// Returns the only key of Section::exactly_one that is given; reports none and several.
+  std::optional<std::string> shape(const std::string& example, const std::string& advice_for_several = "") const;
+  /// Reads a table by `read` and notes its effective settings. Returns false if there is no table.
+  bool in_table(const std::string& name, const std::function<void(Table&)>& read);
+  /// Reads each table of a list by `read` and notes their effective settings.
+  void in_tables(const std::string& name, const std::function<void(Table&)>& read);
   /// Returns the keys that are not declared, in the order of the file: for sections that have other keys.
   std::vector<std::pair<std::string, toml::value>> other_entries() const;
 
@@ -55,11 +67,14 @@ class Table {
 
  private:
   const Key& declared(const std::string& name) const;
+  bool fill_keys(const std::any& object);
+  const Section& section_of(const std::string& name) const;
+  std::vector<Table> tables(const std::string& name) const;
   void report_unknown(const std::string& name, const toml::value& value) const;
   void report_missing(const Key& key) const;
   std::optional<std::string> checked_name(const Item& item, const std::string& what,
                                           const std::vector<std::string>& known) const;
-  void report_unknown_name(Place place, const std::string& what, const std::string& name,
+  void report_unknown_name(const Item& item, const std::string& what, const std::string& name,
                            const std::vector<std::string>& known) const;
   bool check_word(const Key& key, const Item& item, const std::string& word) const;
   template <class Read>
@@ -72,5 +87,61 @@ class Table {
 
 /// Returns the number, or the text of an expression that depends on x or y.
 nlohmann::json as_json(const geometry::Expression& field);
+
+/// Declares a key that the reader of its section reads by its name. `rest`: what is not given here.
+Key key(std::string name, Kind kind, Key rest, std::string meaning);
+
+/// Declares a key whose value goes to a member of the object that Table::fill fills. `read` reads it from a table.
+template <class Object, class Value, class Read>
+Key key(std::string name, Value Object::*member, Read read, Key rest, std::string meaning) {
+  rest.put = [member, read](Table& table, const Key& self, const std::any& object) {
+    Object* const* const target = std::any_cast<Object*>(&object);
+    if (target == nullptr) return true;  // a key of another object
+    auto value = std::invoke(read, table, self.name);
+    if (!value) return !self.required && !table.has(self.name);
+    (*target)->*member = std::move(*value);
+    return true;
+  };
+  const Kind kind = rest.kind;
+  return key(std::move(name), kind, std::move(rest), std::move(meaning));
+}
+
+/// Returns the kind of key that a type of member has, and its reader.
+template <class Value>
+constexpr auto kind_and_reader() {
+  if constexpr (std::is_same_v<Value, bool>) return std::pair(Kind::boolean, &Table::boolean);
+  if constexpr (std::is_same_v<Value, int>) return std::pair(Kind::integer, &Table::integer);
+  if constexpr (std::is_same_v<Value, double>) return std::pair(Kind::number, &Table::number);
+  if constexpr (std::is_same_v<Value, std::vector<double>>) return std::pair(Kind::numbers, &Table::numbers);
+  if constexpr (std::is_same_v<Value, std::vector<std::string>>) return std::pair(Kind::names, &Table::texts);
+  if constexpr (std::is_same_v<Value, std::array<int, 2>>) return std::pair(Kind::cell_counts, &Table::cell_counts);
+  if constexpr (std::is_same_v<Value, std::string>) return std::pair(Kind::name, &Table::text);
+  if constexpr (std::is_same_v<Value, Eigen::Vector2d>) return std::pair(Kind::point, &Table::point);
+  if constexpr (std::is_same_v<Value, Eigen::Vector3d>) return std::pair(Kind::vector, &Table::vector);
+  if constexpr (std::is_same_v<Value, geometry::Expression>) return std::pair(Kind::field, &Table::field);
+}
+
+/// Declares a key whose kind follows from the type of the member.
+template <class Object, class Value>
+Key key(std::string name, Value Object::*member, Key rest, std::string meaning) {
+  constexpr auto found = kind_and_reader<Value>();
+  rest.kind = found.first;
+  return key(std::move(name), member, found.second, std::move(rest), std::move(meaning));
+}
+
+/// Declares a key whose words stand for values of a member. With the default false, false stands for the value 0.
+template <class Object, class Value>
+Key key(std::string name, Value Object::*member,
+        const std::vector<std::pair<std::string, std::type_identity_t<Value>>>& values, Key rest, std::string meaning) {
+  rest.kind = rest.fallback == "false" ? Kind::word_or_false : Kind::word;
+  for (const auto& [word, value] : values) rest.words.push_back(word);
+  const auto read = [values](Table& table, const std::string& self) -> std::optional<Value> {
+    const auto word = table.text(self);
+    if (!word) return {};
+    const auto found = std::ranges::find(values, *word, [](const auto& entry) { return entry.first; });
+    return found == values.end() ? Value{} : found->second;
+  };
+  return key(std::move(name), member, read, std::move(rest), std::move(meaning));
+}
 
 }  // namespace plastron::config

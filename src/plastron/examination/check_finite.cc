@@ -1,6 +1,5 @@
 // Checks that loads and prescribed values are finite at the nodes and quadrature points of the sample mesh.
 #include <plastron/examination/checks.hpp>
-#include <plastron/examination/named_expressions.hpp>
 #include <plastron/fem/basis.hpp>
 
 #include <algorithm>

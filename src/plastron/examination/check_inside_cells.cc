@@ -1,7 +1,6 @@
 // Checks smoothness inside each cell. Elements assume that a_3 and the thickness do not jump there; the
 // curvature should not jump. Loads may jump: they are integrated between their borders (element/piece_rules.hpp).
 #include <plastron/examination/jumps.hpp>
-#include <plastron/examination/named_expressions.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // loads press the shell onto it; this is decided here.
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/examination/checks.hpp>
-#include <plastron/examination/pressing.hpp>
+#include <plastron/examination/rigid_motions.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/obstacle/error.hpp>

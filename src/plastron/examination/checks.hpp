@@ -1,4 +1,4 @@
-// The checks of an examination, one in each file, and their common data: a sample mesh on every rank.
+// The checks of an examination and their common data: a sample mesh on every rank, and the expressions of the case.
 #pragma once
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/element/element_tables.hpp>
@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,27 @@ std::string vector_text(Eigen::Vector3d v, double size = 0);
 
 /// Returns the angle between two unit vectors whose difference has this length.
 double degrees_between(double unit_difference);
+
+/// An expression of a load or support, with its name in messages.
+struct NamedExpression {
+  std::string name{};  ///< "the z component of a load's force, "1/x","
+  geometry::Expression f{};
+  std::string boundary{};                  ///< boundary where it acts; empty: in the domain
+  std::vector<std::string> regions{};      ///< regions of the domain; empty: in all of it
+  std::optional<Eigen::Vector2d> point{};  ///< the only point where it acts
+
+  /// Whether it acts inside the cells of a region.
+  bool acts_in(const std::string& region) const {
+    return regions.empty() || std::ranges::find(regions, region) != regions.end();
+  }
+};
+
+/// Returns the expressions of supports that are not constant or not finite. The same holds for `load_expressions`.
+std::vector<NamedExpression> support_expressions(const problem::Problem& problem);
+std::vector<NamedExpression> load_expressions(const problem::Problem& problem);
+
+/// Returns an expression for a message: in quotes, shortened if it is long.
+std::string quoted(const geometry::Expression& f);
 
 /// Checks that the mesh has the boundaries, regions and nodes that supports, loads and cross-sections name.
 void check_names(Examined& examined);

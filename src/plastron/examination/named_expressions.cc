@@ -1,4 +1,4 @@
-#include <plastron/examination/named_expressions.hpp>
+#include <plastron/examination/checks.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

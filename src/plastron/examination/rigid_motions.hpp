@@ -55,4 +55,31 @@ FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<as
 /// Returns the columns of a basis in reduced echelon form, which shows pure translations and rotations.
 std::vector<RigidMotion> readable(const Eigen::MatrixXd& basis);
 
+// The loads must press the shell onto the obstacle where only the obstacle fixes it. The energy must not decrease without
+// limit along any rigid motion W that the supports leave free and that closes no gap: l(W) <= 0. By Farkas' lemma this
+// is true if and only if reactions eta >= 0 balance the loads: -l = G' eta on the free motions.
+
+enum class Hold {
+  pressed,   ///< the energy grows along every such motion
+  balanced,  ///< the energy is constant along some motion: the loads just do not pull the shell off, or do no work
+  pulled_off
+};
+
+struct Pressing {
+  Hold hold = Hold::pressed;
+  RigidMotion motion = RigidMotion::Zero();  ///< unit length: the motion that is not pressed; it opens the gap
+};
+
+/// Checks the loads. `held` is an orthonormal basis of motions that the supports leave free, `forces` are nodal forces
+/// and couples.
+Pressing pressing(const RigidMotions& motions, const Eigen::MatrixXd& held,
+                  const std::vector<assembly::NodalPoint>& points, const assembly::NodalCoordinates& coordinates,
+                  std::span<const double> forces);
+
+/// Solves a least squares problem with non-negative coefficients, for few rows: min |b - A x| over x >= 0
+/// (C. L. Lawson, R. J. Hanson: Solving least squares problems, chapter 23).
+/// Returns the residual b - A x of the best x. By Farkas' lemma it is zero, or a direction r with A' r <= 0 and
+/// b . r > 0.
+Eigen::VectorXd nonnegative_residual(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+
 }  // namespace plastron::examination

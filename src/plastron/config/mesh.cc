@@ -1,0 +1,68 @@
+// Reads [mesh].
+#include <plastron/config/sections.hpp>
+
+namespace plastron::config {
+
+namespace {
+
+using problem::Discretisation, problem::Layers;
+
+/// Checks triangles, which have degrees 1 and 2 and no tying. A default of `tying` is changed, a given value is an
+/// error.
+void check_triangles(Table& mesh, problem::Problem& problem) {
+  const int degree = problem.discretisation.degree;
+  if (degree > 2)
+    mesh.report("degree", fmt::format("degree {} is not available on triangles", degree), "1 <= degree <= 2",
+                "write cells = \"quadrilateral\" for a higher degree");
+  if (problem.shell.tying && mesh.has("tying"))
+    mesh.report("tying", "the strains of triangles cannot be tied", "tying = false",
+                "leave tying out and use degree 2 on a mesh fine enough, or write cells = \"quadrilateral\"");
+  problem.shell.tying = false;
+  mesh.effective["tying"] = false;
+}
+
+/// Sets missing values for meshes that follow from estimated errors: an unrefined start mesh with edge layers, of high
+/// degree.
+void suit_accuracy(Table& mesh, Discretisation& d) {
+  const bool is_triangular = d.cells == fem::Shape::triangle;
+  if (!mesh.has("refinements")) mesh.effective["refinements"] = d.refinements = 0;
+  if (!mesh.has("degree")) mesh.effective["degree"] = d.degree = is_triangular ? 2 : 4;
+  if (mesh.has("layers") || is_triangular) return;
+  d.layers = Layers::automatic;
+  mesh.effective["layers"] = "auto";
+}
+
+}  // namespace
+
+std::vector<Section> mesh_sections() {
+  return {
+      {"mesh",
+       "[mesh]",
+       "The finite elements, where they are not left to [accuracy].",
+       {key("cells", &Discretisation::cells,
+            {{"quadrilateral", fem::Shape::quadrilateral}, {"triangle", fem::Shape::triangle}},
+            {.fallback = "\"quadrilateral\""}, "shape of the cells; triangles have degree 1 or 2 and no tying"),
+        key("degree", &Discretisation::degree, {.fallback = "2", .range = Range::between(1, 8)},
+            "degree of u and r; where meshes follow from [accuracy] 4 if not given, 2 on triangles"),
+        key("tying", &assembly::ShellDescription::tying, {.fallback = "true"}, "strains tied against locking; false on triangles"),
+        key("layers", &Discretisation::layers, {{"auto", Layers::automatic}}, {.fallback = "false"},
+            "\"auto\": rows of long thin cells along the edges, as wide as the edge layers of the shell ask for, and "
+            "cells between them that on the finest mesh are small enough for an error of about 1e-3 "
+            "(methods/layers.md); a mesh that is read is left as it is; `plastron check` says what the rows are. Where "
+            "meshes follow from [accuracy] \"auto\" if not given, on triangles false"),
+        key("refinements", &Discretisation::refinements, {.fallback = "3", .range = Range::between(0, 12)},
+            "uniform refinements of the coarsest mesh; every level is solved. With [accuracy], or without [mesh], 0 if "
+            "not given, and only the last level begins the meshes that follow")}}};
+}
+
+void read_mesh(Table& root, problem::Problem& problem) {
+  root.in_table("mesh", [&](Table& mesh) {
+    Discretisation& d = problem.discretisation;
+    mesh.fill(d);
+    mesh.fill(problem.shell);
+    if (root.has("accuracy") || !root.has("mesh")) suit_accuracy(mesh, d);
+    if (d.cells == fem::Shape::triangle) check_triangles(mesh, problem);
+  });
+}
+
+}  // namespace plastron::config

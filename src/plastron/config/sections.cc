@@ -1,0 +1,66 @@
+// The list of all sections, and the keys of the case file itself: one for each section.
+#include <plastron/config/sections.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plastron::config {
+
+namespace {
+
+std::vector<Section> file_sections() {
+  const auto required = [](const char* name, const char* meaning) {
+    return key(name, Kind::table, {.required = true}, meaning);
+  };
+  const auto table = [](const char* name, const char* meaning) {
+    return key(name, Kind::table, {.fallback = "{}"}, meaning);
+  };
+  const auto tables = [](const char* name, const char* meaning) {
+    return key(name, Kind::tables, {.fallback = "[]"}, meaning);
+  };
+  return {{"",
+           "the case file",
+           "A case file is a TOML file of these sections.",
+           {key("title", Kind::text, {.fallback = "\"\""}, "shown in reports"),
+            key("constants", Kind::free_table, {.fallback = "{}"}, "named numbers for expressions"),
+            required("shell", "material and thickness"),
+            required("geometry", "the mid-surface"),
+            tables("region", "thickness, material, density of a region"),
+            table("accuracy", "how accurate results are to be"),
+            table("mesh", "the discretisation"),
+            tables("join", "edges that are joined"),
+            tables("rigid_body", "rigid bodies that carry edges"),
+            tables("support", "prescribed displacements and rotations"),
+            tables("load", "dead loads"),
+            table("gravity", "what makes the weight of the shell"),
+            tables("obstacle", "rigid obstacles"),
+            tables("step", "loads and obstacles that change in steps"),
+            tables("probe", "points where results are wanted"),
+            tables("line", "lines along which results are tabulated"),
+            table("output", "how results are given"),
+            table("units", "what the units are called"),
+            table("contact", "the contact solver"),
+            table("solver", "iteration limits and tolerances")}}};
+}
+
+}  // namespace
+
+const std::vector<Section>& sections() {
+  static const std::vector<Section> all = [] {
+    std::vector<Section> list;
+    for (const auto declare : {file_sections, constants_sections, shell_sections, geometry_sections, accuracy_sections,
+                               mesh_sections, join_sections, rigid_body_sections, support_sections, load_sections,
+                               obstacle_sections, step_sections, probe_sections, output_sections, solver_sections})
+      std::ranges::move(declare(), std::back_inserter(list));
+    return list;
+  }();
+  return all;
+}
+
+const Section& section(const std::string& path) {
+  const auto found = std::ranges::find(sections(), path, &Section::path);
+  if (found == sections().end()) throw std::logic_error("no section is declared as " + path);
+  return *found;
+}
+
+}  // namespace plastron::config

@@ -1,0 +1,51 @@
+// Reads [contact] and [solver].
+#include <plastron/config/sections.hpp>
+
+namespace plastron::config {
+
+namespace {
+
+using contact::Settings;
+
+Section contact_section() {
+  return {
+      "contact",
+      "[contact]",
+      "How the contact problem is solved.",
+      {key("linearised", &assembly::RigidObstacles::are_linear, {.fallback = "false"},
+           "take the gaps of curved obstacles at the undeformed shell, and not again where the shell was found"),
+       key("admissible", &problem::Problem::admissible, {.fallback = "false"},
+           "keep the shell out of the obstacles between its nodes, too: solve again with lifted bounds until it is")}};
+}
+
+Section solver_section() {
+  const Range tolerance = Range::positive(0.01);
+  return {"solver",
+          "[solver]",
+          "The defaults serve nearly always.",
+          {key("max_iterations", &Settings::max_iterations, {.fallback = "200", .range = Range::between(1, 100000)},
+               "active-set changes on one mesh; each costs one factorisation"),
+           key("linear_tolerance", &Settings::linear_tolerance, {.fallback = "1e-12", .range = tolerance},
+               "relative residual of the linear solves"),
+           key("gap_tolerance", &Settings::gap_tolerance, {.fallback = "1e-11", .range = tolerance},
+               "a bound counts as violated beyond this multiple of the largest unknown that has one"),
+           key("multiplier_tolerance", &Settings::multiplier_tolerance, {.fallback = "1e-10", .range = tolerance},
+               "a multiplier counts as negative beyond this multiple of the largest one")}};
+}
+
+}  // namespace
+
+std::vector<Section> solver_sections() { return {contact_section(), solver_section()}; }
+
+void read_contact(Table& root, problem::Problem& problem) {
+  root.in_table("contact", [&](Table& contact) {
+    contact.fill(problem.shell.obstacles);
+    contact.fill(problem);
+  });
+}
+
+void read_solver(Table& root, problem::Problem& problem) {
+  root.in_table("solver", [&](Table& solver) { solver.fill(problem.contact); });
+}
+
+}  // namespace plastron::config
