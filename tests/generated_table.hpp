@@ -1,4 +1,4 @@
-// Tables in the documentation that are made from what the code holds: they stand between two comments of the page.
+// Tables in the documentation that are made from the code. They stand between two comments of the page.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 namespace plastron::test {
 
-/// `text` with what stands between the markers of a table replaced.
+/// `text` with the content between the markers of a table replaced.
 inline std::string with_table(const std::string& text, const std::string& name, const std::string& table) {
   const std::string begin = "<!-- table: " + name + " -->\n", end = "<!-- end of table -->";
   const std::size_t at = text.find(begin);

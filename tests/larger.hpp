@@ -1,4 +1,4 @@
-// The larger of two numbers for measures of error: unlike std::max it keeps a NaN, so that what is no number fails a test.
+// The larger of two measures of error. Unlike std::max it keeps a NaN, so that a NaN fails a test.
 #pragma once
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Starts MPI and the algebra around the tests of a program. Rank 0 reports, the others print their failures only, and every rank's failure
+// Starts MPI and the algebra around the tests of a program. Rank 0 reports, the others print only their failures, and a failure of any rank
 // counts. With --files=a_test.cc,b_test.cc only the tests of these files run.
 #include <plastron/algebra/session.hpp>
 

@@ -1,4 +1,4 @@
-// An error planted on one rank: all ranks throw, or the test hangs until its time is up.
+// An error is planted on one rank. All ranks must throw, or the test hangs until its time is up.
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/factorisation.hpp>
 

@@ -1,4 +1,4 @@
-// Counts allocations: replaces the operators new and delete of a test program. For one file of a program.
+// Counts allocations by replacing the operators new and delete of a test program. Include it in one file of a program.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +30,7 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace plastron::test {
 
-/// Since it was made; one at a time.
+/// Counts from its construction on; only one may exist at a time.
 class Allocations {
  public:
   Allocations() { largest_allocation = 0; }

@@ -1,4 +1,4 @@
-// Assertions stop the program with values where they are live, and are not evaluated elsewhere.
+// Live assertions stop the program and show values. Other builds do not evaluate them.
 #include <plastron/algebra/assertion.hpp>
 
 #include <gtest/gtest.h>

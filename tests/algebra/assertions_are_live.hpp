@@ -10,7 +10,7 @@ inline constexpr bool assertions_are_live = false;
 inline constexpr bool assertions_are_live = true;
 #endif
 
-/// A program that dies on one of several ranks takes the others with it.
+/// If a program dies on one of several ranks, the others die with it.
 inline bool cannot_watch_a_program_die() { return !assertions_are_live || ranks() > 1; }
 
 }  // namespace plastron::test

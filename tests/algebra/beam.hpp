@@ -1,5 +1,5 @@
 // A beam on n + 2 equidistant nodes, by second differences: A = B'B, (B z)_i = z_{i-1} - 2 z_i + z_{i+1}. Its condition
-// number grows like n^4, and B z can be formed without the cancellation that A z suffers: a small model of a thin
+// number grows like n^4. B z does not suffer the cancellation that A z suffers. This is a small model of a thin
 // shell.
 #pragma once
 #include "algebra/chain.hpp"
@@ -14,7 +14,7 @@ inline Elements triples(GlobalIndex nodes) {
 }
 
 struct Beam {
-  /// The matrix is too stiff by the part `stiffness_error` and has springs to the ground; the operator knows neither.
+  /// `stiffness_error` is the relative error of the matrix, which also has springs to the ground. The operator has neither.
   explicit Beam(GlobalIndex nodes, double stiffness_error = 0, MPI_Comm comm = MPI_COMM_WORLD, double ground = 0)
       : elements(triples(nodes)),
         layout(layout_for(nodes, elements, comm)),

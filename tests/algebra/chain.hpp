@@ -1,4 +1,4 @@
-// Small systems for tests, spread over all ranks in contiguous pieces.
+// Small systems for tests, distributed over all ranks in contiguous pieces.
 #pragma once
 #include <plastron/algebra/matrix.hpp>
 
@@ -29,7 +29,7 @@ inline int ranks(MPI_Comm comm = MPI_COMM_WORLD) {
   return value;
 }
 
-/// Elements given by global nodes: one belongs to the rank that owns its first node.
+/// Elements given by global nodes. The rank that owns the first node owns the element.
 using Elements = std::vector<std::vector<GlobalIndex>>;
 
 /// n nodes in equal pieces, without ghosts.
@@ -41,7 +41,7 @@ inline Distribution pieces(GlobalIndex n, MPI_Comm comm) {
           .global_size = n};
 }
 
-/// With the ghosts that the elements of this rank need, and no others.
+/// With the ghosts that the elements of this rank need.
 inline std::shared_ptr<const Layout> layout_for(GlobalIndex n, const Elements& elements,
                                                 MPI_Comm comm = MPI_COMM_WORLD) {
   Distribution mine = pieces(n, comm);

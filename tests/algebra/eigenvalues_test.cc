@@ -18,7 +18,7 @@ using algebra::Operator;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A chain of nodes with two unknowns each, springs of its own between neighbours and to the ground.
+/// A chain of nodes with two unknowns each, with different springs between neighbours and to the ground.
 struct Chain {
   explicit Chain(GlobalIndex nodes, double to_ground, double variation)
       : elements(chain(nodes)),
@@ -125,7 +125,7 @@ TEST(Eigenvalues, of_an_operator_are_found_at_both_ends) {
   }
 }
 
-// Diagonal matrices: every eigenvalue occurs many times, and a Krylov space from one vector sees it once.
+// Diagonal matrices: every eigenvalue occurs many times, but a Krylov space from one vector contains it only once.
 TEST(Eigenvalues, that_are_multiple_are_all_found) {
   const GlobalIndex nodes = 30;
   const auto layout = layout_for(nodes, chain(nodes));
@@ -154,7 +154,7 @@ TEST(Eigenvalues, are_not_there_when_the_shifted_matrix_is_indefinite) {
   EXPECT_TRUE(pairs.values.empty());
 }
 
-// What an operator throws comes out where it was called, and SLEPc works afterwards.
+// An exception of the operator reaches the caller, and SLEPc still works afterwards.
 TEST(Eigenvalues, pass_on_what_the_operator_throws) {
   const auto layout = layout_for(10, chain(10));
   const Operator identity = [](const Vector& x, Vector& y) { std::ranges::copy(x.owned(), y.owned().begin()); };

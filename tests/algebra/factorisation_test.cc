@@ -144,7 +144,7 @@ TEST(Factorisation, fixes_movable_unknowns_that_alone_hold_the_structure) {
   const auto elements = chain(9);
   const auto layout = layout_for(9, elements);
   Matrix A(layout, 1, connectivity(*layout, elements));
-  for (const auto& element : elements)  // springs in a row that nothing holds
+  for (const auto& element : elements)  // a row of springs without support
     if (layout->owns(element.front())) A.add(local_nodes(*layout, element), std::vector<double>{1, -1, -1, 1});
   A.finish();
   std::vector<char> first(static_cast<std::size_t>(layout->owned), 0);

@@ -23,7 +23,7 @@ Operator solver_of(const Factorisation& F) {
   return [&F](const Vector& r, Vector& z) { F.solve(r, z); };
 }
 
-// The largest error of z relative to the exact polynomial deflection.
+// The largest error of z against the exact polynomial deflection, relative.
 double error_of(const Vector& z, const Vector& exact) {
   Vector difference = z;
   algebra::axpy(-1, exact, difference);

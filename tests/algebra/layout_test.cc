@@ -1,4 +1,4 @@
-// Layouts and their plans of exchange: who talks to whom, in which order sums are taken, and that a plan is made once.
+// Layouts and their exchange plans: which ranks communicate, the order of sums, and that a plan is made once.
 #include <plastron/algebra/krylov.hpp>
 #include <plastron/algebra/layout.hpp>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr GlobalIndex nodes = 12;
 
-/// The stiffness of a chain of springs that stands on a spring under its first node.
+/// The stiffness of a chain of springs. A spring under the first node supports it.
 Matrix springs(const std::shared_ptr<const Layout>& layout) {
   const auto elements = chain(nodes);
   Matrix A(layout, 1, connectivity(*layout, elements));
@@ -116,7 +116,7 @@ TEST(Layout, of_a_matrix_has_further_ghosts_only_where_others_couple_what_a_rank
   };
   EXPECT_EQ(graphs_of(chain(nodes)), 0);
   Elements ring = chain(nodes);
-  ring.push_back({nodes - 1, 0});  // of the last rank; the first one does not see its first node
+  ring.push_back({nodes - 1, 0});  // of the last rank, which does not see its first node
   EXPECT_EQ(graphs_of(ring), ranks() > 1 ? 1 : 0);
 }
 

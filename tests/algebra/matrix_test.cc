@@ -17,7 +17,7 @@ constexpr GlobalIndex nodes = 17;
 constexpr int block = 2;
 constexpr std::size_t size = nodes * block;
 
-// Triangles that reach far across ranks; their rank does not see all elements of its own nodes.
+// Triangles that reach far across ranks. Their rank does not see all elements of its own nodes.
 Elements example_elements() {
   Elements elements;
   for (GlobalIndex i = 0; i + 1 < nodes; ++i) elements.push_back({i, i + 1, (7 * i + 3) % nodes});

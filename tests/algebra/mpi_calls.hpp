@@ -1,4 +1,4 @@
-// Counts what is asked of MPI, by its profiling interface: calls of a test program come here first. For one file of a program.
+// Counts calls of MPI through its profiling interface: calls of a test program arrive here first. Include it in one file of a program.
 #pragma once
 #include <mpi.h>
 
@@ -47,7 +47,7 @@ int MPI_Neighbor_alltoallv(const void* out, const int out_counts[], const int ou
 
 namespace plastron::test {
 
-/// What has been called since it was made.
+/// The calls since the construction.
 class Calls {
  public:
   int graphs() const { return graphs_made - graphs_made_; }

@@ -1,7 +1,7 @@
-// A program that starts MPI, PETSc or SLEPc itself, or not, and uses the library with a Session or without one:
+// A program that starts MPI, PETSc or SLEPc itself, or none of them, and uses the library with or without a Session:
 //   session_owner OWNED USE      OWNED: nothing mpi petsc slepc      USE: session bare
-// Checks that what ran before goes on running, that what did not has ended, and that linear algebra works in between. Says what is wrong
-// and returns 1.
+// Checks that everything that ran before still runs, that everything else has ended, and that linear algebra works in between. Prints any
+// error and returns 1.
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/session.hpp>

@@ -1,4 +1,4 @@
-// Threads follow the work: small systems wake none, and nothing depends on how threads interleave.
+// Threads follow the amount of work: small systems use one, and results do not depend on how threads interleave.
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/threads.hpp>
 
@@ -26,13 +26,13 @@ using algebra::threads_for;
 constexpr double many = 100 * algebra::many_operations;
 constexpr int block = 3;
 
-/// What the test programs run with (test_main.cc).
+/// The environment of the test programs (test_main.cc).
 class Threads : public testing::Test {
  protected:
   ~Threads() override { algebra::restrict_threads(1, ranks()); }
 };
 
-/// Full, 600 unknowns: one supernode, on which a BLAS with several threads would use them.
+/// A full matrix of 600 unknowns: one supernode, on which a BLAS with several threads would use all of them.
 Matrix full_matrix() {
   constexpr GlobalIndex nodes = 200;
   constexpr std::size_t size = nodes * block;
@@ -108,7 +108,7 @@ TEST_F(Threads, OfSeveralRanksAreOneEach) {
   EXPECT_EQ(threads_for(many), 1);
 }
 
-/// OpenBLAS makes threads before main() begins, and they spin for a tenth of a second before they sleep for the first time.
+/// OpenBLAS makes threads before main() begins. They spin for a tenth of a second before they sleep for the first time.
 void wait_for_threads_to_sleep() {
   constexpr auto moment = std::chrono::milliseconds(20);
   constexpr double asleep = 1e-3;
@@ -119,7 +119,7 @@ void wait_for_threads_to_sleep() {
   }
 }
 
-// Threads that wait in the BLAS or in OpenMP spin, which shows as time of the process that is not the caller's.
+// Waiting threads of the BLAS or of OpenMP spin. This shows as processor time beyond the caller's.
 TEST_F(Threads, BesideTheCallersTakeNoTimeInASmallFactorisation) {
   const Matrix A = full_matrix();
   Factorisation F(A);

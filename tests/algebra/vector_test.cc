@@ -61,7 +61,7 @@ TEST(Vector, knows_whether_its_ghosts_are_those_of_their_owners) {
 TEST(Gather, of_all_ranks_has_the_values_in_the_order_of_the_ranks_everywhere) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  // Rank r brings r + 1 values, and the last rank of several none.
+  // Rank r contributes r + 1 values; the last of several ranks contributes none.
   std::vector<double> mine;
   if (rank == 0 || rank + 1 < ranks()) mine.assign(static_cast<std::size_t>(rank) + 1, rank);
   std::vector<double> expected;

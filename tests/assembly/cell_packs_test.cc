@@ -1,5 +1,5 @@
-// Loops over packs of cells against the plain form, cell by cell: for every set of instructions that the machine has, and for
-// numbers of cells that fill no whole pack.
+// Loops over packs of cells against the plain form, cell by cell: for every instruction set of the machine, and for
+// numbers of cells that do not fill a whole pack.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/assembly/normal_rotation.hpp>
@@ -22,14 +22,14 @@ algebra::Vector random_values(const fem::Space& space, int block, unsigned seed)
   return y;
 }
 
-/// Largest difference of owned values, measured by the largest value.
+/// Largest difference of owned values, relative to the largest value.
 double relative_difference(const algebra::Vector& a, const algebra::Vector& b) {
   algebra::Vector difference = a;
   algebra::axpy(-1, b, difference);
   return algebra::max_abs(difference) / algebra::max_abs(b);
 }
 
-/// 17 or 68 cells, of which no pack of 2, 4 or 8 is a divisor; shared out among ranks they leave odd numbers, too.
+/// 17 or 68 cells: no pack of 2, 4 or 8 divides these numbers. Distributed over ranks they give odd numbers too.
 test::MeshedSurface strip_of(fem::Shape shape, int degree) {
   const int refinements = degree <= 2 ? 1 : 0;
   const fem::Rectangle strip{.from = {0, 0}, .to = {2, 0.3}, .cells = {17, 1}};
@@ -55,7 +55,7 @@ void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, co
 
 class EveryPack : public testing::TestWithParam<test::Element> {
  protected:
-  /// Calls test(shell) for all sets of instructions.
+  /// Calls test(shell) for all instruction sets.
   template <class Test>
   void on_all(const Test& test) const {
     const auto [shape, degree, tying] = GetParam();
@@ -77,7 +77,7 @@ TEST_P(EveryPack, TheProductIsThatOfTheCells) {
   on_all([](const ShellOperator& shell) {
     const algebra::Vector y = random_values(shell.space(), 6, 1);
     algebra::Vector packed(shell.space().layout, 6), plain = packed;
-    packed.fill(7);  // what was there before must not matter
+    packed.fill(7);  // earlier contents must not matter
     shell.apply(y, packed);
     for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
       shell.scatter(c, shell.forces(c, shell.weighted_stresses(c, shell.strains(c, shell.gather(c, y)))), plain);
@@ -187,7 +187,7 @@ TEST(CellPacks, WhatIsStoredGivesTheFrameOfTheSurface) {
   }
 }
 
-// Numbers of rows and columns that are no multiples of a block.
+// Numbers of rows and columns that are not multiples of a block.
 TEST(PackKernels, TheGramMatrixIsTheTransposeTimesTheMatrix) {
   for (const PackKernels* kernels : pack_kernels())
     for (const int columns : {1, 3, 20, 45, 54, 101}) {

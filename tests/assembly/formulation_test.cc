@@ -1,4 +1,4 @@
-// What distinguishes the formulations: interpolation of covariant components (M15), the form on r . a_3 (M13), the
+// The differences between the formulations: interpolation of covariant components (M15), the form on r . a_3 (M13), the
 // multiplier (M14).
 #include "assembly/sample_shells.hpp"
 
@@ -46,7 +46,7 @@ TEST(Formulation, ForcesAreTheTransposeOfStrainsInEachOfThem) {
   }
 }
 
-/// Largest difference at the middle of a side between the rigid motion and what its nodal values give.
+/// Largest difference at the middle of a side between the rigid motion and its interpolant.
 double interpolation_error(int refinements) {
   const auto m = test::meshed(test::skew(), test::saddle, 2, refinements);
   const auto discrete = shell_of(m, {.formulation = element::Formulation::classical});
@@ -91,7 +91,7 @@ TEST(Formulation, TheTangencyFormIsThatOfTheNormalComponentAlone) {
   const auto m = test::meshed(test::skew(), test::saddle, 3, 1);
   const auto discrete = shell_of(m, {.formulation = element::Formulation::penalised, .penalty = 0.25});
   EXPECT_EQ(discrete->tangency_factor(), 4);
-  // r = a_3 has r . a_3 = 1: only its interpolation error has a gradient. r = x a_3 has the gradient of x.
+  // r = a_3 has r . a_3 = 1, so only its interpolation error has a gradient. r = x a_3 has the gradient of x.
   const auto energy_of = [&](auto magnitude) {
     algebra::Vector y(m.space->layout, 6);
     for (std::size_t i = 0; i < discrete->points.size(); ++i)

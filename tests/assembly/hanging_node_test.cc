@@ -1,5 +1,5 @@
-// A planted hanging node: one cell beside two half as large. Fields are continuous, strains of the fields that the space holds are
-// exact, and the form stays symmetric (docs/model.md section 7; the mesh that plants such nodes itself comes with adaptivity).
+// A planted hanging node: one cell beside two half as large. Fields are continuous, strains of fields of the space are
+// exact, and the form stays symmetric (docs/model.md, section 7).
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/assembly/box_problem.hpp>
@@ -17,7 +17,7 @@ namespace {
 using Eigen::Matrix;
 using Eigen::Vector3d;
 
-/// The rectangle [0, 2] x [0, 1]: the left cell whole, the right one in four.
+/// The rectangle [0, 2] x [0, 1]: the left cell is whole, the right one is cut in four.
 test::MeshedSurface with_hanging_nodes(int degree, const std::array<std::string, 3>& chart) {
   auto coarse = std::make_shared<fem::CoarseMesh>(
       fem::coarse_mesh(fem::Rectangle{.to = {2, 1}, .cells = {2, 1}}, fem::Shape::quadrilateral));
@@ -53,7 +53,7 @@ test::MeshedSurface with_hanging_nodes(int degree, const std::array<std::string,
   const auto nodes = static_cast<algebra::LocalIndex>(places.size());
   space->layout = std::make_shared<const algebra::Layout>(algebra::Distribution{.owned = nodes, .global_size = nodes});
 
-  // On x = 1 the nodes of the large cell's side are masters, all others hang.
+  // On x = 1 the nodes of the large cell's side are masters; all other nodes hang.
   const auto on_side = fem::side_nodes(fem::Shape::quadrilateral, degree, 1);
   std::vector<algebra::LocalIndex> masters;
   for (const int i : on_side) masters.push_back(space->connectivity.nodes[static_cast<std::size_t>(i)]);
@@ -104,7 +104,7 @@ TEST_P(HangingNode, LetsRigidMotionsGiveNoEnergy) {
   }
 }
 
-/// The patch test: with a linear displacement, or a rotation that is the slope of a quadratic one, every free node is in equilibrium.
+/// The patch test: every free node is in equilibrium with a linear displacement, or with a rotation that is the slope of a quadratic one.
 TEST_P(HangingNode, PassesThePatchTest) {
   const auto m = with_hanging_nodes(GetParam(), test::flat);
   const auto shell = shell_on(m, element::Formulation::tangent);

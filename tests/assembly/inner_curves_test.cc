@@ -1,5 +1,5 @@
-// Named curves inside of a mesh, and curves in several groups: supports and loads act on each, once, on any number of
-// ranks, on either shape and on every level.
+// Named curves inside a mesh, and curves in several groups. Supports and loads act on each once, on any number of
+// ranks, on both shapes and on every level.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/assembly/load_vector.hpp>
@@ -20,7 +20,7 @@ struct Case {
   fem::Shape shape;
 };
 
-/// The quarter annulus 1 < |x| < 2. "rim" is all of its boundary, "south" the part of it with y = 0, "mid" the inner
+/// The quarter annulus 1 < |x| < 2. "rim" is its whole boundary, "south" the part with y = 0, "mid" the inner
 /// arc |x| = 1.5, drawn from (1.5, 0) to (0, 1.5).
 const std::vector<Case> arcs{{"arcs-of-order-4-4.1.msh", test::quadrilateral},
                              {"arcs-of-order-4-2.2.msh", test::quadrilateral},
@@ -74,7 +74,7 @@ TEST(OverlappingCurves, CarryTheirLoadsEach) {
   });
 }
 
-/// The owned nodes at which one support of u.z acts lie on the curve, and all that lie there are held.
+/// The owned nodes at which a support of u.z acts lie on the curve, and all nodes on the curve are fixed.
 void expect_held(const test::MeshedSurface& m, const std::string& boundary,
                  const std::function<double(const Eigen::Vector2d&)>& distance) {
   const Support support{.boundary = boundary,
@@ -104,7 +104,7 @@ TEST(OverlappingCurves, HoldTheirNodesEach) {
   });
 }
 
-// As drawn, "mid" has the centre on its left, so its conormal points away from the centre.
+// "mid" is drawn with the centre on its left, so its conormal points away from the centre.
 TEST(InnerCurve, HasItsConormalOnTheRightOfItsDirection) {
   for_every_mesh([](const test::MeshedSurface& m) {
     const Support support{.boundary = "mid",

@@ -34,7 +34,7 @@ TEST(LoadVector, AConstantForceSumsToForceTimesArea) {
   EXPECT_NEAR(sum[0], 0, 1e-12);
 }
 
-// Pressure along the normal on any cap pushes like pressure on the disk it spans.
+// Pressure along the normal of a cap has the same total force as pressure on the disk that it spans.
 TEST(LoadVector, APressureSumsToPressureTimesProjectedArea) {
   const auto shell = cap_on_disk(4, 2);
   AreaLoad load;
@@ -117,7 +117,7 @@ TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
   for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-8);
 }
 
-/// The total force of a pressure on the plate, which is divided into 16 cells.
+/// The total force of a pressure on the plate of 16 cells.
 double pressed(const std::string& pressure, fem::Shape shape = test::quadrilateral) {
   AreaLoad load;
   load.pressure = geometry::Expression(pressure, {{"a", 0.3141592653}, {"b", 0.6180339887}});

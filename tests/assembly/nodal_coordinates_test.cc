@@ -79,8 +79,8 @@ TEST(NodalCoordinates, TheFirstCoordinateIsTheChangeOfTheGapAndNoOtherFreeOneCha
   }
 }
 
-// The relaxed formulations (M13, M14): r . a_3 is a coordinate of its own that leaves the gap alone, since that sees the
-// tangential part of r; any prescribed rotation prescribes it, too.
+// The relaxed formulations (M13, M14): r . a_3 is a coordinate of its own. It does not change the gap, which contains
+// only the tangential part of r. Any prescribed rotation prescribes it too.
 TEST(NodalCoordinates, RelaxedFormulationsAddTheNormalRotation) {
   auto m = test::meshed(test::skew(), test::saddle, 3, 1);
   for (const auto formulation : {element::Formulation::penalised, element::Formulation::mixed}) {

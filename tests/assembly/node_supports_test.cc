@@ -8,8 +8,8 @@
 namespace plastron::assembly {
 namespace {
 
-/// Two cells side by side above y = 0. Their lower sides meet at (1, 0) times scale, where the boundary turns to the left by
-/// `angle`; the first is called "a", the second "a" or "b".
+/// Two cells side by side above y = 0. Their lower sides meet at (1, 0) times scale, where the boundary turns left by
+/// `angle`. The first side is called "a", the second "a" or "b".
 test::MeshedSurface bent(double angle, const std::string& second, double scale = 1) {
   fem::CoarseMesh mesh;
   for (const auto& [x, y] :
@@ -39,11 +39,11 @@ std::unique_ptr<DiscreteShell> shell_of(const test::MeshedSurface& m, const std:
 }
 
 struct Prescribed {
-  double components = 0;  ///< how many coordinates are prescribed at the point
+  double components = 0;  ///< number of prescribed coordinates at the point
   double largest = 0;     ///< of their values
 };
 
-/// At the node nearest to x on any rank.
+/// At the node nearest to x, on any rank.
 Prescribed prescribed_at(const test::MeshedSurface& m, const std::vector<Support>& supports, const Eigen::Vector2d& x) {
   const auto discrete = shell_of(m, supports);
   const auto& c = discrete->coordinates;
@@ -78,7 +78,7 @@ TEST(Corner, OfLessThanADegreeIsASmoothCurve) {
   EXPECT_EQ(prescribed_at(bent(0.5 * degree, "a"), {held("a", Direction::conormal)}, {1, 0}).components, 1);
 }
 
-// The difference of the two values is rounding; divided by that of the conormals it would move the node along the curve.
+// The difference of the two values is rounding. Divided by that of the conormals it would move the node along the curve.
 TEST(BoundariesThatMeetSmoothly, PrescribeTheirConormalOnce) {
   const geometry::Expression one(1e-3), other(1e-3 + 1e-13);
   for (const double angle : {0.0, 1e-15, 1e-12, 1e-9, 1e-7, 1e-5})
@@ -107,12 +107,12 @@ TEST(SupportValues, EqualToRoundingDoNotContradict) {
       const auto value = sine(amplitude, scale);
       EXPECT_NO_THROW(shell_of(m, {held("bottom", Direction::z, value), held("right", Direction::z)}));
       EXPECT_NO_THROW(shell_of(m, {held("right", Direction::z), held("bottom", Direction::z, value)}));
-      // All the values of one support are rounding.
+      // All values of one support are rounding.
       EXPECT_NO_THROW(shell_of(m, {held("right", Direction::z, value), held("top", Direction::z)}));
     }
 }
 
-// On every rank alike, whichever has the corner.
+// On every rank alike, also on those that do not own the corner.
 TEST(SupportValues, ThatContradictAreRefusedOnEveryRankAndInEveryUnit) {
   for (const double scale : {1e-12, 1e-6, 1.0, 1e6})
     for (const double factor : {1e-3, 1e-9}) {

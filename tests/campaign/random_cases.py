@@ -146,7 +146,7 @@ def distance(body, X):
 
 
 def clears_edges(obstacle, shell, point, thickness):
-    """Whether the body, where it has come to, is away from the edges, which supports may hold."""
+    """Whether the body at its last position is away from the edges, which supports may fix."""
     way = obstacle.get("way", [0, 0, 0])
     for x, y in edge_points(shell):
         p, n, _ = frame(point, shell["constants"], x, y)
@@ -188,7 +188,7 @@ def make_obstacle(rng, name, shell, point, inside, thickness):
     obstacle = {"name": name, "body": body, "out": out, "at": [x, y], "shape": shape, "gap": gap / thickness}
     half = {"ball": "radius", "cylinder": "radius", "torus": "tube_radius"}.get(next(iter(body)))
     half = body[next(iter(body))][half] if half else size[2] / 2 if "box" in body else math.inf
-    if thickness / 2 + gap + half < 0:  # its middle is beyond the middle surface: the other face is the nearer one
+    if thickness / 2 + gap + half < 0:  # its middle is beyond the mid-surface: the other face is nearer
         obstacle["out"] = [-v for v in out]
     if moves:
         obstacle["way"] = [-(gap + depth) * v for v in out]
@@ -205,7 +205,7 @@ def make_case(seed, number):
     case["supports"] = [{"boundary": edge, "fix": rng.choice([["u", "r"], ["u", "r"], ["u"], ["u", "r.t"]]) if k else ["u", "r"]}
                         for k, edge in enumerate(chosen)]
     direction = rng.choice([-1, 1])
-    stiffness = thickness**3 / shell["size"]**3  # of a plate that bends: the deflection is then about s thicknesses
+    stiffness = thickness**3 / shell["size"]**3  # of a bent plate: the deflection is then about s thicknesses
     case["loads"] = []
     if rng.random() < 0.8:
         s = rng.uniform(0.1, 4) * thickness / shell["size"] * stiffness
@@ -351,7 +351,7 @@ class Run:
 
 
 def pulling(case, results):
-    """Obstacles whose force on the shell points towards them: a shell is nearly flat, so that cannot be."""
+    """Obstacles whose force on the shell points towards them. This is impossible for a nearly flat shell."""
     found = []
     for obstacle, result in zip(case["obstacles"], results["obstacles"]):
         force = result["reaction"]["force"]
@@ -362,7 +362,7 @@ def pulling(case, results):
 
 
 def difference(case, runs, promised, s):
-    """What differs by more than promised, in words."""
+    """Differences that are larger than promised, in words."""
     a, b = (run.results for run in runs)
     found = []
     pairs = [("energy", a["energy"], b["energy"] / s**3)]
@@ -382,7 +382,7 @@ def difference(case, runs, promised, s):
 
 
 def judge(case, runs, promised, s):
-    """A word, and what there is to say."""
+    """A word and its explanation."""
     for run in runs:
         if run.code == "hang":
             return "hang", f"longer than {SECONDS} s"

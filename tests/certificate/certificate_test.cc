@@ -1,6 +1,6 @@
-// Every row of the certificate notices what it is there for: a solved shell on a table is corrupted, and that row reacts and
-// leaves its limit.
-// Where a corruption leaves another row alone, that is tested too: it shows that the rows are not one number eight times.
+// Every row of the certificate detects its own error. A solved shell on a table is corrupted, and the row must leave its
+// limit.
+// Tests also check which rows a corruption leaves alone. So the rows are not eight copies of one number.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
@@ -24,7 +24,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
 
-constexpr double rounding = 1e-9;  // rows at rest lie below it; corruptions must lift them a thousandfold above
+constexpr double rounding = 1e-9;  // rows of the solution lie below it; corruptions lift them above 1000 times it
 constexpr double clear = 1000 * rounding;
 
 struct Sample {
@@ -63,14 +63,14 @@ Sample bowl(element::Formulation formulation) {
           .formulation = formulation};
 }
 
-/// A solution of contact, to be corrupted.
+/// A solution with contact, to be corrupted.
 struct Solved {
   test::MeshedSurface mesh;
   std::unique_ptr<assembly::DiscreteShell> discrete;
   solution::NodalSolution nodal;
 
   Certificate certificate() const { return certify(*discrete, nodal).certificate; }
-  /// The rows beyond their limits.
+  /// The rows that exceed their limits.
   std::vector<std::string> broken_rows() const {
     std::vector<std::string> rows;
     for (const CertificateLimit& limit : certificate_limits(certify(*discrete, nodal), discrete->tangency.formulation))
@@ -104,7 +104,7 @@ Solved solve(const Sample& sample) {
   return s;
 }
 
-/// The owned node nearest to a place among those that fulfil a condition; none on the ranks that do not own it.
+/// The owned node nearest to a place among those that fulfil a condition; empty on the ranks that do not own it.
 template <class Condition>
 std::optional<std::size_t> node_near(const Solved& s, const Eigen::Vector2d& place, const Condition& condition) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ std::optional<std::size_t> node_near(const Solved& s, const Eigen::Vector2d& pla
   return nearest == overall ? found : std::nullopt;
 }
 
-/// Each sample is solved once; tests corrupt a copy of its nodal values and loads.
+/// Each sample is solved once. Tests corrupt a copy of its nodal values and loads.
 Solved& solved_once(const Sample& sample) {
   static std::map<std::string, Solved> all;
   const auto found = all.find(sample.name);
@@ -139,7 +139,7 @@ class Rows : public testing::TestWithParam<Sample> {
   const algebra::Vector load_before = solved.discrete->load;
   const Certificate rest = solved.certificate();
 
-  /// Adds to one value of (u, r) at the node; no node: on this rank nothing.
+  /// Adds to one value of (u, r) at the node; does nothing on ranks without the node.
   void move(std::optional<std::size_t> node, int component, double by) {
     if (node) solved.nodal.y.local()[6 * *node + static_cast<std::size_t>(component)] += by;
     solved.nodal.y.update_ghosts();
@@ -168,7 +168,7 @@ TEST_P(Rows, AreAtRoundingForTheSolutionItself) {
   EXPECT_GT(algebra::max_abs(solved.nodal.touching), 0);
   EXPECT_LT(rest.stationarity, rounding);
   EXPECT_LT(rest.energy_identity, rounding);
-  // Rigid motions are exact in Cartesian components, hence forces balance; moments and covariant components: with h.
+  // Rigid motions are exact in Cartesian components, so forces balance. Moments, and covariant components, balance up to h.
   EXPECT_LT(rest.force_balance, is_covariant ? 1e-3 : rounding);
   EXPECT_LT(rest.moment_balance, GetParam().is_flat() ? rounding : 1e-3);
   EXPECT_GT(rest.min_pressure, 0);
@@ -233,10 +233,10 @@ TEST_P(Rows, ComplementarityNoticesATouchingNodeThatIsLiftedWhileItsPressureStay
   const Certificate c = solved.certificate();
   EXPECT_NEAR(c.complementarity, pressure * height, 1e-6 * pressure * height);
   EXPECT_THAT(solved.broken_rows(), Contains("complementarity"));
-  EXPECT_GT(c.min_gap_nodes, -1e-12);  // this row cannot know
+  EXPECT_GT(c.min_gap_nodes, -1e-12);  // this row cannot detect it
 }
 
-// The basis function of a vertex is -1/8 of its height between the nodes (degree 2); the neighbours' gap adds to it.
+// The basis function of a vertex is -1/8 of its height between the nodes (degree 2). The gaps of the neighbours add to it.
 TEST_P(Rows, MinGapBetweenNodesNoticesAWaveThatLeavesAllNodesOutside) {
   if (GetParam().degree == 1) GTEST_SKIP() << "bilinear and linear waves have their lowest points at nodes";
   const double height = 0.5 * solved.largest_displacement();
@@ -253,7 +253,7 @@ TEST_P(Rows, MinGapBetweenNodesNoticesAWaveThatLeavesAllNodesOutside) {
   move(vertex, 2, height);
   const Certificate c = solved.certificate();
   EXPECT_LT(c.min_gap_between, rest.min_gap_between - 0.05 * height);
-  EXPECT_GT(c.min_gap_nodes, -1e-12);  // no node is inside
+  EXPECT_GT(c.min_gap_nodes, -1e-12);  // no node is inside the obstacle
 }
 
 TEST_P(Rows, TheBalanceOfForcesNoticesALoadThatWasNotTheSolutionsOne) {
@@ -275,7 +275,7 @@ TEST_P(Rows, TheBalanceOfForcesNoticesAReactionThatIsTooSmall) {
   EXPECT_GT(c.stationarity, 1e-4);
 }
 
-// A shell that slides along the table strains no more and touches as before: nothing but its supports can tell.
+// A shell that slides along the table has the same strains and contact as before. Only its supports can show it.
 TEST_P(Rows, SupportErrorNoticesAShellThatSlidOffItsSupports) {
   const double slide = 0.01 * solved.largest_displacement();
   for (std::size_t i = 0; i < solved.nodal.y.local().size(); i += 6) solved.nodal.y.local()[i] += slide;
@@ -287,7 +287,7 @@ TEST_P(Rows, SupportErrorNoticesAShellThatSlidOffItsSupports) {
   }
 }
 
-// A couple has no resultant force: only the moments can tell.
+// A couple has no resultant force. Only the moments can show it.
 TEST_P(Rows, TheBalanceOfMomentsNoticesACoupleThatTheBalanceOfForcesCannotSee) {
   double most = 0;
   for (std::size_t i = 0; i < solved.owned(); ++i)
@@ -300,7 +300,7 @@ TEST_P(Rows, TheBalanceOfMomentsNoticesACoupleThatTheBalanceOfForcesCannotSee) {
   EXPECT_LE(c.force_balance, rest.force_balance + rounding);
 }
 
-// a(U, U) grows with the square, the work with the factor itself.
+// a(U, U) grows with the square of the factor, the work with the factor itself.
 TEST_P(Rows, TheEnergyIdentityNoticesDisplacementsThatAreTooLarge) {
   for (double& value : solved.nodal.y.local()) value *= 1.001;
   EXPECT_NEAR(solved.certificate().energy_identity, 0.001 / 1.001, 1e-5);
@@ -312,7 +312,7 @@ TEST_P(Rows, StationarityAndEnergyNoticeADisplacementThatIsNoNumber) {
   EXPECT_THAT(solved.broken_rows(), IsSupersetOf({"stationarity", "energy_identity"}));
 }
 
-// Where nothing touches at a node, the depth between the nodes alone tells of the contact that was missed.
+// If no node touches, only the depth between the nodes shows the missed contact.
 TEST_P(Rows, MinGapBetweenNodesHasALimitWhereNoNodeTouches) {
   solved.nodal.touching.fill(0);
   const double depth = algebra::max_over_ranks(-rest.min_gap_between, MPI_COMM_WORLD);

@@ -1,5 +1,5 @@
-// The contact report of patterns that are given: nodes touch where a function of the place is negative, and the gap opens elsewhere as
-// bending has it. Zones, their sums and their boundaries are known then. What all ranks find together is what one finds alone.
+// The contact report of given patterns. Nodes touch where a function of the place is negative; elsewhere the gap opens as in
+// bending. So zones, their sums and their boundaries are known. All ranks together must find what one finds alone.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/certificate/certificate.hpp>
@@ -39,7 +39,7 @@ solution::ContactZone round_zone(double radius) {
   return zone;
 }
 
-/// A zone between two straight lines at these x, of length 1, with the rim at their ends.
+/// A zone between two straight lines at these x, of length 1. The rim is at their ends.
 solution::ContactZone strip_zone(double from, double to) {
   const auto line = [](double x, double y, const Vector3d& way, bool is_rim) {
     const Vector3d begin(x, y, 0);
@@ -68,7 +68,7 @@ TEST(RelativeDistance, IsThatOfEdgesOverTheRadiusOrHalfTheWidth) {
 struct Scene {
   fem::Domain domain = fem::Rectangle{.to = {2, 1}, .cells = {16, 8}};
   int refinements = 0;
-  std::map<std::string, double> shear_corrections{};  ///< of regions, whose zones open otherwise then
+  std::map<std::string, double> shear_corrections{};  ///< of regions; zones then open differently in each
   std::array<std::string, 3> chart{"x", "y", "0.3"};
   std::vector<obstacle::Obstacle> obstacles{
       {.name = "table", .shape = obstacle::HalfSpace{}, .face = obstacle::Face::lower}};
@@ -85,7 +85,7 @@ void PrintTo(const Element& e, std::ostream* out) {
   *out << fem::corner_count(e.shape) << " corners, degree " << e.degree;
 }
 
-/// A shell and the solution that the scene gives it.
+/// A shell, and the solution that the scene defines on it.
 struct Given {
   std::unique_ptr<assembly::DiscreteShell> discrete;
   solution::NodalSolution nodal;
@@ -117,7 +117,7 @@ std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, const Elem
                               {.sections = sections_of(scene), .obstacles = {.all = scene.obstacles}});
 }
 
-/// That of the region in which a place lies.
+/// Value of the region that contains a place.
 const shell::Material& material_at(const Scene& scene, const assembly::CrossSections& sections, const Vector3d& phi) {
   const auto* rectangle = std::get_if<fem::Rectangle>(&scene.domain);
   if (!rectangle || rectangle->regions.empty()) return sections.common.material;
@@ -197,7 +197,7 @@ void expect_same_zones(const solution::ContactZone& a, const solution::ContactZo
   for (std::size_t l = 0; l < a.lines.size(); ++l) expect_same_lines(a.lines[l], b.lines[l]);
 }
 
-/// Of all obstacles, the same on all ranks together and on each alone.
+/// Checks all obstacles: all ranks together find the same as each rank alone.
 std::vector<std::vector<solution::ContactZone>> zones_of(const Scene& scene, const Element& element) {
   const Given together = given(scene, element, MPI_COMM_WORLD), alone = given(scene, element, MPI_COMM_SELF);
   auto zones = zones::contact_zones(*together.discrete, together.nodal);
@@ -228,7 +228,7 @@ Pattern either(const Pattern& a, const Pattern& b) {
 /// Distance of nodes, the largest in a cell.
 double node_distance(const Element& element) { return 0.125 / std::max(1, element.degree - 1); }
 
-/// Largest distance of a line's points from where the pattern changes sign.
+/// Largest distance of a line's points from the curve where the pattern changes sign.
 double distance_from(const Pattern& pattern, const solution::ContactLine& line) {
   double worst = 0;
   for (const solution::BoundaryPoint& p : line.points) worst = test::larger(worst, std::abs(pattern(p.place)));
@@ -253,12 +253,12 @@ TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
     EXPECT_TRUE(line.is_closed);
     EXPECT_FALSE(line.is_rim);
     EXPECT_LT((line.points.front().place - line.points.back().place).norm(), 1e-12);
-    const double coarse = GetParam().degree == 1 ? 3 : 1;  // some two nodes a radius
+    const double coarse = GetParam().degree == 1 ? 3 : 1;  // about two nodes per radius
     EXPECT_LT(distance_from(discs[k], line), coarse * 0.15 * node_distance(GetParam()));
     EXPECT_NEAR(line.length, 2 * std::numbers::pi * radius, coarse * 0.3 * radius);
     EXPECT_NEAR(zones[k].area, std::numbers::pi * radius * radius, coarse * 0.5 * node_distance(GetParam()) * radius);
     for (const solution::BoundaryPoint& p : line.points) EXPECT_NEAR(p.place[2], 0.3 - thickness / 2, 1e-14);
-    // The pressure grows with x: so does the place of the peak, to the end of the disc.
+    // The pressure grows with x, and so does the place of the peak, up to the end of the disc.
     EXPECT_NEAR(zones[k].peak_pressure, 2 + zones[k].peak_x[0], 1e-12);
     EXPECT_NEAR(zones[k].peak_x[0], 0.5 + static_cast<double>(k) + radius, node_distance(GetParam()));
     EXPECT_GT(zones[k].centre[0], 0.5 + static_cast<double>(k));
@@ -326,7 +326,7 @@ TEST_P(ContactZones, ThatReachTheRimHaveALineAcrossTheShellAndOneAlongTheRim) {
 }
 
 TEST_P(ContactZones, OfASingleNodeHasALineAroundIt) {
-  // The middle of a side of a cell, where triangles of degree 2 have a bound, or a corner.
+  // The middle of a cell's side, where triangles of degree 2 have a bound, or a corner.
   const Vector3d node = GetParam().degree % 2 == 0 ? Vector3d(0.75 + 0.0625, 0.5, 0.3) : Vector3d(0.75, 0.5, 0.3);
   const auto zones = zones_of([=](const Vector3d& phi) { return (phi - node).norm() - 1e-3; }, GetParam());
   ASSERT_EQ(zones.size(), 1U);
@@ -353,7 +353,7 @@ TEST_P(ContactZones, OfSeveralObstaclesAreApart) {
   EXPECT_NEAR(zones[1][0].centre[2], 0.1, 1e-14);
 }
 
-/// A tube of radius 1 whose seam lies where a ceiling touches it.
+/// A tube of radius 1. A ceiling touches it at its seam.
 Scene tube(const Pattern& pattern) {
   Scene scene;
   scene.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 2}, .cells = {40, 16}};
@@ -385,7 +385,7 @@ TEST_P(ContactZones, GoOnAcrossAJoinedEdge) {
   EXPECT_EQ(crossings, 2);
 }
 
-/// Of a disk: the ends of the line lie on the round rim, and so do all points along it.
+/// On a disk the ends of the line lie on the round rim, and so do all points along it.
 TEST_P(ContactZones, MeetACurvedRimOnIt) {
   const double edge = 0.3;
   Scene scene;
@@ -406,8 +406,8 @@ TEST_P(ContactZones, MeetACurvedRimOnIt) {
       EXPECT_NEAR(p.x.norm(), 1, rounding);
 }
 
-/// Zones open otherwise where the shell is softer in shear: an edge across the border of two materials is found on both sides, exactly where no node
-/// of the other one has a say, and to a tenth of their distance beside the border.
+/// A zone opens differently where the shell is softer in shear. An edge across the border of two materials is found on both sides: exactly where
+/// no node of the other side matters, and to a tenth of the node distance beside the border.
 TEST_P(ContactZones, GoOnAcrossTheBorderOfTwoMaterials) {
   const double edge = 0.46;
   Scene scene;

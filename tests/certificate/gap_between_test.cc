@@ -1,4 +1,4 @@
-// The gap between the nodes against polynomials and surfaces whose lowest point is known.
+// The gap between the nodes, against polynomials and surfaces whose lowest point is known.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/certificate/gap_between.hpp>
@@ -11,9 +11,9 @@ namespace plastron::certificate {
 namespace {
 
 constexpr double thickness = 0.2;
-constexpr double flat_gap = 0.2;  // test::flat lies at 0.3, its lower face half a thickness below
+constexpr double flat_gap = 0.2;  // test::flat lies at 0.3, its lower face half a thickness lower
 
-/// The table z = 0 or another half-space, touched by the lower face.
+/// The table z = 0 or another half-space; the lower face touches it.
 assembly::RigidObstacles over(const obstacle::HalfSpace& table) { return {.all = {{.shape = table}}}; }
 
 struct Shell {
@@ -53,14 +53,14 @@ Eigen::Matrix<double, 6, 1> downwards(double u_z) {
   return y;
 }
 
-/// The least of all cells near the table and of all ranks.
+/// The smallest gap of all cells near the table, over all ranks.
 double least_gap(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   double least = std::numeric_limits<double>::infinity();
   for (const CellGap& cell : searched_gaps(discrete, y)) least = std::min(least, cell.gap);
   return algebra::min_over_ranks(least, MPI_COMM_WORLD);
 }
 
-/// All elements that there are for a plane table.
+/// All elements that a plane table permits.
 std::vector<std::pair<fem::Shape, int>> elements() {
   return {{test::quadrilateral, 1},
           {test::quadrilateral, 2},
@@ -98,7 +98,7 @@ TEST(GapBetween, OfElementsOfDegreeOneIsNeverLowerThanTheirNodesOnAPlaneTable) {
   }
 }
 
-// Its nodes stand at one height, so the nodal gaps tell nothing of the dip between them.
+// All nodes have the same height, so nodal gaps do not show the dip between them.
 TEST(GapBetween, SeesADipOfTheSurfaceThatNoNodeHas) {
   const std::array<std::string, 3> dip{"x", "y", "0.3 - x*(1 - x)"};
   for (const auto& [shape, degree] : {std::pair{test::quadrilateral, 1}, std::pair{test::triangle, 1}}) {
@@ -107,7 +107,7 @@ TEST(GapBetween, SeesADipOfTheSurfaceThatNoNodeHas) {
   }
 }
 
-// n . (u - e/2 r) with n inclined: the part of r along a_3 does not count (D2).
+// n . (u - e/2 r) with inclined n: the part of r along a_3 does not count (D2).
 TEST(GapBetween, FeelsTheRotationOfTheFaceWithoutItsPartAlongTheNormal) {
   const obstacle::HalfSpace inclined{.point = {2, 0, 0}, .normal = {-0.6, 0, 0.8}};
   for (const auto& [shape, degree] : elements()) {
@@ -121,11 +121,11 @@ TEST(GapBetween, FeelsTheRotationOfTheFaceWithoutItsPartAlongTheNormal) {
   }
 }
 
-// u = c a_3 has constant covariant components: (M15) keeps it exactly between the nodes, Cartesian components do not.
+// u = c a_3 has constant covariant components. (M15) keeps it exact between the nodes; Cartesian components do not.
 TEST(GapBetween, InterpolatesAsTheFormulationDoes) {
   const std::array<std::string, 3> cylinder{"x", "y", "1 - sqrt(1 - x^2)"};
   const fem::Rectangle domain{.from = {-0.3, 0}, .to = {0.5, 1}};
-  constexpr double c = 0.06, middle = 0.1;  // the cell's middle is the lowest point of the lattice
+  constexpr double c = 0.06, middle = 0.1;  // the middle of the cell is the lowest point of the lattice
   const double expected = 1 + (c - thickness / 2 - 1) * std::sqrt(1 - middle * middle);
   const auto lowest = [&](element::Formulation formulation) {
     const Shell s = shell_over({}, domain, cylinder, test::quadrilateral, 1, formulation);
@@ -137,7 +137,7 @@ TEST(GapBetween, InterpolatesAsTheFormulationDoes) {
   EXPECT_GT(std::abs(lowest(element::Formulation::tangent) - expected), 1e-3);
 }
 
-// Far smaller than the lattice's spacing, and in the middle between its points.
+// Far smaller than the spacing of the lattice, and in the middle between its points.
 TEST(GapBetween, IsSearchedForBodiesSmallerThanACell) {
   const obstacle::Ball ball{.centre = {0.4375, 0.4375, 0.3 - thickness / 2 + 0.002}, .radius = 0.005};
   for (const auto& [shape, degree] : elements()) {

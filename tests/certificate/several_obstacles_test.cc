@@ -1,5 +1,5 @@
-// A node that meets two obstacles at once: independent contact rows are two of its coordinates, parallel ones the two bounds of one (D4).
-// The solver against brute force over all active sets of a small shell.
+// A node that meets two obstacles at once. Independent contact rows are two of its coordinates; parallel ones are the two bounds of one (D4).
+// The solver is compared with brute force over all active sets of a small shell.
 #include <gtest/gtest.h>
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/discrete_shell.hpp>
@@ -35,7 +35,7 @@ struct Scene {
 
 std::ostream& operator<<(std::ostream& out, const Scene& scene) { return out << scene.name; }
 
-/// One cell, clamped at one side: two nodes are free, four contact rows at most.
+/// One cell, clamped at one side. Two nodes are free, with at most four contact rows.
 std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, bool with_obstacles) {
   const auto m = test::meshed(fem::Rectangle{}, scene.chart, 1, 0);
   assembly::AreaLoad load;
@@ -90,7 +90,7 @@ struct DenseProgram {
   }
 };
 
-/// On the free coordinates of the shell without obstacles, which are Cartesian combinations that know nothing of contact.
+/// On the free coordinates of the shell without obstacles. They are Cartesian combinations and do not depend on contact.
 DenseProgram dense_program(const assembly::DiscreteShell& plain, const assembly::DiscreteShell& shell) {
   const auto& c = plain.coordinates;
   const auto nodes = c.basis.size();
@@ -161,7 +161,7 @@ TEST_P(SeveralObstacles, AtOneNodeAreSolvedAsByBruteForce) {
 
   const Verdict verdict = certify(*shell, nodal);
   EXPECT_LT(verdict.certificate.stationarity, 1e-12);
-  // Covariant interpolation does not hold rigid motions.
+  // Covariant interpolation does not contain rigid motions.
   EXPECT_LT(verdict.certificate.force_balance,
             GetParam().formulation == element::Formulation::classical ? 0.05 : 1e-12);
   EXPECT_LT(verdict.certificate.energy_identity, 1e-10);
@@ -177,14 +177,14 @@ obstacle::Obstacle body(const char* name, const Vector3d& point, const Vector3d&
   return {.name = name, .shape = HalfSpace{.point = point, .normal = normal.normalized()}, .face = face};
 }
 
-/// Level where it is clamped, with the slope 0.5 at the free edge.
+/// Level at the clamped edge, with the slope 0.5 at the free edge.
 const std::array<std::string, 3> incline{"x", "y", "0.5*x^2*(x - 1)"};
 const double half_slot = 0.49 * thickness / std::sqrt(1.25);
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SeveralObstacles,
     testing::Values(
-        // Floor and wall: the free edge slides down on a flat sheet until both hold it.
+        // Floor and wall: the free edge slides down on a flat sheet until both stop it.
         Scene{"corner",
               test::flat,
               {body("floor", {0, 0, 0.24}, {0, 0, 1}), body("wall", {1.001, 0, 0}, {-1, 0, 0.1})},
@@ -199,12 +199,12 @@ INSTANTIATE_TEST_SUITE_P(
               {body("floor", {0, 0, 0.24}, {0, 0, 1}), body("wall", {1.01, 0, 0}, {-1, 0, 0.1})},
               {5e-3, 0, -2e-3},
               element::Formulation::classical},
-        // Parallel rows on a flat sheet: one coordinate, two bounds; the load lifts one end and presses the other.
+        // Parallel rows on a flat sheet: one coordinate with two bounds. The load lifts one end and presses the other.
         Scene{"between",
               test::flat,
               {body("floor", {0, 0, 0.249}, {0, 0, 1}), body("ceiling", {0, 0, 0.351}, {0, 0, -1}, Face::upper)},
               {0, 0, -2e-3}},
-        // A slot a little too narrow for the inclined edge: squeezed at one node, it must turn.
+        // A slot that is slightly too narrow for the inclined edge. The edge is squeezed at one node and must turn.
         Scene{"squeezed",
               incline,
               {body("floor", {1, 0, -half_slot}, {-0.02, 0, 1}),

@@ -194,7 +194,7 @@ TEST(GoodCase, is_warned_once_when_its_elements_lock) {
 TEST(GoodCase, prints_nothing_when_quiet) {
   const Scratch scratch;
   scratch.write("case.toml", case_with(0));
-  // A small load: the linear model holds, and nothing is warned of.
+  // A small load: the linear model is valid, and there are no warnings.
   const Outcome outcome =
       plastron({"run", "case.toml", "-o", "out", "-q", "--set", "load[0].force=[0,0,-1e-4]"}, scratch.path);
   EXPECT_EQ(outcome.exit_code, 0);
@@ -313,7 +313,7 @@ TEST(Study, that_does_not_converge_says_so) {
   EXPECT_EQ(json.at("status"), "iteration_limit");
 }
 
-// ---- ends that are no solution -------------------------------------------------------------------------------------
+// ---- runs without a solution ---------------------------------------------------------------------------------------
 
 TEST(Run, that_does_not_converge_says_so_in_its_exit_code_its_words_and_its_results) {
   const Scratch scratch;
@@ -324,7 +324,7 @@ TEST(Run, that_does_not_converge_says_so_in_its_exit_code_its_words_and_its_resu
   EXPECT_EQ(results_in(scratch.path / "out").at("status"), "iteration_limit");
 }
 
-/// Kills a run when `ready` or after a few seconds; returns whether it was alive then.
+/// Kills a run when `ready` or after a few seconds. Returns whether it was still running.
 template <class Ready>
 bool kill_when(Running& run, const Ready& ready) {
   for (int i = 0; i < 2000 && run.is_alive() && !ready(); ++i)
@@ -338,7 +338,7 @@ TEST(Run, that_is_killed_while_it_solves_leaves_no_results) {
   const Scratch scratch;
   scratch.write("case.toml", case_with(5));
   Running run({"run", "case.toml", "-o", "out"}, scratch.path);
-  // Two meshes are told of: it has tried the output directory, and the finest meshes are still to be solved.
+  // After two meshes it has tried the output directory, and the finest meshes are still to be solved.
   EXPECT_TRUE(kill_when(run, [&] { return run.output().find("\n    1 ") != std::string::npos; }));
   EXPECT_THAT(files_below(scratch.path), ElementsAre("case.toml"));
 }

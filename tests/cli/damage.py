@@ -221,7 +221,7 @@ def run(program, arguments, folder, scratch):
 
 
 def snapshot(scratch, spared):
-    """Path -> what lies there, below the scratch folder but for some folders."""
+    """Path -> content, for all files of the scratch folder except in some folders."""
     found = {}
     for base, folders, files in os.walk(scratch):
         folders[:] = [f for f in folders if pathlib.Path(base, f) not in spared]

@@ -1,4 +1,4 @@
-// The .vtu files of every case in cases/, read back: every number of every field is finite, and every field has a unit.
+// The .vtu files of every case in cases/ are read back. Every number of every field is finite, and every field has a unit.
 #include <gtest/gtest.h>
 #include <io/vtu_reader.hpp>
 
@@ -12,7 +12,7 @@
 namespace plastron::cli {
 namespace {
 
-/// Names of the fields, all of which were looked at.
+/// Names of the fields; all of them were examined.
 std::set<std::string> checked_fields(const fs::path& file) {
   const io::VtuFile grid = io::read_vtu(file);
   EXPECT_GT(grid.points, 0U) << file;

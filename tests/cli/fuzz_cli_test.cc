@@ -1,4 +1,4 @@
-// Damaged case files through the whole examination: `check` ends soon, with one of its exit codes.
+// Damaged case files pass through the whole examination. `check` must end soon, with one of its exit codes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

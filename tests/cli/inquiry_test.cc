@@ -1,4 +1,4 @@
-// The commands that compute nothing: explain, new, schema, completion, man. They answer at once and touch nothing that was there.
+// The commands without computation: explain, new, schema, completion, man. They answer at once and leave existing files alone.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::size_t longest_line(const std::string& text) {
   return longest;
 }
 
-/// The words of a text, without its marks.
+/// The words of a text, without punctuation.
 std::string words_of(const std::string& text) {
   std::istringstream all(text);
   std::string words;
@@ -168,7 +168,7 @@ TEST(New, WritesCasesThatRunAsTheyAre) {
     const Outcome run = plastron({"run", "begun/case.toml", "--output", "out"}, scratch.path, 300);
     EXPECT_EQ(run.exit_code, 0) << name << run.output;
     const auto results = nlohmann::json::parse(text_of(scratch.path / "out/results.json"));
-    for (const std::string warning : results["warnings"])  // pictures of contact want displacements that are seen
+    for (const std::string warning : results["warnings"])  // pictures of contact need visible displacements
       EXPECT_THAT(warning, AnyOf(HasSubstr("linear"), HasSubstr("strain"), HasSubstr("along lines"))) << name;
     EXPECT_EQ(results["status"], "solved") << name;
     if (name != "plate") {
@@ -187,7 +187,7 @@ TEST(Schema, IsJsonOfTheCaseFileOrOfTheResults) {
   EXPECT_THAT(of_results["properties"]["status"]["enum"], Contains("not_carried"));
 }
 
-/// What bash offers after these words; the last one is being written.
+/// The words that bash offers after these; the last one is incomplete.
 std::vector<std::string> offered(const Scratch& scratch, const std::string& words) {
   const std::string script = "source <($PLASTRON completion bash); COMP_WORDS=(plastron " + words +
                              "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _plastron; printf '%s\\n' \"${COMPREPLY[@]}\"";
@@ -259,7 +259,7 @@ const std::vector<std::vector<std::string>> inquiries{{"--help"},
                                                       {"check", "no.toml"},
                                                       {"new", "--nothing"}};
 
-/// The best of a few: other programs run beside the test.
+/// The best of a few tries, because other programs run beside the test.
 TEST(Inquiries, AreAnsweredAtOnce) {
   const Scratch scratch;
   for (const auto& arguments : inquiries) {

@@ -1,4 +1,4 @@
-// plastron plot: pictures from results alone, made by the program that loads no solver.
+// plastron plot: pictures from results alone, made by the program without a solver.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

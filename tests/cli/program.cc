@@ -23,11 +23,11 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The program must not think that it belongs to the MPI job of the test program; alone, it needs none of MPI's
-/// helpers, whose start takes longer than the reading of a case.
+/// The program must not believe that it belongs to the MPI job of the test program. Alone it needs none of MPI's
+/// helpers, which take longer to start than a case takes to read.
 ///
-/// Open MPI removes its session directory when it ends, even while another process is just making its own in it: so each
-/// process gets a place of its own.
+/// Open MPI removes its session directory at the end, even while another process creates its own in it. So each
+/// process gets its own place.
 std::vector<std::string> environment(const fs::path& session) {
   std::vector<std::string> all;
   for (char** entry = environ; *entry; ++entry) {
@@ -51,7 +51,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
-/// A name in the system's temporary directory that no other process and no other call has.
+/// A name in the system's temporary directory that is unique to this process and call.
 fs::path fresh_path(const char* ending) {
   static std::atomic<int> number = 0;
   return fs::temp_directory_path() /

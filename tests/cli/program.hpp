@@ -11,7 +11,7 @@ namespace plastron::cli {
 
 namespace fs = std::filesystem;
 
-/// How a run of the program ended.
+/// The end of a run of the program.
 struct Outcome {
   int exit_code = -1;  ///< -1 if a signal ended it
   bool timed_out = false;
@@ -19,10 +19,10 @@ struct Outcome {
   std::string output;  ///< standard output and standard error together
 };
 
-/// Waits for the end, but not longer than `patience` seconds; then the run is killed.
+/// Waits for the end, at most `patience` seconds; then the run is killed.
 Outcome plastron(const std::vector<std::string>& arguments, const fs::path& directory, double patience = 60);
 
-/// A line of the shell, in which $PLASTRON is the program; for pipes, limits and closed streams.
+/// A shell command in which $PLASTRON is the program; for pipes, limits and closed streams.
 Outcome shell(const std::string& line, const fs::path& directory, double patience = 60);
 
 /// A run in the background.
@@ -35,13 +35,13 @@ class Running {
   bool is_alive();
   void kill();  ///< SIGKILL, and waits for the end
   void send(int signal);
-  /// Waits for the end, and not longer than so many seconds: the exit code, or minus the signal that ended it; nothing if it
-  /// goes on.
+  /// Waits for the end, at most so many seconds. Returns the exit code, or minus the signal that ended it; empty if it still
+  /// runs.
   std::optional<int> end(double patience);
   std::string output() const;  ///< so far
 
  private:
-  fs::path log_, session_;  // what it prints, and where its MPI keeps its files
+  fs::path log_, session_;  // its output, and the place of its MPI session
   pid_t process_ = -1;
 };
 
@@ -56,7 +56,7 @@ struct Scratch {
 };
 
 std::string text_of(const fs::path& file);
-/// All files below a directory, by their path relative to it; empty if there is none.
+/// All files in a directory, by their relative path; empty if the directory does not exist.
 std::vector<std::string> files_below(const fs::path& directory);
 
 }  // namespace plastron::cli

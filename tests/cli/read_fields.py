@@ -17,16 +17,16 @@ import vtk
 FOUR = ((0.06943184420297371, 0.17392742256872692), (0.33000947820757187, 0.32607257743127307),
         (0.6699905217924281, 0.32607257743127307), (0.9305681557970263, 0.17392742256872692))
 TWO = ((0.21132486540518712, 0.5), (0.7886751345948129, 0.5))
-# Of degree 4 on the triangle (0,0), (1,0), (0,1): Dunavant.
+# Dunavant's rule of degree 4 on the triangle (0,0), (1,0), (0,1).
 TRIANGLE = [(a, b, w / 2) for w, c in ((0.223381589678011, 0.445948490915965), (0.109951743655322, 0.091576213509771))
             for a, b in ((c, c), (1 - 2 * c, c), (c, 1 - 2 * c))]
 SQUARE = [(x, y, v * w) for x, v in FOUR for y, w in FOUR]
 CUBE = [(x, y, z, u * v * w) for x, u in TWO for y, v in TWO for z, w in TWO]
 PRISM = [(x, y, z, v * w) for x, y, v in TRIANGLE for z, w in TWO]
-# Of cases with a closed form: a sphere's cap, a cylinder's part, a tube, plates.
+# Closed forms of cases: a sphere's cap, a part of a cylinder, a tube, plates.
 AREAS = {"ball-on-dome": 2 * math.pi * (1 - math.cos(0.5)), "scordelis-lo": 25 * math.radians(40) * 25,
          "tube-under-pressure": 2 * math.pi, "two-spans": 0.1, "barrel-panel:triangle": 0.25}
-STEP = 1e-5  # of differences; what they miss is of its square
+STEP = 1e-5  # of differences; their error is of the order of its square
 
 
 def read(path):

@@ -1,4 +1,4 @@
-// One case gives the same bytes in every run, wherever the system puts the program's memory.
+// A case gives the same bytes in every run, wherever the system places the program's memory.
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
@@ -6,7 +6,7 @@
 namespace plastron::cli {
 namespace {
 
-// A chart of many terms: the order in which they are added is part of the result.
+// A chart of many terms: the order of their sum affects the result.
 const char* const bowl = R"([constants]
 R = 1.0
 [shell]

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-/// The rollers of `plastron new`, in steps, on two given meshes.
+/// The rollers case of `plastron new`, with steps, on two given meshes.
 fs::path rollers(const Scratch& scratch) {
   const fs::path file = scratch.path / "rollers.toml";
   EXPECT_EQ(plastron({"new", "rollers.toml", "--template", "rollers"}, scratch.path).exit_code, 0);
@@ -67,7 +67,7 @@ TEST(Settings, LeaveResultsThatVerify) {
   const Outcome verified = plastron({"verify", "out"}, scratch.path);
   EXPECT_EQ(verified.exit_code, 0) << verified.output;
   EXPECT_THAT(verified.output, HasSubstr("PASSED"));
-  // The copy is a case like any other: with the same outcome, but for the comments at its top.
+  // The copy is a normal case with the same outcome. Only the comments at its top differ.
   ASSERT_EQ(plastron({"run", "out/solution.case.toml", "--output", "again", "-q"}, scratch.path).exit_code, 0);
   EXPECT_EQ(results_in(scratch.path / "again")["energy"], results_in(scratch.path / "out")["energy"]);
 }
@@ -102,7 +102,7 @@ TEST(Settings, ThatAreWrongAreNamedAtOnce) {
 
 // ---- --json-log ------------------------------------------------------------------------------------------------
 
-/// Standard error of a line of the shell, which is JSON in each of its lines.
+/// Standard error of a shell command; every line of it is JSON.
 std::vector<nlohmann::json> events(const Scratch& scratch, const std::string& line, int exit_code) {
   EXPECT_EQ(shell(line + " 2>events.log >/dev/null", scratch.path).exit_code, exit_code);
   std::vector<nlohmann::json> all;

@@ -1,5 +1,5 @@
-// How the program starts and how it ends: at once where there is nothing to compute, and with its results where somebody pulls the
-// plug.
+// The start and the end of the program: it answers at once if there is nothing to compute, and keeps its results if it is
+// interrupted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -61,7 +61,7 @@ std::size_t longest_line(const std::string& text) {
 
 // ---- start -------------------------------------------------------------------------------------------------------------
 
-/// The machine may be busy: the fastest of some tries.
+/// The machine may be busy: takes the fastest of several tries.
 double fastest(const std::vector<std::string>& arguments, const fs::path& directory) {
   double seconds = 1e9;
   for (int i = 0; i < 10 && seconds > 0.1; ++i) seconds = std::min(seconds, plastron(arguments, directory).seconds);
@@ -102,11 +102,11 @@ TEST(Start, of_several_processes_answers_once) {
   EXPECT_EQ(shell(job + "--version", scratch.path).output, PLASTRON_BUILD_VERSION "\n");
 }
 
-// The processes of one job get different files here, as if one machine of several did not see the file.
+// The processes of one job get different files here, as on several machines of which one does not see the file.
 TEST(Job, whose_processes_cannot_all_read_the_case_ends_with_one_error) {
   const Scratch scratch;
   scratch.write("case.toml", strip(0));
-  // Without what makes processes that start alone start fast.
+  // Without the variables that make processes outside mpirun start fast.
   const std::string job = "unset OMPI_MCA_ess_singleton_isolated OMPI_MCA_pml OMPI_MCA_btl; " MPIEXEC
                           " --oversubscribe -n 2 $PLASTRON-solver run case.toml -o A -q : -n 1 $PLASTRON-solver run ";
   const Outcome outcome = shell(job + "no-such.toml -o A -q", scratch.path);
@@ -168,7 +168,7 @@ TEST(ControlCharacters, of_titles_paths_and_values_never_reach_the_terminal) {
   }
 }
 
-// Solvable, with something to warn of.
+// A solvable case with a warning.
 const std::string strongly_bent = R"toml([shell]
 E = 1.0
 nu = 0.3
@@ -197,7 +197,7 @@ TEST(Warnings, of_the_examination_stand_in_the_results_too) {
   EXPECT_THAT(warnings[1].get<std::string>(), HasSubstr("kappa"));
 }
 
-/// mpirun hands on both streams as they come.
+/// mpirun forwards both streams in any order.
 std::vector<std::string> sorted_lines(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
@@ -230,7 +230,7 @@ TEST(Examination, by_one_process_for_several_says_the_same) {
   }
 }
 
-// ---- streams that go nowhere -------------------------------------------------------------------------------------------
+// ---- closed and full streams -------------------------------------------------------------------------------------------
 
 TEST(Results, are_written_whoever_reads_what_is_printed) {
   const Scratch scratch;
@@ -277,7 +277,7 @@ TEST(Results, that_cannot_be_written_are_found_out_before_anything_is_solved) {
 
 // ---- interruptions -----------------------------------------------------------------------------------------------------
 
-/// Waits until a run has printed that many meshes; false if it ends before.
+/// Waits until a run has printed that many meshes; false if it ends earlier.
 bool has_finished_a_mesh(Running& run) {
   for (int i = 0; i < 4000 && run.is_alive(); ++i) {
     if (const std::string text = run.output(); std::ranges::count(text, '\n') >= 4) return true;
@@ -314,7 +314,7 @@ TEST(Interruption, that_is_repeated_ends_the_program_at_once) {
   run.send(SIGINT);
   const auto end = run.end(30);
   ASSERT_TRUE(end);
-  // The first may have been answered already when the second came.
+  // The program may have answered the first signal before the second came.
   EXPECT_TRUE(*end == -SIGINT || *end == 3) << *end;
 }
 

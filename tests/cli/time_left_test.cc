@@ -1,4 +1,4 @@
-// Estimates of the time that is left, from times that are known.
+// Estimates of the remaining time from known times.
 #include <gtest/gtest.h>
 
 #include <time_left.hpp>

@@ -1,4 +1,4 @@
-"""Holds the schemas that plastron prints against what they are of, with a validator of others:
+"""Checks the schemas that plastron prints against cases and results, with an independent validator:
     validate_schemas.py PROGRAM SOURCES SCRATCH
 All cases and templates must validate, cases with mistakes of form must not, nor must results that were tampered with."""
 

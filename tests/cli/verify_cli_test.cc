@@ -1,4 +1,4 @@
-// plastron verify: what was run passes, and whatever was changed since is named.
+// plastron verify: an unchanged run passes, and any later change is named.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ force = [0, 0, -4e-4]
 name = "middle"
 at = [0.5, 0.5]
 )";
-/// Which is bent along itself: chords across it are worth to cut.
+/// This shell is bent along itself, so cutting chords across it is worthwhile.
 const std::string strip = R"(title = "Strip"
 [shell]
 E = 1.0
@@ -66,7 +66,7 @@ std::string mesh(const std::string& more) { return "[mesh]\nrefinements = 2\n" +
 /// Three processes on two busy cores wait for each other [s].
 constexpr double slow_seconds = 300;
 
-/// A case run in a directory of its own.
+/// A case that runs in its own directory.
 struct Ran {
   explicit Ran(const std::string& text, const std::string& launcher = "") {
     fs::copy_file(PLASTRON_SOURCE_DIR "/tests/cli/wrong/square.msh", scratch.path / "square.msh");
@@ -95,7 +95,7 @@ void expect_passed(const Ran& ran) {
                                     HasSubstr("probes.middle.u[2]"), Not(HasSubstr("NO"))));
 }
 
-/// Exit code 3, and the last line says what does not hold.
+/// Exit code 3; the last line says which claim fails.
 void expect_failed(const Ran& ran, const std::string& words) {
   const Outcome outcome = ran.verify();
   EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
@@ -105,7 +105,7 @@ void expect_failed(const Ran& ran, const std::string& words) {
   EXPECT_THAT(outcome.output, Not(HasSubstr("PASSED")));
 }
 
-/// Exit code 2, and the words tell why.
+/// Exit code 2; the words give the reason.
 void expect_unusable(const Ran& ran, const std::string& words) {
   const Outcome outcome = ran.verify();
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
@@ -115,7 +115,7 @@ void expect_unusable(const Ran& ran, const std::string& words) {
 
 void write_bytes(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-/// The middle node of the first cell that touches (or of the first cell): it belongs to no other cell.
+/// The middle node of the first cell that touches, or of the first cell. It belongs to no other cell.
 std::size_t middle_node(const std::string& solution) {
   constexpr std::size_t header = 72 + 16, head = 64, node = 8 * 8, record = head + 9 * node, touching = 7 * 8;
   for (std::size_t at = header; at < solution.size(); at += record) {
@@ -128,7 +128,7 @@ std::size_t middle_node(const std::string& solution) {
   return header + head + 4 * node;
 }
 
-/// Adds to a number of the solution: value k of that node.
+/// Adds to a number of the solution: value k of the node.
 void change_solution(const Ran& ran, std::size_t k, double by) {
   std::string solution = text_of(ran.file("solution.plastron"));
   double value = 0;
@@ -167,7 +167,7 @@ TEST(Verify, PassesStepsAndPressedObstaclesAndSeesAnotherWay) {
   expect_passed(Ran(plate + pressed_ball + mesh("")));
   const Ran ran(plate + post + pressed_ball + steps + mesh(""));
   expect_passed(ran);
-  // How far the ball has come stands after the header and the post's two numbers.
+  // The position of the ball follows the header and the two numbers of the post.
   std::string solution = text_of(ran.file("solution.plastron"));
   double way[2] = {};
   std::memcpy(way, solution.data() + 72 + 16, sizeof way);

@@ -1,4 +1,4 @@
-// Every wrong case file is refused by `check` and by `run`, in the words of its "# expect:" lines, and leaves nothing
+// `check` and `run` refuse every wrong case file with the words of its "# expect:" lines, and leave no files
 // behind.
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double seconds_to_answer = 20;
 
-/// tests/config/wrong and tests/cli/wrong, as far as they are there.
+/// tests/config/wrong and tests/cli/wrong, as far as they exist.
 std::vector<fs::path> wrong_cases() {
   std::vector<fs::path> all;
   for (const char* folder : {"tests/config/wrong", "tests/cli/wrong"})
@@ -28,7 +28,7 @@ std::vector<fs::path> wrong_cases() {
 
 using test::expectations;
 
-/// Long lines are broken at words and go on four characters to the right.
+/// Long lines are broken at words and continue four characters to the right.
 std::string unwrapped(std::string text) {
   for (std::size_t at = text.find("\n    "); at != std::string::npos; at = text.find("\n    ", at + 1))
     if (at + 5 < text.size() && text[at + 5] != ' ' && text[at + 5] != '|') text.replace(at, 5, " ");
@@ -50,7 +50,7 @@ class WrongCase : public testing::TestWithParam<fs::path> {
 TEST_P(WrongCase, is_refused_in_the_expected_words_and_leaves_nothing_behind) {
   const Scratch scratch;
   EXPECT_FALSE(expectations(GetParam()).empty());
-  // Both at once: there are many files, and starting takes longest.
+  // Both at once: there are many files, and the start takes the most time.
   auto run = std::async(std::launch::async, [&] {
     return plastron({"run", GetParam().string(), "--output", "X"}, scratch.path, seconds_to_answer);
   });

@@ -1,4 +1,4 @@
-// Meshes that follow from an accuracy: what is divided, when it ends, and that the numbers are as accurate as asked for.
+// Meshes for a requested accuracy: the cells that are divided, the end of the sequence, and numbers as accurate as requested.
 #include <gtest/gtest.h>
 #include <plastron/computation/adaptivity.hpp>
 #include <plastron/computation/level.hpp>
@@ -72,7 +72,7 @@ TEST(Accuracy, IsTheSameOnAnyNumberOfRanks) {
   }
 }
 
-/// The same cells at one degree more have the last word: what they change is within what is estimated, and they are counted.
+/// The same cells at one degree more decide. Their change is within the estimate, and they are counted as unknowns.
 TEST(Accuracy, IsConfirmedByOneDegreeMore) {
   const Result result = solve(accurate_bowl(1e-3), MPI_COMM_SELF);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
@@ -85,7 +85,7 @@ TEST(Accuracy, IsConfirmedByOneDegreeMore) {
     const double exact = goal.name == "energy" ? bowl_energy : bowl_reaction;
     EXPECT_LT(std::abs(goal.value + goal.difference() - exact), std::abs(goal.value - exact) + known_to * exact);
   }
-  problem::Problem higher = accurate_bowl(1e-3);  // a run by itself on the same cells
+  problem::Problem higher = accurate_bowl(1e-3);  // a separate run on the same cells
   const auto& space = result.solution->discrete->space();
   higher.accuracy.reset();
   higher.discretisation.degree += 1;
@@ -102,7 +102,7 @@ TEST(Accuracy, IsConfirmedByOneDegreeMore) {
   EXPECT_NEAR(alone.record.energy, *result.estimates->goals[0].at_higher_degree, 1e-9 * bowl_energy);
 }
 
-/// No mesh whose witness would be too large is accepted, however small its estimates are.
+/// A mesh whose problem at one degree more would be too large is not accepted, however small its estimates are.
 TEST(Accuracy, IsNotReachedWhereNothingLargerCanConfirmIt) {
   problem::Problem p = accurate_bowl(1e-2);
   const Result result = solve(p, MPI_COMM_WORLD);
@@ -114,7 +114,7 @@ TEST(Accuracy, IsNotReachedWhereNothingLargerCanConfirmIt) {
   EXPECT_FALSE(limited.estimates->goals[0].at_higher_degree);
 }
 
-/// An energy within 1e-2 says little of where the bowl lifts off; within 1e-4 the edge of the zone belongs to the answer.
+/// An energy within 1e-2 says little about the edge of the bowl's contact zone. Within 1e-4 the edge is part of the answer.
 TEST(Accuracy, OfTheEnergyIsThatOfContactEdgesToo) {
   problem::Problem p = accurate_bowl(1e-4);
   p.accuracy->goals.pop_back();  // the reaction
@@ -158,7 +158,7 @@ TEST(Accuracy, EndsWhereALimitStands) {
   EXPECT_NE(hasty.missed_limits.find("max_seconds"), std::string::npos);
 }
 
-/// A strip that a roller presses touches with one row of nodes, which lies beside the true line of contact.
+/// A strip that a roller presses touches with one row of nodes. The true line of contact lies beside this row.
 TEST(Accuracy, OfALineOfContactBetweenNodesIsEstimated) {
   problem::Problem p = pressed_strip();
   p.charts.clear();
@@ -182,7 +182,7 @@ TEST(Accuracy, OfALineOfContactBetweenNodesIsEstimated) {
   }
 }
 
-/// A dome under a ball touches along a circle. One degree more has the same row of nodes there and confirms nothing.
+/// A dome under a ball touches along a circle. At one degree more it has the same row of nodes there, which confirms nothing.
 TEST(Accuracy, OfACircleOfContactIsReachedInTruth) {
   problem::Problem p = with_chart(accurate_bowl(1e-3), {"x", "y", "-1.01 + sqrt(1 - x^2 - y^2)"});
   p.discretisation.degree = 4;
@@ -197,7 +197,7 @@ TEST(Accuracy, OfACircleOfContactIsReachedInTruth) {
   EXPECT_NEAR(value_of(result, "reaction"), reaction, 1e-3 * reaction);
 }
 
-/// A dome that stands on its rim: nodal reactions over areas, which double with each mesh, are no pressures there.
+/// A dome that stands on its rim. Nodal reactions over areas double with each mesh, so they are no pressures there.
 TEST(Accuracy, OfALineReactionOnTheRimIsEstimatedAsThatOfTheEnergy) {
   problem::Problem p = pressed_bowl();
   p.charts.clear();
@@ -235,7 +235,7 @@ TEST(Accuracy, AsksForNoEdgesOfZonesThatAreLines) {
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
 }
 
-/// A mesh that takes longer than foreseen is stopped, and the one before is the result.
+/// A mesh that takes longer than expected is stopped, and the previous mesh is the result.
 TEST(Accuracy, StopsAMeshWhoseTimeIsOver) {
   problem::Problem p = accurate_bowl(1e-5);
   p.accuracy->max_seconds = 1e-6;
@@ -256,7 +256,7 @@ TEST(Accuracy, StopsAMeshWhoseTimeIsOver) {
   EXPECT_EQ(result.levels.back().cells, result.solution->discrete->space().global_cells);
 }
 
-/// Instants on the finest mesh take time, too, and are not computed beyond it.
+/// Instants on the finest mesh also take time. None is computed beyond the limit.
 TEST(Accuracy, EndsBetweenInstantsWhenTimeIsOver) {
   problem::Problem p = accurate_bowl(0.3);
   p.steps = {{.name = "down", .load_factor = 1, .parts = 5}};
@@ -280,7 +280,7 @@ TEST(Memory, OfTheNextMeshIsForeseen) {
             "the next mesh would take about 5.3 GB of memory, and there are 4 GB for it");
 }
 
-/// What misses its accuracy tells where: nearly all of the error is in the cells at the corner.
+/// A result that misses its accuracy says where: nearly all of the error is in the cells at the corner.
 TEST(Accuracy, TellsWhereTheErrorIsThatStays) {
   problem::Problem p = cantilever_plate();
   p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
@@ -309,7 +309,7 @@ TEST(Accuracy, IsGivenUpForWhatHasNoLimit) {
   EXPECT_TRUE(result.solution);
 }
 
-/// A component that vanishes by symmetry is accurate when it is small beside the others.
+/// A component that vanishes by symmetry is accurate if its error is small beside the other components.
 TEST(Accuracy, TakesNumbersThatVanish) {
   problem::Problem p = accurate_bowl(1e-2);
   p.probes = {{"centre", {0, 0}}};
@@ -322,7 +322,7 @@ TEST(Accuracy, TakesNumbersThatVanish) {
   EXPECT_NEAR(value_of(result, "probe.centre.u.z"), -0.01, 1e-5);
 }
 
-/// Of every name that can be asked for, the value is that of the results.
+/// For every name of a goal, the value is that of the results.
 TEST(Accuracy, MeansTheNumbersOfTheResults) {
   problem::Problem p = accurate_bowl(0.3);
   p.shell.obstacles.all[0].name = "table";
@@ -359,7 +359,7 @@ TEST(Accuracy, HoldsForTrianglesAndJoinedEdgesOnEvenMeshes) {
     EXPECT_EQ(result.levels[l].cells, 4 * result.levels[l - 1].cells);
 }
 
-/// Nearly nothing touches at the first instant: its mesh would not do for the last one.
+/// Nearly nothing touches at the first instant. Its mesh would be too coarse for the last one.
 TEST(Accuracy, IsReachedAtTheLastInstant) {
   constexpr double tolerance = 1e-2;
   problem::Problem p = accurate_bowl(tolerance);
@@ -373,7 +373,7 @@ TEST(Accuracy, IsReachedAtTheLastInstant) {
   EXPECT_NEAR(result.summary.reaction.force.z(), bowl_reaction, (tolerance + known_to) * bowl_reaction);
 }
 
-/// A tube between a floor and a plate that a force presses on it: the sum of what they bear has no digits.
+/// A tube between a floor and a plate that a force presses on it. The sum of both reactions has no correct digits.
 TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
   const double pi = 3.141592653589793, width = 0.25, pressing = 0.01;
   problem::Problem p = with_chart(free_plate(), {"sin(x)", "y", "1.01 - cos(x)"});
@@ -459,10 +459,10 @@ TEST(Accuracy, CutsRowsWhereLayersAndContactEdgesRunAlongThem) {
   const Result result = solve(accurate_bowl(1e-3), MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   EXPECT_FALSE(result.solution->discrete->space().coarse->cuts.empty());
-  EXPECT_LT(result.levels.back().unknowns, 10000);  // four times as many where all cells are divided both ways
+  EXPECT_LT(result.levels.back().unknowns, 10000);  // four times as many if all cells are divided in both directions
 }
 
-/// A point that is held must stay a node, which the middle of a cell does where its chords are halved.
+/// A supported point must stay a node. The middle of a cell is no node after its chords are halved.
 TEST(ChordCuts, AreInTheMiddleWherePointsAreHeld) {
   fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
   const fem::Space& space = *meshes.space();
@@ -485,7 +485,7 @@ TEST(ChordCuts, AreInTheMiddleWherePointsAreHeld) {
   }
 }
 
-/// What one cell has is no reason to cut a row.
+/// A large share of one cell alone is no reason to cut a row.
 TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
   fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
   const fem::Space& space = *meshes.space();
@@ -498,7 +498,7 @@ TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
   EXPECT_TRUE(
       meshing::chord_cuts(space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 1})
           .empty());
-  // Where only edges of contact zones are wanted, the row that one crosses is cut all the same.
+  // If only the edges of contact zones are goals, the row that an edge crosses is still cut.
   for (std::size_t c = 0; c < space.owned_cells; ++c) estimates.crossed.push_back({c, 1});
   const auto cuts = meshing::chord_cuts(
       space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 10, .at_edges = true});
@@ -509,7 +509,7 @@ TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
   }
 }
 
-/// Of a disk of five cells, whose outer ones have bent sides at the rim: how a disk that one cuts again and again along the rim ends.
+/// For a disk of five cells, whose outer ones have bent sides at the rim: the result of cutting along the rim again and again.
 TEST(ChordCuts, LeaveNoCellsThatAreLongAndBentAtOnce) {
   std::map<std::string, geometry::Chart> charts;
   charts.emplace("", geometry::Chart(std::array<std::string, 3>{"x", "y", "0"}, {}));
@@ -543,7 +543,7 @@ TEST(ChordCuts, LeaveNoCellsThatAreLongAndBentAtOnce) {
   }
 }
 
-/// Of one goal: shares 16, 8, 4, 2, 1, 0 ... of the whole.
+/// Shares of one goal: 16, 8, 4, 2, 1, 0 ... of the whole.
 TEST(Marks, TakeTheLargestSharesUntilTheyMakeUpEnough) {
   fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
   const fem::Space& space = *meshes.space();
@@ -564,7 +564,7 @@ TEST(Marks, TakeTheLargestSharesUntilTheyMakeUpEnough) {
   EXPECT_EQ(some[0], 0);
 }
 
-/// What counts is a share over what its goal allows.
+/// The share over the tolerance of its goal decides.
 TEST(Marks, WeighGoalsByTheirTolerances) {
   fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
   estimation::Estimates estimates;

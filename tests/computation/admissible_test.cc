@@ -1,4 +1,4 @@
-// admissible = true: the shell stays out of the obstacles between its nodes, too, at a price that falls with the mesh
+// admissible = true: the shell stays outside the obstacles between its nodes too. The cost falls with the mesh
 // (docs/methods/admissible.md).
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/computation/bound_lifts.hpp>
@@ -39,7 +39,7 @@ problem::Problem bowl(element::Formulation formulation) {
   return p;
 }
 
-/// A strip that is pressed on waves, or on a ball under its middle: gaps are linearised again.
+/// A strip pressed on waves, or on a ball under its middle. Gaps are linearised again.
 problem::Problem on_waves() {
   problem::Problem p = pressed_strip();
   p.shell.obstacles.all = {waves("0.004 * sin(9 * X) * cos(4 * Y) - 0.004")};
@@ -52,7 +52,7 @@ problem::Problem on_ball() {
   return p;
 }
 
-/// A wavy strip whose lower face lies on a floor and whose upper one on a ceiling.
+/// A wavy strip. Its lower face lies on a floor and its upper face on a ceiling.
 problem::Problem between_planes() {
   problem::Problem p = with_chart(pressed_strip(), {"x", "y", "0.09 + 0.03*sin(2*pi*x)"});
   p.shell.sections.common.thickness = Expression(0.1);
@@ -65,7 +65,7 @@ problem::Problem between_planes() {
   return p;
 }
 
-/// A force presses a ball on the strip, which nothing else loads.
+/// A force presses a ball on the strip, which has no other load.
 problem::Problem under_pressed_ball() {
   problem::Problem p = pressed_strip();
   p.shell.loads.on_areas.clear();
@@ -113,7 +113,7 @@ Result solved(problem::Problem p, bool admissible, MPI_Comm comm = MPI_COMM_WORL
   return solve(p, comm);
 }
 
-/// Of the faces in their obstacles, by gaps that are linearised where the shell is: true distances.
+/// Depth of the faces in their obstacles, from gaps linearised at the deformed shell: true distances.
 double depth(const Result& r, int intervals) {
   assembly::DiscreteShell& discrete = *r.solution->discrete;
   const assembly::State state = discrete.state;
@@ -138,7 +138,7 @@ StoredSolution stored(const Result& r) {
   return solution;
 }
 
-/// Rows beyond their limits.
+/// The rows that exceed their limits.
 std::vector<std::string> failing(problem::Problem problem, StoredSolution solution) {
   problem.admissible = true;
   const Verification v = verify(problem, finest_mesh(problem, MPI_COMM_WORLD), std::move(solution));
@@ -157,7 +157,7 @@ TEST(AdmissibleSolution, IsOutOfTheObstaclesBetweenItsNodesAndIsVerified) {
     const double length = length_of(lifted);
     const int k = problem.discretisation.degree;
     EXPECT_GT(depth(without, 4 * k), 1e-5 * length) << "there was nothing to do";
-    EXPECT_LE(depth(lifted, std::max(8, 4 * k)), 1e-7 * length);  // gaps are linearised again to 1e-8 at contact
+    EXPECT_LE(depth(lifted, std::max(8, 4 * k)), 1e-7 * length);  // gaps in contact are linearised again to 1e-8
     EXPECT_LE(depth(lifted, 48), 1e-4 * depth(without, 48));
     EXPECT_GE(lifted.certificate.min_gap_between, -1e-9 * length);
     EXPECT_GT(lifted.summary.touching_nodes, 0);

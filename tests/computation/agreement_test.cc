@@ -1,4 +1,4 @@
-// What goes wrong on one rank alone ends the computation on all of them, with one and the same error. Where it does not, this hangs.
+// An error on one rank alone ends the computation on all ranks, with the same message. If it does not, the test hangs.
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/computation/solve.hpp>

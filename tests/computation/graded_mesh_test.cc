@@ -1,5 +1,5 @@
-// Solutions on meshes that are divided here and not there: as good as on uniform ones, whichever formulation and however many ranks, with
-// supports on curves that hanging nodes lie on, contact zones across them, and all that is recovered of them.
+// Solutions on graded meshes are as good as on uniform ones, for each formulation and number of ranks, with
+// supports on curves with hanging nodes, contact zones across them, and recovered fields.
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/computation/evaluation.hpp>
@@ -22,7 +22,7 @@ namespace {
 using namespace test;
 
 using Place = Eigen::Vector2d;
-/// Whether a cell with its middle there is divided.
+/// Whether a cell with this middle is divided.
 using Rule = std::function<bool(const Place&, int round)>;
 
 Place middle_of(const fem::Space& space, std::size_t cell) {
@@ -51,7 +51,7 @@ LevelResult solve_graded(const problem::Problem& problem, const Rule& rule, int 
   return solve_level(task, assembly::discretise(meshes.space(), surface, problem.shell), {});
 }
 
-/// Covariant interpolation holds translations on curved shells only up to its order: `balance`.
+/// Covariant interpolation contains translations of curved shells only up to its order: `balance`.
 void expect_certified(const LevelResult& level, double balance = 1e-9) {
   EXPECT_EQ(level.record.status, contact::Status::solved);
   const auto& c = level.verdict.certificate;
@@ -61,7 +61,7 @@ void expect_certified(const LevelResult& level, double balance = 1e-9) {
   EXPECT_GE(c.min_gap_nodes, -1e-12);
 }
 
-/// Divided near the place where contact ends.
+/// Divided near the end of the contact.
 bool at_zone_edge(const Place& at, int) { return std::abs(at.norm() - 0.2) < 0.06; }
 
 class GradedShell : public testing::TestWithParam<element::Formulation> {};
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Formulations, GradedShell,
                                          element::Formulation::mixed, element::Formulation::classical),
                          [](const auto& each) { return std::string(element::to_string(each.param)); });
 
-/// The inner curve of the file has cells of either region on its sides; whichever is divided, all of its nodes are held.
+/// The inner curve of the file has cells of both regions at its sides. Whichever region is divided, all nodes of the curve are fixed.
 TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
   problem::Problem p = free_plate();
   p.domain = fem::MeshFile{PLASTRON_TESTS_DIR "/fem/data/two-regions-4.1.msh"};
@@ -132,7 +132,7 @@ TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
     }
 }
 
-/// A plate bent to constant curvature has constant moments, on whatever mesh.
+/// A plate bent to constant curvature has constant moments on any mesh.
 TEST(GradedMesh, GivesConstantResultantsExactly) {
   problem::Problem p = free_plate();
   p.shell.supports = {clamped("left")};
@@ -155,7 +155,7 @@ TEST(GradedMesh, GivesConstantResultantsExactly) {
     }
 }
 
-/// One zone whose boundary is closed, though it runs across sides that hanging nodes lie on.
+/// One zone with a closed boundary, although it crosses sides with hanging nodes.
 TEST(GradedMesh, HasContactZonesWithClosedBoundaries) {
   problem::Problem p = pressed_bowl();
   p.discretisation = {.degree = 2, .refinements = 3};

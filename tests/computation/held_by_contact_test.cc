@@ -1,5 +1,5 @@
-// Shells that contact alone holds against some rigid motions: whatever active set comes up on the way, they come to rest where the load
-// presses them on, and do not where it does not.
+// Shells that only contact holds against some rigid motions. If the load presses them on the obstacles, they come to rest,
+// whatever active sets occur on the way. Otherwise they do not.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 
@@ -16,7 +16,7 @@ using contact::Status;
 
 constexpr double e = 0.05, side = 1, weight = 1e-5;
 
-/// A square panel whose lower face is z = 0 in the middle; point supports take sliding and spinning alone.
+/// A square panel whose lower face is z = 0 in the middle. Point supports prevent only sliding and spinning.
 problem::Problem panel(const std::string& height) {
   problem::Problem p;
   p.domain = fem::Rectangle{.from = {-side / 2, -side / 2}, .to = {side / 2, side / 2}, .cells = {4, 4}};
@@ -39,7 +39,7 @@ obstacle::Obstacle ball_at(double x, double y) {
 
 constexpr std::array<std::array<double, 2>, 3> places{{{0.21, 0.03}, {-0.27, 0.22}, {-0.23, -0.24}}};
 
-/// What statics gives the balls of a weight 1 at the origin.
+/// The forces of statics between the balls and a weight 1 at the origin.
 Eigen::Vector3d shares() {
   Eigen::Matrix3d balance;
   for (std::size_t k = 0; k < places.size(); ++k)
@@ -56,12 +56,12 @@ TEST_P(PanelOnThreeBalls, ComesToRestWithEachBallAtItsShare) {
   ASSERT_EQ(r.status, Status::solved) << r.missed_limits;
   const double total = r.summary.reaction.force[2];
   EXPECT_NEAR(total, weight * side * side, 0.01 * total);
-  constexpr double nodes_apart = 0.0625 / 0.45;  // of the balls: so far off may a ball touch
+  constexpr double nodes_apart = 0.0625 / 0.45;  // relative: a ball may touch this far beside its place
   for (std::size_t k = 0; k < places.size(); ++k)
     EXPECT_NEAR(r.summary.obstacles.at(k).reaction.force[2], shares()[static_cast<Eigen::Index>(k)] * total,
                 nodes_apart * total);
   EXPECT_GE(r.certificate.min_gap_nodes, -1e-9);
-  // Linearised anew four or five times, a step each at least.
+  // Linearised again four or five times, with at least one step each.
   for (const Level& level : r.levels) EXPECT_LE(level.iterations - level.linearisations, 8) << level.unknowns;
 }
 
@@ -76,7 +76,7 @@ TEST(APanelOnTwoBallsAndOneFarAway, TipsOff) {
   EXPECT_EQ(r.status, Status::not_held);
 }
 
-/// A strip in plane strain, its middle at the height of its mid-surface there.
+/// A strip in plane strain. Its middle is at the height of the mid-surface there.
 problem::Problem strip_pressed_by(double force, const fem::Rectangle& domain, const std::array<std::string, 3>& chart) {
   problem::Problem p;
   p.domain = domain;

@@ -1,4 +1,4 @@
-// Edges that are joined: two pieces with charts of their own are the one shell that they make, and a rectangle closes to a tube.
+// Joined edges: two pieces with their own charts equal the one shell that they form, and a rectangle closes to a tube.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 using element::Formulation;
 
-/// x = 0 to 2, pressed on a table; curved, clamped at one end, a load that varies.
+/// x = 0 to 2, pressed on a table: curved, clamped at one end, under a varying load.
 problem::Problem of_chart(const std::string& x) {
   problem::Problem p;
   p.shell.sections.common.thickness = Expression("0.1", {});
@@ -124,7 +124,7 @@ TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
   EXPECT_EQ(second.most, first.most);
 }
 
-/// A tube of radius 1 around the y axis, under inner pressure; its ends slide radially.
+/// A tube of radius 1 around the y axis under inner pressure. Its ends slide radially.
 problem::Problem tube() {
   problem::Problem p;
   p.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 1}, .cells = {8, 2}};

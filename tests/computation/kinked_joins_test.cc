@@ -1,5 +1,5 @@
-// Shells joined at an angle: folded plates, three sheets at one edge, the corner of a box. They move rigidly without strain and in no other
-// way, and bend as frames do.
+// Shells joined at an angle: folded plates, three sheets at one edge, the corner of a box. Rigid motions cost no energy, all other
+// motions do, and the shells bend as frames do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
@@ -42,7 +42,7 @@ problem::Problem folded(double angle) {
   return p;
 }
 
-/// Three sheets at 120 degrees along y; the joins named.
+/// Three sheets at 120 degrees that meet along y, with the named joins.
 problem::Problem star(const std::vector<fem::Join>& joins) {
   const std::string c = "(-0.5)", s = "0.86602540378443865";
   problem::Problem p = of_squares("three-squares.msh", {{"a", {"x", "y", "0"}},
@@ -79,7 +79,7 @@ TEST(KinkedJoins, LeaveSixMotionsFreeOfStrain) {
   EXPECT_EQ(motions_without_strain(triangles), 6);
 }
 
-/// A frame of two legs of length one under a moment at its tip: both bend alike, whatever the angle between them.
+/// A frame of two legs of length one under a moment at its tip. Both legs bend alike, whatever the angle between them.
 TEST(KinkedJoins, CarryTheMomentOfAFoldedCantilever) {
   for (const Formulation formulation : {Formulation::tangent, Formulation::penalised, Formulation::mixed})
     for (const double angle : {0.5, 1.5707963, -2.0}) {
@@ -105,7 +105,7 @@ TEST(KinkedJoins, CarryTheMomentOfAFoldedCantilever) {
     }
 }
 
-/// Three clamped sheets that meet: which pairs are named makes no difference, nor do ranks.
+/// Three clamped sheets that meet. The result depends neither on the named pairs nor on the ranks.
 TEST(KinkedJoins, OfThreeSheetsAreOneWhateverPairsAreNamed) {
   const auto energy = [](const std::vector<fem::Join>& joins, MPI_Comm comm) {
     problem::Problem p = star(joins);
@@ -125,7 +125,7 @@ TEST(KinkedJoins, OfThreeSheetsAreOneWhateverPairsAreNamed) {
               of_chain, 1e-10 * of_chain);
 }
 
-/// Supports say of the second sheet's node what they say of the joint.
+/// A support of the second sheet's node equals a support of the joint.
 TEST(KinkedJoins, AreHeldThroughEitherSheet) {
   const auto energy = [](const std::string& seam) {
     problem::Problem p = folded(1);

@@ -1,4 +1,4 @@
-// When a mesh without tying is said to be too coarse.
+// The warning that a mesh without tying is too coarse.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>

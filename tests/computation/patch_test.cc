@@ -1,5 +1,5 @@
-// Patch tests: states of constant strain and of constant curvature on a flat plate, prescribed all round, must come out
-// exactly in the interior, on meshes that are not uniform.
+// Patch tests: states of constant strain and of constant curvature on a flat plate, prescribed along the whole boundary,
+// must be exact in the interior, also on distorted meshes.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 
@@ -92,7 +92,7 @@ TEST_P(Patch, of_parallelograms_keeps_every_constant_state) {
     }
 }
 
-// Tying interpolates along the cell's own coordinates. Where a_1 and a_2 vary, a constant Cartesian state is then in
+// Tying interpolates along the cell's own coordinates. If a_1 and a_2 vary, a constant Cartesian state is in
 // equilibrium only up to an error of higher order: gamma at every degree, the others at degree 1.
 TEST_P(Patch, of_any_quadrilaterals_keeps_every_constant_state_up_to_what_tying_costs) {
   for (const State& state : {rigid(), stretched(), sheared(), bent()}) {
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Elements, Patch, testing::Combine(testing::Values(1, 2,
                                   (std::get<1>(test.param) ? "_tied" : "_plain");
                          });
 
-// Straight triangles have every constant strain in their space and no tying to take it out again.
+// Straight triangles have every constant strain in their space, and no tying that removes it.
 TEST(TrianglePatch, keeps_every_constant_state_of_its_degree) {
   for (const fem::Domain& domain : {parallelogram, rectangle, pentagon})
     for (int k = 1; k <= 2; ++k)

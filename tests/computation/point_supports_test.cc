@@ -1,4 +1,4 @@
-// Free panels held in three points: the six rigid motions and nothing else.
+// Free panels supported at three points: the supports fix the six rigid motions and nothing else.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
@@ -23,7 +23,7 @@ Support at_point(double x, double y, const std::vector<Direction>& directions) {
 
 constexpr auto X = Direction::x, Y = Direction::y, Z = Direction::z;
 
-/// 3-2-1 at corners of the square that lie in no line in space.
+/// 3-2-1 supports at corners of the square that are not on one line in space.
 problem::Problem held_in_three_points(problem::Problem p) {
   p.shell.supports = {at_point(0, 0, {X, Y, Z}), at_point(1, 0, {Y, Z}), at_point(0, 1, {Z})};
   return p;
@@ -36,7 +36,7 @@ assembly::AreaLoad balanced() {
   return load;
 }
 
-/// Lengths of a rectangle in space, turned by a rotation about an axis askew.
+/// Lengths of a rectangle in space, turned by a rotation about an oblique axis.
 Eigen::Matrix3d turned() { return Eigen::AngleAxisd(0.9, Vector3d(1, 2, -0.5).normalized()).toRotationMatrix(); }
 
 problem::Problem free_panel(const Eigen::Matrix3d& R = Eigen::Matrix3d::Identity()) {
@@ -76,7 +76,7 @@ TEST(FreePanel, under_loads_in_equilibrium_needs_no_reaction) {
     }
 }
 
-// These see gradients of r . a_3 alone, so a boundary must say that it vanishes; that costs no force either.
+// These formulations contain only gradients of r . a_3. So a boundary must prescribe that it vanishes, which causes no force.
 TEST(FreePanel, of_relaxed_formulations_needs_r_a3_on_a_boundary) {
   for (const auto formulation : {element::Formulation::penalised, element::Formulation::mixed}) {
     problem::Problem p = free_panel();
@@ -110,10 +110,10 @@ TEST(FreePanel, has_the_same_strains_whichever_points_hold_it) {
   EXPECT_NEAR(other.summary.energy.total() / energy, 1, 1e-9);
 }
 
-/// A cylinder of radius 1 over the square, under a load that nothing need hold.
+/// A cylinder of radius 1 over the square, under a load in equilibrium.
 problem::Problem curved_panel(int degree) {
   problem::Problem p = held_in_three_points(with_chart(free_plate(), {"sin(x - 0.5)", "y", "cos(x - 0.5)"}));
-  // Along y, with resultant and moments zero as the surface element is one and the section symmetric.
+  // Along y. Resultant and moments are zero because the surface element is one and the section is symmetric.
   assembly::AreaLoad load;
   load.force[1] = Expression("cos(2*(x - 0.5)) * (2*y - 1)", {});
   p.shell.loads.on_areas = {load};
@@ -130,7 +130,7 @@ TEST(CurvedPanel, needs_reactions_no_larger_than_what_its_mesh_misses) {
   }
 }
 
-// Statics: the weight 0.1 in the middle is carried by the two ends of the diagonal.
+// Statics: the two ends of the diagonal carry the weight 0.1 of the middle.
 TEST(Points, under_a_weight_carry_it_and_say_that_this_is_singular) {
   problem::Problem p = held_in_three_points(free_plate());
   p.shell.loads.on_areas = {force(0, 0, -0.1)};

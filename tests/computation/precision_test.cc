@@ -1,4 +1,4 @@
-// How thin a shell double precision bears: the estimate against what the certificate finds.
+// The thinnest shell for double precision: the estimate against the findings of the certificate.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
@@ -15,7 +15,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The strip of cases/inclined-strip, all displacements of one size whatever the thickness; lengths in metres times
+/// The strip of cases/inclined-strip. All displacements have one size, whatever the thickness. Lengths are in metres times
 /// `unit`.
 problem::Problem bent_strip(double e, double unit = 1) {
   problem::Problem p =

@@ -1,4 +1,4 @@
-// Small problems to build others from.
+// Small problems from which tests build others.
 #pragma once
 #include <plastron/problem/problem.hpp>
 
@@ -58,7 +58,7 @@ inline assembly::AreaLoad force(double x, double y, double z) {
   return load;
 }
 
-/// A flat square of side 1 in the plane z = 0 with nothing that holds or loads it.
+/// A flat square of side 1 in the plane z = 0, without supports and loads.
 inline Problem free_plate() {
   Problem p;
   p.domain = fem::Rectangle{.cells = {2, 2}};

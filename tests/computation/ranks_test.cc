@@ -1,4 +1,4 @@
-// On any number of ranks the same: the world's result against that of each rank alone.
+// Any number of ranks gives the same: all ranks together are compared with each rank alone.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
@@ -90,7 +90,7 @@ TEST(Ranks, may_outnumber_the_cells) {
     }
 }
 
-// Proportioning applies operators hundreds of times where the active set does so some ten times.
+// Proportioning applies operators hundreds of times, the active set about ten times.
 TEST(Ranks, plan_their_exchanges_for_meshes_and_not_for_steps_of_solvers) {
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);

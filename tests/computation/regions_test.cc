@@ -1,4 +1,4 @@
-// Thickness, material and loads by region: cantilevers of two spans, whose answers are those of beams.
+// Thickness, material and loads by region: cantilevers of two spans with the closed forms of beams.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <plastron/examination/examine.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-constexpr double first = 0.8, second = 1.2, width = 0.5;  // lengths of the spans from the clamped end on, and across
+constexpr double first = 0.8, second = 1.2, width = 0.5;  // lengths of the spans from the clamped end, and the width
 
 /// One span: E, e, and the stiffnesses of a strip without Poisson's effect.
 struct Span {
@@ -120,7 +120,7 @@ TEST(TwoSpans, that_a_region_makes_one_are_one) {
   EXPECT_EQ(tip(p), tip(uniform));
 }
 
-/// The largest thickness at nodes of the joint, and elsewhere that of the region.
+/// The largest thickness at nodes of the joint; elsewhere the thickness of the region.
 TEST(NodalThickness, is_the_largest_where_regions_meet) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
     problem::Problem p = two_spans();
@@ -174,7 +174,7 @@ TEST(Examination, sees_the_thickness_and_loads_of_each_region) {
   p = with_end_force();
   p.shell.sections.regions["soft"].thickness = Expression("1.5 - x", {});
   EXPECT_NE(texts(p).find("it must be positive"), std::string::npos) << texts(p);
-  // What is not smooth in the other region alone does no harm.
+  // A function of one region need not be smooth in the other region.
   p = with_end_force();
   p.shell.sections.regions["stiff"].thickness = Expression("x < 1.234 ? 0.12 : -1", {});
   p.shell.loads.on_areas = {force(0, 0, 0)};

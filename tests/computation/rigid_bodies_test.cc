@@ -1,4 +1,4 @@
-// Edges that rigid bodies carry: closed forms of beams, hinges, what holds a body, and what is refused; on all ranks alike.
+// Edges on rigid bodies: closed forms of beams, hinges, supports of a body, and refusals; alike on all ranks.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
@@ -26,7 +26,7 @@ constexpr auto open = std::nullopt;
 constexpr double young = 1e4, thickness = 0.05, width = 0.25, length = 1;
 constexpr double bending_stiffness = young * width * thickness * thickness * thickness / 12;
 
-/// A strip along x without lateral contraction, clamped at x = 0, its other end on a body with the reference at its middle.
+/// A strip along x without lateral contraction, clamped at x = 0. Its other end is on a body with the reference point at its middle.
 problem::Problem beam(const fem::RigidBody& body) {
   problem::Problem p = free_plate();
   p.domain = fem::Rectangle{.to = {length, width}, .cells = {4, 1}};
@@ -155,7 +155,7 @@ TEST_P(RigidBody, LeavesAllRigidMotionsFreeOfStrain) {
       const fem::BodyMotion motion = motion_of(shell->space(), plate, y);
       EXPECT_LT((motion.displacement - c - w.cross(plate.body.reference)).norm(), 1e-11);
       EXPECT_LT((motion.rotation - w).norm(), 1e-11);
-      // On the curved strip the space interpolates normals (covariant components, too), and bodies change nothing of that.
+      // On the curved strip the space interpolates normals (and covariant components). Bodies do not change this.
       const double energy = shell->shell.energies(through_map).total();
       if (is_flat) {
         EXPECT_LT(energy, 1e-24);
@@ -264,7 +264,7 @@ TEST(RigidBodies, OfAnotherReferencePointMoveAlike) {
   EXPECT_LT((a.displacement + a.rotation.cross(by) - b.displacement).norm(), 1e-9 * a.displacement.norm());
 }
 
-/// A plate at the tip presses the strip on a table that lies below its middle only.
+/// A plate at the tip presses the strip on a table that lies only below its middle.
 problem::Problem pressed_by_its_tip() {
   fem::RigidBody body = end_plate();
   body.fixed = {open, open, -0.06, open, open, open};

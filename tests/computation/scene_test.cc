@@ -1,4 +1,4 @@
-// The same scene seen otherwise: turned in space, upside down, with the faces' names exchanged; mirror images.
+// The same scene in other views: turned in space, upside down, with exchanged names of the faces, and mirrored.
 #include <gtest/gtest.h>
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/solve.hpp>
@@ -19,7 +19,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using obstacle::Face;
 
-/// A clamped shallow bowl pressed on bodies below it, all turned by R: of the chart, of the loads, of the bodies.
+/// A clamped shallow bowl pressed on bodies below it. Chart, loads and bodies are turned by R.
 problem::Problem bowl(const Matrix3d& R, const std::vector<obstacle::Obstacle>& bodies) {
   problem::Problem p;
   p.domain = fem::Disk{.radius = std::sin(0.5)};
@@ -68,7 +68,7 @@ TEST(ASceneTurnedInSpace, HasTheSameEnergyAndTurnedReactions) {
 }
 
 TEST(ASceneUpsideDown, HasTheSameEnergyWhicheverWayItsFaceIsNamed) {
-  // Exchanging x and y turns a_3 round: the face below is then the upper one. A turn about x by pi leaves its name.
+  // Exchanging x and y turns a_3 round: the face below is then the upper one. A turn about x by pi keeps its name.
   const Matrix3d turn = Vector3d(1, -1, -1).asDiagonal();
   for (const obstacle::Obstacle& body : bodies()) {
     SCOPED_TRACE(body.name);
@@ -84,7 +84,7 @@ TEST(ASceneUpsideDown, HasTheSameEnergyWhicheverWayItsFaceIsNamed) {
       problem::Problem p = bowl(Matrix3d::Identity(), {named});
       p.charts = {{"", Chart({"y", "x", "1.03 - sqrt(1 - x^2 - y^2)"}, {})}};
       const Result exchanged = solve(p, MPI_COMM_SELF);
-      // Another mesh of the same disk: as good as the mesh is.
+      // Another mesh of the same disk gives the same results up to the error of the mesh.
       EXPECT_NEAR(exchanged.summary.energy.total() / a.summary.energy.total(), 1, 1e-3);
       EXPECT_LT((exchanged.summary.reaction.force - a.summary.reaction.force).norm(),
                 1e-3 * a.summary.reaction.force.norm());
@@ -92,7 +92,7 @@ TEST(ASceneUpsideDown, HasTheSameEnergyWhicheverWayItsFaceIsNamed) {
   }
 }
 
-/// What no choice of axes changes, of everything that has components: N, M, Q and stresses at five heights.
+/// Invariants of all quantities that have components: N, M, Q and stresses at five heights.
 std::vector<double> invariants(const recovery::PointValues& p) {
   std::vector<double> all{p.Q.norm(), shell::largest_von_mises(section_forces(p)).stress};
   const auto add = [&](const Vector3d& tensor) {
@@ -112,7 +112,7 @@ std::vector<double> invariants(const recovery::PointValues& p) {
   return all;
 }
 
-/// N in space, which has no axes.
+/// N in space, where it does not depend on axes.
 Matrix3d membrane_forces(const recovery::PointValues& p) {
   return p.N[0] * p.t1 * p.t1.transpose() + p.N[1] * p.t2 * p.t2.transpose() +
          p.N[2] * (p.t1 * p.t2.transpose() + p.t2 * p.t1.transpose());

@@ -1,4 +1,4 @@
-// Shells between two obstacles against plane references with 16 digits (an exact solution between the edges of contact).
+// Shells between two obstacles, against plane references with 16 digits (an exact solution between the edges of contact).
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 
@@ -11,7 +11,7 @@ using namespace test;
 
 constexpr double width = 0.125, thick = 0.1;
 
-/// A strip of length 1 in plane strain, clamped at both ends, between the floor z = 0 and a ceiling; load in the z direction.
+/// A strip of length 1 in plane strain, clamped at both ends, between the floor z = 0 and a ceiling. The load acts along z.
 problem::Problem strip(const std::string& height, const std::string& load, double ceiling) {
   problem::Problem p;
   p.domain = fem::Rectangle{.to = {1, width}, .cells = {8, 1}};

@@ -1,5 +1,5 @@
-// Obstacles thinner than the shell, smaller than a cell, or that go farther in a step than they are thick: met from the side that they come
-// from, or not called solved.
+// Obstacles that are thinner than the shell, smaller than a cell, or faster than their own thickness in a step. The shell meets them
+// from the side that they come from, or the result is not called solved.
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/verify.hpp>
 #include <plastron/obstacle/surface_mesh.hpp>
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 constexpr double e = 0.05;
 
-/// A strip along x in the plane z = 0, clamped at both ends and kept in the plane of its length, without a load.
+/// A strip along x in the plane z = 0, clamped at both ends, in plane strain, without load.
 problem::Problem strip(double length = 1, double modulus = 1) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0"}, {});
   p.domain = fem::Rectangle{.to = {length, 0.125 * length}, .cells = {8, 1}};
@@ -36,7 +36,7 @@ problem::Problem strip(double length = 1, double modulus = 1) {
   return p;
 }
 
-/// A body whose top reaches `depth` into the strip's lower face at x = `at`; its lowest point is `height` below.
+/// A body whose top is `depth` inside the strip's lower face at x = `at`; its lowest point is `height` below.
 Obstacle wire(double radius, double depth, double at = 0.5) {
   return {.name = "wire",
           .shape = obstacle::Cylinder{.point = {at, 0, -e / 2 + depth - radius}, .axis = {0, 1, 0}, .radius = radius}};
@@ -51,10 +51,10 @@ Result solved(problem::Problem p, const Obstacle& obstacle) {
   return solve(p, MPI_COMM_WORLD);
 }
 
-/// What the obstacle presses upwards [N].
+/// The force of the obstacle, upwards [N].
 double upward(const Result& r) { return r.summary.reaction.force[2]; }
 
-/// Along a line a hump touches a thick roller as it touches a wire.
+/// Along a line, a hump has the same contact with a thick roller as with a wire.
 void expect_like_a_roller(const Result& r, double depth) {
   const Result roller = solved(strip(), wire(0.2, depth));
   ASSERT_EQ(r.status, Status::solved) << status_text(r);
@@ -64,7 +64,7 @@ void expect_like_a_roller(const Result& r, double depth) {
 }
 
 TEST(AWire, ThinnerThanTheShellIsMetFromBelow) {
-  for (const double radius : {0.02, 0.01, 0.004})  // the last one lies wholly inside of the undeformed shell
+  for (const double radius : {0.02, 0.01, 0.004})  // the last one lies wholly inside the undeformed shell
     for (const double depth : {0.004, 0.015}) {
       SCOPED_TRACE(fmt::format("radius {}, depth {}", radius, depth));
       expect_like_a_roller(solved(strip(), wire(radius, depth)), depth);
@@ -77,7 +77,7 @@ TEST(AThinBox, DoesNotPushNodesOutOfItsFarSide) {
 
 TEST(ABlade, NarrowerThanTheShellIsMetAtItsTip) { expect_like_a_roller(solved(strip(), box(0.02, 0.2, 0.015)), 0.015); }
 
-/// Wider than the distance of nodes: those near its walls have their way out of them.
+/// Its nodes are closer together than the blade is wide. For nodes near a wall the shortest way out leads through that wall.
 problem::Problem fine_strip() {
   problem::Problem p = strip();
   p.domain = fem::Rectangle{.to = {1, 0.125}, .cells = {32, 1}};
@@ -197,7 +197,7 @@ TEST(AWire, ThatNodesMissIsRefinedTowards) {
   EXPECT_NEAR(upward(r) / upward(solved(strip(), wire(0.2, 0.015))), 1, 0.1);
 }
 
-// Pressed down by its load the strip would hang on both sides of a wire that no node sees, or go past it.
+// Under its load the strip would hang down on both sides of a wire that no node sees, or pass it.
 TEST(AWire, ThatALoadMovesTheShellPastIsNotCalledSolved) {
   problem::Problem p = strip();
   p.discretisation.refinements = 0;

@@ -1,4 +1,4 @@
-// Whole computations: beams whose answers are known by heart, balance, certificate, outcomes that are no solution.
+// Whole computations: beams with well-known answers, balance, certificate, and outcomes without solution.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/assembly/nodal_coordinates.hpp>

@@ -1,4 +1,4 @@
-// Steps: loads and obstacles that change, each instant from the one before.
+// Steps: loads and obstacles change, and each instant starts from the previous one.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <plastron/problem/instants.hpp>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// A clamped square plate, 0.007 above a table that its load presses it on, and beside its middle a ball 0.005 above it.
+/// A clamped square plate 0.007 above a table; its load presses it on the table. Beside its middle is a ball, 0.005 above it.
 problem::Problem plate() {
   problem::Problem p;
   p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
@@ -82,8 +82,8 @@ TEST(ForceOverWay, IsMonotoneAndComesBackTheSameWay) {
   EXPECT_EQ(force(7), 0);
 }
 
-// The zone grows by several rows of nodes in each part; roots of gaps that go on as they went foretell all but a few of them, and what they
-// leave open needs no other factor.
+// The zone grows by several rows of nodes in each part. Extrapolated roots of gaps predict all but a few nodes. The
+// open nodes need no other factor.
 TEST(AStep, TakesOneFactorisationForEachOfItsPartsAndFewActiveSets) {
   problem::Problem p = plate();
   p.shell.obstacles.all.erase(p.shell.obstacles.all.begin() + 1);

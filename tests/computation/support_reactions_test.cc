@@ -1,4 +1,4 @@
-// What edges, their corners and points carry of what supports carry together.
+// The parts of the support reactions that edges, their corners and points carry.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 
@@ -14,8 +14,8 @@ namespace {
 using namespace test;
 using Eigen::Vector3d;
 
-/// A plate of thickness 0.02 under its weight of 1 per area, simply supported (u.z alone) on all edges in this order, and held in its plane in the
-/// middle of nothing that carries.
+/// A plate of thickness 0.02 under its weight of 1 per area, simply supported (only u.z) on all edges in this order. Its in-plane supports are
+/// in the middle and carry nothing.
 problem::Problem supported_plate(const fem::Domain& domain, const std::vector<std::string>& edges,
                                  int refinements = 1) {
   problem::Problem p = free_plate();
@@ -36,7 +36,7 @@ std::map<std::string, Vector3d> edge_forces(const Result& result) {
   return forces;
 }
 
-/// All parts make the whole, forces and moments.
+/// The parts add up to the whole, in forces and moments.
 void expect_sum(const Result& result) {
   solution::Wrench sum = result.summary.support_reaction;
   const double force = sum.force.norm();
@@ -50,7 +50,7 @@ void expect_sum(const Result& result) {
   }
   for (const auto& point : result.summary.point_reactions) sum.force -= point.force;
   EXPECT_LT(sum.force.norm(), 1e-11 * force);
-  if (!result.summary.point_reactions.empty()) return;  // whose moments are not told
+  if (!result.summary.point_reactions.empty()) return;  // the results give no moments of these
   EXPECT_LT(sum.moment.norm(), 1e-11 * force);
 }
 
@@ -107,7 +107,7 @@ TEST(SupportReactions, share_at_a_corner_what_both_edges_fix) {
   expect_sum(result);
   ASSERT_EQ(result.summary.support_reactions.size(), 2u);
   ASSERT_EQ(result.summary.corner_reactions.size(), 1u);
-  EXPECT_NEAR(result.summary.corner_reactions[0].reaction.force[2], 0, 1e-12);  // u.y alone is fixed by both
+  EXPECT_NEAR(result.summary.corner_reactions[0].reaction.force[2], 0, 1e-12);  // both fix u.y alone
 }
 
 TEST(SupportReactions, leave_a_point_on_an_edge_what_the_edge_does_not_hold) {

@@ -5,12 +5,12 @@
 
 namespace plastron::test {
 
-/// What the numbers of all lengths and of all forces are multiplied by; a modulus then by force / length^2.
+/// Factors of the numbers of all lengths and of all forces. A modulus is then multiplied by force / length^2.
 struct Units {
   double length = 1, force = 1;
 };
 
-/// A small curved panel above a table, held at two sides and pressed on it by a pressure, a line load and a couple.
+/// A small curved panel above a table, supported at two sides. A pressure, a line load and a couple press it on the table.
 inline Problem panel(const Units& units) {
   const double L = units.length, F = units.force, pressure = F / (L * L);
   Problem p = with_chart(free_plate(), {"x", "y", "0.02*L + e/2 + 0.2*x^2/L"}, {{"L", L}, {"e", 0.1 * L}});

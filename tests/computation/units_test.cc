@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-/// Each alone and together. Lengths with forces that leave the modulus as it is are those of {s, s^2}.
+/// Each alone and together. Lengths with forces that keep the modulus have the form {s, s^2}.
 class EveryUnit : public testing::TestWithParam<Units> {};
 INSTANTIATE_TEST_SUITE_P(Of, EveryUnit,
                          testing::Values(Units{1e-6, 1}, Units{1e6, 1}, Units{1, 1e-6}, Units{1, 1e6},

@@ -1,4 +1,4 @@
-// Solutions that are handed over: those of solve() pass, and whatever is changed in one is a row that fails.
+// Given solutions: those of solve() pass, and any change makes a row fail.
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/verify.hpp>
 
@@ -16,7 +16,7 @@ using namespace test;
 using testing::Contains;
 using testing::IsEmpty;
 
-/// Rows beyond their limits.
+/// The rows that exceed their limits.
 std::vector<std::string> failing(const Verification& v) {
   std::vector<std::string> rows;
   for (const auto* all : {&v.result.limits, &v.membership})
@@ -27,7 +27,7 @@ std::vector<std::string> failing(const Verification& v) {
 
 using Change = std::function<void(StoredSolution&, const assembly::DiscreteShell&)>;
 
-/// What is verified of the problem's solution after a change.
+/// Verifies the problem's solution after a change.
 Verification verified(const problem::Problem& problem, const Change& change = {}) {
   Result result = solve(problem, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << status_text(result);
@@ -51,7 +51,7 @@ problem::Problem strip_on_ball() {
   return p;
 }
 
-/// A change of one owned value of `node`, on the rank that owns the most loaded one alone.
+/// A change of one owned value of `node`, only on the rank that owns the most loaded node.
 void nudge(algebra::Vector& field, std::size_t component, double by) {
   int rank = 0;
   MPI_Comm_rank(field.layout()->comm, &rank);
@@ -115,7 +115,7 @@ TEST(Verification, FailsWhereAnotherLoadWasCarried) {
   const auto tenfold = [](algebra::Vector& field) {
     for (double& value : field.local()) value *= 10;
   };
-  problem::Problem p = cantilever_plate();  // linear: ten times the load has ten times the displacement
+  problem::Problem p = cantilever_plate();  // linear: ten times the load gives ten times the displacement
   const Verification v = verified(p, [&](StoredSolution& s, const assembly::DiscreteShell&) {
     tenfold(s.nodal.y);
     s.state.load_factor = 10;
@@ -135,7 +135,7 @@ TEST(Verification, FailsWhereGapsAreLinearisedElsewhere) {
 }
 
 TEST(Verification, FailsWhereTheMixedFormulationWasLeftWithoutItsConstraint) {
-  // With p = rho = 1 the penalised solution solves the mixed equations with lambda = 0, but for b(U, q) = 0.
+  // With p = rho = 1 the penalised solution solves the mixed equations with lambda = 0, except for b(U, q) = 0.
   problem::Problem penalised = with_formulation(element::Formulation::penalised);
   penalised.shell.tangency.penalty = penalised.shell.tangency.stabilisation = 1;
   problem::Problem mixed = penalised;

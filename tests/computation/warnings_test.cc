@@ -1,4 +1,4 @@
-// What a result says against itself: contact missed between nodes, the linear model left, reactions on edges, units.
+// Warnings of a result: contact missed between nodes, the linear model exceeded, reactions on edges, units.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// A plate with a bump `depth` deep in its middle, whose edge lies 0.02 above the table.
+/// A plate with a bump `depth` deep in its middle. Its edge lies 0.02 above the table.
 problem::Problem bumpy_plate(int cells, double depth) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0.07 - depth*(sin(pi*x)*sin(pi*y))^2"}, {{"depth", depth}});
   p.domain = fem::Rectangle{.cells = {cells, cells}};
@@ -37,7 +37,7 @@ problem::Problem bumpy_plate(int cells, double depth) {
 
 TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
   for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
-    // Cut crosswise, the square has a vertex in its middle, and the bumps lie around it.
+    // Cut crosswise, the square has a vertex in its middle, with the bumps around it.
     const double bumps = shape == fem::Shape::triangle ? 2 : 1;
     problem::Problem p =
         with_chart(bumpy_plate(1, 0), {"x", "y", "0.07 - 0.06*(sin(n*pi*x)*sin(n*pi*y))^2"}, {{"n", bumps}});
@@ -55,7 +55,7 @@ TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
   }
 }
 
-/// A dome under a box with sharp edges whose lowest side lies `depth` below the apex.
+/// A dome under a box with sharp edges. The lowest side of the box lies `depth` below the apex.
 problem::Problem dome_under_box(double depth) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "-1.025 + sqrt(1 - x^2 - y^2)"}, {});
   p.domain = fem::Disk{.radius = std::sin(0.5)};
@@ -96,7 +96,7 @@ TEST(Penetration, between_nodes_is_told_where_the_mesh_is_too_coarse) {
 
 LeftOut left_out_of(const Result& r) { return left_out(r.summary, r.last_level()); }
 
-/// A strip from the left, that bends freely: no length changes although the rotations would stretch it.
+/// A strip from the left that bends freely. No length changes, although the rotations would stretch it.
 TEST(LinearModel, of_a_plate_that_bends_freely_is_left_with_its_rotations_and_not_with_its_stretch) {
   problem::Problem p = cantilever_plate();
   p.shell.sections.common.thickness = Expression(0.01);
@@ -129,8 +129,8 @@ problem::Problem bent_disk(double thicknesses) {
   return p;
 }
 
-// I_2 / E and what is left of it by a program for one meridian with finite rotations: half a thickness, 0.0860 and 0.0591; the energy of
-// the linear model is 14.5 % too large there, 148 % at three thicknesses.
+// I_2 / E, and the share that finite rotations leave, by a program for one meridian. Half a thickness: 0.0860 and 0.0591. The energy of
+// the linear model is 14.5 % too large there, and 148 % at three thicknesses.
 TEST(LinearModel, of_a_clamped_disk_leaves_out_its_stretch) {
   const Result half = solve(bent_disk(0.5), MPI_COMM_SELF);
   EXPECT_NEAR(left_out_of(half).work, 0, 1e-9);
@@ -334,8 +334,8 @@ TEST(TheLargestStress, leaves_out_places_where_stresses_have_no_limit_and_names_
   EXPECT_EQ(c.singular_places[0].at, Eigen::Vector2d(1, 1));
 }
 
-// Clamped, nu = 0.3, thin: M = 0.0513 q a^2 in the middle of an edge (Timoshenko and Woinowsky-Krieger, table 35), where the largest stress is sigma =
-// 6 M/e^2 with the other principal one nu sigma.
+// Clamped, nu = 0.3, thin: M = 0.0513 q a^2 in the middle of an edge (Timoshenko and Woinowsky-Krieger, table 35). The largest stress there is sigma =
+// 6 M/e^2; the other principal stress is nu sigma.
 TEST(TheLargestStress, of_a_run_to_an_accuracy_is_as_accurate_as_it_says_and_is_that_of_probes) {
   problem::Problem p = free_plate();
   p.shell.sections.common.thickness = Expression(0.02);

@@ -1,4 +1,4 @@
-// [accuracy]: what can be asked for, and what a case without it gets.
+// [accuracy]: the possible goals, and the default of a case without it.
 #include <gtest/gtest.h>
 #include <plastron/config/case.hpp>
 

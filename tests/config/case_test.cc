@@ -1,4 +1,4 @@
-// Good cases arrive as the settings they state.
+// Good cases are read as the settings that they state.
 #include <gtest/gtest.h>
 #include <plastron/config/case.hpp>
 
@@ -192,7 +192,7 @@ TEST(Effective, HasTheDefaultsInTheShapeOfTheFile) {
   EXPECT_EQ(e["shell"]["formulation"], "tangent");
   EXPECT_EQ(e["geometry"]["domain"]["disk"]["centre"], nlohmann::json::array({0.0, 0.0}));
   EXPECT_EQ(e["geometry"]["chart"], nlohmann::json::array({"x", "y", "0"}));
-  // Meshes follow from the accuracy.
+  // The accuracy determines the meshes.
   EXPECT_EQ(e["mesh"],
             (nlohmann::json{
                 {"cells", "quadrilateral"}, {"degree", 4}, {"tying", true}, {"layers", "auto"}, {"refinements", 0}}));

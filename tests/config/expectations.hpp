@@ -1,4 +1,4 @@
-// What a wrong case file says that it expects: the "# expect: " lines at its beginning.
+// The expectations of a wrong case file: the "# expect: " lines at its beginning.
 #pragma once
 #include <filesystem>
 #include <fstream>

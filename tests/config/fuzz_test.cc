@@ -1,4 +1,4 @@
-// Damaged case files: whatever they say, reading them ends soon, in a case or in a message that a terminal can bear.
+// Damaged case files. Reading them ends soon, in a case or in a message without control characters.
 #include <gtest/gtest.h>
 #include <plastron/config/case.hpp>
 #include <plastron/config/printable.hpp>

@@ -1,4 +1,4 @@
-// The JSON Schema of the case file says what the declarations say. That validators understand it is tests/cli/validate_schemas.py.
+// The JSON Schema of the case file agrees with the declarations. tests/cli/validate_schemas.py checks it with a validator.
 #include <gtest/gtest.h>
 #include <plastron/config/schema.hpp>
 

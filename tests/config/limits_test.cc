@@ -1,4 +1,4 @@
-// Files that nobody writes by hand are refused at once, in one message, whatever they would cost to read.
+// Extreme files are refused at once, in one message, however expensive they would be to read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -210,7 +210,7 @@ TEST(Quotation, IsShortAndPrintable) {
   for (const char* bad : {"\x1b", "\x07", "\xC2\x9B"}) EXPECT_THAT(message, Not(HasSubstr(bad)));
 }
 
-// ---- files that are none ---------------------------------------------------------------------------------------------
+// ---- files that are no text files ---------------------------------------------------------------------------------------
 
 struct Pipe {
   fs::path path = fs::temp_directory_path() / ("plastron-pipe-" + std::to_string(getpid()));

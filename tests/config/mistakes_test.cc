@@ -36,7 +36,7 @@ TEST(CaseErrorsSorted, ComeInTheOrderOfTheFile) {
   EXPECT_EQ(errors.format(), errors.what());
 }
 
-// What parse_case says about a text with one mistake.
+// The message of parse_case about a text with one mistake.
 Mistake only_mistake(const std::string& text) {
   try {
     parse_case(text, "case.toml");

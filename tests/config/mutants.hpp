@@ -11,7 +11,7 @@ class Mutants {
  public:
   explicit Mutants(std::uint64_t seed) : random_(seed) {}
 
-  /// One to three damages: of bytes, of tokens, of numbers, of keys, of brackets.
+  /// One to three damages: of bytes, tokens, numbers, keys or brackets.
   std::string operator()(std::string text) {
     for (std::size_t i = 1 + below(3); i > 0; --i) damage(text);
     return text;
@@ -45,7 +45,7 @@ class Mutants {
     if (!text.empty()) text[below(text.size())] = static_cast<char>(below(256));
   }
 
-  /// A number of the text becomes one that is hard to bear.
+  /// Replaces a number of the text by an extreme one.
   void number(std::string& text) {
     static const std::vector<std::string> hard{"1e308",
                                                "-1e308",

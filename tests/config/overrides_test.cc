@@ -1,4 +1,4 @@
-// --set: what becomes of the text, and whom mistakes are told of.
+// --set: its effect on the text, and the place that messages about mistakes name.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/config/case.hpp>
@@ -98,7 +98,7 @@ TEST(Overrides, KeepTheLineBreaksOfTheFile) {
   EXPECT_THAT(text, HasSubstr("[shell]\nnu = 0.3\r\nE = 1\r\n"));
 }
 
-/// What is said of a setting that is wrong by itself.
+/// The message about a setting that is wrong by itself.
 std::string refusal_of(const std::string& setting) {
   try {
     edited(disk, {setting});
@@ -175,7 +175,7 @@ TEST(CasesWithSettings, TellOfTheFileAsItWasElsewhere) {
   const std::string wrong = with(disk, "force = [0, 0, -1e-3]", "forse = [0, 0, -1e-3]");
   const auto place = CaseFile::name() + ":12:1: error: unknown key \"forse\"";
   EXPECT_THAT(read_refusal(wrong, {}), HasSubstr(place));
-  // Lines come and go above it.
+  // Other lines are added and removed above it.
   EXPECT_THAT(read_refusal(wrong, {"title=\"a\"", "shell.shear_correction=1", "geometry.chart=[\"x\", \"y\", 0]"}),
               AllOf(HasSubstr(place), Not(HasSubstr("--set"))));
 }

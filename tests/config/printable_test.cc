@@ -23,7 +23,7 @@ TEST(Printable, HasNoControlCharacters) {
 TEST(Printable, HasNoBytesThatAreNoText) {
   EXPECT_EQ(printable("\x9B\xFF"), "??");
   EXPECT_EQ(printable("\xC3"), "?");
-  EXPECT_EQ(printable("\xC0\x9B"), "??");  // ESC in a form that is too long
+  EXPECT_EQ(printable("\xC0\x9B"), "??");  // ESC in an overlong form
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Files, WrongCase, testing::ValuesIn(wrong_cases()), [](
 
 TEST(WrongCases, AreAtLeastFortyFive) { EXPECT_GE(wrong_cases().size(), 45u); }
 
-// Those of tests/cli/wrong are wrong only when geometry and mechanics are looked at.
+// The files of tests/cli/wrong are wrong only in geometry or mechanics.
 TEST(WrongCases, OfTheExaminationAreReadWithoutComplaint) {
   for (const auto& entry : fs::directory_iterator(fs::path(PLASTRON_SOURCE_DIR) / "tests/cli/wrong"))
     EXPECT_TRUE(entry.path().extension() != ".toml" || errors_of(entry.path()).empty()) << errors_of(entry.path());

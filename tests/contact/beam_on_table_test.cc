@@ -1,5 +1,5 @@
-// A beam clamped at both ends and pressed on a table below it: it lies flat in the middle, and the free boundary
-// carries point reactions. The model problem of thin structures in contact.
+// A beam clamped at both ends and pressed on a table below it. It lies flat in the middle, and the free boundary
+// carries point reactions. This is the model problem of thin structures in contact.
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/solve.hpp>
 #include <plastron/contact/subproblem.hpp>
@@ -94,7 +94,7 @@ TEST(BeamOnTable, is_factorised_anew_in_every_step_because_that_is_cheaper) {
   EXPECT_EQ(table.factorisation.factorisations(), static_cast<int>(z.iterations.size()));
 }
 
-// Counts and times of the cap of benchmarks/step_cost, degree 4: a factorisation takes as long as 10.0, 9.5 and 13.2 steps.
+// Counts and times of the cap of benchmarks/step_cost at degree 4: a factorisation takes as long as 10.0, 9.5 and 13.2 steps.
 TEST(KeptFactor, affords_the_steps_that_were_measured) {
   EXPECT_NEAR(contact::affordable_steps(algebra::price_of({.operations = 1.25e9, .entries = 4.53e6}), 25925), 10, 3);
   EXPECT_NEAR(contact::affordable_steps(algebra::price_of({.operations = 1.01e10, .entries = 2.19e7}), 103045), 10, 2);

@@ -8,7 +8,7 @@ namespace {
 using contact::Activity;
 
 TEST(EverySolver, agrees_with_brute_force_over_all_active_sets) {
-  const unsigned problems = ranks() == 1 ? 300 : 7;  // MUMPS takes its time on tiny systems
+  const unsigned problems = ranks() == 1 ? 300 : 7;  // MUMPS is slow on tiny systems
   for (unsigned seed = 1; seed <= problems; ++seed) {
     const Eigen::Index n = 1 + seed % 7;
     const DenseProblem dense = random_problem(n, seed);

@@ -1,5 +1,5 @@
-// A string pressed on a table, from nothing known of its contact: the plain iteration gives a node a step back at either end of the zone, which
-// is 240 nodes too long at first. Among few of the bounds first it takes few steps.
+// A string pressed on a table from a cold start. The plain iteration gives back one node per step at each end of the zone, which
+// is 240 nodes too long at first. A first solution with few of the bounds takes few steps.
 #include <gtest/gtest.h>
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/solve.hpp>

@@ -1,4 +1,4 @@
-// Small box-constrained problems with dense matrices, known whole on every rank and solved distributed; and the exact
+// Small box-constrained problems with dense matrices, known on every rank and solved distributed; and the exact
 // solution by trying every active set.
 #pragma once
 #include <plastron/algebra/factorisation.hpp>
@@ -40,7 +40,7 @@ inline Matrix distribute(const Eigen::MatrixXd& A) {
   return matrix;
 }
 
-/// A BoxProblem and what it refers to.
+/// A BoxProblem and the objects that it refers to.
 struct DistributedProblem {
   explicit DistributedProblem(const DenseProblem& dense) : matrix(distribute(dense.A)) {
     const auto part = [&](const Eigen::VectorXd& v) {
@@ -118,8 +118,8 @@ inline bool is_optimal(const DenseProblem& problem, const std::vector<int>& side
   return true;
 }
 
-/// The solution by trying all 3^n subproblems. Sets that leave a motion free have none; what passes is the solution,
-/// the only one, since A is positive semidefinite and definite on what the set leaves free.
+/// The solution by trying all 3^n subproblems. Sets that leave a motion free have no solution. Any z that passes is the only solution,
+/// because A is positive semidefinite, and definite on the unknowns that the set leaves free.
 inline std::optional<Eigen::VectorXd> brute_force(const DenseProblem& problem) {
   const auto n = static_cast<std::size_t>(problem.size());
   std::vector<int> side(n, 0);

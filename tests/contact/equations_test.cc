@@ -11,7 +11,7 @@ namespace {
 using contact::Activity;
 using contact::Status;
 
-/// Two random equations, the second multiplier's row empty in every third problem.
+/// Two random equations. In every third problem the row of the second multiplier is empty.
 struct WithEquations {
   WithEquations(const DenseProblem& dense, const Eigen::MatrixXd& rows) : distributed(dense), B(rows) {
     const auto layout = layout_for(B.rows(), {});
@@ -62,8 +62,8 @@ double least_in_box(const DenseProblem& dense, const Eigen::VectorXd& row) {
   return least;
 }
 
-/// Whether B z = 0 misses the box: some combination y of the two equations is positive all over it. Where an unknown has no bound that is
-/// one without this unknown, so that besides many directions all those count that are orthogonal to a column of B.
+/// Whether no point of the box has B z = 0: some combination y of the two equations is positive on the whole box. If an unknown has no bound,
+/// the combination must not contain it. So the directions orthogonal to each column of B are tried besides many others.
 bool cannot_hold(const DenseProblem& dense, const Eigen::MatrixXd& B) {
   constexpr int directions = 3600;
   constexpr double positive = 1e-9;
@@ -80,7 +80,7 @@ bool cannot_hold(const DenseProblem& dense, const Eigen::MatrixXd& B) {
 }
 
 TEST(Equations, HoldTogetherWithAllConditionsOfTheBounds) {
-  const unsigned problems = ranks() == 1 ? 120 : 4;  // MUMPS takes its time on tiny systems
+  const unsigned problems = ranks() == 1 ? 120 : 4;  // MUMPS is slow on tiny systems
   unsigned feasible = 0, given_up = 0;
   for (unsigned seed = 0; seed < problems; ++seed) {
     DenseProblem dense = random_problem(8, seed);
@@ -98,7 +98,7 @@ TEST(Equations, HoldTogetherWithAllConditionsOfTheBounds) {
       const auto solution =
           solve_with(solver, *problem.distributed.box, factorisation, {}, {.detect_free_motions = false});
       if (solution.status == Status::cycling || solution.status == Status::iteration_limit) {
-        ++given_up;  // not found, and said so
+        ++given_up;  // not found, with a status that says so
         continue;
       }
       if (is_feasible)

@@ -1,4 +1,4 @@
-// A solution is the exact one, and its activity and multipliers say so.
+// Expects that a solution is the exact one, with the right activity and multipliers.
 #pragma once
 #include <gtest/gtest.h>
 

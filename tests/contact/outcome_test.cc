@@ -8,7 +8,7 @@ namespace {
 using contact::BoxSolution;
 using contact::Status;
 
-// Springs in a row, held by nothing; bounds none.
+// A row of springs without supports and bounds.
 DenseProblem free_springs(Eigen::Index n) {
   DenseProblem problem{.A = Eigen::MatrixXd::Zero(n, n),
                        .b = Eigen::VectorXd::Zero(n),
@@ -100,7 +100,7 @@ TEST(EverySolver, says_so_when_the_operator_is_not_the_matrix) {
   const DenseProblem dense = held_springs(9);
   DistributedProblem problem(dense);
   problem.box->load.fill(1.0);
-  // A skewed operator: the work z' y stays that of the matrix, but the system is another one.
+  // A skewed operator: the work z' y is that of the matrix, but the system is another one.
   problem.box->apply = [&](const Vector& z, Vector& y) {
     problem.matrix.multiply(z, y);
     const auto all = gather(z);

@@ -1,4 +1,4 @@
-// Small problems whose bounds are moved by given forces, solved distributed; and the exact solution by trying every active set with its
+// Small problems in which given forces move bounds, solved distributed; and the exact solution by trying every active set with its
 // border, by dense algebra.
 #pragma once
 #include "contact/dense_problem.hpp"
@@ -49,7 +49,7 @@ inline Eigen::VectorXd positions_of(const contact::BoxSolution& solution) {
                                            static_cast<Eigen::Index>(solution.positions.size()));
 }
 
-/// The bound that holds an unknown, and how it moves. side: 0 free, 1 at its lower, 2 at its upper bound.
+/// The bound at which an unknown is, and how it moves. side: 0 free, 1 at its lower, 2 at its upper bound.
 inline Eigen::VectorXd side_of(const std::vector<int>& side, const Eigen::VectorXd& lower,
                                const Eigen::VectorXd& upper) {
   Eigen::VectorXd held = Eigen::VectorXd::Zero(lower.size());
@@ -60,7 +60,7 @@ inline Eigen::VectorXd side_of(const std::vector<int>& side, const Eigen::Vector
   return held;
 }
 
-/// z = held + P y + H delta minimises over (y, delta) on the subproblem; nothing where that has no minimiser.
+/// z = held + P y + H delta minimises over (y, delta) on the subproblem; empty if that has no minimiser.
 inline std::optional<PressedSolution> minimise_with_border(const PressedDense& dense, const std::vector<int>& side) {
   const Eigen::Index n = dense.box.size(), m = dense.force.size();
   const Eigen::VectorXd held = side_of(side, dense.box.lower, dense.box.upper);
@@ -89,7 +89,7 @@ inline bool keeps_all_conditions(const PressedDense& dense, const std::vector<in
   return is_optimal(moved, side, solution.z);
 }
 
-/// The solution by trying all 3^n subproblems; nothing if no subproblem has it.
+/// The solution by trying all 3^n subproblems; empty if none has it.
 inline std::optional<PressedSolution> brute_force(const PressedDense& dense) {
   const auto n = static_cast<std::size_t>(dense.box.size());
   std::vector<int> side(n, 0);
@@ -111,8 +111,8 @@ inline std::optional<PressedSolution> brute_force(const PressedDense& dense) {
   }
 }
 
-/// random_problem() with forces on some of its bounds: lower ones mostly rise with delta, upper ones mostly fall. One unknown is each force's
-/// own and carries it. Unknowns with two bounds come between a moving and a resting one.
+/// random_problem() with forces on some of its bounds: lower bounds mostly rise with delta, upper ones mostly fall. Each force has one unknown
+/// of its own that carries it. Unknowns with two bounds come between a moving and a resting one.
 inline PressedDense random_pressed(Eigen::Index n, Eigen::Index forces, unsigned seed) {
   PressedDense dense{.box = random_problem(n, seed),
                      .lower_shape = Eigen::MatrixXd::Zero(n, forces),
@@ -126,7 +126,7 @@ inline PressedDense random_pressed(Eigen::Index n, Eigen::Index forces, unsigned
     dense.force(k) = 2 * size(random);
     for (Eigen::Index i = forces; i < n; ++i) {
       if (dense.box.lower(i) == dense.box.upper(i)) continue;
-      if (forces > 1 && i % forces != k && one_in_eight(random) != 0) continue;  // few unknowns meet two of them
+      if (forces > 1 && i % forces != k && one_in_eight(random) != 0) continue;  // few unknowns have both bounds nearby
       if (std::isfinite(dense.box.lower(i)))
         dense.lower_shape(i, k) = shape();
       else if (std::isfinite(dense.box.upper(i)))

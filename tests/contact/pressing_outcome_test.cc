@@ -1,4 +1,4 @@
-// What a pressing force and its position are to each other, how a search on positions ends, and what a step costs.
+// A pressing force and its position, the outcomes of a search for positions, and the cost of a step.
 #include <plastron/contact/border.hpp>
 #include <plastron/contact/pressing.hpp>
 
@@ -13,7 +13,7 @@ namespace {
 using contact::Activity;
 using contact::Status;
 
-/// A clamped beam; a round punch above it whose tip is at the middle, 0.5 away.
+/// A clamped beam, and above it a round punch with its tip at the middle, 0.5 away.
 struct PunchedBeam {
   explicit PunchedBeam(double force, GlobalIndex nodes = 31)
       : beam(nodes),
@@ -67,7 +67,7 @@ TEST(PressingForce, moves_further_the_greater_it_is) {
     last_force = newtons;
     const double stored = solution.iterations.back().energy + newtons * last;
     if (ranks() > 1) continue;                          // too few points
-    EXPECT_NEAR(stored, work_by_curve, 0.05 * stored);  // what the curve encloses, by trapezoids
+    EXPECT_NEAR(stored, work_by_curve, 0.05 * stored);  // the area under the curve, by trapezoids
   }
 }
 
@@ -80,7 +80,7 @@ TEST(PressingForce, and_its_position_prescribed_give_the_same_solution) {
     const auto by_position = contact::solve_primal_dual_active_set(moved, {}, pressed.factorisation);
     ASSERT_EQ(by_position.status, Status::solved);
     EXPECT_LT((gathered(by_force.z) - gathered(by_position.z)).cwiseAbs().maxCoeff(), 1e-9);
-    // and back: the reaction found, pressed with
+    // and back: pressed with the reaction that was found
     const double reaction = contact::reactions(pressed.problem, by_position.multiplier, by_position.activity)[0];
     EXPECT_NEAR(reaction, pressed.problem.pressing[0].force, 1e-8 * reaction);
     pressed.problem.pressing[0].force = reaction;
@@ -129,7 +129,7 @@ std::vector<Status> outcomes(const PressedDense& dense, const contact::Settings&
   return all;
 }
 
-/// Springs in a row, the first held if `is_held`; a punch above the last.
+/// A row of springs, the first one fixed if `is_held`. A punch is above the last one.
 PressedDense punched_springs(Eigen::Index n, bool is_held, double shape) {
   PressedDense dense{.box = {.A = Eigen::MatrixXd::Zero(n, n),
                              .b = Eigen::VectorXd::Zero(n),
@@ -180,7 +180,7 @@ TEST(EverySolver, stops_pressing_at_the_iteration_limit_or_when_asked) {
   }
 }
 
-// The four unknowns z >= 0 of safeguard_test.cc on which the plain method cycles from nothing active, with a pressed one apart from them.
+// The four unknowns z >= 0 of safeguard_test.cc on which the plain method cycles from an empty active set, and a separate pressed one.
 TEST(PrimalDualActiveSet, hands_over_to_the_pressing_search_where_it_would_cycle) {
   PressedDense dense{.box = {.A = Eigen::MatrixXd::Identity(5, 5),
                              .b = Eigen::VectorXd{{-7, 7, 8, -4, 0}},

@@ -1,5 +1,5 @@
-// Bounds that given forces move: every solver against brute force over all active sets with their borders, in any units, with ties, held by
-// bounds alone, with equations.
+// Bounds that given forces move: every solver against brute force over all active sets with their borders, in any units, with ties, supported by
+// bounds alone, and with equations.
 #include <plastron/contact/pressing.hpp>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using contact::Status;
 
 unsigned some_problems(unsigned on_one_rank) {
   return ranks() == 1 ? on_one_rank : 2;
-}  // MUMPS takes its time on tiny systems
+}  // MUMPS is slow on tiny systems
 
 void expect_pressed_solution(const PressedDense& dense, const contact::BoxProblem& problem,
                              const contact::BoxSolution& solution, const PressedSolution& exact) {
@@ -39,7 +39,7 @@ void expect_that_all_press(const PressedDense& dense, const PressedSolution& exa
   }
 }
 
-/// No subproblem has the solution: bounds press on each other, or nothing stops a force. All solvers must say the same.
+/// No subproblem has the solution: bounds press on each other, or nothing stops a force. All solvers must report the same.
 void expect_that_none_presses(const PressedDense& dense) {
   const DistributedPressed pressed(dense);
   algebra::Factorisation F(pressed.matrix());
@@ -67,7 +67,7 @@ TEST(EverySolver, finds_what_forces_press_as_brute_force_does) {
   }
 }
 
-// z and delta are chosen first, every unknown with bounds is at one and every other one of these carries nothing; forces and load follow.
+// z and delta are chosen first. Every unknown with bounds is at one; every other one of these has no multiplier. Forces and load follow.
 TEST(EverySolver, presses_with_bounds_that_carry_no_force) {
   unsigned tested = 0;
   for (unsigned seed = 1; seed <= some_problems(60); ++seed) {
@@ -115,7 +115,7 @@ TEST(EverySolver, does_not_mind_the_units_of_what_forces_press) {
   }
 }
 
-// A chain that nothing holds lies with one half on a table; punches press on the other. Its load alone would turn it over nothing.
+// An unsupported chain lies with one half on a table, and punches press on the other half. Its load alone does not turn it over.
 TEST(EverySolver, presses_what_only_bounds_hold) {
   unsigned solvable = 0;
   for (unsigned seed = 1; seed <= some_problems(60); ++seed) {

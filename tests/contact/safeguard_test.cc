@@ -10,8 +10,8 @@ namespace {
 
 using contact::Status;
 
-// Two problems z >= 0 on which the primal-dual method, started with nothing active, comes back to a set it has seen.
-// Found by trying random integer matrices; none with three unknowns turned up among three million.
+// Two problems z >= 0 on which the primal-dual method, started from an empty active set, returns to an earlier set.
+// They come from a search over random integer matrices. Three million matrices with three unknowns gave none.
 DenseProblem four_unknowns() {
   DenseProblem problem{.A = Eigen::MatrixXd{{23, 6, -18, -16}, {6, 14, -1, -10}, {-18, -1, 19, 12}, {-16, -10, 12, 17}},
                        .b = Eigen::VectorXd{{-7, 7, 8, -4}},

@@ -1,4 +1,4 @@
-// Structures that bounds alone hold: A has free motions (rigid ones), and the load presses these on bounds, or does not.
+// Structures that only bounds hold. A has free motions (rigid ones), and the load presses these on bounds, or does not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using contact::Activity;
 using contact::Status;
 
-/// A = G G' as a matrix, and as an operator that goes through G' z as a shell's goes through strains.
+/// A = G G' as a matrix, and as an operator that goes through G' z, as a shell's operator goes through strains.
 struct FreeStructure {
   FreeStructure(const DenseProblem& dense, Eigen::MatrixXd factor) : problem(dense), G(std::move(factor)) {
     problem.box->apply = [this](const Vector& z, Vector& y) {
@@ -25,7 +25,7 @@ struct FreeStructure {
   Eigen::MatrixXd G;
 };
 
-/// n unknowns, of which `free_motions` combinations cost nothing, with a solution made first: on a random active set that holds all
+/// n unknowns with `free_motions` combinations that cost nothing. The solution is made first, on a random active set that holds all
 /// motions, with multipliers of the right signs.
 struct MadeProblem {
   DenseProblem dense{};
@@ -71,7 +71,7 @@ Eigen::MatrixXd differences_of(Eigen::Index n, int order) {
   return G;
 }
 
-/// Lying on an uneven ground.
+/// A beam on uneven ground.
 DenseProblem on_the_ground(const Eigen::MatrixXd& G, const Eigen::VectorXd& load, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -132,7 +132,7 @@ TEST(EverySolver, LaysAFreeBeamOnUnevenGroundAsBruteForceDoes) {
   }
 }
 
-// A feather's weight high over the ground: what holds it is far away. (From 1e6 times its size the active set gives up: rounding.)
+// A very small weight high over the ground: its support is far away. (From 1e6 times its size the active set gives up: rounding.)
 TEST(EverySolver, LetsABeamFallFar) {
   for (const double height : {1.0, 1e3}) {
     const Eigen::Index n = 6;
@@ -168,7 +168,7 @@ TEST(EverySolver, RefusesABeamThatTipsOffTheGround) {
   }
 }
 
-// The finer the beam, the softer are its motions that bend it beside those that are free.
+// The finer the beam, the softer are its bending motions beside the free ones.
 TEST(PrimalDualActiveSet, LaysAFineFreeBeamOnBumpsInFewSteps) {
   for (const Eigen::Index n : {30, 60, 120}) {
     const Eigen::MatrixXd G = differences_of(n, 2);

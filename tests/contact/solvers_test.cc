@@ -11,9 +11,7 @@ namespace {
 
 using contact::Status;
 
-unsigned problems(unsigned on_one_rank) {
-  return ranks() == 1 ? on_one_rank : 3;
-}  // MUMPS takes its time on tiny systems
+unsigned problems(unsigned on_one_rank) { return ranks() == 1 ? on_one_rank : 3; }  // MUMPS is slow on tiny systems
 
 void expect_that_all_find(const DenseProblem& dense, const Eigen::VectorXd& exact) {
   const DistributedProblem problem(dense);
@@ -24,7 +22,7 @@ void expect_that_all_find(const DenseProblem& dense, const Eigen::VectorXd& exac
   }
 }
 
-/// The solution is chosen first: every unknown with a bound is at it, every other one of these without a force.
+/// The solution is chosen first. Every unknown with a bound is at it; every other one of these has no multiplier.
 std::pair<DenseProblem, Eigen::VectorXd> with_ties(Eigen::Index n, unsigned seed) {
   DenseProblem problem = random_problem(n, seed);
   Eigen::VectorXd z = Eigen::VectorXd::LinSpaced(n, -1, 1), multiplier = Eigen::VectorXd::Zero(n);
@@ -48,8 +46,8 @@ TEST(EverySolver, finds_solutions_with_bounds_that_carry_no_force) {
   }
 }
 
-// What has bounds in units of 1e-6 or of 1e6, anything else in several at once: the solution in other words. Tolerances of gaps are
-// multiples of the largest unknown that has a bound, so these share one unit, as displacements do.
+// The same solution in other units: unknowns with bounds in 1e-6 or 1e6, all others in several units at once. Tolerances of gaps are
+// multiples of the largest unknown with a bound, so these share one unit, as displacements do.
 Eigen::VectorXd units_of(const DenseProblem& dense, unsigned seed) {
   Eigen::VectorXd unit(dense.size());
   for (Eigen::Index i = 0; i < unit.size(); ++i) {
@@ -83,7 +81,7 @@ TEST(EverySolver, does_not_mind_units) {
   }
 }
 
-// Springs in a row that nothing holds but bounds below and above; the load presses the whole down.
+// A row of springs that only bounds hold, below and above. The load presses the whole row down.
 DenseProblem held_by_bounds_alone(Eigen::Index n, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;

@@ -96,7 +96,7 @@ TEST(TriangleTables, TheQuadratureIsExactToDegreeTwoKPlusTwo) {
   }
 }
 
-// (M21): the vertices' rule is exact to degree 1, that of the middles of the edges to degree 2 and needs no vertices.
+// (M21): the rule at the vertices is exact to degree 1. The rule at the middles of the edges is exact to degree 2 and needs no vertices.
 TEST(TriangleTables, TheNodalQuadratureIsExactToTheDegree) {
   for (int k = 1; k <= 2; ++k) {
     const ElementTables t = element_tables(Shape::triangle, k, false);

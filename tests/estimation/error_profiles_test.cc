@@ -1,4 +1,4 @@
-// Which direction of a cell an error is handed to, and where in it.
+// The direction of a cell that an error is assigned to, and its place there.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/estimation/strain_errors.hpp>
@@ -11,7 +11,7 @@
 namespace plastron::estimation {
 namespace {
 
-/// Of an error on a flat square cell that one bending strain makes.
+/// The profile of an error on a flat square cell that a single bending strain makes.
 ErrorProfile profile_of(const std::function<double(const Eigen::Vector2d&)>& strain) {
   const fem::MeshSequence meshes(fem::coarse_mesh(fem::Rectangle{.cells = {1, 1}}, fem::Shape::quadrilateral), 4,
                                  MPI_COMM_SELF);
@@ -39,7 +39,7 @@ TEST(ErrorProfiles, GiveWhatChangesAlongOneDirectionToThatOne) {
   EXPECT_NEAR(sum(second[1]), 1, 1e-12);
 }
 
-/// P_2(xi_1) P_1(xi_2) changes along xi_1 by four fifths; a constant has no direction, and no error no profile.
+/// Four fifths of P_2(xi_1) P_1(xi_2) vary along xi_1. A constant has no direction, and a zero error has no profile.
 TEST(ErrorProfiles, ShareWhatChangesAlongBoth) {
   const ErrorProfile both = profile_of([](const Eigen::Vector2d& xi) {
     const double x = 2 * xi[0] - 1, y = 2 * xi[1] - 1;

@@ -1,4 +1,4 @@
-// Estimates of errors: identities that hold whatever the mesh (M8, M16, M22), and what they are worth beside a finer mesh.
+// Estimates of errors: identities that hold on any mesh (M8, M16, M22), and a comparison with a finer mesh.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
@@ -23,7 +23,7 @@ struct Choice {
   MPI_Comm comm = MPI_COMM_WORLD;
 };
 
-/// A saddle on the unit square, clamped at two opposite edges, under its weight, over a plane if that is wanted.
+/// A saddle on the unit square, clamped at two opposite edges, under its weight; optionally over a plane.
 class SolvedSaddle {
  public:
   explicit SolvedSaddle(const Choice& choice) {
@@ -137,7 +137,7 @@ TEST(Estimates, BringTheEnergyNearerToThatOfAFinerMesh) {
   }
 }
 
-// The duals are singular, at the point and in the corners: coarse meshes know the size of the error, not its sign.
+// The duals are singular at the point and in the corners. Coarse meshes know the size of the error, but not its sign.
 TEST(Estimates, HaveTheSizeOfTheErrorOfDisplacementsAndReactions) {
   for (const Choice& choice : elements) {
     Choice finer = choice;
@@ -153,7 +153,7 @@ TEST(Estimates, HaveTheSizeOfTheErrorOfDisplacementsAndReactions) {
   }
 }
 
-// Neither of the two ways to see an error is believed where the other contradicts it.
+// Where the two estimates contradict each other, neither is taken alone.
 TEST(AGoalsError, LiesBetweenWhatPatchesAndAHigherDegreeSay) {
   GoalEstimate goal{.value = 10, .estimate = -0.8, .contact_edge = 0.2};
   EXPECT_EQ(goal.difference(), -0.8);
@@ -166,14 +166,14 @@ TEST(AGoalsError, LiesBetweenWhatPatchesAndAHigherDegreeSay) {
   }
   goal.at_higher_degree = goal.value + 0.125;
   EXPECT_NEAR(goal.error(), 0.25, 1e-15);  // the cube root of 1 * 0.125^2
-  goal.at_higher_degree = goal.value;      // by chance, or because all degrees miss the same
+  goal.at_higher_degree = goal.value;      // by chance, or because all degrees have the same error
   EXPECT_NEAR(goal.error(), 0.2, 1e-15);
-  goal.free_edges = 0.6;  // of which polynomials see nothing
+  goal.free_edges = 0.6;  // polynomials do not see these
   EXPECT_NEAR(goal.difference(), 0.6, 1e-15);
   EXPECT_GT(goal.error(), 0.6);
 }
 
-/// Clamped at two edges, free at the others: there the saddle has layers that cells of a quarter of its side do not have.
+/// Clamped at two edges and free at the others. At the free edges the saddle has layers that cells of a quarter of its side do not resolve.
 TEST(AGoalsError, HasAPartOfFreeEdges) {
   const GoalEstimate work = SolvedSaddle({.degree = 4, .refinements = 1}).estimate(LoadWork{});
   EXPECT_GT(work.free_edges, 0);
@@ -181,7 +181,7 @@ TEST(AGoalsError, HasAPartOfFreeEdges) {
   EXPECT_NEAR(energy.free_edges, work.free_edges / 2, 1e-9 * work.free_edges);
 }
 
-// Resultants and stresses are linear in the displacements, von Mises's is homogeneous: the value is what the dual's load makes of the solution.
+// Resultants and stresses are linear in the displacements, and von Mises's stress is homogeneous: the value is the dual's load times the solution.
 // The derivative of a cell's own value, which other components continue to the point, is right to a thousandth.
 TEST(Functionals, OfStressesAreTheirOwnDerivatives) {
   for (const Choice& choice : {Choice{.degree = 2}, Choice{.degree = 4, .refinements = 1},
@@ -275,7 +275,7 @@ TEST(Linearity, IsTheSameOnAnyNumberOfRanks) {
     SolvedSaddle alone({.degree = 3, .refinements = 1, .has_obstacle = has_obstacle, .comm = MPI_COMM_SELF});
     SolvedSaddle shared({.degree = 3, .refinements = 1, .has_obstacle = has_obstacle});
     const Linearity expected = alone.linearity(), found = shared.linearity();
-    const double size = std::abs(*expected.remaining_stretch);  // it is negative where moving on frees energy
+    const double size = std::abs(*expected.remaining_stretch);  // it is negative if further moving releases energy
     EXPECT_GT(size, 0);
     EXPECT_NEAR(*found.remaining_stretch, *expected.remaining_stretch, 1e-6 * size);
     EXPECT_GT(*expected.buckling, 0);

@@ -1,4 +1,4 @@
-// The examination finds what is wrong, where it is wrong, and nothing in good problems.
+// The examination finds mistakes and their places, and none in good problems.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -185,7 +185,7 @@ TEST(Examination, only_warns_of_a_free_part_inside_of_the_obstacle) {
   EXPECT_THAT(warnings(p), ElementsAre(AllOf(HasSubstr("initial gap: -0.01 m (at x = 0.5"), HasSubstr("pushed out"))));
 }
 
-/// The strip rises through a slab 0.2 m thick, whose distance has a kink in its middle.
+/// The strip rises through a slab 0.2 m thick. The distance of the slab has a kink in its middle.
 TEST(Examination, warns_where_the_free_side_of_an_obstacle_changes_within_the_shell) {
   const auto slab = std::make_shared<const geometry::SpaceFunction>("abs(Z) - 0.1", geometry::Constants{});
   const auto at_height = [&](const std::string& z) {
@@ -299,7 +299,7 @@ TEST(FreeRigidMotions, do_not_depend_on_units_of_length) {
 
 // ---- loads on free motions -----------------------------------------------------------------------------------------
 
-/// The bowl, held against sliding alone: it may lift and tilt.
+/// The bowl, supported only against sliding. It may lift and tilt.
 problem::Problem loose_bowl(const std::string& load) {
   problem::Problem p = pressed_bowl();
   p.shell.supports = {held("rim", {Direction::x, Direction::y})};
@@ -316,7 +316,7 @@ TEST(LooseShell, is_fine_where_the_loads_press_it_onto_the_obstacle) {
   }
 }
 
-TEST(LooseShell, is_refused_where_the_loads_tip_it) {  // beyond where the rim's lower edge would stand
+TEST(LooseShell, is_refused_where_the_loads_tip_it) {  // beyond the place where the rim's lower edge would stand
   EXPECT_THAT(errors(loose_bowl("-1e-3-1e-2*x")),
               ElementsAre(AllOf(HasSubstr("nothing stops the shell"), HasSubstr("rotation about the axis (0, 1, 0)"),
                                 HasSubstr("through (0.484, 0, "))));
@@ -377,7 +377,7 @@ TEST(LooseShell, is_judged_alike_in_every_formulation_and_on_triangles) {
 
 // ---- faces ---------------------------------------------------------------------------------------------------------
 
-/// The chart with its parameters exchanged: the same surface, a_3 turned round.
+/// The chart with exchanged parameters: the same surface with a_3 turned round.
 problem::Problem turned(problem::Problem p) {
   auto [x, y, z] = p.charts.at("").components();
   return with_chart(std::move(p), {y, x, z},
@@ -408,7 +408,7 @@ TEST(Face, that_is_near_is_described) {
               testing::Contains(AllOf(HasSubstr("a_3 = (0, 0, 1)"), HasSubstr("the lower face is 0.02 m nearer"))));
 }
 
-TEST(Face, is_judged_only_where_the_obstacle_is_near) {  // the upper half of a tube is farther than its thickness
+TEST(Face, is_judged_only_where_the_obstacle_is_near) {  // the upper half of a tube is farther away than its thickness
   problem::Problem tube = with_chart(free_plate(), {"sin(x)", "-y", "1.1 - cos(x)"});
   tube.domain = fem::Rectangle{.from = {-3, 0}, .to = {3, 1}, .cells = {12, 2}};
   tube.shell.supports = {clamped("left"), clamped("right")};
@@ -527,7 +527,7 @@ TEST(Units, of_length_hide_no_support_inside_of_the_obstacle) {
   }
 }
 
-/// A part of a tube of radius 1 on a floor under its weight, held along its axis and at its lowest point: `half` 3.14159... is all of it.
+/// A part of a tube of radius 1 on a floor under its weight, supported along its axis and at its lowest point. `half` = 3.14159... is the whole tube.
 problem::Problem tube_on_floor(double half) {
   problem::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "1 + e/2 - cos(x)"}, {{"e", 0.02}});
   p.domain = fem::Rectangle{.from = {-half, 0}, .to = {half, 1}, .cells = {8, 2}};

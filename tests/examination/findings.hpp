@@ -1,4 +1,4 @@
-// What an examination says of a problem, by severity.
+// The findings of an examination, by severity.
 #pragma once
 #include <plastron/examination/examine.hpp>
 

@@ -1,4 +1,4 @@
-// Seams are named: edges of the domain that the chart brings together without joining them.
+// The examination names seams: edges of the domain that the chart brings together without a join.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/examination/examine.hpp>
@@ -23,7 +23,7 @@ std::vector<std::string> seams(const problem::Problem& problem) {
   return all;
 }
 
-/// A sheet of `turns` turns of a cylinder of radius `radius`, its lower end clamped.
+/// A sheet of `turns` turns of a cylinder of radius `radius`; its lower end is clamped.
 problem::Problem rolled(double turns, double radius, fem::Shape cells = fem::Shape::quadrilateral) {
   const Constants constants{{"R", radius}, {"w", 2 * 3.14159265358979323846}};
   problem::Problem p = cantilever_plate();

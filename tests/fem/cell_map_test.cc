@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 const std::vector<Vector2d> points{{0.2, 0.3}, {0.5, 0.5}, {0.8, 0.15}, {0.4, 0.9}};
 
-/// Two straight and two round sides; the round ones bulge upwards.
+/// Two straight and two round sides. The round ones bulge upwards.
 BlendedMap barrel() {
   const double radius = std::sqrt(2.0), from = 3 * pi / 4, to = pi / 4;
   return {.left = Segment{{-1, 0}, {-1, 2}},
@@ -133,7 +133,7 @@ TEST(LagrangeMap, goes_through_its_nodes) {
       }
 }
 
-/// The eight ways to put the unit square on itself.
+/// The eight ways to map the unit square onto itself.
 std::vector<CellMap> seen_from_all_sides(const ExactMap& map) {
   std::vector<CellMap> all;
   for (const Vector2d& origin : {Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, 1), Vector2d(1, 1)})

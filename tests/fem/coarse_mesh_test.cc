@@ -1,4 +1,4 @@
-// The coarsest meshes of the domains a case can name.
+// The coarsest meshes of the domains that a case can name.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 using testing::ElementsAre;
 
-/// Straight length of the edges of each boundary.
+/// Length of the edges of each boundary, along straight lines.
 std::map<std::string, double> chords(const CoarseMesh& mesh) {
   std::map<std::string, double> lengths;
   for (const BoundaryEdge& e : mesh.edges)
@@ -155,7 +155,7 @@ TEST(Polygon, that_is_a_convex_quadrilateral_is_one_cell) {
   EXPECT_GT(coarse_mesh(Polygon{polygons()[3].corners}, Shape::quadrilateral).cells.size(), 1u);
 }
 
-TEST(Polygon, gets_the_same_mesh_every_time) {  // examine() and solve() each mesh it
+TEST(Polygon, gets_the_same_mesh_every_time) {  // examine() and solve() each make its mesh
   for (const auto& [name, corners, area] : polygons()) {
     SCOPED_TRACE(name);
     const CoarseMesh first = coarse_mesh(Polygon{corners}, Shape::quadrilateral),

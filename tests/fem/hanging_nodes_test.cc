@@ -1,5 +1,5 @@
-// Meshes that are divided here and not there, on 1, 2 and 3 ranks: fields are continuous, polynomials of the elements' degree are in the
-// space and travel exactly, and nothing depends on how the mesh is spread.
+// Graded meshes on 1, 2 and 3 ranks. Fields are continuous, polynomials of the elements' degree are in the
+// space and are transferred exactly, and nothing depends on the distribution of the mesh.
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/fem/basis.hpp>
@@ -18,7 +18,7 @@ constexpr double place_unit = 1e9;
 
 Vector2d middle(const Cell& cell) { return cell.corner + cell.size * Vector2d(0.5, 0.5); }
 
-/// By the place of the cell, so that all numbers of ranks mark alike: a third is divided, a third left, a third joined.
+/// By the place of the cell, so that all numbers of ranks mark alike: one third is divided, one third kept, one third joined.
 std::vector<signed char> scattered_marks(const Space& space, std::uint64_t seed) {
   std::vector<signed char> marks;
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
@@ -119,7 +119,7 @@ TEST(MeshesOfTriangles, HaveNoHigherDegree) {
   EXPECT_EQ(meshes.raised({}), nullptr);
 }
 
-/// Any values at free nodes give a field that has one value at every point of a side, seen from either cell.
+/// Any values at free nodes give a field with one value at every point of a side, from either cell.
 TEST_P(GradedMesh, HasContinuousFields) {
   MeshSequence meshes = square(GetParam());
   for (std::uint64_t round = 0; round < rounds; ++round) meshes.refine({}, scattered_marks(*meshes.space(), round));

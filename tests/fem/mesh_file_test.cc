@@ -1,4 +1,4 @@
-// Meshes from Gmsh files: what is read, and what is refused in which words.
+// Meshes from Gmsh files: what is read, and the words in which files are refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -90,7 +90,7 @@ TEST(WrongMeshFile, that_is_no_mesh_is_refused) {
   refusal(header + names + square + "$Elements\n1\n5 3 2 2 1 1 2 3 9\n$EndElements\n");
 }
 
-// Every node of the file is used, in Gmsh's order: sides would not fit otherwise, and the area would be wrong.
+// Every node of the file is used in Gmsh's order. Otherwise sides would not fit and the area would be wrong.
 TEST(MeshFile, of_fourth_order_has_its_nodes_in_place) {
   for (const char* name : {"arcs-of-order-4-4.1.msh", "arcs-of-order-4-2.2.msh"}) {
     const CoarseMesh mesh = read(name);
@@ -104,7 +104,7 @@ TEST(MeshFile, of_fourth_order_has_its_nodes_in_place) {
   EXPECT_NEAR(area(triangles), 0.75 * std::numbers::pi, 1e-5);
 }
 
-// "rim" is the whole boundary and contains "south"; format 2.2 lists the common lines once for each.
+// "rim" is the whole boundary and contains "south". Format 2.2 lists the common lines once for each.
 TEST(MeshFile, may_have_curves_in_several_groups) {
   for (const char* name : {"arcs-of-order-4-4.1.msh", "arcs-of-order-4-2.2.msh", "arcs-2.2.msh"}) {
     const CoarseMesh mesh = read(name);
@@ -134,7 +134,7 @@ TEST(MeshFile, may_have_points_unused_nodes_other_sections_and_windows_line_ends
   EXPECT_EQ(mesh.vertices.size(), 4u);
 }
 
-// Four triangles of second order round the origin on the unit circle, the third one drawn clockwise.
+// Four triangles of second order around the origin on the unit circle. The third one is drawn clockwise.
 TEST(MeshFile, of_triangles_of_second_order_has_curved_cells) {
   const CoarseMesh mesh = read("triangle-circle-2.2.msh", Shape::triangle);
   EXPECT_EQ(mesh.shape, Shape::triangle);

@@ -1,5 +1,5 @@
-// Damaged mesh files: every .msh file of the tests in some hundred mutants, the same on every run. Each is read or refused
-// with DomainError, in no time; what is read can be refined.
+// Damaged mesh files: every .msh file of the tests in some hundred variants, the same in every run. Each is read or refused
+// with DomainError, at once. A mesh that is read can be refined.
 #include <gtest/gtest.h>
 #include <plastron/fem/mesh_sequence.hpp>
 
@@ -66,7 +66,7 @@ class Mutator {
                                         "$Nodes",
                                         ""};
     const char* blanks = " \n\t";
-    const std::size_t from = text.find_last_of(blanks, at) + 1;  // 0 where there is none
+    const std::size_t from = text.find_last_of(blanks, at) + 1;  // 0 if there is none
     const std::size_t to = std::min(text.find_first_of(blanks, from), text.size());
     return text.replace(from, to - from, words[below(std::size(words))]);
   }
@@ -109,7 +109,7 @@ std::string content(const std::filesystem::path& path) {
   return stream.str();
 }
 
-/// True if the text is a mesh. Other exceptions than DomainError end the test.
+/// Returns whether the text is a mesh. Other exceptions than DomainError end the test.
 bool is_read(const std::string& text, Shape shape) {
   try {
     MeshSequence meshes(read_text(text, shape), 1, MPI_COMM_SELF);
@@ -138,7 +138,7 @@ TEST(MeshFuzz, every_mutant_is_read_or_refused_in_no_time) {
       EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << file << ":\n" << mutant;
     }
   }
-  EXPECT_GT(read, 20);  // mutants are near enough to meshes to reach every part of the reader
+  EXPECT_GT(read, 20);  // variants are near enough to meshes to reach every part of the reader
   EXPECT_GT(refused, 100);
 }
 

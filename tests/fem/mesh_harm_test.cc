@@ -1,5 +1,5 @@
-// Mesh files that are none: a script, a pipe, a device, counts without end, damage. Each gets one message that says where
-// and what; none is carried out, hangs or floods the memory.
+// Mesh files that are none: a script, a pipe, a device, infinite counts, damage. Each gets one message with the place
+// and the mistake. None is executed, hangs or fills the memory.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

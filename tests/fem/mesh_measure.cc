@@ -17,7 +17,7 @@ const CellMap& map_of(const Space& space, const Cell& cell) {
   return space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map;
 }
 
-/// Points and weights on the reference cell, exact far beyond need.
+/// Points and weights on the reference cell, of much higher exactness than necessary.
 TriangleRule fine_rule(Shape shape) {
   if (shape == Shape::triangle) return triangle_rule(30);
   const Rule line = gauss(16);

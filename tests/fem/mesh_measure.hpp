@@ -1,4 +1,4 @@
-// What tests ask of every mesh: its area, the lengths of its boundaries, and that its cells fit together.
+// Properties of every mesh: its area, the lengths of its boundaries, and that its cells fit together.
 #pragma once
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/space.hpp>

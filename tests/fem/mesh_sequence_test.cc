@@ -1,4 +1,4 @@
-// The nested meshes, on 1, 2 and 3 ranks: what is counted and measured must not depend on how they are spread.
+// The nested meshes on 1, 2 and 3 ranks: counts and measures must not depend on their distribution.
 #include <gtest/gtest.h>
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
@@ -108,7 +108,7 @@ std::vector<Vector2d> nodes_of_cell(Shape shape, int degree) {
   return xi;
 }
 
-/// Positions of all local nodes, given by owners to ghosts; expects that all cells of this rank agree on them.
+/// Positions of all local nodes, given by owners to ghosts. Expects that all cells of this rank agree on them.
 algebra::Vector node_positions(const Space& space) {
   algebra::Vector positions(space.layout, 2);
   std::vector<char> known(static_cast<std::size_t>(space.layout->local_size()));
@@ -248,7 +248,7 @@ TEST(Refinement, carries_polynomials_of_the_elements_degree_exactly) {
   for (int k = 1; k <= 2; ++k) expect_polynomials_carried_exactly(coarse_mesh(domain, Shape::triangle), k);
 }
 
-// Then ranks have no cell first and get some whose parents were another's.
+// Then ranks have no cell first and later receive some whose parents belong to another rank.
 TEST(Refinement, carries_fields_to_ranks_that_had_no_triangle) {
   CoarseMesh one = coarse_mesh(Rectangle{}, Shape::triangle);
   one.cells.resize(1);
@@ -294,7 +294,7 @@ TEST(Refinement, of_triangles_keeps_the_function) {
   }
 }
 
-/// Hash of the whole mesh: global node numbers of every cell, told apart by its place.
+/// Hash of the whole mesh: global node numbers of every cell, identified by its place.
 std::map<std::array<std::int64_t, 4>, std::vector<std::int64_t>> nodes_by_place(const Space& space) {
   std::map<std::array<std::int64_t, 4>, std::vector<std::int64_t>> all;
   for (std::size_t c = 0; c < space.cells.size(); ++c) {
@@ -319,7 +319,7 @@ TEST(Triangles, are_numbered_the_same_on_any_number_of_ranks) {
   }
 }
 
-// The supports of a node need every boundary face at it, the matrix every element.
+// The supports of a node need every boundary face at it, the matrix needs every element.
 TEST(Triangles, round_an_owned_node_are_all_local) {
   for_every_sample([](const Sample& s) {
     if (s.shape == Shape::quadrilateral) return;

@@ -1,4 +1,4 @@
-// Files whose cells make no mesh of a plane domain: each is refused with the elements and the place.
+// Files whose cells are not a mesh of a plane domain. Each is refused with the elements and the place.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/fem/surface.hpp>
@@ -56,7 +56,7 @@ TEST(Mesh, with_a_hanging_node_is_refused) {
               HasSubstr("hanging node"));
 }
 
-// The long side is a parabola with the sagitta 1/2; the hanging corner (1, 2.5) is the top of it.
+// The long side is a parabola with the sagitta 1/2. The hanging corner (1, 2.5) is its top.
 TEST(Mesh, with_a_hanging_node_on_a_curved_side_is_refused) {
   const std::vector<Node> nodes{{0, 0},   {2, 0}, {2, 2},   {0, 2}, {1, 0}, {2, 1},
                                 {1, 2.5}, {0, 1}, {1, 1.1}, {0, 4}, {1, 4}, {2, 4}};
@@ -93,12 +93,12 @@ TEST(Mesh, with_a_cell_that_is_not_convex_or_folded_is_refused_with_its_place) {
                       HasSubstr(fmt::format("x = {:.6g}", scale * .5))));
     refusal(file_of(nodes, {"3 1 2 4 5"}, scale));                 // sides cross
     refusal(file_of(nodes, {"3 1 6 2 4"}, scale));                 // a corner of 180 degrees
-    refusal(file_of(nodes, {"3 1 2 2 4"}, scale));                 // one corner twice
+    refusal(file_of(nodes, {"3 1 2 2 4"}, scale));                 // two equal corners
     refusal(file_of(nodes, {"2 1 6 7"}, scale), Shape::triangle);  // no area
   }
 }
 
-// The middle node of a side lies beyond a quarter of its length: the map turns back.
+// The middle node of a side lies beyond a quarter of its length, so the map folds.
 TEST(Mesh, with_a_curved_cell_that_folds_is_refused) {
   const std::vector<Node> nodes{{0, 0}, {1, 0}, {0, 1}, {.9, 0}, {.5, .5}, {0, .5}};
   EXPECT_THAT(refusal(file_of(nodes, {"9 1 2 3 4 5 6"}), Shape::triangle), HasSubstr("folds over"));

@@ -14,7 +14,7 @@ int rank() {
 
 MeshFile file(const std::string& name) { return {std::string(PLASTRON_TESTS_DIR "/fem/data/") + name}; }
 
-/// As it is read on the first rank; the others have no such file.
+/// As the first rank reads it; the others have no such file.
 CoarseMesh shared(const std::string& name, Shape shape) {
   const Domain domain = with_shared_mesh(rank() == 0 ? file(name) : MeshFile{"/no/such.msh"}, shape, MPI_COMM_WORLD);
   return coarse_mesh(domain, shape);

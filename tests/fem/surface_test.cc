@@ -1,4 +1,4 @@
-// The mid-surface over a mesh: charts seen from the cells.
+// The mid-surface over a mesh: charts in the coordinates of the cells.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/fem/basis.hpp>

@@ -1,4 +1,4 @@
-// Mesh files as tests write them: a square in format 2.2 by its sections, and what the reader says of a text.
+// Mesh files that tests write: a square in format 2.2 by its sections, and the reader's answer to a text.
 #pragma once
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 
 namespace plastron::fem::written {
 
-/// A name of this process in the folder for temporary files; what is there is removed in the end.
+/// A name of this process in the folder for temporary files. The file is removed at the end.
 struct TemporaryPath {
   explicit TemporaryPath(const std::string& ending)
       : path(std::filesystem::temp_directory_path() / ("plastron-" + std::to_string(getpid()) + ending)) {}

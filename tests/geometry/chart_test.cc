@@ -1,4 +1,4 @@
-// The jet of phi: derivatives against finite differences, against formulas derived by hand, and what cannot be a chart.
+// The jet of phi: derivatives against finite differences and against formulas by hand, and expressions that cannot be charts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The jet of a chart (x, y, f) or of a single component f that stands in all three places.
+/// The jet of a chart (x, y, f), or of one that has the component f in all three places.
 SurfaceJet jet_of(const std::string& f, double x, double y, const Constants& constants = {}) {
   return Chart({f, f, f}, constants)(x, y);
 }

@@ -1,4 +1,4 @@
-// What a user may write where a number stands, and what is said when it is wrong.
+// Expressions that a user may write in place of a number, and the messages about wrong ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/geometry/expression.hpp>

@@ -1,4 +1,4 @@
-// Derivatives by central differences of order eight: an independent check of derivatives that are claimed to be exact.
+// Derivatives by central differences of order eight: an independent check of derivatives that should be exact.
 // With the step 0.02 and functions that vary over a length of about one, the error is near 1e-12 for first derivatives
 // and 1e-10 for second ones.
 #pragma once
@@ -38,7 +38,7 @@ Jet<Point> jet_by_differences(const Map& f, const Vector2d& x) {
   return jet;
 }
 
-/// The largest difference of two jets, second derivatives included; NaN where there is one.
+/// The largest difference of two jets, second derivatives included. NaN if any difference is NaN.
 template <class Point>
 double distance(const Jet<Point>& a, const Jet<Point>& b) {
   double most = (a.value - b.value).norm();

@@ -1,4 +1,4 @@
-// The local frame (M1-M3), on surfaces with curvature of every kind.
+// The local frame (M1-M3) on surfaces with curvature of every kind.
 #include <gtest/gtest.h>
 #include <plastron/geometry/frame.hpp>
 

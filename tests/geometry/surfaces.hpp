@@ -1,4 +1,4 @@
-// Charts with curvature of either sign, of no sign and of mixed sign, and points where they are regular.
+// Charts with positive, negative, zero and mixed curvature, and points where they are regular.
 #pragma once
 #include <plastron/geometry/chart.hpp>
 

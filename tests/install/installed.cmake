@@ -1,4 +1,4 @@
-# Installs what was built, builds a program outside of Plastron's sources with it, and compares its number with the installed program's:
+# Installs the build, builds a program outside of Plastron's sources with it, and compares its number with the installed program's:
 #   cmake -D BUILD=... -D SOURCES=... -D SCRATCH=... -D COMPILER=... -D GENERATOR=... -P installed.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -24,7 +24,7 @@ foreach(shown CMakeLists.txt pressed_plate.cc)
   endif()
 endforeach()
 
-# Nothing of our own building reaches others.
+# The package hands no build settings of Plastron on.
 file(GLOB_RECURSE exported ${prefix}/*/cmake/Plastron/PlastronTargets*.cmake)
 if(NOT exported)
   message(FATAL_ERROR "no targets were exported")

@@ -1,4 +1,4 @@
-// What results.json claims beside what is recomputed: no number that follows from the solution can be changed
+// The claims of results.json beside recomputed values: no number that follows from the solution can be changed
 // unnoticed.
 #include <plastron/io/claims.hpp>
 #include <plastron/io/output.hpp>
@@ -59,7 +59,7 @@ TEST(Claims, that_are_changed_are_named) {
         number = number.get<int>() + 1;
       else
         number = 1.001 * number.get<double>() + (number.get<double>() == 0 ? 1e6 : 0);
-      // What is rounding may be any rounding.
+      // A number that is rounding may have any value of that size.
       const bool is_rounding = before.is_number_float() && std::abs(number.get<double>()) < 1e-7;
       if (!is_rounding) {
         EXPECT_THAT(disagreeing(compare_numbers(claimed, solved_plate())), ElementsAre(path));

@@ -126,7 +126,7 @@ TEST(ContactForces, add_up_to_the_reaction) {
   }
   const solution::ObstacleContact& whole = result.summary.obstacles.at(0);
   EXPECT_EQ(rows, whole.nodes);
-  EXPECT_NEAR(area, whole.area, 0.15 * whole.area);  // nodes count whole here
+  EXPECT_NEAR(area, whole.area, 0.15 * whole.area);  // nodes count fully here
   EXPECT_LT((force - whole.reaction.force).norm(), 1e-11 * force.norm());
   EXPECT_LT((moment - whole.reaction.moment).norm(), 1e-11 * moment.norm());
 }

@@ -1,5 +1,5 @@
-// Solutions damaged at random, the same ones every time: each is refused in words or judged. The sanitizers see every value that is used without
-// having been looked at.
+// Randomly damaged solutions, the same ones in every run. Each is refused with a message or judged. The sanitizers find every value that is used
+// without a check.
 #include <plastron/computation/verify.hpp>
 #include <plastron/fem/domain.hpp>
 #include <plastron/io/claims.hpp>
@@ -45,7 +45,7 @@ class Damage {
     return text;
   }
 
-  /// A number becomes one that is hard to bear, everywhere where it stands: a node has one value in all of its cells.
+  /// Replaces a number by an extreme one everywhere in the file: a node has one value in all of its cells.
   std::string replaced(std::string text) {
     static const std::array hard{0.0,   -0.0, 6.5e-319, 0.5,  -1.0,  1.0,   2.0,
                                  1e-30, 1e10, 1e30,     1e60, -1e60, 1e308, std::numeric_limits<double>::quiet_NaN()};
@@ -72,7 +72,7 @@ std::vector<Problem> problems() {
   return all;
 }
 
-/// True if the file was read and judged, false if it was refused.
+/// Returns whether the file was read and judged; false if it was refused.
 bool is_judged(const std::filesystem::path& path, const Problem& problem, const Json& claimed) {
   try {
     const computation::FinestMesh mesh = computation::finest_mesh(problem, MPI_COMM_SELF);

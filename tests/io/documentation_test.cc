@@ -1,4 +1,4 @@
-// docs/results.md holds the tables of the code. PLASTRON_WRITE_DOCS=1 rewrites them.
+// docs/results.md contains the tables of the code. PLASTRON_WRITE_DOCS=1 rewrites them.
 #include <plastron/io/fields.hpp>
 #include <plastron/io/quantities.hpp>
 

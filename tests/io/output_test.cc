@@ -21,7 +21,7 @@ namespace {
 using testing::UnorderedElementsAre;
 using testing::UnorderedElementsAreArray;
 
-/// What a run with contact leaves.
+/// The files of a run with contact.
 const std::vector<std::string> all_files{
     "results.json",         "solution.vtu",         "obstacles.vtu",      "solution.pvd", "solution.plastron",
     "contact-boundary.csv", "contact-boundary.vtu", "contact-forces.csv", "report.html",  "SHA256SUMS"};
@@ -69,7 +69,7 @@ TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
   ASSERT_EQ(history.size(), 3U);
   EXPECT_EQ(history[2]["step"], Json("press, slowly"));
   EXPECT_NEAR(history[2]["energy"].get<double>(), result.summary.energy.total(), 0);
-  // The table: a line of names, then one for each instant with as many values.
+  // The table: a line of names, then one line for each instant with as many values.
   std::istringstream table(text_of(scratch.path / "history.csv"));
   std::vector<std::string> lines;
   for (std::string line; std::getline(table, line);) lines.push_back(line);
@@ -112,7 +112,7 @@ TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
   write_output(result, {.title = "first", .settings = {}, .files = {}}, scratch.path, "solution", MPI_COMM_WORLD);
   const std::string before = text_of(scratch.path / "results.json");
   MPI_Barrier(MPI_COMM_WORLD);
-  if (world_rank() == 0) {  // a directory in the way of the .vtu file
+  if (world_rank() == 0) {  // a directory has the name of the .vtu file
     std::filesystem::remove(scratch.path / "solution.vtu");
     std::filesystem::create_directory(scratch.path / "solution.vtu");
   }
@@ -126,7 +126,7 @@ TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-/// What happens in a directory: "- NAME" where a file goes, "+ NAME" where one gets its name.
+/// The events in a directory: "- NAME" when a file is removed, "+ NAME" when one gets its name.
 class Watch {
  public:
   explicit Watch(const std::filesystem::path& directory) : descriptor_(inotify_init1(IN_NONBLOCK)) {

@@ -1,4 +1,4 @@
-// Plots as SVG: well-formed, complete, with all points inside of the frame.
+// Plots as SVG: well-formed, complete, and with all points inside the frame.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/io/plot.hpp>

@@ -22,7 +22,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// What stands in the script element of that name, as the browser's parser would take it: up to the first "</script".
+/// The content of the script element of that name as the browser's parser takes it: up to the first "</script".
 std::string block(const std::string& page, const std::string& id) {
   const std::string open = "<script type=\"application/json\" id=\"" + id + "\">";
   const std::size_t begin = page.find(open) + open.size();
@@ -49,7 +49,7 @@ std::string decoded(const std::string& text) {
   return bytes;
 }
 
-/// A row of a field; one number stands for all.
+/// A row of a field; a single number stands for all.
 std::vector<float> row_of(const Json& scene, const std::string& key, std::size_t component) {
   const auto points = scene["points"].get<std::size_t>();
   for (const Json& field : scene["fields"])
@@ -93,7 +93,7 @@ TEST(Report, holds_the_numbers_of_results_json_and_all_sections) {
   // A number that the page shows carries all its digits and its place.
   const std::string energy = results["energy"].dump();
   EXPECT_THAT(page, HasSubstr("data-path=\"energy\" title=\"" + energy + "\""));
-  // What linearity leaves out stands at the top.
+  // The share that the linear model omits stands at the top.
   EXPECT_LT(page.find("data-path=\"linearity/left_out\""), page.find("<section"));
   EXPECT_THAT(page, HasSubstr("The von Mises stress is largest at ("));
   for (const char* id :
@@ -149,7 +149,7 @@ TEST(Report, merges_cells_to_blocks_where_there_are_too_many_points) {
     EXPECT_EQ(scene["merged"], Json(2));
     EXPECT_EQ(scene["points"], Json(cells * corners / 4));
     EXPECT_EQ(all["merged"], Json(1));
-    // The blocks' corners are points of the cells, with their values; and all blocks together are the plate.
+    // The corners of the blocks are points of the cells, with their values. All blocks together are the plate.
     const auto x = row_of(scene, "position", 0), y = row_of(scene, "position", 1), u = row_of(scene, "u", 2);
     const auto all_x = row_of(all, "position", 0), all_y = row_of(all, "position", 1), all_u = row_of(all, "u", 2);
     double area = 0;
@@ -182,12 +182,12 @@ TEST(Report, merges_the_smallest_cells_of_a_graded_mesh_only) {
 
 TEST(Report, stays_below_twelve_megabytes_for_a_hundred_thousand_points) {
   const DrawnCells drawn = drawn_cells(fem::Shape::quadrilateral, 3, uniform(6400, 5), most_report_points);
-  EXPECT_EQ(drawn.subdivisions, 1);  // of 102 400 points a cell keeps four
+  EXPECT_EQ(drawn.subdivisions, 1);  // a cell keeps four of 102 400 points
   EXPECT_EQ(drawn.merged_levels, 0);
   EXPECT_LE(drawn.count * 4, most_report_points);
   EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, uniform(1 << 20, 10), most_report_points).merged_levels, 4);
   EXPECT_EQ(drawn_cells(fem::Shape::triangle, 2, uniform(100'000, 0), most_report_points).count, 0);
-  // As large as it becomes: all components of all fields at all points, and the rest of the page.
+  // The largest possible page: all components of all fields at all points, and the rest of the page.
   std::size_t components = 0;
   for (const Field& field : report_fields(true, true)) components += static_cast<std::size_t>(field.components);
   const double fields_size = static_cast<double>(components * most_report_points) * 16 / 3;

@@ -160,7 +160,7 @@ TEST(Results, penetration_is_the_negative_part_of_the_gap_between_nodes) {
   EXPECT_TRUE(penetration(nan).is_null());
 }
 
-/// The paths of all numbers, texts and short arrays of numbers; entries of lists of objects and names of probes become
+/// The paths of all numbers, texts and short arrays of numbers. Entries of lists of objects and names of probes become
 /// '*'.
 void collect(const Json& json, const std::string& path, std::map<std::string, bool>& paths) {
   if (json.is_object())

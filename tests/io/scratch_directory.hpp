@@ -1,4 +1,4 @@
-// A fresh directory for the files of one test, the same on every rank, removed at its end.
+// A fresh directory for the files of one test, the same on every rank, removed at the end.
 #pragma once
 #include <mpi.h>
 #include <sys/resource.h>
@@ -42,7 +42,7 @@ struct ScratchDirectory {
     if (world_rank() == 0) std::filesystem::remove_all(path, ignored);
   }
 
-  /// After all ranks have come here: a failed write is removed by the first one, on its way out (collective).
+  /// After all ranks have arrived here, the first one removes a failed write (collective).
   std::vector<std::string> names() const {
     MPI_Barrier(MPI_COMM_WORLD);
     std::vector<std::string> all;
@@ -53,7 +53,7 @@ struct ScratchDirectory {
   std::filesystem::path path;
 };
 
-/// As long as it lives a write beyond so many bytes of a file fails, as on a disk that is full.
+/// While it exists, a write beyond so many bytes of a file fails, as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(std::uintmax_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {

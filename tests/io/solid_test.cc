@@ -36,7 +36,7 @@ Vector3d vector_of(const VtuArray& array, std::size_t point) {
   return Eigen::Map<const Vector3d>(&array.values.at(3 * point));
 }
 
-/// Of a straight prism: base times height, with the sign of VTK's order of its corners.
+/// Volume of a straight prism: base times height, with the sign of VTK's order of its corners.
 double prism_volume(const Solid& s, std::size_t cell, std::size_t corners) {
   const auto at = [&](std::size_t i) {
     return vector_of(s["reference position"], static_cast<std::size_t>(s.solid.connectivity[2 * corners * cell + i]));

@@ -1,4 +1,4 @@
-// solution.plastron: every digit comes back, on as many ranks as one likes, and nothing damaged is taken.
+// solution.plastron: every digit comes back on any number of ranks, and damaged files are refused.
 #include <plastron/io/solution_file.hpp>
 
 #include <gmock/gmock.h>
@@ -39,7 +39,7 @@ void write(const Solution& solution, const std::filesystem::path& path, MPI_Comm
   files.commit();
 }
 
-/// A plate over a plane, or over a ball, against which its gaps are linearised again.
+/// A plate over a plane, or over a ball, for which its gaps are linearised again.
 Problem plate(element::Formulation formulation, fem::Shape shape, bool over_ball = false) {
   Problem p = pressed_plate({.shape = shape});
   p.shell.tangency.formulation = formulation;
@@ -93,7 +93,7 @@ TEST(SolutionFile, GivesEveryDigitBack) {
   EXPECT_TRUE(some_deformed && some_multiplier && some_lifts);
 }
 
-/// The records of a file in an order of their own.
+/// The records of a file in sorted order.
 std::vector<std::string> sorted_records(const std::string& text, std::size_t cells) {
   const std::size_t size = (text.size() - header_bytes) / cells;
   std::vector<std::string> records;
@@ -108,7 +108,7 @@ TEST(SolutionFile, IsTheSameWhateverRanksWriteItAndReadIt) {
   for (const Problem& problem : problems()) {
     const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
     write(*result.solution, many, MPI_COMM_WORLD);
-    // What one rank alone reads of the file of all, and writes again, is the same but for the order of cells.
+    // One rank alone reads the file of all and writes it again: only the order of cells may differ.
     if (world_rank() == 0) {
       const computation::FinestMesh mesh = computation::finest_mesh(problem, MPI_COMM_SELF);
       auto alone = computation::verify(problem, mesh, read_solution(many, mesh.space, shape_of(problem)));
@@ -120,7 +120,7 @@ TEST(SolutionFile, IsTheSameWhateverRanksWriteItAndReadIt) {
       EXPECT_EQ(sorted_records(text_of(one), cells), sorted_records(text_of(many), cells));
     }
     MPI_Barrier(MPI_COMM_WORLD);
-    // And what all read of the file of one is what they have.
+    // All ranks read the file of one and have the same values.
     const StoredSolution stored = read(one, problem, MPI_COMM_WORLD);
     expect_equal(stored.nodal.y, result.solution->nodal.y);
     expect_equal(stored.nodal.pressure, result.solution->nodal.pressure);
@@ -128,7 +128,7 @@ TEST(SolutionFile, IsTheSameWhateverRanksWriteItAndReadIt) {
   }
 }
 
-/// Bytes of a number put into the text.
+/// Inserts the bytes of a number into the text.
 template <class Number>
 void put(std::string& text, std::size_t at, Number number) {
   std::memcpy(text.data() + at, &number, sizeof number);
@@ -226,7 +226,7 @@ TEST(SolutionFile, WithTwoValuesAtANodeIsRefused) {
   write(*result.solution, path, MPI_COMM_WORLD);
   const std::string good = text_of(path);
   const std::size_t record = head_bytes + 9 * 64;
-  // One corner of every cell in turn: somewhere it lies inside of the shell and has other cells, whichever ranks they
+  // One corner of every cell in turn. At some corners inside the shell other cells meet, whichever ranks they
   // belong to.
   int refused = 0;
   for (std::size_t cell = 0; cell < 16; ++cell) {

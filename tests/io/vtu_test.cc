@@ -95,7 +95,7 @@ TEST(Vtu, points_are_phi_plus_the_scaled_displacement) {
   }
 }
 
-/// Where VTK's points of a Lagrange quadrilateral lie: corners, then sides 0-1, 1-2, 3-2, 0-3, then the inside by rows.
+/// The places of VTK's points of a Lagrange quadrilateral: corners, then sides 0-1, 1-2, 3-2, 0-3, then the inside by rows.
 std::vector<std::array<int, 2>> lagrange_order(int k) {
   std::vector<std::array<int, 2>> order{{0, 0}, {k, 0}, {k, k}, {0, k}};
   for (int i = 1; i < k; ++i) order.push_back({i, 0});
@@ -127,7 +127,7 @@ TEST(Vtu, lists_the_points_of_a_cell_in_the_order_of_a_lagrange_quadrilateral) {
   }
 }
 
-// Corners round the cell, then the middles of its sides 0-1, 1-2, 2-0.
+// Corners around the cell, then the middles of its sides 0-1, 1-2, 2-0.
 TEST(Vtu, lists_the_points_of_a_triangle_in_the_order_of_a_lagrange_triangle) {
   for (const int degree : {1, 2}) {
     const Written w = written({.degree = degree, .refinements = 1, .shape = fem::Shape::triangle});
@@ -168,7 +168,7 @@ TEST(Vtu, of_triangles_has_a_pressure_whose_integral_is_the_reaction) {
       const double area =
           (vector_at(phi, at(1)) - vector_at(phi, at(0))).cross(vector_at(phi, at(2)) - vector_at(phi, at(0))).norm() /
           2;
-      for (std::size_t i = 0; i < 3; ++i) sum += area / 3 * eta.values[at(i)];  // a linear function's mean, either way
+      for (std::size_t i = 0; i < 3; ++i) sum += area / 3 * eta.values[at(i)];  // mean of a linear function
     }
     const double reaction = w.result.summary.reaction.force[2];
     EXPECT_GT(reaction, 0);

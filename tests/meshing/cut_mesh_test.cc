@@ -43,7 +43,7 @@ TEST(Chords, OfAGridAreItsRowsAndColumns) {
     }
 }
 
-/// One ring round the square in the middle, and one from rim to rim through it each way.
+/// One ring around the square in the middle, and one chord from rim to rim through it in each direction.
 TEST(Chords, OfADiskAreARingAndACross) {
   const meshing::Chords all = meshing::chords(disk_mesh({{0, 0}, 1}));
   EXPECT_EQ(all.count, 3);
@@ -55,7 +55,7 @@ TEST(Chords, OfADiskAreARingAndACross) {
 TEST(CutMesh, CoversTheSameWithMoreCells) {
   MeshSequence meshes(grid(3, 2), 2, MPI_COMM_WORLD);
   std::vector<Cuts> cuts(6);
-  // The first column and the second row, whatever way the cells were turned: all cells of a chord.
+  // The first column and the second row, in whatever way the cells were turned: all cells of a chord.
   const CoarseMesh& coarse = *meshes.space()->coarse;
   const meshing::Chords all = meshing::chords(coarse);
   for (std::size_t c = 0; c < 6; ++c)
@@ -69,7 +69,7 @@ TEST(CutMesh, CoversTheSameWithMoreCells) {
   EXPECT_EQ(meshes.space()->coarse->edges.size(), 2U * (4 + 3));
 }
 
-/// Drawn down and drawn up: the right of a curve inside, which its conormal points to, stays the right.
+/// Drawn down and drawn up: the conormal of a curve inside points to its right, and that side stays the right one.
 TEST(CutMesh, KeepsTheDirectionOfCurves) {
   CoarseMesh mesh = grid(2, 1);
   mesh.boundaries = {"down", "up"};
@@ -118,7 +118,7 @@ algebra::Vector sampled(const Space& space, double (*f)(const Vector2d&)) {
 
 double quartic(const Vector2d& x) { return std::pow(x[0], 4) - 2 * x[0] * std::pow(x[1], 3) + x[1]; }
 
-/// Cut three times over, on any number of ranks, one field stays itself.
+/// A field cut three times stays the same, on any number of ranks.
 TEST(CutMesh, KeepsPolynomials) {
   MeshSequence meshes(grid(3, 2), 4, MPI_COMM_WORLD);
   std::vector<algebra::Vector> fields{sampled(*meshes.space(), quartic)};
@@ -135,7 +135,7 @@ TEST(CutMesh, KeepsPolynomials) {
     ASSERT_EQ(fields[0].local().size(), wanted.local().size());
     for (std::size_t i = 0; i < wanted.local().size(); ++i) EXPECT_NEAR(fields[0].local()[i], wanted.local()[i], 1e-11);
   }
-  // The cuts alone, made at once, give the same mesh.
+  // The cuts alone, all at once, give the same mesh.
   MeshSequence again(grid(3, 2), 4, MPI_COMM_WORLD);
   again.begin_with_cuts(meshes.space()->coarse->cuts);
   ASSERT_EQ(again.space()->owned_cells, meshes.space()->owned_cells);
@@ -143,7 +143,7 @@ TEST(CutMesh, KeepsPolynomials) {
     EXPECT_LT((position(*again.space(), c, {0.3, 0.6}) - position(*meshes.space(), c, {0.3, 0.6})).norm(), 1e-12);
 }
 
-/// What is a polynomial in the own coordinates of cells that are bent, and that were turned for the sequence, stays so.
+/// A polynomial in the own coordinates of cells stays one, also in bent cells and in cells that were turned for the sequence.
 TEST(CutMesh, KeepsFieldsOnBentCells) {
   MeshSequence meshes(disk_mesh({{0.3, 0.2}, 1}), 4, MPI_COMM_WORLD);
   const auto at_nodes = [&](double power) {

@@ -9,7 +9,7 @@ const Vector3d tilted = Vector3d(1, -2, 2) / 3;
 
 Matrix3d turned() { return Eigen::AngleAxisd(0.7, tilted).toRotationMatrix(); }
 
-/// All in the unit of length `m`.
+/// All shapes in the unit of length `m`.
 std::vector<Shape> shapes(double m = 1) {
   const Vector3d at = m * Vector3d(0.1, -0.2, 0.15);
   return {

@@ -47,7 +47,7 @@ TEST(ADistanceExpression, IsTheSameInMicrometresAndInMegametres) {
                   field("X^2 + Y^2 + 2*Z^2 - 1").nearest(X + Vector3d(0, 0, 2)).distance, 1e-12);
 }
 
-/// Points of the surface along 10 000 directions from the origin, from where all of it is seen.
+/// Points of the surface along 10 000 directions from the origin, from which the whole surface is visible.
 class StarShaped {
  public:
   explicit StarShaped(const DistanceField& body) : body_(body) {
@@ -59,7 +59,7 @@ class StarShaped {
     }
   }
 
-  /// The nearest of these points, then of others around it by steps of half the length.
+  /// The nearest of these points, then of others around it with steps of half the length.
   double distance(const Vector3d& X) const {
     std::size_t first = 0;
     for (std::size_t i = 0; i < points_.size(); ++i)

@@ -55,10 +55,10 @@ TEST(AWavyFloor, IsAsFarAsBruteForceSays) {
 struct Waves {
   const char* text;
   double (*height)(double, double);
-  double low, high;  // of the points looked from
+  double low, high;  // number of points from which the distance is computed
 };
 
-/// The least distance to 250 x 250 points of the graph as far as it can be, then by steps of half the length.
+/// The least distance to 250 x 250 points of the graph within that distance, then with steps of half the length.
 double brute_force(const Waves& waves, const Vector3d& X) {
   const double reach = std::abs(waves.height(X[0], X[1]) - X[2]);
   const auto distance = [&](const Eigen::Vector2d& p) {
@@ -80,7 +80,7 @@ double brute_force(const Waves& waves, const Vector3d& X) {
   return least;
 }
 
-// The foot is on the graph, so that no distance can be too small.
+// The foot is on the graph, so no distance can be too small.
 TEST(WavesOfAllKinds, HaveNoPointThatIsNearerThanTheFoot) {
   using std::cos, std::sin, std::exp;
   const std::array<Waves, 6> all{
@@ -120,7 +120,7 @@ TEST(AHeightField, AnswersTheSameInWhateverOrderItIsAsked) {
   }
 }
 
-/// Where the foot is X itself up to rounding, it is not missed for rounding.
+/// If the foot is X itself up to rounding, it is still found.
 TEST(AHeightField, KnowsTheDistanceOfPointsOnIt) {
   const HeightField field = height("0.1*cos(6*X)*cos(6*Y)");
   for (Vector3d X : test::random_points(2000, 1))
@@ -130,7 +130,7 @@ TEST(AHeightField, KnowsTheDistanceOfPointsOnIt) {
     }
 }
 
-/// Two feet close to each other, and a ridge between them.
+/// Two feet close to each other, with a ridge between them.
 TEST(AHeightField, KnowsTheDistanceJustBeyondACentreOfCurvature) {
   const Vector3d X(-0.86393802365193673, -0.20919910848202378, -0.093718156500470551);
   EXPECT_NEAR(height("0.1*cos(40*X)*cos(30*Y)").nearest(X).distance, 0.00627585, 1e-7);
@@ -172,7 +172,7 @@ TEST(ARaster, HasExactDerivatives) {
                                  test::random_points(100, 0.15), 1, 3);
 }
 
-// Points found by chance, 2e-5 off the graph, where the squared distance cannot be seen to fall for the rounding of heights.
+// Points from a random search, 2e-5 off the graph. There the rounding of heights hides the decrease of the squared distance.
 TEST(ARaster, KnowsTheDistanceOfPointsCloseToIt) {
   Eigen::MatrixXd h(401, 401);
   for (int i = 0; i < 401; ++i)

@@ -1,4 +1,4 @@
-// What must hold of every obstacle's distance, whatever its shape.
+// Properties of the distance of every obstacle, whatever its shape.
 #pragma once
 #include <gtest/gtest.h>
 #include <plastron/obstacle/obstacle.hpp>
@@ -17,7 +17,7 @@ inline std::vector<Vector3d> random_points(int count, double reach) {
   return points;
 }
 
-/// |grad d| = 1, and both derivatives are those of d by central differences, at all points but a few: those next to a kink.
+/// |grad d| = 1, and both derivatives agree with central differences of d, at all points except a few next to a kink.
 inline void expect_exact_derivatives(const Shape& shape, const std::vector<Vector3d>& points, double size,
                                      std::size_t most_kinks) {
   const Obstacle body{.shape = shape};
@@ -39,7 +39,7 @@ inline void expect_exact_derivatives(const Shape& shape, const std::vector<Vecto
   EXPECT_LE(kinks, most_kinks);
 }
 
-/// No point of the surface is nearer than d says, and one is as near: X - d n.
+/// No point of the surface is nearer than d, and one is as near: X - d n.
 inline void expect_true_distance(const Shape& shape, const std::vector<Vector3d>& points, double size) {
   const Obstacle body{.shape = shape};
   for (const Vector3d& X : points) {

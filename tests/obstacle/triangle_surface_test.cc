@@ -11,7 +11,7 @@
 namespace plastron::obstacle {
 namespace {
 
-/// A box from its corners, two triangles a side.
+/// A box from its corners, two triangles on each side.
 TriangleMesh box_mesh(const Vector3d& low, const Vector3d& high) {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i)
@@ -21,7 +21,7 @@ TriangleMesh box_mesh(const Vector3d& low, const Vector3d& high) {
   return mesh;
 }
 
-/// The box's twelve triangles divided n times and drawn onto the unit ball.
+/// The box's twelve triangles, divided n times and projected onto the unit ball.
 TriangleMesh ball_mesh(int rounds) {
   TriangleMesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
   for (Vector3d& p : mesh.points) p.normalize();
@@ -91,7 +91,7 @@ TEST(ATriangulatedBall, ApproachesTheBall) {
   EXPECT_LT(last, 2e-3);
 }
 
-/// What it costs is for benchmarks/obstacle_cost.
+/// benchmarks/obstacle_cost measures the cost.
 TEST(ASurfaceOf200000Triangles, IsTheBallItWasMadeFrom) {
   const TriangleSurface surface(ball_mesh(7));
   EXPECT_GE(surface.mesh().triangles.size(), 190000u);
@@ -139,7 +139,7 @@ TEST(ACavity, IsTurnedInward) {
   EXPECT_NEAR(TriangleSurface(mesh).nearest({1.5, 1.5, 1.6}).distance, 0.4, 1e-14);
 }
 
-/// As STL files have them: three points of their own for each triangle, here each moved by up to `off`.
+/// As in STL files: each triangle has its own three points, here moved by up to `off`.
 TriangleMesh scattered(const TriangleMesh& mesh, double off) {
   TriangleMesh apart;
   const auto moves = test::random_points(static_cast<int>(3 * mesh.triangles.size()), off);

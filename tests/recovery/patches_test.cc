@@ -1,4 +1,4 @@
-// Resultants smoothed over patches: exact for what they are made for, an order better than those of a cell, and blind to nothing that jumps.
+// Resultants smoothed over patches are exact for polynomials, one order better than those of a cell, and keep jumps.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/recovery/recovery.hpp>
@@ -86,7 +86,7 @@ double error(const std::vector<PointValues>& points, const geometry::Chart& char
   return relative;
 }
 
-/// All terms x^i y^j with i + j <= degree, different ones in every component.
+/// All terms x^i y^j with i + j <= degree, each field with different ones.
 Field polynomial(int degree) {
   return [degree](const Eigen::Vector2d& x) {
     FieldJet y{Vector6::Zero(), Vector6::Zero(), Vector6::Zero()};
@@ -115,7 +115,7 @@ FieldJet smooth_field(const Eigen::Vector2d& x) {
   return y;
 }
 
-// Parallelograms ten times as long as wide, of angles of 45 degrees, as rows along the edges of a saddle have them.
+// Parallelograms ten times as long as wide, with angles of 45 degrees, as in rows along the edges of a saddle.
 TEST(Patches, JudgeEveryCellOfLongThinObliqueOnes) {
   for (const int degree : {3, 4, 6}) {
     const auto m = test::meshed(fem::Rectangle{.to = {1, 0.1}}, {"x", "x + y", "0"}, degree, 2);
@@ -126,8 +126,8 @@ TEST(Patches, JudgeEveryCellOfLongThinObliqueOnes) {
   }
 }
 
-// Interpolants of polynomials of degree k + 1 have exact derivatives at the resultant points of rectangles, and the patches' polynomials
-// carry them everywhere, to the corners too. The strain of shear has r itself, of degree k.
+// Interpolants of polynomials of degree k + 1 have exact derivatives at the resultant points of rectangles. The polynomials of the patches
+// continue them everywhere, also to the corners. The shear strain contains r itself, of degree k.
 TEST(Patches, AreExactForFieldsOfOneDegreeMoreThanTheElements) {
   const geometry::Chart chart(test::flat, {});
   for (int degree = 1; degree <= 4; ++degree) {
@@ -155,7 +155,7 @@ TEST(Patches, AreExactForFieldsOfOneDegreeMoreThanTheElements) {
   }
 }
 
-// One row of cells has as many rows of points as their degree, and only vertices on edges.
+// One row of cells has as many rows of points as their degree, and all its vertices are on edges.
 TEST(Patches, OfOneRowOfCellsAreExactAlongIt) {
   const geometry::Chart chart(test::flat, {});
   for (int degree = 2; degree <= 4; ++degree)
@@ -253,7 +253,7 @@ TEST(Patches, TheInvariantsOfTensorsDoNotDependOnTheFrame) {
   }
 }
 
-// One strain, two thicknesses: forces jump from 1 to 2 where the regions meet, and nothing in between is found there.
+// One strain, two thicknesses: forces jump from 1 to 2 where the regions meet, without values in between.
 TEST(Patches, DoNotSmearAJumpOfTheThickness) {
   fem::MeshSequence meshes(
       fem::coarse_mesh(fem::Rectangle{.breaks = {0.5}, .regions = {"thin", "thick"}}, test::quadrilateral), 2,

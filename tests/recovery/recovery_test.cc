@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<Eigen::Vector2d> somewhere{{0.2, 0.3}, {0.9, 0.6}, {0, 1}};
 
-/// A flat plate whose nodal values are given as functions of x and y.
+/// A flat plate with nodal values that are given functions of x and y.
 template <class Field>
 std::vector<PointValues> recovered(int degree, const Field& field, fem::Shape shape = test::quadrilateral) {
   // Tied bilinear elements have constant states only as parallelograms (docs/methods/tying.md).

@@ -1,4 +1,4 @@
-// Fields of a fine mesh come to a coarse one by their nodal values, and into its K by their nodal coordinates.
+// Fields of a fine mesh: their nodal values on a coarse mesh, and the nearest field of its K by nodal coordinates.
 #include <gtest/gtest.h>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/meshing/sequence.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace test;
 
-/// A shell on a mesh, and on the one that divides each of its cells in four.
+/// A shell on a mesh, and on the mesh that divides each of its cells in four.
 struct TwoMeshes {
   explicit TwoMeshes(const Problem& problem) : sequence(meshing::mesh_sequence(problem, MPI_COMM_WORLD)) {
     coarse = discretised(problem);
@@ -81,7 +81,7 @@ TEST(NearestAdmissible, is_in_the_discrete_cone_and_leaves_what_is_in_it) {
     if (!discrete.coordinates.supported[i]) continue;
     EXPECT_NEAR(u.norm() + r.norm(), 0, 1e-14);
   }
-  EXPECT_GT(closed, 0);  // the field does go through the table
+  EXPECT_GT(closed, 0);  // the field does penetrate the table
   EXPECT_LT(largest_difference(nearest_admissible(discrete, y), y), 1e-14);
 }
 

@@ -41,7 +41,7 @@ std::vector<const Kind*> all_kinds() {
 
 void expect_computed(const Kind& kind, Problem problem) {
   SCOPED_TRACE(kind.name);
-  // Its own accuracy is far for elements of degree 1.
+  // The default accuracy is too high for elements of degree 1.
   if (kind.name == "adaptivity") problem.accuracy = problem::Accuracy{.goals = {{"energy", 0.1}}, .max_unknowns = 3000};
   ASSERT_FALSE(examination::has_errors(study::examine(kind, problem, few_samples(1))));
   const Report report = kind.run(problem, few_samples(1), MPI_COMM_SELF, {});

@@ -1,4 +1,4 @@
-// A claim holds only on evidence: what touches nothing, does not move, is rounding or stands alone cannot be judged.
+// A claim needs evidence. A shell without contact or motion, a measurement that is rounding, or a single mesh cannot judge it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <research/study/kinds.hpp>
@@ -20,14 +20,14 @@ Report run(const std::string& name, const problem::Problem& problem, const Study
   return kind.run(problem, options, MPI_COMM_SELF, {});
 }
 
-/// A shallow shell, clamped at one side, that nothing loads.
+/// A shallow shell, clamped at one side, without load.
 problem::Problem unloaded() {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.2*x^2 + 0.1*y^2"});
   p.shell.loads.on_areas.clear();
   return p;
 }
 
-/// A strip so far above the table that it never gets there.
+/// A strip so far above the table that it does not reach it.
 problem::Problem strip_in_the_air() {
   problem::Problem p = pressed_strip();
   std::get<obstacle::HalfSpace>(p.shell.obstacles.all.at(0).shape).point = {0, 0, -1};
@@ -94,7 +94,7 @@ TEST(Convergence, OfAShellWithCornersDoesNotHaveTheOrderOfSmoothSolutions) {
   EXPECT_EQ(claim_on(table, "Cea").verdict, Verdict::does_not_hold) << claim_on(table, "Cea").measured;
 }
 
-// A plate stretched evenly: its strains are in every space.
+// An evenly stretched plate: its strains are in every space.
 TEST(Convergence, WhoseErrorsAreRoundingSaysSo) {
   problem::Problem p = free_plate();
   p.shell.supports = {held("left", {Direction::x}), held("bottom", {Direction::y, Direction::z})};
@@ -120,7 +120,7 @@ TEST(Continuity, GivesTheReasonForAKindThatItLeavesOut) {
   EXPECT_THAT(load.reason, HasSubstr("rigid motion"));
 }
 
-// Stretched in its plane a plate does not rotate.
+// A plate that is stretched in its plane does not rotate.
 TEST(Thickness, WithoutRotationSaysNothingOfKoiters) {
   problem::Problem p = free_plate();
   p.shell.supports = {clamped("left")};
@@ -146,7 +146,7 @@ TEST(Stability, WithoutObstacleOrHeldRotationSaysSo) {
   EXPECT_EQ(claim_on(table, "alpha").verdict, Verdict::holds);
 }
 
-// On a flat shell all soft modes are in the space: what they cost is rounding, and rounding has no order.
+// On a flat shell all soft modes are in the space. Their stiffness is rounding, and rounding has no order.
 TEST(SoftModesStudy, OfAPlateCountsThemAndSaysNothingOfTheirOrder) {
   const Table table = run("soft-modes", free_plate()).table;
   EXPECT_EQ(claim_on(table, "tangent: the soft modes are").verdict, Verdict::holds);
@@ -156,7 +156,7 @@ TEST(SoftModesStudy, OfAPlateCountsThemAndSaysNothingOfTheirOrder) {
 
 TEST(Compare, OfEqualSolutionsSaysNothing) { expect_none_judged(run("compare", cantilever_plate()).table, "noise"); }
 
-// On a fine mesh p = 1 is what one sees, not the mesh.
+// On a fine mesh the error of p = 1 is larger than that of the mesh.
 TEST(Compare, FindsAPenaltyTooWeakForTheMesh) {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
   p.shell.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
@@ -168,7 +168,7 @@ TEST(Compare, FindsAPenaltyTooWeakForTheMesh) {
   EXPECT_EQ(claim.verdict, Verdict::does_not_hold) << claim.measured << claim.reason;
 }
 
-// ---- what the examination stops ------------------------------------------------------------------------------------
+// ---- errors of the examination -------------------------------------------------------------------------------------
 
 std::vector<std::string> errors(const std::string& name, const problem::Problem& problem,
                                 const StudyOptions& options = {}) {

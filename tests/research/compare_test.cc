@@ -114,7 +114,7 @@ TEST(Penalty, FollowsPUntilTheMeshLocks) {
   EXPECT_GT(table.fits.front().exponent, 0.6);
   EXPECT_NEAR(number(table, 1, "penalty"), 0.1, 1e-15);
   EXPECT_NEAR(number(table, 1, "normal_rotation") / number(table, 0, "normal_rotation"), 0.1, 0.03);
-  // Locking: from p = 1 on the smaller p the farther from the tangent solution, and much farther on the mesh before.
+  // Locking: from p = 1 on, a smaller p is farther from the tangent solution, and much farther on the mesh before.
   EXPECT_EQ(table.claims[1].verdict, Verdict::cannot_be_judged) << table.claims[1].measured;
   EXPECT_NE(table.claims[1].reason.find("the elements lock"), std::string::npos) << table.claims[1].reason;
   for (const std::size_t row : {1U, 2U, 3U}) {
@@ -123,7 +123,7 @@ TEST(Penalty, FollowsPUntilTheMeshLocks) {
   }
 }
 
-/// Clamped all around, with a chart that is a polynomial: the discrete space has fields with r . a_3 = 0 everywhere.
+/// Clamped along the whole boundary, with a polynomial chart: the discrete space has fields with r . a_3 = 0 everywhere.
 problem::Problem curved_plate() {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0.5*x^2 + 0.3*y^2"});
   p.shell.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
@@ -136,7 +136,7 @@ TEST(Penalty, ApproachesTheTangentSolutionWhereTheMeshAllows) {
   const Table table = penalty(curved_plate(), {}, MPI_COMM_WORLD, {}).table;
   expect_all_hold(table);
   EXPECT_LT(number(table, 1, "to tangent"), 0.2 * number(table, 0, "to tangent"));
-  // Here U_p settles on the mesh: each p changes it by a tenth of what the one before did.
+  // Here U_p converges on the mesh: each p changes it by a tenth of the change before.
   ASSERT_GT(table.rows.size(), 8U);
   for (std::size_t row = 5; row < 8; ++row)
     EXPECT_NEAR(number(table, row, "change") / number(table, row - 1, "change"), 0.1, 0.01);

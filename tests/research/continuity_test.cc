@@ -29,7 +29,7 @@ TEST(Continuity, of_a_bowl_is_within_its_bounds) {
   EXPECT_EQ(report.table.rows.size(), 60u);
   expect_all_hold(report.table);
   EXPECT_THAT(numbers(report.table, "change"), Each(Ge(0)));
-  // The bounds are no idle ones.
+  // The bounds are not far above the changes.
   for (const std::string kind : {"load", "thickness", "height"}) {
     const auto ratios = numbers(report.table, "ratio", kind);
     EXPECT_GT(*std::max_element(ratios.begin(), ratios.end()), 0.3) << kind;
@@ -45,7 +45,7 @@ TEST(Continuity, of_large_changes_is_within_its_bounds_too) {
   expect_all_hold(continuity(p, options, MPI_COMM_SELF, {}).table);
 }
 
-// Without contact the dual norm is the change itself.
+// Without contact the dual norm equals the change.
 TEST(Continuity, of_a_linear_shell_reaches_the_bound_of_the_load) {
   StudyOptions options;
   options.samples = 2;

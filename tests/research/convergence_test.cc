@@ -1,4 +1,4 @@
-// The study of convergence finds the rates that theory gives.
+// The convergence study finds the rates of the theory.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <research/study/studies.hpp>
@@ -48,7 +48,7 @@ TEST(Convergence, of_a_strip_has_the_rates_of_its_degree) {
   }
 }
 
-// What is reported against a solution two levels finer hardly depends on that solution.
+// Errors against a solution two levels finer hardly depend on that solution.
 TEST(Convergence, does_not_depend_much_on_its_reference) {
   problem::Problem p = clamped_plate(2);
   p.discretisation.refinements = 1;
@@ -90,7 +90,7 @@ TEST(Convergence, tells_how_a_computation_failed) {
 
 // ---- both sides of Falk's estimate ------------------------------------------------------------------------------------
 
-// What it says of a pressed strip needs the reaction: the interpolation error alone is less than the error.
+// For a pressed strip the estimate needs the reaction: the interpolation error alone is less than the error.
 TEST(FalksEstimate, of_a_pressed_strip_holds_by_its_reaction) {
   problem::Problem p = pressed_strip();
   p.discretisation = {.degree = 2, .refinements = 3};
@@ -103,7 +103,7 @@ TEST(FalksEstimate, of_a_pressed_strip_holds_by_its_reaction) {
   for (std::size_t l = 0; l < left.size(); ++l) {
     EXPECT_LE(left[l], right[l]);
     EXPECT_LE(right[l], in_l2[l]);
-    EXPECT_LT(right[l], 3 * left[l]);  // it is sharp
+    EXPECT_LT(right[l], 3 * left[l]);  // the estimate is sharp
     EXPECT_NEAR(right[l] * right[l], interpolation[l] * interpolation[l] + reaction[l] * std::abs(reaction[l]),
                 1e-9 * right[l] * right[l]);
     needs_reaction = needs_reaction || interpolation[l] < 0.98 * left[l];
@@ -112,7 +112,7 @@ TEST(FalksEstimate, of_a_pressed_strip_holds_by_its_reaction) {
   EXPECT_EQ(claim_on(table, "Falk's estimate, both sides").verdict, Verdict::holds);
 }
 
-// Without contact it is Cea's lemma: U_h is nearest to U of all fields of its space, so interpolation is farther.
+// Without contact it is Cea's lemma. U_h is nearest to U of all fields of its space, so the interpolant is farther.
 TEST(FalksEstimate, without_contact_is_that_of_cea) {
   problem::Problem p = clamped_plate(2);
   p.shell.tying = false;
@@ -127,7 +127,7 @@ TEST(FalksEstimate, without_contact_is_that_of_cea) {
   EXPECT_EQ(claim_on(table, "Cea's lemma, both sides").verdict, Verdict::holds);
 }
 
-// Nested spaces, one form and one load: between meshes of a flat plate without tying nothing differs but the spaces.
+// Nested spaces, one form and one load: between meshes of a flat plate without tying only the spaces differ.
 TEST(FalksEstimate, has_no_consistency_error_on_a_flat_plate_without_tying) {
   problem::Problem p = pressed_strip();
   p.discretisation = {.degree = 3, .refinements = 1};

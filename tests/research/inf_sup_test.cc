@@ -1,4 +1,4 @@
-// Inf-sup constants of b (M14) and c (M19) and soft modes against dense matrices made from the forms themselves.
+// Inf-sup constants of b (M14) and c (M19) and soft modes, against dense matrices from the forms themselves.
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/assembly/normal_rotation.hpp>
@@ -55,7 +55,7 @@ TEST(H1Matrix, GivesTheSquaredNormOfAField) {
     X.multiply(z, Xz);
     discrete->coordinates.to_cartesian(z, y);
     const double expected =
-        squared_norms(discrete->shell, y).h1(length);  // of Cartesian interpolation, the same on a flat shell
+        squared_norms(discrete->shell, y).h1(length);  // of Cartesian interpolation; the same on a flat shell
     EXPECT_NEAR(algebra::dot(z, Xz), expected, 1e-12 * expected);
   }
 }
@@ -100,7 +100,7 @@ TEST(InfSup, OfCIsThatOfDenseMatrices) {
     const int width = discrete->coordinates.width;
     const Index nodes = discrete->space().layout->owned;
     std::vector<Index> multipliers;
-    MatrixXd Ct = MatrixXd::Zero(width * nodes, nodes);  // column i: weight_i n_i . (v + z s), r . a_3 left out
+    MatrixXd Ct = MatrixXd::Zero(width * nodes, nodes);  // column i: weight_i n_i . (v + z s), without r . a_3
     for (Index i = 0; i < nodes; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const obstacle::Gap& gap = discrete->coordinates.gaps[0][k];
@@ -129,7 +129,7 @@ TEST(InfSup, OfCIsThatOfDenseMatrices) {
   }
 }
 
-// v = w n and s = 0 has the gap w and the norm of w, so the constant is at least one, for every mesh, thickness and shape.
+// v = w n and s = 0 has the gap w and the norm of w. So the constant is at least one, for every mesh, thickness and shape.
 TEST(InfSup, OfCIsAtLeastOneAgainstAPlane) {
   for (const auto& chart : {test::flat, test::saddle, test::cap})
     EXPECT_GT(contact_inf_sup(*clamped_shell(chart, element::Formulation::tangent, true), length)->dual, 1 - 1e-9);
@@ -150,7 +150,7 @@ TEST(SoftModes, StartWithTheConstantOfCoercivity) {
   }
 }
 
-/// Kinds of the modes softer than a hundredth of the eighth.
+/// Kinds of the modes that are softer than a hundredth of the eighth.
 std::vector<ModeKind> soft_kinds(const std::array<std::string, 3>& chart, element::Formulation formulation) {
   const auto m = test::meshed(test::skew(), chart, 3, 2);
   const auto discrete = assembly::discretise(

@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-constexpr double rounding = 1e-12;  // residuals and tilts are nothing else
+constexpr double rounding = 1e-12;  // residuals and normal rotations are only rounding
 
 void expect_same(const Report& together, const Report& alone) {
   ASSERT_EQ(together.status, contact::Status::solved);

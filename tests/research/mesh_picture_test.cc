@@ -1,4 +1,4 @@
-// Pictures of meshes hold every cell once, the vertices that hang, and the zone that touches.
+// Pictures of meshes contain every cell once, the hanging vertices, and the contact zone.
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <research/study/studies.hpp>
@@ -40,7 +40,7 @@ TEST(MeshPicture, OfAUniformMeshCoversTheDomainAndHasTheContactZone) {
   }
 }
 
-/// The corners of the clamped side want small cells.
+/// The corners of the clamped side need small cells.
 Problem with_singular_corners() {
   Problem p = cantilever_plate();
   p.domain = fem::Rectangle{.cells = {4, 4}};

@@ -1,4 +1,4 @@
-// The constants that proofs rest on do not degrade, and the soft modes are those that theory names.
+// The constants in the proofs do not degrade, and the soft modes are those of the theory.
 #include <gtest/gtest.h>
 #include <research/study/studies.hpp>
 
@@ -32,7 +32,7 @@ TEST(Stability, OfSeveralObstaclesIsThatOfTheWorst) {
     p.shell.obstacles.all = std::move(obstacles);
     return numbers(stability(p, options, MPI_COMM_SELF, {}).table, "inf-sup c").at(0);
   };
-  // Against a wall that stands steep on the shell, w = n . (v + z s) leaves the multiplier weaker.
+  // Against a wall that is steep on the shell, w = n . (v + z s) leaves the multiplier weaker.
   const obstacle::Obstacle floor{}, wall{.shape = obstacle::HalfSpace{.point = {-2, 0, 0}, .normal = {1, 0, 0.2}}};
   const double of_floor = constant({floor}), of_wall = constant({wall});
   EXPECT_NE(of_floor, of_wall);

@@ -48,7 +48,7 @@ TEST_P(FreeShell, ACurvedShellHasThreeZeroModesThreeRotationsAndNoSeventh) {
     // while a rotation's nodal values grow in number like h^-2, so the ratio falls at least as fast as the energy.
     if (fine[5] > 1e-13) {
       EXPECT_GT(std::log2(coarse[5] / fine[5]), 2 * degree - 0.5) << chart[2];
-      // Elements of degree 1 without tying are too coarse here to tell a rotation from a bending mode by its size.
+      // Elements of degree 1 without tying are too coarse here to distinguish a rotation from a bending mode by its size.
       if (degree > 1 || tying) {
         EXPECT_LT(fine[5], 0.05 * fine[6]);
       }

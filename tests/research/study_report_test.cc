@@ -102,7 +102,7 @@ TEST(StudyReport, that_cannot_be_written_keeps_an_earlier_one) {
 
 // ---- pictures of meshes ------------------------------------------------------------------------------------------------
 
-/// Two squares side by side, the right one with a neighbour half as large above it, of which one vertex hangs.
+/// Two squares side by side. The right one has a neighbour half as large above it, and one vertex of this hangs.
 study::MeshPicture squares() {
   return {.caption = "two squares",
           .cells = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{1, 0}, {1.5, 0}, {2, 0}, {2, 1}, {1, 1}}},

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// Of a quantity in `unit`; NaN for seconds, which are never the same, and for a column of quantities of several kinds.
+/// The scale of a quantity in `unit`; NaN for seconds, which always differ, and for columns with quantities of several kinds.
 double scale_of(const std::string& unit, const Units& u) {
   const double work = u.force * u.length;
   const std::map<std::string, double> scales{
@@ -28,7 +28,7 @@ double scale_of(const std::string& unit, const Units& u) {
   return NAN;
 }
 
-/// Up to 1e-6, and to 1e-8 of the column's largest value, where small values are differences of large ones.
+/// Up to 1e-6, and to 1e-8 of the column's largest value, because small values are differences of large ones.
 void expect_like(const Table& table, const Table& plain, const Units& units, std::size_t rows) {
   ASSERT_GE(table.rows.size(), rows);
   ASSERT_GE(plain.rows.size(), rows);
@@ -63,7 +63,7 @@ const Report& in_plain_units(const Kind& kind) {
   return known.at(name);
 }
 
-/// Lengths alone, forces alone, and both with another modulus: units_test.cc has all that one computation may meet.
+/// Lengths alone, forces alone, and both with another modulus. units_test.cc tests more units with a single computation.
 class EveryStudy : public testing::TestWithParam<Units> {};
 INSTANTIATE_TEST_SUITE_P(Of, EveryStudy, testing::Values(Units{1e-6, 1}, Units{1, 1e6}, Units{1e6, 1e-6}),
                          [](const auto& units) { return fmt::format("{}", units.index); });
@@ -76,7 +76,7 @@ TEST_P(EveryStudy, FindsTheSameInAllUnits) {
     const Report report = kind->run(panel(GetParam()), few_samples(), MPI_COMM_SELF, {});
     const Report& plain = in_plain_units(*kind);
     ASSERT_EQ(report.status, contact::Status::solved);
-    // How small a p can be computed is for rounding to say.
+    // Rounding decides how small a p can be computed.
     const std::size_t rows = kind->name == "penalty" ? 4 : plain.table.rows.size();
     expect_like(report.table, plain.table, GetParam(), rows);
     ASSERT_EQ(report.table.claims.size(), plain.table.claims.size());

@@ -17,7 +17,7 @@ inline StudyOptions few_samples(int samples = 2) {
   return options;
 }
 
-/// The numbers of a column, of the rows whose first text entry is `of` (empty: of all rows).
+/// The numbers of a column. With `of`, only from rows that contain this text.
 inline std::vector<double> numbers(const Table& table, const std::string& column, const std::string& of = "") {
   std::vector<double> values;
   for (const auto& row : table.rows)
@@ -36,7 +36,7 @@ inline void expect_all_hold(const Table& table) {
     EXPECT_EQ(claim.verdict, Verdict::holds) << claim.statement << ": " << claim.measured << claim.reason;
 }
 
-/// Nothing can be said, for a reason that contains `reason`.
+/// Expects that no claim is judged, for a reason that contains `reason`.
 inline void expect_none_judged(const Table& table, const std::string& reason) {
   EXPECT_FALSE(table.claims.empty());
   for (const Claim& claim : table.claims) {

@@ -1,4 +1,4 @@
-// The study of thin shells tells bending from membrane dominated ones.
+// The thickness study distinguishes bending from membrane dominated shells.
 #include <gtest/gtest.h>
 #include <research/study/studies.hpp>
 
@@ -24,7 +24,7 @@ StudyOptions halvings(int steps) {
   return options;
 }
 
-// Clamped along one generator the cylinder rolls up without stretching.
+// Clamped along one generator, the cylinder rolls up without stretching.
 TEST(Thickness, of_a_cylinder_held_along_a_generator_is_bending_dominated) {
   problem::Problem p = with_chart(free_plate(), {"sin(x)", "y", "cos(x)"});
   p.shell.supports = {clamped("left")};

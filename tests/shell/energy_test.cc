@@ -23,7 +23,7 @@ void with_stiffness_at_all_points(const Check& check) {
   }
 }
 
-/// Variables of an automatic differentiation, handed out one after the other.
+/// Variables of automatic differentiation, given out one after the other.
 template <int size>
 class Variables {
  public:

@@ -13,7 +13,7 @@ using shell::Random;
 
 constexpr double thickness = 0.2;
 
-/// A half-space across everything, so that neither coordinates nor signs can hide.
+/// An oblique half-space, so that errors in coordinates and signs show.
 HalfSpace slope() { return {.point = {0.1, -0.2, 0.3}, .normal = Vector3d(1, -2, 2) / 3}; }
 
 template <class Check>
@@ -107,7 +107,7 @@ TEST(Gap, under_a_rigid_motion_is_the_distance_of_the_rigidly_moved_point) {
   });
 }
 
-/// A point of a flat shell of thickness 0.2 with its lower face at -0.1, and what a small body under its mid-surface tells.
+/// A point of a flat shell of thickness 0.2 with its lower face at -0.1, and the distance to a small body under its mid-surface.
 FaceGap over(const Shape& shape, double x, Face face = Face::nearer) {
   return face_gap(Obstacle{.shape = shape, .face = face}, {{x, 0, 0}, Vector3d::UnitZ(), thickness});
 }

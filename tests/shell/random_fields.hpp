@@ -1,4 +1,4 @@
-// Random displacements, rotations and rigid motions at a point of a surface. Seeded: every run sees the same ones.
+// Random displacements, rotations and rigid motions at a point of a surface. They are the same in every run.
 #pragma once
 #include <plastron/shell/energy.hpp>
 
@@ -29,7 +29,7 @@ inline LocalField<double> rigid_motion(const Frame& f, const Vector3d& w) {
   return {{w.cross(f.a_cov[0]), w.cross(f.a_cov[1])}, w.cross(f.a3), {w.cross(f.da3[0]), w.cross(f.da3[1])}};
 }
 
-/// The same field seen in other coordinates with Jacobian J.
+/// The same field in other coordinates with Jacobian J.
 inline LocalField<double> in_coordinates(const LocalField<double>& v, const Eigen::Matrix2d& J) {
   LocalField<double> w = v;
   for (int a = 0; a < 2; ++a) {
@@ -39,7 +39,7 @@ inline LocalField<double> in_coordinates(const LocalField<double>& v, const Eige
   return w;
 }
 
-/// The inner product of two local fields: work of a dual on a field.
+/// The inner product of two local fields: the work of a dual field on a field.
 inline double work(const LocalField<double>& dual, const LocalField<double>& v) {
   double sum = dual.r.dot(v.r);
   for (std::size_t a = 0; a < 2; ++a) sum += dual.du[a].dot(v.du[a]) + dual.dr[a].dot(v.dr[a]);

@@ -1,4 +1,4 @@
-// Stresses over the thickness: their integrals are the resultants, and the largest equivalent stress is the largest.
+// Stresses over the thickness: their integrals are the resultants, and the largest equivalent stress is correct.
 #include <plastron/shell/section_stress.hpp>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace plastron::shell {
 namespace {
 
-/// Some resultants, other ones for every seed.
+/// Resultants, different for every seed.
 SectionForces some_forces(int seed) {
   auto value = [k = 0, seed]() mutable { return std::sin(1.7 * seed + 2.3 * ++k); };
   SectionForces f;
@@ -20,7 +20,7 @@ SectionForces some_forces(int seed) {
   return f;
 }
 
-// Gauss's three points: exact for the quartics that occur.
+// Three Gauss points: exact for the quartics that occur.
 template <class Function>
 auto over_thickness(const SectionForces& f, const Function& function) {
   const double z = std::sqrt(0.6) * f.thickness / 2;

@@ -1,4 +1,4 @@
-// The strains (M4-M6): what they do not feel, what they feel, and their transposes.
+// The strains (M4-M6): their invariances, their values for known fields, and their transposes.
 #include <gtest/gtest.h>
 
 #include "geometry/surfaces.hpp"
@@ -45,7 +45,7 @@ TEST(Strain,
   });
 }
 
-TEST(Strain, of_growth_is_the_metric) {  // u = phi, r = 0 stretches every length alike: gamma = a_cov
+TEST(Strain, of_growth_is_the_metric) {  // u = phi, r = 0 stretches every length by the same factor: gamma = a_cov
   at_all_points([&](const Frame& f) {
     const LocalField<double> growth{{f.a_cov[0], f.a_cov[1]}, Vector3d::Zero(), {Vector3d::Zero(), Vector3d::Zero()}};
     const Strain<double> s = strain(growth, f);

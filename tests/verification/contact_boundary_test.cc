@@ -1,4 +1,4 @@
-// The boundaries of contact zones against the reference problems: the free boundary lies between nodes, and is found there to a
+// The boundaries of contact zones against the reference problems. The free boundary lies between nodes and is found there to a
 // fraction of their distance.
 #include "verification/figures.hpp"
 #include "verification/reference_problems.hpp"
@@ -24,7 +24,7 @@ struct Mesh {
 };
 void PrintTo(const Mesh& mesh, std::ostream* out) { *out << mesh.name; }
 
-/// Distances of the points of the lines inside the shell from the boundaries of the reference, over the distance of nodes.
+/// Distances of the points of the lines inside the shell from the boundaries of the reference, over the node distance.
 struct BoundaryError {
   double largest = 0, mean = 0;
 };
@@ -70,13 +70,13 @@ INSTANTIATE_TEST_SUITE_P(All, ContactBoundary,
                                          Mesh{"triangles_2", fem::Shape::triangle, 2, 3, 3}),
                          [](const auto& mesh) { return mesh.param.name; });
 
-// Half way between the last touching and the first free node would be a quarter of their distance off in the mean, and a half at worst
-// where the active set is right.
+// Halfway between the last touching and the first free node, the error would be a quarter of the node distance in the mean, and at most a half
+// if the active set is right.
 TEST_P(ContactBoundary, LiesWithinAThirdOfTheDistanceOfNodesFromTheReference) {
   double sum = 0;
   int count = 0;
   for (const std::string& name : contact_reference_names()) {
-    // Nothing touches; groups of nodes lift off behind the boundary of the thin plate (verification_contact, ThinPlate).
+    // No contact: groups of nodes lift off behind the boundary of the thin plate (verification_contact, ThinPlate).
     if (name == "R1_e0.1_P0.2" || name == "R3_e0.01_P0.5") continue;
     const BoundaryError error = boundary_error(name, GetParam());
     EXPECT_LT(error.largest, 1.0 / 3) << name;
@@ -86,11 +86,11 @@ TEST_P(ContactBoundary, LiesWithinAThirdOfTheDistanceOfNodesFromTheReference) {
   EXPECT_LT(sum / count, 0.1);
 }
 
-// ---- the edge where an accuracy of the energy was asked for --------------------------------------------------------------
+// ---- the edge for a requested accuracy of the energy ---------------------------------------------------------------------
 
 const auto* const figures = testing::AddGlobalTestEnvironment(new EveryFigureIsHeld("verification_contact_boundary"));
 
-/// As a case without [mesh] is solved whose [accuracy] asks for the energy to 1e-4.
+/// Solved like a case without [mesh] whose [accuracy] requests the energy to 1e-4.
 ContactReference to_energy(const std::string& name) {
   ContactReference reference = contact_reference(name, 4, 0);
   reference.problem.discretisation.layers = problem::Layers::automatic;
@@ -98,7 +98,7 @@ ContactReference to_energy(const std::string& name) {
   return reference;
 }
 
-/// Of a line along an edge: the mean along it of the coordinate that the references give, and its range.
+/// For a line along an edge: the mean along it of the coordinate that the references give, and its range.
 struct FoundEdge {
   double length = 0, mean = 0, least = 0, most = 0;
 };
@@ -121,7 +121,7 @@ FoundEdge found_edge(const solution::ContactLine& line, bool axisymmetric) {
   return edge;
 }
 
-/// The longest line of all that are nearer to this boundary of the reference than to its others: single nodes that lift off have short ones.
+/// The longest of all lines that are nearer to this boundary of the reference than to its others. Single nodes that lift off have short lines.
 FoundEdge nearest_edge(const computation::Result& result, const ContactReference& reference, double boundary) {
   FoundEdge longest;
   for (const auto& zone : result.summary.obstacles.front().zones)
@@ -136,7 +136,7 @@ FoundEdge nearest_edge(const computation::Result& result, const ContactReference
   return longest;
 }
 
-/// Of a disk or half a strip the distance from its axis, of a whole strip half the width of its zone.
+/// For a disk or half a strip the distance from its axis; for a whole strip half the width of its zone.
 double radius_of(const ContactReference& reference, double boundary) {
   if (reference.axisymmetric || reference.boundaries.size() == 1) return boundary;
   return (reference.boundaries[1] - reference.boundaries[0]) / 2;
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(All, EdgeAtAnEnergy, testing::ValuesIn(contact_referenc
   return text;
 });
 
-// What the edge is right to when the energy is asked for to 1e-4, the accuracy of most users.
+// The accuracy of the edge when the energy is requested to 1e-4, as most users do.
 TEST_P(EdgeAtAnEnergy, IsWhereTheReferenceHasItToTheFiguresOfThePage) {
   const ContactReference reference = to_energy(GetParam());
   if (reference.boundaries.empty()) return;

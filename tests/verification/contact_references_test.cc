@@ -60,7 +60,7 @@ double relative(double computed, double expected) {
   return expected == 0 ? std::abs(computed) : std::abs(computed / expected - 1);
 }
 
-/// Holds the unknowns, the signed errors and the worst misplaced node to a row of docs/verification.md.
+/// Compares the unknowns, the signed errors and the worst misplaced node with a row of docs/verification.md.
 void expect_figures(const std::string& table, const std::string& row, const Computation& r) {
   const double factor = r.reference.factor;
   expect_figure(table, row, "unknowns", r.result.levels.back().unknowns);
@@ -93,8 +93,8 @@ TEST_P(ContactReferences, EnergyReactionAndContactBoundaryAreRight) {
   EXPECT_LT(relative(factor * result.summary.load_work, r.reference.load_work), 1e-3);
   EXPECT_LE(worst_misplaced_node(r), r.element_size);
 
-  // Converging: errors change sign on the way, as the free boundary passes from node to node, so the finest is compared with
-  // the worst. The coarsest strips are right to half a per mille already.
+  // Converging: errors change sign when the free boundary passes from node to node, so the finest mesh is compared with
+  // the worst. The coarsest strips are already right to half a per mille.
   double worst = 0;
   for (const computation::Level& level : result.levels)
     worst = std::max(worst, relative(factor * level.energy, r.reference.energy));
@@ -174,7 +174,7 @@ TEST(TriangleContactReference, OfDegreeTwoHasTheEnergyAndTheReactionOfTheCap) {
 }
 
 // R1: a clamped strip of length 1 that touches along [b, 1 - b]. Outside the strip is a beam with clamped end and free
-// boundary: closed forms of the reference, which the file carries; here the boundary must converge to it.
+// boundary: closed forms of the reference, which the file contains. Here the boundary must converge to it.
 TEST(ContactClosedForm, TheContactBoundaryOfAStripConvergesToItsClosedForm) {
   for (const char* name : {"R1_e0.1_P3", "R1_e0.01_P3"}) {
     const Computation coarse = run(name, 2, 2, 0), fine = run(name, 2, 4, 0);

@@ -1,5 +1,5 @@
-// Shells against curved obstacles with known answers: energy, reaction, deflection, contact boundary, with the gap of the undeformed shell
-// (M16) and with the distance of the deformed one.
+// Shells against curved obstacles with known answers: energy, reaction, deflection, contact boundary. With the gap of the undeformed shell
+// (M16) and with the distance of the deformed shell.
 #include "verification/reference_problems.hpp"
 
 #include <plastron/computation/solve.hpp>
@@ -98,7 +98,7 @@ TEST_P(IndentedShell, HasTheEnergyTheReactionAndTheDeflectionOfTheReference) {
   EXPECT_LT(r.certificate.force_balance, 1e-8);
 }
 
-// ---- by force -----------------------------------------------------------------------------------------------------------
+// ---- prescribed force --------------------------------------------------------------------------------------------------
 
 struct Pressed {
   std::string name;
@@ -127,7 +127,7 @@ TEST_P(PressedShell, CarriesTheForceAtTheDepthOfTheReference) {
   EXPECT_LT(r.certificate.force_balance, 1e-8);
   for (const computation::Level& level : r.levels) EXPECT_LE(level.iterations, level.linearisations * 8);
   if (p.once) return;
-  // The same by displacement.
+  // The same with a prescribed displacement.
   auto moved = problem_of({p.name, p.thickness, p.radius, depth, p.dome, p.once});
   const computation::Result other = computation::solve(moved, MPI_COMM_WORLD);
   EXPECT_NEAR(other.summary.energy.total() / r.summary.energy.total(), 1, 1e-7);
@@ -212,7 +212,7 @@ obstacle::TriangleMesh slab() {
   return mesh;
 }
 
-// The table as a half-space, and as bodies that have its plane for a part of their surface.
+// The table as a half-space, and as bodies with a part of its plane as surface.
 TEST(Table, in_every_form_gives_the_same_numbers) {
   const problem::Problem table = cap_over_the_table();
   const computation::Result expected = computation::solve(table, MPI_COMM_WORLD);
@@ -264,7 +264,7 @@ assembly::Support at_point(const Eigen::Vector2d& x, std::vector<assembly::Direc
   return support;
 }
 
-/// Nothing but sliding and spin is held.
+/// Supports prevent only sliding and spinning.
 problem::Problem resting(const std::string& height, double load) {
   problem::Problem problem;
   problem.domain = fem::Disk{.radius = std::sin(0.5)};

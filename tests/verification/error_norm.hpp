@@ -9,7 +9,7 @@
 namespace plastron::verification {
 
 /// |U - U_h| / |U| in the energy norm of (M8). Strains of U_h are those of the method (tied where tying is on),
-/// compared with the exact ones at (k + 3)^2 Gauss points of every cell, collapsed ones on triangles, which are no
+/// compared with the exact ones at (k + 3)^2 Gauss points of every cell, collapsed ones on triangles. These are no
 /// special points of the element.
 double energy_error(const computation::Solution& solution, const Manufactured& exact);
 

@@ -41,7 +41,7 @@ TEST(EstimatedEnergyNorm, IsThatOfTheErrorInContact) {
   }
 }
 
-// R1 that does not touch: a beam, whose tied solution is right at its nodes. What tying takes from the energy decides the sign.
+// R1 without contact: a beam whose tied solution is right at its nodes. The energy that tying removes decides the sign.
 TEST(EstimatedEnergy, HasTheRightSignAndSizeWithoutContact) {
   for (const int refinements : {2, 3}) {
     const ContactReference reference = contact_reference("R1_e0.1_P0.2", 2, refinements);
@@ -66,7 +66,7 @@ TEST(EstimatedEnergy, HasTheRightSignAndSizeOnAThinCurvedShell) {
   }
 }
 
-// M_nt vanishes at free edges within e/sqrt(12 k_s), a thousandth of these shells: no cell of theirs has that layer, and no patch sees it.
+// M_nt vanishes at free edges within e/sqrt(12 k_s), a thousandth of these shells. No cell of theirs resolves this layer, and no patch sees it.
 TEST(EstimatedEnergy, KnowsOfTheShearLayerOfFreeEdges) {
   const auto k = ShearCorrection::five_sixths;
   const auto energy = [](const LinearReference& r) {
@@ -84,7 +84,7 @@ TEST(EstimatedEnergy, KnowsOfTheShearLayerOfFreeEdges) {
   look(free_hyperboloid(0.01, k, 4, 2), hyperboloid);
 }
 
-// The edge of the contact zone crosses cells at random: true errors go through zero, estimates do not.
+// The edge of the contact zone crosses cells at random. True errors pass through zero, estimates do not.
 TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmallOrTooLarge) {
   int all = 0, too_small = 0, too_large = 0;
   for (const std::string& name : contact_reference_names())
@@ -107,7 +107,7 @@ TEST(EstimatedErrorsInContact, AreSeldomMuchTooSmallOrTooLarge) {
   EXPECT_LE(too_large, all / 10);
 }
 
-/// Of the energy, relative, on meshes that follow from it.
+/// Relative errors of the energy, on meshes that follow from it.
 void expect_accuracy(problem::Problem problem, double exact, std::int64_t most_unknowns) {
   constexpr double tolerance = 1e-3;
   problem.discretisation.layers = problem::Layers::automatic;
@@ -119,19 +119,19 @@ void expect_accuracy(problem::Problem problem, double exact, std::int64_t most_u
   EXPECT_LE(result.levels.back().unknowns, most_unknowns);
 }
 
-/// A last mesh that barely has to change what the one before found is barely larger.
+/// The last mesh changes hardly anything if the previous one nearly reached the accuracy.
 TEST(Accuracy, OfACapTakesFewerUnknownsThanMeshesThatOvershoot) {
   const ContactReference cap = contact_reference("R4cap_e0.02_p0.002", 4, 0);
   expect_accuracy(cap.problem, cap.energy / cap.factor, 15000);
 }
 
-/// Errors of cells along a round edge of contact cancel; their sum without signs was taken for the error and cost twice the unknowns.
+/// Errors of cells along a round edge of contact cancel. Their sum without signs would cost twice the unknowns.
 TEST(Accuracy, OfARoundContactZoneIsNotTakenForTheSumOfAllItsCells) {
   const ContactReference plate = contact_reference("R3_e0.01_P0.5", 4, 0);
   expect_accuracy(plate.problem, plate.energy / plate.factor, 11000);
 }
 
-/// With rows of thin oblique cells at its edges: all have patches, at high degrees too, and none is divided for want of one.
+/// With rows of thin oblique cells at its edges. All have patches, at high degrees too, and none is divided for lack of one.
 TEST(Accuracy, OfASaddleIsReachedAtAnyDegree) {
   for (const int degree : {4, 6}) {
     const LinearReference saddle = hyperbolic_paraboloid(1e-2, ShearCorrection::one, false, degree, 0);

@@ -56,7 +56,7 @@ std::string printed(const std::string& kind, const Figures& figure) {
   return fmt::format(fmt::runtime(kind == "digits" ? "{:.7f}" : "{:.2f}"), value);
 }
 
-/// Four digits are enough for errors; figures of other kinds keep what they print.
+/// Four digits are enough for errors. Figures of other kinds keep the digits that they print.
 Figures shortened(const std::string& kind, const Figures& measured) {
   if (measured.is_array()) {
     Figures all = Figures::array();

@@ -1,11 +1,11 @@
-// The figures of docs/verification.md. figures.json holds them as they were measured, table by table; tests measure them
-// again and fail where they have grown. What it means to be held depends on the kind of a column:
-//   error     a relative error or a residual, signed: its size is at most three times the figure's. Below 1e-12 nothing
-//             is asked: there another processor or BLAS rounds differently
+// The figures of docs/verification.md. figures.json contains them as measured, table by table. Tests measure them
+// again and fail if they have grown. The comparison depends on the kind of a column:
+//   error     a relative error or a residual, signed: its size is at most three times the figure's. Below 1e-12 there is
+//             no limit, because another processor or BLAS rounds differently
 //   percent   the same, printed in per cent
 //   locking   an error that is meant to be large, in per cent: within a tenth of the figure, on either side
-//   elements  a distance in elements: at most three times the figure, and at least a tenth of an element is granted,
-//             since one node more or less decides
+//   elements  a distance in elements: at most three times the figure; a tenth of an element is always permitted,
+//             because one node more or less decides
 //   rate      at least the figure less 0.1
 //   digits    equal to the figure to 7 decimals, as printed
 //   count     equal to the figure
@@ -25,14 +25,14 @@ using Figures = nlohmann::ordered_json;
 
 const Figures& stored_figures();
 
-/// Why a measured figure, or list of them, is not held by the stored one; empty if it is. NaN is never held.
+/// The reason why a measured figure, or list of them, differs too much from the stored one; empty if it does not. NaN always differs.
 std::string objection(const std::string& kind, const Figures& stored, const Figures& measured);
 
-/// Expects that the figure in a row and column of a table holds what was measured: a number, or a vector of numbers.
+/// Expects that the figure in a row and column of a table agrees with the measured number or vector of numbers.
 void expect_figure(const std::string& table, const std::string& row, const std::string& column,
                    const Figures& measured);
 
-/// Fails a program of which all tests ran, when it left out a figure of the tables that name it as their program.
+/// Fails a program that ran all its tests but left out a figure of the tables that name it as their program.
 class EveryFigureIsHeld : public testing::Environment {
  public:
   explicit EveryFigureIsHeld(std::string program) : program_(std::move(program)) {}
@@ -42,7 +42,7 @@ class EveryFigureIsHeld : public testing::Environment {
   std::string program_;
 };
 
-/// The figures with those that a program wrote to PLASTRON_FIGURES in place of the stored ones.
+/// The figures, with those that a program wrote to PLASTRON_FIGURES in place of the stored ones.
 Figures refreshed(Figures figures, const std::string& measurements);
 
 /// A table as Markdown.

@@ -1,4 +1,4 @@
-// How figures are held, and docs/verification.md as made from them. PLASTRON_WRITE_DOCS=1 rewrites the page, and with
+// The comparison of figures, and docs/verification.md as made from them. PLASTRON_WRITE_DOCS=1 rewrites the page, and with
 // PLASTRON_FIGURES=FILE figures.json before it: scripts/refresh-figures.
 #include "verification/figures.hpp"
 

@@ -180,8 +180,8 @@ TEST(Multiplier, EtaIntegratesToTheTotalReaction) {
               1e-12 * result.summary.reaction.force[2]);
 }
 
-// Theorem 4. P_1 is solved by the active set, eta then read off its residual. P_c is one linear system for (U, lambda, eta)
-// once the zone is known, solved here densely: the same (u, r), and eta is that residual.
+// Theorem 4. The active set solves P_1, and eta is the residual. P_c is one linear system for (U, lambda, eta)
+// once the zone is known, solved here densely. Both have the same (u, r), and eta is that residual.
 TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidualIsEta) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 1);
   problem::Problem& problem = reference.problem;
@@ -255,8 +255,8 @@ TEST(Multiplier, TheMixedProblemAndTheReducedOneHaveTheSameSolutionAndItsResidua
                 1e-6 * reduced.summary.multiplier_norm);
 }
 
-// If the gap felt r whole, the obstacle would push on r . a_3, which only the penalty holds: a compliant layer between
-// shell and obstacle. The same discrete problem with the sixth coordinate changed in that way.
+// If the gap contained the whole r, the obstacle would push on r . a_3, which only the penalty holds: a compliant layer between
+// shell and obstacle. This is the same discrete problem with the sixth coordinate changed in that way.
 TEST(GapInRelaxedFormulations, WithTheWholeRotationThePenaltyWouldBeASoftLayer) {
   struct Outcome {
     double normal_rotation, penetration;

@@ -1,4 +1,4 @@
-// The unknowns that start meshes with rows along the edges want for an error of 1e-3 (docs/methods/layers.md).
+// The unknowns that start meshes with rows along the edges need for an error of 1e-3 (docs/methods/layers.md).
 #include "verification/reference_problems.hpp"
 
 #include <plastron/computation/solve.hpp>
@@ -53,7 +53,7 @@ TEST(StartMeshWithNarrowRows, TakesASaddleToOneTenThousandthWithFortyThousandUnk
   EXPECT_LE(result.levels.back().unknowns, 40'000);
 }
 
-/// Cells that joined brought their errors back, which were divided again, and so on without end: meshes of 137 000 and 206 000 unknowns in turn.
+/// Joined cells brought their errors back and were divided again without end: meshes of 137 000 and 206 000 unknowns in turn.
 TEST(AccuracyOfASaddle, IsReachedAtDegreeTwoAlthoughCellsThatJoinBringErrorsBack) {
   problem::Problem p = saddle(1e-2);
   p.discretisation.degree = 2;
@@ -69,7 +69,7 @@ TEST(StartMeshOfDegreeTwo, HasLessThanAThirdOfTheErrorOfEvenCells) {
   rows.discretisation.refinements = 3;
   problem::Problem plain = rows;
   plain.discretisation.layers = problem::Layers::none;
-  plain.discretisation.refinements = 5;  // 33 x 33 nodes a side of the square make 21 125 unknowns
+  plain.discretisation.refinements = 5;  // 33 x 33 nodes on the square make 21 125 unknowns
   const auto error = [](const problem::Problem& p, std::int64_t& unknowns) {
     const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
     unknowns = result.levels.back().unknowns;
@@ -80,7 +80,7 @@ TEST(StartMeshOfDegreeTwo, HasLessThanAThirdOfTheErrorOfEvenCells) {
   EXPECT_LE(with_rows, without);
 }
 
-/// Shells in contact begin evenly divided; the edge of the zone lies anywhere in a cell.
+/// Shells in contact begin with even cells, because the edge of the zone may lie anywhere in a cell.
 TEST(StartMeshInContact, IsWithinOneThousandthOnACapAndAPlateWithFewerThanFourThousandUnknowns) {
   for (const char* name : {"R4cap_e0.02_p0.002", "R3_e0.01_P0.5"}) {
     ContactReference reference = contact_reference(name, 3, 0);

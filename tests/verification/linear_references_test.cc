@@ -31,7 +31,7 @@ Outcome solve(const LinearReference& reference) {
   return outcome;
 }
 
-/// Holds the outcome to its row in docs/verification.md.
+/// Compares the outcome with its row in docs/verification.md.
 Outcome solve_and_hold(const LinearReference& reference, ShearCorrection k) {
   const Outcome outcome = solve(reference);
   const std::string row = fmt::format("{}, k_s = {}", reference.name, k == ShearCorrection::one ? "1" : "5/6");
@@ -68,7 +68,7 @@ TEST(Locking, WithoutTyingTheSameElementsLockTheMoreTheThinner) {
   EXPECT_LT(before, -0.5);
 }
 
-// The threshold of the warning: errors of 10 % and more come with it, errors below 2 % do not.
+// The threshold of the warning: it comes with errors of 10 % and more, and not with errors below 2 %.
 TEST(Locking, TrianglesOfEitherDegreeLockAndAreWarnedAbout) {
   struct Mesh {
     int degree;

@@ -25,7 +25,7 @@ struct ExactField {
   std::array<Vector3d, 2> d;
 };
 
-/// Loads per unit mid-surface area, the reaction of the obstacle left out.
+/// Loads per unit mid-surface area, without the reaction of the obstacle.
 struct ExactLoad {
   Vector3d force;   ///< f [N/m^2]
   Vector3d couple;  ///< m [N m/m^2]; with its part along a_3, so that the balance holds for s that are not tangent too
@@ -44,7 +44,7 @@ class Manufactured {
   Vector3d force(double x, double y) const { return load(x, y).force; }
   Vector3d couple(double x, double y) const { return load(x, y).couple; }
 
-  /// Gap of the lower face over x3 = 0 [m]. Without an obstacle it is just that height.
+  /// Gap of the lower face over x3 = 0 [m]. Without an obstacle it is only that height.
   double gap(double x, double y) const;
   /// Reaction of the obstacle per unit mid-surface area [Pa]; 0 without an obstacle.
   double eta(double x, double y) const;

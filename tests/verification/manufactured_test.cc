@@ -129,7 +129,7 @@ TEST(Manufactured, EnergiesOfTheSmoothSolutionAreTheReferenceValues) {
   EXPECT_EQ(count, 3);
 }
 
-// Along the free boundary the energy density loses smoothness and the load has a kink; no cell of the rule follows it.
+// Along the free boundary the energy density is not smooth and the load has a kink. No cell of the rule follows it.
 TEST(Manufactured, EnergiesOfTheContactSolutionAreTheReferenceValues) {
   int count = 0;
   for (const auto& entry : reference("integrals")) {

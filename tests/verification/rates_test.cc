@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(All, Rate,
 TEST_P(Rate, TheEnergyErrorOfTheClampedSolutionFallsWithTheDegree) {
   const auto [degree, thickness, tying] = GetParam();
   const Manufactured exact(ManufacturedSolution::clamped, {.thickness = thickness});
-  // Thin tied elements reach their rate from above, so they need finer meshes to show it.
+  // Thin tied elements reach their rate from above, so finer meshes are needed to show it.
   const int last = (degree == 1 ? 5 : degree == 2 ? 4 : 3) + (thickness < 0.1 && tying ? (degree > 2 ? 2 : 1) : 0);
   const Errors e = errors(exact, degree, tying, last - 1, last);
   const double rate = rates(e.energy).back();
@@ -88,8 +88,8 @@ TEST(TriangleContactRate, TheSolutionWithAKnownFreeBoundaryConvergesWithTheDegre
   }
 }
 
-// With contact the free boundary, a curve inside of the elements, limits the rate: the third derivative of u_3 jumps
-// there. Up to degree 2 the full rate must show; above, the rates found are in docs/verification.md.
+// With contact the free boundary, a curve inside the elements, limits the rate: the third derivative of u_3 jumps
+// there. Up to degree 2 the full rate must show. Above, the rates found are in docs/verification.md.
 TEST(ContactRate, TheSolutionWithAKnownFreeBoundaryConvergesUntilThatBoundaryLimitsIt) {
   for (const double thickness : {0.3, 0.1, 0.01})
     for (int degree = 1; degree <= 4; ++degree) {

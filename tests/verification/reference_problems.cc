@@ -112,28 +112,28 @@ void make_disk(const ordered_json& entry, ContactReference& reference) {
   problem.shell.supports = {clamped("rim")};
 }
 
-/// Half of a strip of the length 1 that is clamped at both ends and pressed down to a plane by p for each unit of area, of unit width (M11).
+/// Half of a strip of length 1, clamped at both ends, that p per unit of area presses down, of unit width (M11).
 /// Free on s = a - x > 0, x the distance from the clamped end: Q = Q_a + p s, r'' = -Q / T with the bending stiffness T, w' = r + Q / S
-/// with the shear stiffness S; beside that w = clearance, so that r fades as sinh k(1/2 - x) with k^2 = S / T. At a the rotation, the moment
-/// and the force are continuous, and w' = 0: nothing bears on a line.
+/// with the shear stiffness S. Elsewhere w = clearance, so r decays like sinh k(1/2 - x) with k^2 = S / T. At a the rotation, the moment
+/// and the force are continuous, and w' = 0, because no line carries a reaction.
 struct PressedStrip {
   double p, T, S;
 
   double k() const { return std::sqrt(S / T); }
   double decay(double a) const { return k() / std::tanh(k() * (0.5 - a)); }  ///< -r' / r at a
-  /// At the edge of the zone, so that r = 0 at the clamped end.
+  /// The edge of the zone, chosen so that r = 0 at the clamped end.
   double rotation(double a) const { return p * a * a * a / (6 * T) / (1 + decay(a) * a + k() * k() * a * a / 2); }
   double sag(double a) const {
     const double r = rotation(a);
     return r * a * a * (decay(a) / 2 + k() * k() * a / 6) - p * std::pow(a, 4) / (24 * T) + p * a * a / (2 * S);
   }
-  /// Of w over the free part.
+  /// Integral of w over the free part.
   double integral(double a) const {
     const double r = rotation(a), cube = a * a * a;
     return r * cube * (decay(a) / 3 + k() * k() * a / 8) - p * cube * a * a / (30 * T) + p * cube / (3 * S);
   }
   double force_at_end(double a) const { return p * a - S * rotation(a); }
-  /// How far from its end the strip touches.
+  /// The distance from its end at which the strip begins to touch.
   double edge(double clearance) const {
     double low = 1e-6, high = 0.5 - 1e-9;
     for (int i = 0; i < 100; ++i) {
@@ -182,7 +182,7 @@ bool thick(double thickness, double thick_value, double thin_value) {
   return thickness == thick_value;
 }
 
-/// Of the saddle clamped on one edge.
+/// The energy of the saddle clamped on one edge.
 struct SaddleValues {
   double displacement, energy;
 };

@@ -26,7 +26,7 @@ struct ContactReference {
   std::string name;
   problem::Problem problem;
   bool axisymmetric = false;  ///< a disk; otherwise a strip along x
-  /// Multiplies what is computed (energies, work, reaction) to give the numbers below: 1 / width for a strip, whose
+  /// Factor that turns computed values (energies, work, reaction) into the numbers below: 1 / width for a strip, whose
   /// numbers are per unit width of the modelled part, and 1 for a disk.
   double factor = 1;
   double energy = 0, membrane = 0, bending = 0, shear = 0;  ///< [J/m] or [J]
@@ -39,18 +39,18 @@ struct ContactReference {
 
 /// The names in the order of the file.
 std::vector<std::string> contact_reference_names();
-/// What docs/verification.md calls a problem.
+/// The name of a problem in docs/verification.md.
 std::string contact_reference_title(const std::string& name);
-/// The coarsest mesh of a strip has 8 x 1 square cells, that of a disk is the domain's own.
+/// The coarsest mesh of a strip has 8 x 1 square cells; that of a disk is the default of the domain.
 ContactReference contact_reference(const std::string& name, int degree, int refinements);
 
-/// Of the mid-surface between the edges of the contact zones, by Simpson's rule across them; as the program computes it, without `factor` [m^2].
+/// Area of the mid-surface between the edges of the contact zones, by Simpson's rule across them. Like the program's area it lacks `factor` [m^2].
 double contact_area(const ContactReference& reference);
 
 /// The strip "R1_e..._P3" of any thickness in closed form: energy, work, reaction and edges of the zone, but no parts of the energy and no rows.
 ContactReference pressed_strip(double thickness, int degree, int refinements);
 
-/// The problem a manufactured solution solves: clamped all round, with its loads, and the plane x3 = 0 for the contact
+/// The problem of a manufactured solution: clamped all round, with its loads, and with the plane x3 = 0 for the contact
 /// solution.
 problem::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements);
 
@@ -65,7 +65,7 @@ struct LinearReference {
 
 enum class ShearCorrection { one, five_sixths };
 
-/// z = x^2 - y^2, clamped at x = -1/2, own weight; thickness 1e-2, 1e-3 or 1e-4. The numbers of 1e-3 and 1e-4 are those of runs of degree 8
+/// z = x^2 - y^2, clamped at x = -1/2, own weight; thickness 1e-2, 1e-3 or 1e-4. The numbers of 1e-3 and 1e-4 come from runs of degree 8
 /// with 345 000 to 540 000 unknowns, whose errors are below 1e-6 by estimate. With `half` the part y >= 0 and symmetry.
 LinearReference hyperbolic_paraboloid(double thickness, ShearCorrection k, bool half, int degree, int refinements);
 /// x^2 + y^2 = 1 + z^2 with free ends under a periodic normal load, one eighth of it; thickness 0.1 or 0.01.

@@ -1,4 +1,4 @@
-// The builders of the reference problems: their charts, obstacles and coordinates belong to the stored numbers.
+// The builders of the reference problems: their charts, obstacles and coordinates match the stored numbers.
 #include "verification/reference_problems.hpp"
 
 #include <gtest/gtest.h>

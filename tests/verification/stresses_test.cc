@@ -26,7 +26,7 @@ const recovery::PointValues& probe_of(const computation::Result& result, const s
   throw std::invalid_argument(name);
 }
 
-/// sigma at both faces and in the middle, one below the other.
+/// sigma at both faces and in the middle, in separate rows.
 std::array<Eigen::Vector3d, 3> stresses(const recovery::PointValues& p) {
   const auto f = recovery::section_forces(p);
   return {shell::in_plane_stress(f, -p.thickness / 2), shell::in_plane_stress(f, 0),
@@ -70,15 +70,15 @@ force = [0, 0, {}]
     expect_stresses(probe_of(result, fmt::format("{}", r)), {-face, Eigen::Vector3d::Zero(), face}, 1e-4);
   }
   EXPECT_NEAR(probe_of(result, "0.7").Q[0], -q * 0.7 / 2, 1e-4 * q);
-  // Clamped: the rim is strained most, 6 M_r / e^2 with nu times that along it.
+  // Clamped: the largest strain is at the rim, 6 M_r / e^2, with nu times that along it.
   const double rim = 6 / (e * e) * q / 8;
   EXPECT_NEAR(result.peak.von_mises, rim * std::sqrt(1 - nu + nu * nu), 2e-4 * rim);
   EXPECT_NEAR(result.peak.x.norm(), 1, 1e-12);
   EXPECT_NEAR(std::abs(result.peak.height), e / 2, 1e-12);
 }
 
-// A sphere that grows by w: gamma = w/R, chi = w/R^2 of the metric, so N = e E/(1-nu) w/R and M = e^3/12 E/(1-nu) w/R^2, held up by the
-// pressure 2 N/R + 2 M/R^2. The cap's rim is moved as the sphere moves there.
+// A sphere that grows by w: gamma = w/R, chi = w/R^2 of the metric, so N = e E/(1-nu) w/R and M = e^3/12 E/(1-nu) w/R^2, in equilibrium with the
+// pressure 2 N/R + 2 M/R^2. The rim of the cap is moved as the sphere moves there.
 TEST(Stresses, OfASphereUnderPressureAreThoseOfTheMembraneAndTheWallsOwn) {
   const double w = 1e-3, nu = 0.25, e = 0.1, N = e / (1 - nu) * w, M = e * e * e / 12 / (1 - nu) * w;
   const auto result = solved(shell_of(nu, e) + fmt::format(R"case([geometry]
@@ -115,7 +115,7 @@ at = [0, -0.6]
 }
 
 // A tube between walls that let it grow by w but not get longer: N_t = e E/(1-nu^2) w/R, M_t = e^3/12 E/(1-nu^2) w/R^2, nu times these
-// along the axis, held up by the pressure N_t/R + M_t/R^2.
+// along the axis, in equilibrium with the pressure N_t/R + M_t/R^2.
 TEST(Stresses, OfATubeUnderPressureDoNotDependOnTheSeam) {
   const double nu = 0.3, e = 0.05, w = 2e-3, N = e / (1 - nu * nu) * w, M = e * e * e / 12 / (1 - nu * nu) * w;
   const auto result = solved(shell_of(nu, e) + fmt::format(R"case([geometry]
@@ -230,7 +230,7 @@ force = [0, 0, "1e-5*(1 + x^2 + y^2)"]
     errors[static_cast<std::size_t>(level)] = std::abs(vertical_force(result, 0.5, 200) + inside) / inside;
   }
   EXPECT_LT(errors[1], 1e-4);
-  EXPECT_GT(std::log2(errors[0] / errors[1]), 2.5);  // an order over that of Q in a cell
+  EXPECT_GT(std::log2(errors[0] / errors[1]), 2.5);  // one order above that of Q in a cell
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Truncated Taylor series in two variables: the arithmetic that differentiates manufactured solutions exactly.
-// A Series holds the coefficients of dx^i dy^j, i + j <= 3. Every derivative() makes the highest order worthless;
-// what is left after k of them is exact up to order 3 - k.
+// A Series has the coefficients of dx^i dy^j, i + j <= 3. Every derivative() makes the highest order worthless;
+// after k of them the rest is exact up to order 3 - k.
 #pragma once
 #include <Eigen/Core>
 #include <array>

@@ -1,5 +1,5 @@
 // report.html in a browser: it asks for nothing, shows the numbers of results.json, draws the shell and moves it.
-// node report_test.mjs PROGRAM PACKAGES OUTPUT [PICTURES]; ends with 77 where there is no Chromium.
+// node report_test.mjs PROGRAM PACKAGES OUTPUT [PICTURES]; ends with 77 if there is no Chromium.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
