@@ -8,6 +8,8 @@
 #include <plastron/config/schema.hpp>
 #include <plastron/io/results_schema.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -44,7 +44,8 @@ std::vector<Section> mesh_sections() {
             {.fallback = "\"quadrilateral\""}, "shape of the cells; triangles have degree 1 or 2 and no tying"),
         key("degree", &Discretisation::degree, {.fallback = "2", .range = Range::between(1, 8)},
             "degree of u and r; where meshes follow from [accuracy] 4 if not given, 2 on triangles"),
-        key("tying", &assembly::ShellDescription::tying, {.fallback = "true"}, "strains tied against locking; false on triangles"),
+        key("tying", &assembly::ShellDescription::tying, {.fallback = "true"},
+            "strains tied against locking; false on triangles"),
         key("layers", &Discretisation::layers, {{"auto", Layers::automatic}}, {.fallback = "false"},
             "\"auto\": rows of long thin cells along the edges, as wide as the edge layers of the shell ask for, and "
             "cells between them that on the finest mesh are small enough for an error of about 1e-3 "
