@@ -91,7 +91,7 @@ Relinearisation::Relinearisation(const problem::Linearisation& settings, const a
     : settings_(settings), discrete_(discrete) {}
 
 std::optional<assembly::State> Relinearisation::next(const solution::NodalSolution& solution) {
-  if (settings_.once || !has_rows_to_meet(discrete_)) return {};
+  if (discrete_.obstacles.are_linear || !has_rows_to_meet(discrete_)) return {};
   const Nearness near = nearness(settings_, discrete_, solution);
   is_met_ = near.is_met();
   if (is_met_ || steps_ >= settings_.max_steps) return {};

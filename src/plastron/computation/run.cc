@@ -16,8 +16,8 @@ Run::Run(const problem::Problem& p, MPI_Comm c, const Observer& asked)
     : problem(p), comm(c), observer(asked), instants(problem::instants(p)), asked_(asked) {
   if (p.accuracy && !std::isinf(p.accuracy->max_seconds))
     observer.stop = [this] { return (asked_.stop && asked_.stop()) || since_start.seconds() > end_of_meshes; };
-  result.has_obstacle = !p.obstacles.empty();
-  result.formulation = p.discretisation.tangency.formulation;
+  result.has_obstacle = !p.shell.obstacles.empty();
+  result.formulation = p.shell.tangency.formulation;
   result.warnings = locking_warnings(p);
   MPI_Comm_size(comm, &result.ranks);
 }
