@@ -40,13 +40,13 @@ bool check_name(Reading& reading, const std::string& name, const toml::value& va
 }  // namespace
 
 std::vector<Section> constants_sections() {
-  return {
-      {"constants",
-       "[constants]",
-       "Any name = a number or an expression of the constants above it. A name has letters, digits and _, does not "
-       "begin with a digit, has at most 60 characters, and is not x, y, pi or a function's name; nor is it a name that "
-       "the libraries behind expressions know: log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan.",
-       {}}};
+  return {{"constants",
+           "[constants]",
+           "Each key is the name of a constant. Its value is a number or an expression of the constants above it. A "
+           "name has at most 60 letters, digits and _, and does not begin with a digit. These names are not allowed: "
+           "x, y, pi, the names of functions, and log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan, "
+           "which the libraries for expressions use.",
+           {}}};
 }
 
 void read_constants(Table& root) {

@@ -10,15 +10,15 @@ constexpr const char* introduction = R"manual(# The case file
 <!-- Generated from src/plastron/config by tests/config (PLASTRON_WRITE_DOCS=1); change it there. -->
 
 A case file is a [TOML](https://toml.io) file that defines one computation. An unknown key, a wrong type or a value out of
-range is an error; all mistakes of a file are reported together, each with its line, what is allowed, and what to do.
-`plastron explain shell.thickness` prints what is said here of a key, `plastron schema` the schema for editors ([command-line.md](command-line.md)).
+range is an error. All mistakes of a file are reported together, each with its line, the allowed values and advice.
+`plastron explain shell.thickness` prints the entry of a key, `plastron schema` prints the schema for editors ([command-line.md](command-line.md)).
 
 ```toml
 title = "Spherical bowl pressed on a table"
 
 [constants]
 R = 1.0
-edge = "0.5*R"                      # constants may use those above them
+edge = "0.5*R"                      # a constant may use those above it
 
 [shell]
 E = 1.0
@@ -36,7 +36,7 @@ refinements = 4
 [[support]]
 boundary = "rim"
 fix = ["u.x", "u.y"]
-values = { u.x = "1e-3*x" }         # 0 where nothing is given
+values = { u.x = "1e-3*x" }         # a component without a value is 0
 
 [[load]]
 force = [0, 0, "-2e-3"]
@@ -49,25 +49,25 @@ name = "quarter"
 at = ["sin(0.25)", 0]
 ```
 
-Units are those listed, or any consistent set. Lengths in the plane of the parameters have the unit of x and y.
+Use the units of the tables, or any other consistent units. Lengths in the plane of the parameters have the unit of x and y.
 
 ## Expressions
 
-Wherever a number stands, an expression in quotes may stand: `"2*sin(R/2)"`. Where the tables below say so it may also use
-the parameters x and y. An expression has
+Every number may also be an expression in quotes: `"2*sin(R/2)"`. Where the tables below say so, it may use the parameters
+x and y. An expression consists of
 
 - numbers, pi, the constants of `[constants]`, and x and y where allowed;
 - `+ - * / ^`, comparisons `== != < <= > >=`, `&& ||`, and the choice `condition ? a : b`;
 - sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log ln sqrt abs, and min max sign; log and ln
   are both the natural logarithm.
 
-A chart is differentiated twice and therefore has no comparisons, choices, min, max or sign, no exponent beyond 1000 and no
-product of dozens of factors. An expression has at most 4000 characters, and 50 brackets in each other.
+A chart is differentiated twice. Therefore it has no comparisons, choices, min, max or sign, no exponent beyond 1000 and no
+product of dozens of factors. An expression has at most 4000 characters and 50 nested brackets.
 
 ## Limits
 
-A file has at most 256 kB; a list or a table at most 500 entries; all sections together at most 500; names at most 60 bytes. What is wider
-than a mesh a person would make is refused, too: a rectangle has at most a million cells on its coarsest mesh.
+A file has at most 256 kB and 500 sections. A list or a table has at most 500 entries, a name at most 60 bytes.
+The coarsest mesh of a rectangle has at most a million cells.
 )manual";
 
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }

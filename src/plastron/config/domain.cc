@@ -123,28 +123,28 @@ std::vector<Section> domain_sections() {
   return {
       {"geometry.domain",
        "domain",
-       "Exactly one of these.",
+       "Exactly one of these keys is given.",
        {key("rectangle", Kind::table, {}, "boundaries left, right, bottom, top (x min, x max, y min, y max)"),
         key("disk", Kind::table, {}, "boundary rim"), key("annulus", Kind::table, {}, "boundaries inner, outer"),
         key("polygon", Kind::table, {.shorthand = Kind::points},
             "boundaries edge1 (from corner 1 to corner 2), edge2, ...; also written polygon = [corners]"),
         key("mesh", Kind::text, {},
-            "a Gmsh file (.msh, format 2.2 or 4.1, ASCII) of quadrilaterals or triangles in the plane, its path "
-            "relative to the case file; physical surfaces name the regions, physical curves the boundaries: "
-            "a curve may lie inside of the domain, where the conormal n of supports points to the right of "
-            "the curve as drawn, and in several groups, which then all act on it; corners of more than one "
-            "degree are corners, so mesh curved boundaries with order 2 or more")},
+            "a Gmsh file (.msh, format 2.2 or 4.1, ASCII) of quadrilaterals or triangles in the plane; its path is "
+            "relative to the case file. Physical surfaces name the regions, physical curves name the boundaries. A "
+            "curve may lie inside the domain; there the conormal n of supports points to the right of the curve as "
+            "drawn. A curve may belong to several groups; then all of them act on it. A change of direction of more "
+            "than one degree along a boundary is a corner, so mesh curved boundaries with order 2 or more")},
        {"rectangle", "disk", "annulus", "polygon", "mesh"}},
       {"geometry.domain.rectangle",
        "rectangle",
-       "A rectangle, possibly cut into regions side by side.",
-       {key("from", &Rectangle::from, {.fallback = "[0, 0]"}, "corner of least x and y"),
-        key("to", &Rectangle::to, {.required = true, .example = "[1, 1]"}, "corner of greatest x and y"),
+       "A rectangle. It may be divided into regions side by side.",
+       {key("from", &Rectangle::from, {.fallback = "[0, 0]"}, "corner with the least x and y"),
+        key("to", &Rectangle::to, {.required = true, .example = "[1, 1]"}, "corner with the greatest x and y"),
         key("cells", &Rectangle::cells, {.range = Range::between(1, 10000)},
-            "cells of the coarsest mesh along x and y; without it they are as square as can be"),
-        key("breaks", &Rectangle::breaks, {.fallback = "[]"}, "ascending x where one region ends and the next begins"),
+            "numbers of cells of the coarsest mesh along x and y; if not given, the cells are nearly square"),
+        key("breaks", &Rectangle::breaks, {.fallback = "[]"}, "x of the borders between regions, in ascending order"),
         key("regions", &Rectangle::regions, {.fallback = "[]"},
-            "names of the regions from left to right, one more than breaks")}},
+            "names of the regions from left to right, one more than the number of breaks")}},
       {"geometry.domain.disk",
        "disk",
        "A disk.",
@@ -162,7 +162,7 @@ std::vector<Section> domain_sections() {
        "polygon",
        "A polygon whose sides do not cross.",
        {key("corners", Kind::points, {.required = true, .example = "[[0, 0], [1, 0], [0, 1]]"},
-            "three to 500 corners, in either sense")}}};
+            "three to 500 corners, clockwise or counter-clockwise")}}};
 }
 
 std::optional<fem::Domain> read_domain(Table& geometry) {

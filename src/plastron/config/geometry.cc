@@ -98,7 +98,7 @@ std::vector<Section> geometry_sections() {
        {key("domain", Kind::table, {.required = true, .example = "{ disk = { radius = 1 } }"},
             "the domain of the parameters x, y"),
         key("chart", Kind::formulas, {.unit = "m", .required = true, .example = "[\"x\", \"y\", \"0\"]"},
-            "the point of the mid-surface, three expressions; for a domain of named regions also a table "
+            "three expressions: the point of the mid-surface at x, y. For a domain with named regions also a table "
             "region = [three expressions]")}}};
   std::ranges::move(domain_sections(), std::back_inserter(all));
   return all;

@@ -19,13 +19,11 @@ bool is_boundary(const Table& join, const std::string& name) {
 std::vector<Section> join_sections() {
   return {{"join",
            "[[join]]",
-           "Two edges that lie on each other in space and are joined there: a rectangle closes to a tube, or pieces of "
-           "a mesh file "
-           "make one shell. Where they meet at an angle, they share u and the rotation about the edge; a3 must not "
-           "point to "
-           "opposite sides.",
+           "Two edges that coincide in space and are joined there: a rectangle is closed to a tube, or pieces of a "
+           "mesh file become one shell. Edges that meet at an angle share u and the rotation about the edge. The "
+           "normals a3 of both sides must not be opposite.",
            {key("boundaries", Kind::names, {.required = true, .example = "[\"left\", \"right\"]"},
-                "the two boundaries of the domain, divided into the same cells")}}};
+                "two boundaries of the domain that are divided into the same cells")}}};
 }
 
 void read_joins(Table& root, problem::Problem& problem) {

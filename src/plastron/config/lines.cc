@@ -83,21 +83,21 @@ std::vector<Eigen::Vector2d> read_points(Table& table) {
 Section probe_section() {
   return {"probe",
           "[[probe]]",
-          "A point where displacements, resultants and gap are reported.",
-          {key("name", Kind::name, {.required = true, .example = "\"centre\""}, "a name no other probe has"),
+          "A point where displacements, stress resultants and gap are reported.",
+          {key("name", Kind::name, {.required = true, .example = "\"centre\""}, "a name that no other probe has"),
            key("at", &problem::Probe::at, {.required = true, .example = "[0, 0]"}, "a point of the domain")}};
 }
 
 Section line_section() {
   return {"line",
           "[[line]]",
-          "Points of the domain along which every field is written, a row a point, to line-NAME.csv.",
+          "Points of the domain where every field is written to line-NAME.csv, one row for each point.",
           {key("name", Kind::name, {.required = true, .example = "\"meridian\""},
-               "a name no other line has, of letters, digits, - and _"),
-           key("through", Kind::points, {}, "two points or more, joined by straight pieces"),
-           key("arc", Kind::table, {}, "an arc of a circle instead"),
+               "a name that no other line has, of letters, digits, - and _"),
+           key("through", Kind::points, {}, "two or more points that straight pieces connect"),
+           key("arc", Kind::table, {}, "an arc of a circle, instead of through"),
            key("points", Kind::integer, {.fallback = "101", .range = Range::between(2, 10000)},
-               "equidistant in the domain, the ends included")}};
+               "number of points, equidistant in the domain, including the ends")}};
 }
 
 Section arc_section() {
@@ -106,8 +106,8 @@ Section arc_section() {
           "An arc in the parameter plane.",
           {key("centre", &Arc::centre, {.fallback = "[0, 0]"}, "its centre"),
            key("radius", &Arc::radius, {.required = true, .range = Range::positive(), .example = "0.5"}, "its radius"),
-           key("from", &Arc::from, {.unit = "degrees", .fallback = "0"}, "angle from the x axis where it begins"),
-           key("to", &Arc::to, {.unit = "degrees", .fallback = "360"}, "angle where it ends")}};
+           key("from", &Arc::from, {.unit = "degrees", .fallback = "0"}, "angle from the x axis where the arc begins"),
+           key("to", &Arc::to, {.unit = "degrees", .fallback = "360"}, "angle from the x axis where the arc ends")}};
 }
 
 }  // namespace

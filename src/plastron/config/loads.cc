@@ -42,16 +42,16 @@ void read_area_load(Table& load, problem::Problem& problem) {
 std::vector<Section> load_sections() {
   return {{"load",
            "[[load]]",
-           "Dead loads, at least one of force, pressure and couple: per area of the mid-surface, or per length of a "
-           "boundary's curve if a boundary is named. Several loads add up.",
+           "A dead load, with at least one of force, pressure and couple. It acts per area of the mid-surface, or per "
+           "length of a boundary if one is named. Several loads add up.",
            {key("boundary", Kind::name_or_names, {},
-                "a boundary of the domain or several; without it the load acts on the surface"),
+                "one or several boundaries of the domain; if not given, the load acts on the surface"),
             key("region", Kind::name_or_names, {},
-                "a region of the domain or several; without it the load acts on all of the surface. Not together with "
-                "boundary"),
+                "one or several regions of the domain; if not given, the load acts on the whole surface. Not together "
+                "with boundary"),
             key("force", Kind::field_vector, {.unit = "N/m^2, N/m"}, "Cartesian force"),
             key("pressure", Kind::field, {.unit = "N/m^2"}, "force along the normal a3; not on a boundary"),
-            key("couple", Kind::field_vector, {.unit = "N m/m^2, N m/m"}, "Cartesian vector that works on r")}}};
+            key("couple", Kind::field_vector, {.unit = "N m/m^2, N m/m"}, "Cartesian couple, which does work on r")}}};
 }
 
 void read_loads(Table& root, problem::Problem& problem) {

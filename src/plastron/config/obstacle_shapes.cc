@@ -159,7 +159,7 @@ Key point_key(const char* name, auto member, const char* meaning) {
 
 Key direction_key(const char* name, auto member, const std::string& meaning) {
   return key(name, member, &Table::direction, {.kind = Kind::vector, .fallback = "[0, 0, 1]"},
-             meaning + "; of any length but 0");
+             meaning + "; any length except 0");
 }
 
 Key length_key(const char* name, auto member, const char* meaning) {
@@ -176,7 +176,7 @@ Key fillet_key(auto member, const char* meaning) {
 
 Key inside_key(auto member, const std::string& body) {
   return key("inside", member, {.fallback = "false"},
-             "true: the shell is inside, and all of space but the " + body + " is the obstacle");
+             "true: the shell is inside, and the obstacle is all of space except the " + body);
 }
 
 std::vector<Section> flat_shapes() {
@@ -185,7 +185,7 @@ std::vector<Section> flat_shapes() {
        "half_space",
        "The points X with (X - point) . normal <= 0.",
        {point_key("point", &HalfSpace::point, "a point of the plane"),
-        direction_key("normal", &HalfSpace::normal, "towards the free side")}},
+        direction_key("normal", &HalfSpace::normal, "direction towards the free side")}},
       {"obstacle.box",
        "box",
        "A box.",
@@ -193,56 +193,56 @@ std::vector<Section> flat_shapes() {
         key("size", &Box::size, {.unit = "m", .required = true, .range = Range::positive(), .example = "[1, 1, 0.1]"},
             "lengths of its sides"),
         key("axes", &Box::axes, read_axes, {.kind = Kind::vectors, .fallback = "[[1, 0, 0], [0, 1, 0]]"},
-            "directions of its first and its second side, perpendicular; of any length but 0"),
+            "directions of its first and second side, perpendicular; any length except 0"),
         fillet_key(&Box::fillet, "radius of its rounded edges and corners, at most half of the shortest side")}}};
 }
 
 std::vector<Section> round_shapes() {
-  return {{"obstacle.ball",
-           "ball",
-           "The points within `radius` of `centre`.",
-           {point_key("centre", &Ball::centre, "its centre"), radius_key("radius", &Ball::radius, "its radius"),
-            inside_key(&Ball::inside, "ball")}},
-          {"obstacle.cylinder",
-           "cylinder",
-           "A circular cylinder; infinite without length, with it plane caps end it.",
-           {point_key("point", &Cylinder::point, "a point of the axis, the middle of the cylinder if it has a length"),
-            direction_key("axis", &Cylinder::axis, "direction of the axis"),
-            radius_key("radius", &Cylinder::radius, "its radius"),
-            length_key("length", &Cylinder::length, "distance of the caps"), inside_key(&Cylinder::inside, "cylinder"),
-            fillet_key(&Cylinder::fillet,
-                       "radius of the rounded edges of the caps, at most radius and length / 2; wants a length")}},
-          {"obstacle.torus",
-           "torus",
-           "The points within `tube_radius` of a circle.",
-           {point_key("centre", &Torus::centre, "centre of the circle"),
-            direction_key("axis", &Torus::axis, "across the plane of the circle"),
-            radius_key("radius", &Torus::radius, "radius of the circle, greater than tube_radius"),
-            radius_key("tube_radius", &Torus::tube_radius, "radius of the ring's cross-section", "0.01")}},
-          {"obstacle.cone",
-           "cone",
-           "A circular cone; infinite without height, with it a plane base ends it. Without fillet its tip is sharp: "
-           "on the axis inside of it no direction is that of the nearest side, and any is taken.",
-           {point_key("apex", &Cone::apex, "its tip, before rounding"),
-            direction_key("axis", &Cone::axis, "direction of the axis, from the tip into the body"),
-            key("half_angle", &Cone::half_angle,
-                {.unit = "rad", .required = true, .range = Range::between(1e-3, 1.57), .example = "\"pi/6\""},
-                "angle between axis and side"),
-            length_key("height", &Cone::height, "distance of tip and base, before rounding"),
-            fillet_key(&Cone::fillet,
-                       "radius of the rounding of tip and base, less than that of the largest ball inside")}}};
+  return {
+      {"obstacle.ball",
+       "ball",
+       "The points within `radius` of `centre`.",
+       {point_key("centre", &Ball::centre, "its centre"), radius_key("radius", &Ball::radius, "its radius"),
+        inside_key(&Ball::inside, "ball")}},
+      {"obstacle.cylinder",
+       "cylinder",
+       "A circular cylinder. Without length it is infinite; with a length it has plane caps.",
+       {point_key("point", &Cylinder::point, "a point of the axis; with a length, the middle of the cylinder"),
+        direction_key("axis", &Cylinder::axis, "direction of the axis"),
+        radius_key("radius", &Cylinder::radius, "its radius"),
+        length_key("length", &Cylinder::length, "distance between the caps"), inside_key(&Cylinder::inside, "cylinder"),
+        fillet_key(&Cylinder::fillet,
+                   "radius of the rounded edges of the caps, at most radius and length / 2; needs a length")}},
+      {"obstacle.torus",
+       "torus",
+       "The points within `tube_radius` of a circle.",
+       {point_key("centre", &Torus::centre, "centre of the circle"),
+        direction_key("axis", &Torus::axis, "direction normal to the plane of the circle"),
+        radius_key("radius", &Torus::radius, "radius of the circle, greater than tube_radius"),
+        radius_key("tube_radius", &Torus::tube_radius, "radius of the cross-section of the ring", "0.01")}},
+      {"obstacle.cone",
+       "cone",
+       "A circular cone. Without height it is infinite; with a height it has a plane base. Without fillet its tip is "
+       "sharp. On the axis inside the cone several directions to the side are equally near; one of them is used.",
+       {point_key("apex", &Cone::apex, "its tip, before rounding"),
+        direction_key("axis", &Cone::axis, "direction of the axis, from the tip into the body"),
+        key("half_angle", &Cone::half_angle,
+            {.unit = "rad", .required = true, .range = Range::between(1e-3, 1.57), .example = "\"pi/6\""},
+            "angle between axis and side"),
+        length_key("height", &Cone::height, "distance from tip to base, before rounding"),
+        fillet_key(&Cone::fillet, "radius of the rounded tip and base, less than that of the largest ball inside")}}};
 }
 
 Section height_field_section() {
   return {"obstacle.height_field",
           "height_field",
-          "Exactly one of these. What counts is the distance to the surface, not the height above it.",
-          {key("expression", Kind::space_formula, {.unit = "m"}, "the height h(X, Y); no Z"),
+          "Exactly one of these keys is given. The gap is the distance to the surface, not the height above it.",
+          {key("expression", Kind::space_formula, {.unit = "m"}, "the height h(X, Y), without Z"),
            key("file", Kind::text, {},
-               "an ESRI ASCII grid (ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the "
-               "heights, that of the greatest Y first) of at most four million heights, its path relative to "
-               "the case file; a bicubic spline goes through them. It must reach beyond the shell by as much as the "
-               "two are apart, and have no holes (NODATA_value)")},
+               "an ESRI ASCII grid of at most four million heights; its path is relative to the case file. The file "
+               "has ncols, nrows, xllcenter or xllcorner, yllcenter or yllcorner, cellsize, then the heights, "
+               "beginning with the greatest Y. A bicubic spline interpolates them. The grid must extend beyond the "
+               "shell by at least the distance between both, and have no holes (NODATA_value)")},
           {"expression", "file"}};
 }
 

@@ -58,38 +58,38 @@ void add_faces(obstacle::Obstacle body, const std::string& face, problem::Proble
 
 Section obstacle_section() {
   const auto table = [](const char* name, const char* meaning) { return key(name, Kind::table, {}, meaning); };
-  return {
-      "obstacle",
-      "[[obstacle]]",
-      "A rigid body the shell cannot enter: exactly one of the shapes half_space to surface. There may be several: "
-      "floor "
-      "and wall, floor and ceiling.",
-      {key("name", Kind::name, {},
-           "a name no other obstacle has, for results and messages; obstacle-1, obstacle-2, ... if not given"),
-       table("half_space", "all on one side of a plane"), table("ball", "a ball, or a bowl"),
-       table("cylinder", "a roller, a bar or a tube"), table("box", "a box"), table("torus", "a ring"),
-       table("cone", "a cone"),
-       key("height_field", Kind::table, {.shorthand = Kind::space_formula},
-           "all below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate give its frame"),
-       key("distance", Kind::space_formula, {},
-           "all points where the expression is not positive; its size elsewhere does not count, for the distance to "
-           "its zero set is found. It must change its sign there; its gradient must not be zero there nor where the "
-           "shell is. A kink, as of abs(Z) - 0.1 at Z = 0, does no harm off the zero set and the shell"),
-       key("surface", Kind::text, {},
-           "a file .stl, .obj or .ply of at most 256 MB and two million triangles, its path relative to the case file: "
-           "the closed surface of a body, turned outward, that does not cut itself. Corners at open sides are joined "
-           "where they are nearer to each other than a millionth of the surface's diagonal and a hundredth of its "
-           "median side"),
-       table("rotate", "turns the shape before anything else"),
-       key("translate", &obstacle::Motion::translation, {.unit = "m", .fallback = "[0, 0, 0]"},
-           "shifts the shape, after rotate"),
-       key("force", &obstacle::Obstacle::force, {.unit = "N", .fallback = "[0, 0, 0]"},
-           "presses the obstacle along this direction, across it and against turning it is held; how far it comes is "
-           "found. [0, 0, 0]: the obstacle is held"),
-       key("face", Kind::word, {.fallback = "\"auto\"", .words = {"auto", "lower", "upper", "both"}},
-           "the face of the shell that may touch: lower at -e/2, upper at +e/2 along a3, auto: point by point the one "
-           "that looks at the obstacle; both: as two obstacles, the results of each face apart")},
-      {"half_space", "ball", "cylinder", "box", "torus", "cone", "height_field", "distance", "surface"}};
+  return {"obstacle",
+          "[[obstacle]]",
+          "A rigid body that the shell cannot enter. It has exactly one of the shapes half_space to surface. There may "
+          "be several obstacles, for example floor and ceiling.",
+          {key("name", Kind::name, {},
+               "a name that no other obstacle has, for results and messages; obstacle-1, obstacle-2, ... if not given"),
+           table("half_space", "all points on one side of a plane"), table("ball", "a ball, or a bowl"),
+           table("cylinder", "a roller, a bar or a tube"), table("box", "a box"), table("torus", "a ring"),
+           table("cone", "a cone"),
+           key("height_field", Kind::table, {.shorthand = Kind::space_formula},
+               "all points below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate move "
+               "its frame"),
+           key("distance", Kind::space_formula, {},
+               "all points where the expression is not positive. The expression need not be a distance: the distance "
+               "to its zero set is computed. It must change its sign there. Its gradient must not be zero there, nor "
+               "where the shell is. A kink away from the zero set and the shell does no harm, such as that of abs(Z) - "
+               "0.1 at Z = 0"),
+           key("surface", Kind::text, {},
+               "a file .stl, .obj or .ply of at most 256 MB and two million triangles; its path is relative to the "
+               "case file. It holds the closed surface of a body, with normals outward and without self-intersections. "
+               "Corners at open sides are joined if their distance is less than a millionth of the surface's diagonal "
+               "and a hundredth of its median side"),
+           table("rotate", "rotation of the shape, before translate"),
+           key("translate", &obstacle::Motion::translation, {.unit = "m", .fallback = "[0, 0, 0]"},
+               "translation of the shape, after rotate"),
+           key("force", &obstacle::Obstacle::force, {.unit = "N", .fallback = "[0, 0, 0]"},
+               "force that presses the obstacle. The obstacle moves along the force as far as the shell lets it; it "
+               "does not move across the force or rotate. [0, 0, 0]: the obstacle is fixed"),
+           key("face", Kind::word, {.fallback = "\"auto\"", .words = {"auto", "lower", "upper", "both"}},
+               "the face of the shell that may touch. lower: at -e/2 along a3; upper: at +e/2; auto: at each point the "
+               "face that looks at the obstacle; both: two obstacles, one for each face, with separate results")},
+          {"half_space", "ball", "cylinder", "box", "torus", "cone", "height_field", "distance", "surface"}};
 }
 
 }  // namespace

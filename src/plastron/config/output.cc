@@ -52,37 +52,38 @@ Section output_section() {
   return {
       "output",
       "[output]",
-      "How results are given.",
+      "Form of the results.",
       {key("axis", &Output::axis, read_axis, {.kind = Kind::vector, .unit = "1"},
-           "t1, the first axis of N, M, Q and stresses, is this direction projected on the surface; without it, or "
-           "where it is normal to the surface, the tangent d phi/dx"),
+           "direction of t1, the first axis of N, M, Q and stresses; it is projected on the surface. If not given, and "
+           "where it is normal to the surface, t1 is the tangent d phi/dx"),
        key("resultants", &Output::smooth, {{"smooth", true}, {"by-cell", false}}, {.fallback = "\"smooth\""},
-           "N, M, Q and stresses recovered over the cells round each vertex, or of each cell alone, as the elements "
-           "have them"),
+           "N, M, Q and stresses. smooth: recovered over the cells around each vertex; by-cell: of each cell alone, as "
+           "the elements have them"),
        key("moment_point", &Output::moment_point, {.unit = "m", .fallback = "[0, 0, 0]"},
-           "moments of loads, reactions and supports are about this point"),
+           "reference point of the moments of loads, reactions and supports"),
        key("heights", &Output::heights, read_heights, {.kind = Kind::numbers, .unit = "1", .fallback = "[]"},
-           "heights over the mid-surface, z / e from -0.5 to 0.5, at which line-NAME.csv and the .vtu files have "
-           "stresses, besides both faces and the middle"),
+           "heights z / e over the mid-surface, from -0.5 to 0.5. line-NAME.csv and the .vtu files have stresses "
+           "there, in addition to both faces and the middle"),
        key("solid", Kind::boolean, {.fallback = "false"},
-           "solid.vtu: the deformed shell with its thickness, and stresses inside of it"),
+           "write solid.vtu: the deformed shell with its thickness, and the stresses inside it"),
        key("layers", Kind::integer, {.fallback = "4", .range = Range::between(1, 20)},
-           "layers of cells through the thickness in solid.vtu"),
+           "number of layers of cells through the thickness in solid.vtu"),
        key("precision", &Output::double_precision, {{"single", false}, {"double", true}}, {.fallback = "\"single\""},
-           "of the numbers in solution.vtu and solid.vtu; double ones take twice the space"),
+           "precision of the numbers in solution.vtu and solid.vtu; double takes twice the space"),
        key("report", Kind::boolean, {.fallback = "true"},
-           "report.html, a page with tables, plots and the shell in three dimensions; --no-report refuses it, too")}};
+           "write report.html, a page with tables, plots and the shell in three dimensions; --no-report turns it off, "
+           "too")}};
 }
 
 Section units_section() {
   return {"units",
           "[units]",
-          "What the units are called that the case is written in. Numbers do not change: any units will do that fit "
-          "together, and without this section texts and files say m, N, J and Pa.",
+          "Names of the units of the case. Numbers do not change: any consistent units are possible. Without this "
+          "section texts and files use m, N, J and Pa.",
           {key("length", &UnitNames::length, read_unit, {.kind = Kind::name, .fallback = "\"m\""},
-               "the unit of length, such as mm"),
+               "name of the unit of length, such as mm"),
            key("force", &UnitNames::force, read_unit, {.kind = Kind::name, .fallback = "\"N\""},
-               "the unit of force, such as kN; E is then in force / length^2: MPa for N and mm")}};
+               "name of the unit of force, such as kN. The unit of E is then force / length^2: MPa for N and mm")}};
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ void read_body_values(Table& table, fem::RigidBody& body) {
 
 void check_body_name(const Table& table, const std::vector<fem::RigidBody>& before, const std::string& name) {
   if (std::ranges::find(before, name, &fem::RigidBody::name) != before.end())
-    table.report("name", fmt::format("there is a rigid body \"{}\" already", name), "a name no other body has");
+    table.report("name", fmt::format("there is a rigid body \"{}\" already", name), "a name that no other body has");
 }
 
 }  // namespace
@@ -64,27 +64,27 @@ std::vector<Section> rigid_body_sections() {
   return {
       {"rigid_body",
        "[[rigid_body]]",
-       "A rigid body that carries edges of the shell, an end plate or a clamp: their nodes move as "
-       "u = d + theta x (phi - reference), r = theta x a3, with six unknowns for all of them. Obstacles do not hold "
-       "these nodes; how deep the "
-       "shell enters there is measured and reported.",
-       {key("name", &RigidBody::name, {.required = true, .example = "\"end plate\""}, "a name no other body has"),
+       "A rigid body that carries edges of the shell, such as an end plate or a clamp. Their nodes move as u = d + "
+       "theta x (phi - reference), r = theta x a3, with six unknowns for all nodes. Obstacles do not stop these nodes; "
+       "the depth of the shell in an obstacle there is measured and reported.",
+       {key("name", &RigidBody::name, {.required = true, .example = "\"end plate\""}, "a name that no other body has"),
         key("boundary", &RigidBody::boundaries, read_boundaries,
             {.kind = Kind::name_or_names, .required = true, .example = "\"right\""},
-            "a boundary of the domain or several; bodies share no nodes"),
+            "one or several boundaries of the domain; two bodies must not share a node"),
         key("reference", &RigidBody::reference, {.unit = "m", .required = true, .example = "[1, 0, 0]"},
-            "the point whose displacement is d, anywhere in space; force and moment act there"),
+            "the point with displacement d, anywhere in space; force and moment act there"),
         key("rotations", &RigidBody::turns_normals, {.fallback = "true"},
-            "r follows the body, too; false: a hinge, which carries u alone"),
+            "true: u and r follow the body; false: a hinge, where only u follows it"),
         key("fix", Kind::names,
             {.fallback = "[]", .words = {"u", "theta", "u.x", "u.y", "u.z", "theta.x", "theta.y", "theta.z"}},
-            "the components of d, called u, and theta that are prescribed; u and theta stand for all three. Supports "
-            "of the edges may hold nothing of these nodes that is not fixed here"),
+            "the prescribed components of d (written u) and theta; u and theta stand for all three components. A "
+            "support of these edges must not fix a component that is not fixed here"),
         key("values", Kind::free_table, {.unit = "m, rad", .fallback = "{}"},
-            "values of fixed components, a number each: { u.z = -0.01 } or { theta = [0, 0, 0.1] }; 0 if not given"),
-        key("force", &RigidBody::force, {.unit = "N", .fallback = "[0, 0, 0]"}, "on the body, at the reference point"),
+            "values of fixed components, each a number: { u.z = -0.01 } or { theta = [0, 0, 0.1] }; 0 if not given"),
+        key("force", &RigidBody::force, {.unit = "N", .fallback = "[0, 0, 0]"},
+            "force on the body at the reference point"),
         key("moment", &RigidBody::moment, {.unit = "N m", .fallback = "[0, 0, 0]"},
-            "on the body, about the reference point")}}};
+            "moment on the body about the reference point")}}};
 }
 
 void read_rigid_bodies(Table& root, problem::Problem& problem) {

@@ -18,27 +18,27 @@ constexpr Range poisson{.low = -0.999, .high = 0.5, .high_open = true};
 Section shell_section() {
   return {"shell",
           "[shell]",
-          "The elastic constants are either E and nu, or lambda and mu.",
+          "The material and the thickness. The elastic constants are either E and nu, or lambda and mu.",
           {key("E", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "2.1e11"}, "Young's modulus"),
            key("nu", Kind::number, {.range = poisson, .example = "0.3"},
-               "Poisson's ratio; towards -1 the shell becomes too soft in shape and too stiff in shear for double "
-               "precision"),
+               "Poisson's ratio; nearer to -1 double precision does not suffice"),
            key("lambda", Kind::number, {.unit = "Pa", .example = "1.2e11"},
-               "first Lame constant, 3 lambda + 2 mu > 0 and Poisson's ratio at least -0.999"),
+               "first Lame constant; 3 lambda + 2 mu > 0, and Poisson's ratio is at least -0.999"),
            key("mu", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "8e10"}, "shear modulus"),
            key("thickness", &CrossSection::thickness,
                {.unit = "m", .required = true, .range = Range::positive(), .example = "0.02"}, "the thickness e"),
            key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()},
-               "mass per volume, for the weight under [gravity]"),
+               "mass per volume, for the weight of the shell, see [gravity]"),
            key("shear_correction", &Material::shear_correction, {.fallback = "1", .range = Range::positive(2)},
-               "factor of the transverse shear energy: 1 in the paper, 5/6 on request"),
+               "factor of the transverse shear energy: 1 as in the paper, or 5/6"),
            key("formulation", &Tangency::formulation,
                {{"tangent", Formulation::tangent},
                 {"penalised", Formulation::penalised},
                 {"mixed", Formulation::mixed},
                 {"classical", Formulation::classical}},
                {.fallback = "\"tangent\""},
-               "how r . a3 = 0 is kept: two rotations a node, a penalty, a multiplier, covariant components"),
+               "method that keeps r . a3 = 0. tangent: two rotations at each node; penalised: a penalty; mixed: a "
+               "multiplier; classical: covariant components"),
            key("penalty", &Tangency::penalty, {.fallback = "0.1", .range = Range::positive(1)},
                "p of the penalised formulation; the penalty is E e^3 / p"),
            key("stabilisation", &Tangency::stabilisation, {.fallback = "1", .range = Range::positive()},
@@ -46,31 +46,29 @@ Section shell_section() {
 }
 
 Section region_section() {
-  return {
-      "region",
-      "[[region]]",
-      "What a region of the domain has of its own: at least one of thickness, elastic constants and density. What is "
-      "not "
-      "given is that of [shell]. Where regions of different thickness meet, strains see each cell's own, the gap at "
-      "nodes the largest.",
-      {key("name", Kind::name, {.required = true, .example = "\"stiff\""},
-           "a region of the domain, one that no other [[region]] names"),
-       key("thickness", &CrossSection::thickness, {.unit = "m", .range = Range::positive()}, "the thickness e"),
-       key("E", Kind::number, {.unit = "Pa", .range = Range::positive()}, "Young's modulus, together with nu"),
-       key("nu", Kind::number, {.range = poisson}, "Poisson's ratio, together with E"),
-       key("lambda", Kind::number, {.unit = "Pa"}, "first Lame constant, together with mu"),
-       key("mu", Kind::number, {.unit = "Pa", .range = Range::positive()}, "shear modulus, together with lambda"),
-       key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()}, "mass per volume")}};
+  return {"region",
+          "[[region]]",
+          "Thickness, elastic constants and density of one region of the domain; at least one of them is given. The "
+          "others are those of [shell]. Where regions of different thickness meet, strains use the thickness of their "
+          "own cell. The gap at a node uses the largest thickness.",
+          {key("name", Kind::name, {.required = true, .example = "\"stiff\""},
+               "a region of the domain that no other [[region]] names"),
+           key("thickness", &CrossSection::thickness, {.unit = "m", .range = Range::positive()}, "the thickness e"),
+           key("E", Kind::number, {.unit = "Pa", .range = Range::positive()}, "Young's modulus, together with nu"),
+           key("nu", Kind::number, {.range = poisson}, "Poisson's ratio, together with E"),
+           key("lambda", Kind::number, {.unit = "Pa"}, "first Lame constant, together with mu"),
+           key("mu", Kind::number, {.unit = "Pa", .range = Range::positive()}, "shear modulus, together with lambda"),
+           key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()}, "mass per volume")}};
 }
 
 Section gravity_section() {
   return {
       "gravity",
       "[gravity]",
-      "The weight of the shell: the load density times thickness times acceleration per area of the mid-surface, "
-      "by region.",
+      "The weight of the shell: in each region a load of density times thickness times acceleration, per area of the "
+      "mid-surface.",
       {key("acceleration", &assembly::Loads::gravity, {.unit = "m/s^2", .required = true, .example = "[0, 0, -9.81]"},
-           "Cartesian acceleration of free fall; needs a density in [shell] or in a [[region]]")}};
+           "Cartesian acceleration of gravity; it needs a density in [shell] or in a [[region]]")}};
 }
 
 constexpr const char* pairs = "either E and nu, or lambda and mu";

@@ -8,27 +8,28 @@ namespace {
 using contact::Settings;
 
 Section contact_section() {
-  return {
-      "contact",
-      "[contact]",
-      "How the contact problem is solved.",
-      {key("linearised", &assembly::RigidObstacles::are_linear, {.fallback = "false"},
-           "take the gaps of curved obstacles at the undeformed shell, and not again where the shell was found"),
-       key("admissible", &problem::Problem::admissible, {.fallback = "false"},
-           "keep the shell out of the obstacles between its nodes, too: solve again with lifted bounds until it is")}};
+  return {"contact",
+          "[contact]",
+          "Solution of the contact problem.",
+          {key("linearised", &assembly::RigidObstacles::are_linear, {.fallback = "false"},
+               "true: linearise the gaps of curved obstacles once, at the undeformed shell, and not again at the "
+               "deformed shell"),
+           key("admissible", &problem::Problem::admissible, {.fallback = "false"},
+               "true: keep the shell out of the obstacles between its nodes, too. Bounds are lifted and the problem is "
+               "solved again until this holds")}};
 }
 
 Section solver_section() {
   const Range tolerance = Range::positive(0.01);
   return {"solver",
           "[solver]",
-          "The defaults serve nearly always.",
+          "Limits of iterations and tolerances. The defaults suffice in nearly all cases.",
           {key("max_iterations", &Settings::max_iterations, {.fallback = "200", .range = Range::between(1, 100000)},
-               "active-set changes on one mesh; each costs one factorisation"),
+               "largest number of active-set changes on one mesh; each costs one factorisation"),
            key("linear_tolerance", &Settings::linear_tolerance, {.fallback = "1e-12", .range = tolerance},
-               "relative residual of the linear solves"),
+               "largest relative residual of the linear solves"),
            key("gap_tolerance", &Settings::gap_tolerance, {.fallback = "1e-11", .range = tolerance},
-               "a bound counts as violated beyond this multiple of the largest unknown that has one"),
+               "a bound counts as violated beyond this multiple of the largest unknown with a bound"),
            key("multiplier_tolerance", &Settings::multiplier_tolerance, {.fallback = "1e-10", .range = tolerance},
                "a multiplier counts as negative beyond this multiple of the largest one")}};
 }

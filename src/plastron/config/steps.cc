@@ -67,30 +67,30 @@ void read_moves(Table& table, const std::vector<std::string>& known, problem::Pr
 Section step_section() {
   return {"step",
           "[[step]]",
-          "Steps are computed in their order on the finest mesh, each from where the one before has ended. In a step "
-          "loads, forces on obstacles and the obstacles' motions go on in equal parts; before the first there are no "
-          "loads and no forces. Without any step the case is computed once, with all of them.",
-          {key("name", Kind::name, {}, "a name no other step has; step-1, step-2, ... if not given"),
+          "Steps are computed in their order on the finest mesh; each starts where the previous one ended. In a step "
+          "the loads, the forces on obstacles and the motions of obstacles proceed in equal parts. Before the first "
+          "step there are no loads and no forces. Without steps the case is computed once, with all loads and forces.",
+          {key("name", Kind::name, {}, "a name that no other step has; step-1, step-2, ... if not given"),
            key("loads", Kind::number, {},
-               "what all loads, the weight too, are multiplied by at the step's end; if not given, as at the end "
-               "of the step before, in the first step 1"),
+               "factor of all loads, including the weight, at the end of the step. If not given, the factor of the "
+               "previous step; in the first step 1"),
            key("parts", Kind::integer, {.fallback = "1", .range = Range::between(1, 1000)},
-               "equal parts of the step; each is solved and stands in the history"),
-           key("move", Kind::tables, {.fallback = "[]"}, "what obstacles do in this step")}};
+               "number of equal parts of the step; each is solved and appears in the history"),
+           key("move", Kind::tables, {.fallback = "[]"}, "motions of obstacles in this step")}};
 }
 
 Section move_section() {
-  return {
-      "step.move",
-      "[[step.move]]",
-      "What an obstacle does in the step above: first turned, then shifted, from where the step before has left it.",
-      {key("obstacle", Kind::name, {.required = true, .example = "\"tool\""}, "its name"),
-       key("rotate", Kind::table, {}, "how it turns in the whole step"),
-       key("translate", &obstacle::Motion::translation, {.unit = "m", .fallback = "[0, 0, 0]"},
-           "how it shifts in the whole step"),
-       key("force", Kind::number, {.range = {.low = 0}},
-           "what the obstacle's force is multiplied by at the step's end; if not given, as at the end of the step "
-           "before, in the first step 1; at 0 it stays where it is")}};
+  return {"step.move",
+          "[[step.move]]",
+          "Motion of an obstacle in the step above: first a rotation, then a translation. It starts where the previous "
+          "step ended.",
+          {key("obstacle", Kind::name, {.required = true, .example = "\"tool\""}, "name of the obstacle"),
+           key("rotate", Kind::table, {}, "rotation in the whole step"),
+           key("translate", &obstacle::Motion::translation, {.unit = "m", .fallback = "[0, 0, 0]"},
+               "translation in the whole step"),
+           key("force", Kind::number, {.range = {.low = 0}},
+               "factor of the obstacle's force at the end of the step. If not given, the factor of the previous step; "
+               "in the first step 1. With 0 the obstacle stays where it is")}};
 }
 
 }  // namespace
@@ -99,15 +99,15 @@ std::vector<Section> step_sections() { return {step_section(), move_section(), r
 
 Section rotate_section(const std::string& path) {
   using obstacle::Motion;
-  return {
-      path,
-      "rotate",
-      "A turn by the right hand about a line.",
-      {key("axis", &Motion::axis, &Table::direction, {.kind = Kind::vector, .fallback = "[0, 0, 1]"},
-           "direction of the line; of any length but 0"),
-       key("angle", &Motion::angle,
-           {.unit = "rad", .required = true, .range = Range::between(-1e3, 1e3), .example = "\"pi/2\""}, "the angle"),
-       key("about", &Motion::about, {.unit = "m", .fallback = "[0, 0, 0]"}, "a point of the line")}};
+  return {path,
+          "rotate",
+          "A rotation about a line by the right-hand rule.",
+          {key("axis", &Motion::axis, &Table::direction, {.kind = Kind::vector, .fallback = "[0, 0, 1]"},
+               "direction of the line; any length except 0"),
+           key("angle", &Motion::angle,
+               {.unit = "rad", .required = true, .range = Range::between(-1e3, 1e3), .example = "\"pi/2\""},
+               "angle of the rotation"),
+           key("about", &Motion::about, {.unit = "m", .fallback = "[0, 0, 0]"}, "a point of the line")}};
 }
 
 std::optional<obstacle::Motion> read_motion(Table& table) {

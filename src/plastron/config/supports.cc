@@ -178,25 +178,23 @@ std::optional<std::vector<std::string>> read_boundaries(Table& table, const std:
 }
 
 std::vector<Section> support_sections() {
-  return {
-      {"support",
-       "[[support]]",
-       "Components of the displacement u and of the rotation r prescribed on boundaries, or of u at a point. Three "
-       "points "
-       "that fix three, two and one component hold the six rigid motions of a shell whose loads are in equilibrium; "
-       "any "
-       "other force at a point is singular in this model, and is warned of.",
-       {key("boundary", Kind::name_or_names, {}, "a boundary of the domain or several; either this or point"),
-        key("point", Kind::point, {},
-            "a node of the coarsest mesh that finer ones keep: a corner of a cell; where the degree is even, the "
-            "middle of a side or of a quadrilateral, too. Only u.x, u.y, u.z can be fixed there"),
-        key("fix", Kind::names, {.required = true, .words = fix_words(), .example = "[\"u\", \"r\"]"},
-            "the components: n is tangent to the shell and normal to the edge, outward; t runs along the edge; a3 is "
-            "normal to the shell; u and r stand for all three; symmetry is u.n and r.n. Any component of r fixes r.a3, "
-            "too"),
-        key("values", Kind::free_table, {.unit = "m, rad", .fallback = "{}"},
-            "values of fixed components, a number or an expression of x, y each: { u.z = -0.01 } or "
-            "{ u = [0, 0, \"-0.01*x\"] }; 0 if not given")}}};
+  return {{"support",
+           "[[support]]",
+           "Prescribed components of the displacement u and the rotation r on boundaries, or of u at a point. Three "
+           "points that fix three, two and one component prevent the six rigid motions of a shell whose loads are in "
+           "equilibrium. Any other force at a point is singular in this model and causes a warning.",
+           {key("boundary", Kind::name_or_names, {},
+                "one or several boundaries of the domain; give either boundary or point"),
+            key("point", Kind::point, {},
+                "a node of the coarsest mesh that finer meshes keep: a corner of a cell; if the degree is even, also "
+                "the middle of a side or of a quadrilateral. Only u.x, u.y, u.z can be fixed there"),
+            key("fix", Kind::names, {.required = true, .words = fix_words(), .example = "[\"u\", \"r\"]"},
+                "the fixed components. n is tangent to the shell and normal to the edge, outward; t runs along the "
+                "edge; a3 is normal to the shell. u and r stand for all three components, symmetry stands for u.n and "
+                "r.n. Any component of r also fixes r.a3"),
+            key("values", Kind::free_table, {.unit = "m, rad", .fallback = "{}"},
+                "values of fixed components, each a number or an expression of x, y: { u.z = -0.01 } or { u = [0, 0, "
+                "\"-0.01*x\"] }; 0 if not given")}}};
 }
 
 void read_supports(Table& root, problem::Problem& problem) {
