@@ -2,7 +2,7 @@
 // faces. Every other step costs products with A. Sources: Dostal and Schoeberl, Minimizing quadratic functions subject
 // to bound constraints with the rate of convergence and finite termination (2005); Dostal, Optimal quadratic
 // programming algorithms (2009), both bounds: section 5.8, faces preconditioned: section 5.10; the projected
-// conjugate-gradient step: Kruzik, Horak, Cermak, Pospisil, Pecha (2020). Symbols are as in docs/methods/mprgp.md.
+// conjugate-gradient step: Kruzik, Horak, Cermak, Pospisil, Pecha (2020). Symbols are as in docs/research/mprgp.md.
 #include <plastron/algebra/krylov.hpp>
 #include <plastron/contact/pressing.hpp>
 #include <plastron/contact/searches.hpp>

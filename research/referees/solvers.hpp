@@ -13,7 +13,7 @@ contact::BoxSolution solve_tao(const contact::BoxProblem& problem, std::span<con
                                const contact::Observer& observer = {});
 
 /// Modified proportioning with reduced gradient projections, preconditioned in the face: one factorisation serves all
-/// faces (docs/methods/mprgp.md). The preconditioner fixes the starting set: `initial`, or all bounds if a motion is
+/// faces (docs/research/mprgp.md). The preconditioner fixes the starting set: `initial`, or all bounds if a motion is
 /// free there. An iteration of the solution ends with the release of unknowns or with the end of the solver.
 /// Conjugate-gradient steps and expansions are its linear_steps; too many end with the status linear_solver_stalled.
 /// Equations and pressing forces as above. (collective)
