@@ -123,7 +123,7 @@ TEST(PlotCommand, RefusesWhatIsNoResult) {
   const auto results = scratch.write("results.json", "{\"levels\": [");
   refused(".", "does not have the form");
   scratch.write("results.json", "{\"levels\": [], \"history\": []}");
-  refused(".", "'contact' not found");
+  refused(".", "key 'contact'");
   scratch.write("results.json", R"({"levels": [], "history": [], "contact": null, "files": []})");
   refused(".", "nothing to plot");
   scratch.write("results.json", R"({"levels": [], "history": [], "contact": null, "files": ["line-a.csv"]})");
