@@ -1,6 +1,7 @@
 #include <plastron/assembly/carried_coordinates.hpp>
 
 #include <plastron/assembly/contact_coordinates.hpp>
+#include <plastron/assembly/state.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 

@@ -42,7 +42,7 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const solution::Nod
   const assembly::NodalPoint& point = discrete.points[row.node];
   const double gap = discrete.coordinates.gaps[k][row.node](y.head<3>(), geometry::tangential(y.tail<3>(), point.a3));
   if (row.is_touchable() || row.is_left_out) sums.min_gap = std::min(sums.min_gap, gap);
-  const Vector6 force = contact_force(discrete, solution, row);
+  Vector6 force = contact_force(discrete, solution, row);
   if (solution.touching.at(row.node)[k] == 0) return force;
   const double pressure = solution.pressure.at(row.node)[k];
   sums.min_pressure = std::min(sums.min_pressure, pressure);

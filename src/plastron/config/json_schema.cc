@@ -51,7 +51,7 @@ Schema free_table() {
 
 Schema schema_of(const Key& key, Kind kind, const std::string& path) {
   const auto is = [kind](auto... kinds) { return ((kind == kinds) || ...); };
-  const Schema real = number("number", key.range), formula = any_of({{{"type", "number"}}, text()});
+  Schema real = number("number", key.range), formula = any_of({{{"type", "number"}}, text()});
   if (is(Kind::text, Kind::name)) return text();
   if (is(Kind::word)) return word_of(key);
   if (is(Kind::word_or_false)) return any_of({word_of(key), {{"enum", {false}}}});

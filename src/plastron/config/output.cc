@@ -10,7 +10,7 @@ namespace {
 using problem::Output, problem::UnitNames;
 
 std::optional<Eigen::Vector3d> read_axis(Table& output, const std::string& name) {
-  const auto axis = output.vector(name);
+  auto axis = output.vector(name);
   if (!axis || axis->norm() > 0) return axis;
   output.report(name, "this vector has no direction", "a vector other than [0, 0, 0]",
                 "write the direction that t1 shall follow");
@@ -36,7 +36,7 @@ std::optional<std::vector<double>> read_heights(Table& output, const std::string
 
 std::optional<std::string> read_unit(Table& units, const std::string& name) {
   const bool is_length = name == "length";
-  const auto given = units.text(name);
+  auto given = units.text(name);
   if (!given) return {};
   const bool is_word = !given->empty() && given->size() <= 8 && std::ranges::all_of(*given, [](char c) {
     return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');

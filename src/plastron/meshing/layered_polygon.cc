@@ -17,6 +17,8 @@ namespace plastron::meshing {
 
 namespace {
 
+using Eigen::Vector2d;
+
 /// A side of a polygon, with the interior on its left.
 struct Line {
   Vector2d from, to;
