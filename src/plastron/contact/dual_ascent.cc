@@ -13,6 +13,7 @@
 // This is Newton's method for a piecewise quadratic concave function, with d as safeguard: d increases at every step.
 // Sources: Qi and Sun, A nonsmooth version of Newton's method (1993), for the steps; Bertsekas, Constrained
 // optimization and Lagrange multiplier methods (1982), section 5.3, for the dual function.
+#include <plastron/contact/pressing.hpp>
 #include <plastron/contact/searches.hpp>
 
 #include <cmath>

@@ -16,6 +16,8 @@ namespace plastron::meshing {
 
 namespace {
 
+using Eigen::Vector2d;
+
 /// Positions of the lines across [from, to]: the boundaries, the rows' lines and the breaks.
 std::vector<double> lines_across(double from, double to, const std::vector<double>& left,
                                  const std::vector<double>& breaks, const std::vector<double>& right) {
