@@ -1,4 +1,4 @@
-// What an accuracy costs: meshes, unknowns and seconds to a tolerance of energy, reaction, contact area or deflection, and the true error then, for all
+// Measures the cost of an accuracy: meshes, unknowns and seconds to a tolerance of energy, reaction, contact area or deflection, and the true error then, for all
 // problems with known answers. accuracy_cost [TOLERANCE [DEGREE [PART OF A NAME]]]; without arguments 1e-2, 1e-3 and 1e-4 at degree 4, the
 // one of a case that gives none. ACCURACY_MESHES=1 tells of each mesh. Exit code 1 if a true error is above its tolerance.
 #include "verification/reference_problems.hpp"

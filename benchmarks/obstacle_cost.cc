@@ -1,4 +1,4 @@
-// What the distance of 100 000 points costs by shape of the obstacle, beside one factorisation of a shell with about as many nodes: points
+// Measures the distances of 100 000 points by shape of the obstacle, and one factorisation of a shell with about as many nodes: points
 // within 0.05 of the surface, as a shell's nodes are, and points anywhere in a box around it.
 #include "problems.hpp"
 

@@ -1,6 +1,6 @@
-// What a product through strains costs, by degree, tying, size and instructions: product_speed [UNKNOWNS...]. Beside it the product of single
-// cells with matrices of dynamic size, of which it is the packed form, and copying as many bytes as it reads and writes. Times are those
-// of the calling thread, the best of several.
+// Measures the product through strains by degree, tying, size and instructions: product_speed [UNKNOWNS...]. It is compared with the product
+// cell by cell, of which it is the packed form, and with copying the bytes that it reads and writes. Times are those of the calling thread,
+// the best of several.
 #include <plastron/algebra/session.hpp>
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
@@ -55,7 +55,7 @@ void apply_cell_by_cell(const assembly::ShellOperator& shell, const algebra::Vec
     shell.scatter(c, shell.forces(c, shell.weighted_stresses(c, shell.strains(c, shell.gather(c, y)))), f);
 }
 
-/// Of what a product reads and writes.
+/// Bytes that a product reads and writes.
 double bytes_of(const assembly::PackedCells& packed, std::size_t values) {
   const double of_geometry =
       8.0 * (packed.points_per_cell * assembly::PackedCells::point_size +

@@ -1,4 +1,4 @@
-// What a conjugate-gradient step with a kept factor costs beside a factorisation, by size: step_cost [DEGREE REFINEMENTS].
+// Compares the cost of a conjugate-gradient step with a kept factor and of a factorisation, by size: step_cost [DEGREE REFINEMENTS].
 // Times are those of the calling thread, so that other work on the machine disturbs little. The constants in
 // price_of (algebra/factorisation.cc) and in contact/subproblem.cc come from here.
 #include "problems.hpp"

@@ -1,5 +1,5 @@
-// What solvers need that work on all faces of the box in turn: unknowns of unit diagonal, the gradient split into parts
-// for free and for active unknowns, and one preconditioner for all faces. Source: Dostal, Optimal quadratic programming
+// Tools of solvers that work on one face of the box after the other: unknowns of unit diagonal, the gradient split into
+// parts for free and for active unknowns, and one preconditioner for all faces. Source: Dostal, Optimal quadratic programming
 // algorithms (2009), sections 5.2 and 5.8; symbols as in docs/research/mprgp.md.
 #pragma once
 #include <plastron/algebra/krylov.hpp>

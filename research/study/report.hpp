@@ -1,4 +1,4 @@
-// What a study takes and returns: problems to compute, an observer, and a report with a table, claims, a plot and pictures of meshes.
+// Input and result of a study: problems to compute, an observer, and a report with a table, claims, a plot and pictures of meshes.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/io/plot.hpp>

@@ -84,10 +84,10 @@ TEST(WrongMeshFile, that_is_not_there_is_named) {
 }
 
 TEST(WrongMeshFile, that_is_no_mesh_is_refused) {
-  refusal("");
-  refusal("hello\n");
-  refusal(header + square + "$Elements\n1\n1 3 2 2 1 1 2 3");
-  refusal(header + names + square + "$Elements\n1\n5 3 2 2 1 1 2 3 9\n$EndElements\n");
+  EXPECT_NE(refusal(""), "");
+  EXPECT_NE(refusal("hello\n"), "");
+  EXPECT_NE(refusal(header + square + "$Elements\n1\n1 3 2 2 1 1 2 3"), "");
+  EXPECT_NE(refusal(header + names + square + "$Elements\n1\n5 3 2 2 1 1 2 3 9\n$EndElements\n"), "");
 }
 
 // Every node of the file is used in Gmsh's order. Otherwise sides would not fit and the area would be wrong.

@@ -1,4 +1,4 @@
-// Mesh files that are none: a script, a pipe, a device, infinite counts, damage. Each gets one message with the place
+// Files that are not meshes: a script, a pipe, a device, infinite counts, damage. Each gets one message with the place
 // and the mistake. None is executed, hangs or fills the memory.
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-// What is estimated of a solution on one mesh, with the factor of the last contact step: the error in the energy norm,
-// cell by cell, the errors of goals, and the difference between the linear model and finite displacements. Goals need
-// dual problems on the final active set (docs/methods/estimates.md).
+// Estimates the errors of a solution on one mesh, with the factor of the last contact step: the error in the energy norm
+// by cell, the errors of goals, and the difference between the linear model and finite displacements. Goals need dual
+// problems on the final active set (docs/methods/estimates.md).
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
 #include <plastron/estimation/estimates.hpp>

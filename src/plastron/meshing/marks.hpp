@@ -33,7 +33,7 @@ std::vector<signed char> marks(const fem::Space& space, const std::vector<estima
 /// allowed error.
 double share_to_divide(double excess);
 
-/// What the next mesh depends on.
+/// Data for the decision on the next mesh.
 struct NextMeshTask {
   const std::vector<estimation::GoalRecord>& goals;
   const std::optional<estimation::Estimates>& estimates;

@@ -1,5 +1,5 @@
-// What each shape of obstacle has: nearest(X), its signed distance d(X) with the first two derivatives, and extent(), the
-// part of space that its surface takes.
+// Each shape of obstacle has two functions: nearest(X) returns its signed distance d(X) with the first two derivatives,
+// extent() returns a box around its surface.
 #pragma once
 #include <plastron/geometry/jet.hpp>
 
