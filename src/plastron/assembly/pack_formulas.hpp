@@ -167,7 +167,7 @@ class PackCell {
     put(r1, d1_ + 3 * points_ + q, points_);
     put(r2, d2_ + 3 * points_ + q, points_);
   }
-  /// The gradient of r . a_3 along the cell's coordinates (shell/normal_rotation.hpp), or its dual.
+  /// The gradient of r . a_3 along the cell's coordinates (shell/strain.hpp), or its dual.
   struct Gradient {
     Pack along_1, along_2;
   };

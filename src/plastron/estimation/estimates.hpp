@@ -57,7 +57,7 @@ struct Estimates {
   double energy_norm_squared = 0;        ///< sum of `cells` over all ranks [J]
   std::vector<GoalEstimate> goals{};
   /// Distance that the edges of contact zones move at one degree more, over the zones' size
-  /// (certificate::relative_distance), where it is known.
+  /// (solution::relative_distance), where it is known.
   std::optional<double> edge_change{};
   std::vector<CrossedCell> crossed{};  ///< owned cells, ascending
   /// Owned cells without a patch, ascending: their shares are too small.
