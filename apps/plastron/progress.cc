@@ -214,6 +214,22 @@ void print_stress(const computation::Result& result) {
     print("                    and {} more (singular_places in results.json)\n", result.singular_places.size() - most);
 }
 
+/// Prints the range of each in-plane stress of each layer, in its own axes.
+void print_layers(const computation::Result& result) {
+  constexpr std::size_t most = 8, components = 5;
+  const auto range = [](const recovery::LayerStress& s) {
+    return fmt::format("{:.3g} to {:.3g}", s.least.stress, s.most.stress);
+  };
+  for (std::size_t i = 0; i + components <= std::min(result.layers.size(), most * components); i += components) {
+    const recovery::LayerStress& first = result.layers[i];
+    print("{:<18}{}{} at {:g} deg: stress 11 {}, 22 {} Pa\n", i == 0 ? "layers" : "",
+          first.region.empty() ? "" : first.region + " ", first.layer, first.angle, range(first),
+          range(result.layers[i + 1]));
+  }
+  if (result.layers.size() > most * components)
+    print("                  and {} more (layers in results.json)\n", result.layers.size() / components - most);
+}
+
 void print_linearity(const computation::Result& result) {
   const computation::LeftOut part = computation::left_out(result.summary, result.last_level());
   print("linearity         leaves out {} of the energy (forces on turned parts {}, stretch {}, turned lengths {})\n",
@@ -238,6 +254,7 @@ void print_summary(const computation::Result& result) {
         s.max_relative_displacement, s.max_rotation);
   print_stress(result);
   print("                  strain {:.2g} %\n", 100 * s.second_order.largest_strain);
+  print_layers(result);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));
   for (const auto& r : s.support_reactions)

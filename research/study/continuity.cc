@@ -225,7 +225,7 @@ class Continuity {
 
   /// A force per area that does work like the loads: 2 W over area and largest displacement [Pa].
   double typical_load() const {
-    return largest_ > 0 ? norm_ * norm_ / (largest_ * area_) : problem_.shell.sections.softest().mu * 1e-6;
+    return largest_ > 0 ? norm_ * norm_ / (largest_ * area_) : problem_.shell.sections.softest().shear_modulus() * 1e-6;
   }
 
   /// |V|_a with the a of the unchanged shell, the form of (M13) or (M14) included [J^{1/2}].

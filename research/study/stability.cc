@@ -197,7 +197,7 @@ void examine_coercivity(const Samples& samples, const problem::Problem& problem,
   }
   // Short waves of s across their direction cost mu e^3 / 12 on any shell: no alpha is larger in the limit of fine meshes.
   const shell::Material& material = problem.shell.sections.softest();
-  const double of_short_waves = material.mu / (12 * material.young());
+  const double of_short_waves = material.shear_modulus() / (12 * material.young());
   table.claims.push_back(does_not_degrade(samples, &Sample::relative_alpha, symbol, 0.5,
                                           std::min(samples.front().relative_alpha, of_short_waves)));
   const auto finest = of_level(samples, samples.back().level);

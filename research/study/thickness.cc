@@ -52,7 +52,8 @@ Sample sample_of(const computation::Result& result, const problem::Problem& prob
   const double noise = relative_noise(*result.solution, std::sqrt(2 * energy));
   // An error of so many J^{1/2} can all be shear: k mu e |2 delta|^2 <= its square.
   const shell::Material& material = problem.shell.sections.softest();
-  const double shear_noise = noise * std::sqrt(2 * energy / (material.shear_correction * material.mu * size.thickness));
+  const double shear_noise =
+      noise * std::sqrt(2 * energy / (material.shear_correction * material.shear_modulus() * size.thickness));
   return {.factor = factor,
           .thickness = size.thickness,
           .load_factor = load_factor,

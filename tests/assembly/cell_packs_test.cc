@@ -53,6 +53,16 @@ void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, co
                                    forces);
 }
 
+/// One region of a laminate that couples membrane and bending; steel in the others.
+ShellOperator laminate_on(const test::MeshedSurface& m, bool tying, const PackKernels& kernels) {
+  const shell::Orthotropic carbon{.E1 = 25, .E2 = 1, .nu12 = 0.25, .G12 = 0.5, .G13 = 0.5, .G23 = 0.2};
+  const std::vector<shell::Layer> layers{{.material = carbon, .angle = 0.5},
+                                         {.material = carbon, .part = 2, .angle = -1}};
+  CrossSections sections = test::steel_of(geometry::Expression("0.1 + 0.02*x", {}));
+  sections.common.material.law = std::make_shared<const shell::Laminate>(layers, Eigen::Vector3d(1, 0.5, 0));
+  return {m.space, m.surface, sections, tying, false, kernels};
+}
+
 class EveryPack : public testing::TestWithParam<test::Element> {
  protected:
   /// Calls test(shell) for all instruction sets.
@@ -64,6 +74,8 @@ class EveryPack : public testing::TestWithParam<test::Element> {
     for (const PackKernels* kernels : pack_kernels()) {
       SCOPED_TRACE(kernels->name);
       test(shell_on(m, tying, *kernels));
+      SCOPED_TRACE("laminate");
+      test(laminate_on(m, tying, *kernels));
     }
   }
 };

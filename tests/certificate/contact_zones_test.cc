@@ -92,7 +92,9 @@ struct Given {
 };
 
 double opened(double distance, const shell::Material& material) {
-  return opening * distance * distance * (3 * zones::shear_length(material, thickness) + distance);
+  const shell::Section section =
+      shell::section_at(material, shell::orthonormal_frame(Vector3d::UnitX(), Vector3d::UnitY()), thickness);
+  return opening * distance * distance * (3 * shell::bending_length(section) + distance);
 }
 
 assembly::CrossSections sections_of(const Scene& scene) {

@@ -105,7 +105,7 @@ std::vector<double> invariants(const recovery::PointValues& p) {
     const double z = height * p.thickness;
     add(shell::in_plane_stress(section_forces(p), z));
     all.push_back(shell::von_mises_at(section_forces(p), z));
-    all.push_back(shell::parabolic_shear_stress(section_forces(p), z).norm());
+    all.push_back(shell::shear_stress(section_forces(p), z).norm());
   }
   const auto density = shell::energy_density(p.material, section_forces(p));
   all.insert(all.end(), {density.membrane, density.bending, density.shear});

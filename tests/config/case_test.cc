@@ -17,8 +17,8 @@ Case parsed(const std::string& more = "") {
 
 TEST(Shell, TakesYoungAndPoisson) {
   const auto& material = parsed().problem.shell.sections.common.material;
-  EXPECT_DOUBLE_EQ(material.mu, 0.8);
-  EXPECT_DOUBLE_EQ(material.lambda, 0.8);
+  EXPECT_DOUBLE_EQ(material.isotropic()->mu, 0.8);
+  EXPECT_DOUBLE_EQ(material.isotropic()->lambda, 0.8);
   EXPECT_EQ(material.shear_correction, 1);
 }
 
@@ -27,8 +27,8 @@ TEST(Shell, TakesLameConstantsAndAShearCorrection) {
       parse_case("[shell]\nlambda = \"-1/2\"\nmu = 3\nshear_correction = \"5/6\"\nthickness = \"0.1*(1 + x^2)\"\n" +
                      geometry_section,
                  "case.toml");
-  EXPECT_EQ(c.problem.shell.sections.common.material.lambda, -0.5);
-  EXPECT_EQ(c.problem.shell.sections.common.material.mu, 3);
+  EXPECT_EQ(c.problem.shell.sections.common.material.isotropic()->lambda, -0.5);
+  EXPECT_EQ(c.problem.shell.sections.common.material.isotropic()->mu, 3);
   EXPECT_DOUBLE_EQ(c.problem.shell.sections.common.material.shear_correction, 5.0 / 6);
   EXPECT_DOUBLE_EQ(c.problem.shell.sections.common.thickness(2, 7), 0.5);
 }
@@ -101,6 +101,54 @@ TEST(Loads, ActOnRegionsAndOnListsOfBoundaries) {
   EXPECT_EQ(problem.shell.loads.on_edges[1].force[2](3, 0), 3);
 }
 
+TEST(Materials, AreChosenByNameInTheShellAndInItsRegions) {
+  const std::string materials = R"case([[material]]
+name = "steel"
+E = 4
+nu = 0.25
+[[material]]
+name = "ply"
+E1 = "2 * 20"
+E2 = 10
+nu12 = 0.3
+G12 = 5
+G13 = 6
+G23 = 7
+direction = [0, 2, 0]
+[[material]]
+name = "stack"
+layers = [{ material = "ply", thickness = 1, angle = 45 }, { material = "steel", thickness = 3, strain = [1e-3, 2e-3, 0] }]
+)case";
+  const Case c = parse_case(
+      materials +
+          "[shell]\nmaterial = \"ply\"\nthickness = 0.1\nshear_correction = \"5/6\"\n[geometry]\nchart = [\"x\", "
+          "\"y\", 0]\n"
+          "domain = { rectangle = { to = [3, 1], cells = [3, 1], breaks = [1, 2], regions = [\"a\", \"b\", \"c\"] } }\n"
+          "[[region]]\nname = \"b\"\nmaterial = \"stack\"\n[[region]]\nname = \"c\"\nmaterial = \"steel\"\n",
+      "case.toml");
+  const auto& [common, regions] = c.problem.shell.sections;
+  ASSERT_TRUE(common.material.laminate());
+  EXPECT_EQ(common.material.shear_correction, 5.0 / 6);
+  const auto& one = common.material.laminate()->layers();
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].material.E1, 40);
+  EXPECT_EQ(one[0].material.nu12, 0.3);
+  EXPECT_EQ(one[0].material.G23, 7);
+  EXPECT_FALSE(common.material.laminate()->has_axes(Eigen::Vector3d::UnitY()));
+  EXPECT_TRUE(common.material.laminate()->has_axes(Eigen::Vector3d::UnitX()));
+  const auto stack = regions.at("b").material.laminate();
+  ASSERT_TRUE(stack);
+  EXPECT_EQ(regions.at("b").material.shear_correction, 5.0 / 6);
+  ASSERT_EQ(stack->layers().size(), 2u);
+  EXPECT_DOUBLE_EQ(stack->layers()[0].angle, std::numbers::pi / 4);
+  EXPECT_EQ(stack->layers()[1].material.E2, 4);
+  EXPECT_EQ(stack->layers()[1].strain, Eigen::Vector3d(1e-3, 2e-3, 0));
+  EXPECT_EQ(stack->interface(1), -0.25);
+  ASSERT_TRUE(regions.at("c").material.isotropic());
+  EXPECT_NEAR(regions.at("c").material.young(), 4, 1e-14);
+  EXPECT_EQ(c.effective["material"][2]["layers"][0]["angle"], 45.0);
+}
+
 TEST(Regions, HaveOfTheShellWhatTheyDoNotGive) {
   const auto problem = two_regions(
                            "[[region]]\nname = \"b\"\nthickness = \"0.5 + x\"\ndensity = 3\n[[region]]\nname = \"a\"\n"
@@ -109,7 +157,7 @@ TEST(Regions, HaveOfTheShellWhatTheyDoNotGive) {
   const auto& [common, regions] = problem.shell.sections;
   ASSERT_EQ(regions.size(), 2u);
   EXPECT_EQ(regions.at("b").thickness(1, 0), 1.5);
-  EXPECT_EQ(regions.at("b").material.mu, common.material.mu);
+  EXPECT_EQ(regions.at("b").material.isotropic()->mu, common.material.isotropic()->mu);
   EXPECT_EQ(regions.at("b").density, 3);
   EXPECT_EQ(regions.at("a").thickness(1, 0), common.thickness(1, 0));
   EXPECT_NEAR(regions.at("a").material.young(), 8, 1e-14);

@@ -119,6 +119,19 @@ TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
   EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("reaches 0.99")));
 }
 
+TEST(Examination, finds_where_the_direction_of_a_material_is_normal_to_the_shell) {
+  const shell::Orthotropic wood{.E1 = 10, .E2 = 1, .nu12 = 0.3, .G12 = 1, .G13 = 1, .G23 = 0.1};
+  problem::Problem p = cantilever_plate();
+  const auto with_direction = [&](const Eigen::Vector3d& direction) {
+    p.shell.sections.common.material.law =
+        std::make_shared<const shell::Laminate>(std::vector{shell::Layer{.material = wood}}, direction);
+    return p;
+  };
+  EXPECT_FALSE(has_errors(examine(with_direction({0.3, 0, 1}))));
+  EXPECT_THAT(errors(with_direction({0, 0, 1})),
+              ElementsAre(HasSubstr("the material's direction is normal to the shell at x = ")));
+}
+
 TEST(Examination, finds_where_the_thickness_is_not_positive) {
   for (const std::string thickness : {"0.1 - 0.2*x", "0", "-1", "sqrt(0.5 - x)", "0.1*x"}) {
     problem::Problem p = cantilever_plate();

@@ -59,12 +59,16 @@ Json some_json(bool has_obstacle = true) {
 
 TEST(Results, have_every_key_that_the_documentation_promises) {
   const Json json = some_json();
-  for (const char* key : {"title",           "status",      "status_text",    "energy",           "energy_parts",
-                          "load_work",       "loads",       "reaction",       "support_reaction", "contact",
-                          "probes",          "certificate", "levels",         "memory",           "supports",
-                          "stress",          "obstacles",   "point_supports", "rigid_bodies",     "ranks",
-                          "settings",        "versions",    "files",          "fields",           "corner_supports",
-                          "singular_places", "units",       "estimates"})
+  for (const char* key : {"title",           "status",          "status_text",
+                          "energy",          "energy_parts",    "load_work",
+                          "loads",           "reaction",        "support_reaction",
+                          "contact",         "probes",          "certificate",
+                          "levels",          "memory",          "supports",
+                          "stress",          "obstacles",       "point_supports",
+                          "rigid_bodies",    "ranks",           "settings",
+                          "versions",        "files",           "fields",
+                          "corner_supports", "singular_places", "units",
+                          "estimates",       "layers"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["point_supports"], Json::parse(R"([{"at": [0.25, 1.0], "force": [1e-9, 0.0, -2.0]}])"));
   EXPECT_EQ(json["rigid_bodies"][0]["rotation"], Json::parse("[0.0, 0.5, 0.0]"));

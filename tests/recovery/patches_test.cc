@@ -58,8 +58,7 @@ Resultants exact(const geometry::Chart& chart, const Field& field, const PointVa
   const FieldJet y = field(p.x);
   const shell::LocalField<double> local{
       .du = {y.d1.head<3>(), y.d2.head<3>()}, .r = y.value.tail<3>(), .dr = {y.d1.tail<3>(), y.d2.tail<3>()}};
-  const auto s = shell::resultants(shell::section_stiffness(p.material, p.thickness, frame.metric_con),
-                                   shell::strain(local, frame));
+  const auto s = shell::resultants(shell::section_at(p.material, frame, p.thickness), shell::strain(local, frame));
   Eigen::Matrix2d to_axes;
   to_axes << frame.a_cov[0].dot(p.t1), frame.a_cov[1].dot(p.t1), frame.a_cov[0].dot(p.t2), frame.a_cov[1].dot(p.t2);
   Resultants contravariant;

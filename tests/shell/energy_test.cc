@@ -18,7 +18,7 @@ void with_stiffness_at_all_points(const Check& check) {
     SCOPED_TRACE(name);
     for (const auto& x : geometry::sample_points()) {
       const SurfaceJet jet = chart(x[0], x[1]);
-      check(jet, section_stiffness(material, 0.1, geometry::frame_at(jet).metric_con));
+      check(jet, section_at(material, geometry::frame_at(jet), 0.1));
     }
   }
 }
@@ -41,7 +41,7 @@ class Variables {
 
 TEST(Resultants, are_the_derivative_of_the_energy_by_the_strain) {
   Random random;
-  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const Section& c) {
     const Strain<double> s = strain(random.field(), geometry::frame_at(jet));
     Variables<8> variables;
     const Strain<Variables<8>::Scalar> t{variables(s.membrane), variables(s.bending), variables(s.shear)};
@@ -56,7 +56,7 @@ TEST(Resultants, are_the_derivative_of_the_energy_by_the_strain) {
 
 TEST(Dual, of_the_resultants_is_the_derivative_of_the_energy_by_the_field) {
   Random random;
-  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const Section& c) {
     const Frame f = geometry::frame_at(jet);
     const LocalField<double> v = random.field();
     Variables<15> variables;
@@ -74,7 +74,7 @@ TEST(Dual, of_the_resultants_is_the_derivative_of_the_energy_by_the_field) {
 
 TEST(EnergyDensity, is_positive_and_the_sum_of_its_parts) {
   Random random;
-  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const Section& c) {
     const Strain<double> s = strain(random.field(), geometry::frame_at(jet));
     const EnergyDensity e = energy_density(c, s);
     EXPECT_GT(e.membrane, 0);
@@ -87,7 +87,7 @@ TEST(EnergyDensity, is_positive_and_the_sum_of_its_parts) {
 
 TEST(EnergyDensity, of_a_rigid_motion_is_zero) {
   Random random;
-  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const Section& c) {
     const Frame f = geometry::frame_at(jet);
     EXPECT_LT(total_energy_density(c, strain(rigid_motion(f, random.vector()), f)), 1e-26);
   });
@@ -101,27 +101,26 @@ TEST(EnergyDensity, does_not_depend_on_the_coordinates) {
       .dd = {Eigen::Vector2d(0.2, -0.5), Eigen::Vector2d(0.7, 0.1), Eigen::Vector2d(-0.3, 0.4)}};
   Eigen::Matrix2d J;
   J << change.d[0], change.d[1];
-  with_stiffness_at_all_points([&](const SurfaceJet& jet, const SectionStiffness& c) {
+  with_stiffness_at_all_points([&](const SurfaceJet& jet, const Section& c) {
     const Frame f = geometry::frame_at(jet), g = geometry::frame_at(geometry::compose(jet, change));
     const LocalField<double> v = random.field();
     const EnergyDensity here = energy_density(c, strain(v, f));
-    const EnergyDensity there =
-        energy_density(section_stiffness(material, 0.1, g.metric_con), strain(in_coordinates(v, J), g));
+    const EnergyDensity there = energy_density(section_at(material, g, 0.1), strain(in_coordinates(v, J), g));
     EXPECT_NEAR(here.membrane, there.membrane, 1e-12 * here.membrane);
     EXPECT_NEAR(here.bending, there.bending, 1e-12 * here.bending);
     EXPECT_NEAR(here.shear, there.shear, 1e-12 * here.shear);
   });
 }
 
-TEST(SectionStiffness, grows_with_the_thickness_as_a_plates_does) {
-  const Eigen::Matrix2d metric = Random().metric();
-  const SectionStiffness thin = section_stiffness(material, 0.1, metric),
-                         thick = section_stiffness(material, 0.2, metric);
+TEST(Section, grows_with_the_thickness_as_a_plates_does) {
+  const Frame frame = geometry::frame_at({.value = {}, .d = {Vector3d(1, 0.3, 0), Vector3d(-0.2, 1.4, 0.5)}, .dd = {}});
+  const Section thin = section_at(material, frame, 0.1), thick = section_at(material, frame, 0.2);
   EXPECT_LT((thick.membrane - 2 * thin.membrane).norm(), 1e-15 * thick.membrane.norm());
   EXPECT_LT((thick.bending - 8 * thin.bending).norm(), 1e-15 * thick.bending.norm());
   EXPECT_LT((thick.shear - 2 * thin.shear).norm(), 1e-15 * thick.shear.norm());
+  EXPECT_FALSE(thin.is_coupled());
   // 4 k_s e mu delta^2 with the stored strain 2 delta: the matrix is k_s e mu.
-  EXPECT_LT((thin.shear - 5.0 / 6 * 0.1 * material.mu * metric).norm(), 1e-16);
+  EXPECT_LT((thin.shear - 5.0 / 6 * 0.1 * material.shear_modulus() * frame.metric_con).norm(), 1e-16);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Random displacements, rotations and rigid motions at a point of a surface. They are the same in every run.
 #pragma once
-#include <plastron/shell/energy.hpp>
+#include <plastron/shell/material.hpp>
 
 #include <random>
 

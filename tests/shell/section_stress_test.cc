@@ -32,9 +32,9 @@ TEST(SectionStress, IntegratesToTheResultants) {
     const SectionForces f = some_forces(seed);
     EXPECT_LT((over_thickness(f, [&](double z) { return in_plane_stress(f, z); }) - f.N).norm(), 1e-14);
     EXPECT_LT((over_thickness(f, [&](double z) { return Vector3d(z * in_plane_stress(f, z)); }) - f.M).norm(), 1e-15);
-    EXPECT_LT((over_thickness(f, [&](double z) { return parabolic_shear_stress(f, z); }) - f.Q).norm(), 1e-14);
+    EXPECT_LT((over_thickness(f, [&](double z) { return shear_stress(f, z); }) - f.Q).norm(), 1e-14);
     EXPECT_LT((mean_shear_stress(f) * f.thickness - f.Q).norm(), 1e-15);
-    EXPECT_LT(parabolic_shear_stress(f, f.thickness / 2).norm(), 1e-14);
+    EXPECT_LT(shear_stress(f, f.thickness / 2).norm(), 1e-14);
   }
 }
 
@@ -80,7 +80,7 @@ TEST(SectionStress, TheEnergyOfResultantsIsThatOfTheirStrains) {
   const Material steel = Material::from_young_poisson(7, 0.28, 5.0 / 6);
   const Strain<double> strain{{0.2, -0.1, 0.3}, {1.5, 0.4, -0.7}, {0.05, 0.02}};
   const double e = 0.13;
-  const auto stiffness = section_stiffness(steel, e, Eigen::Matrix2d::Identity());
+  const auto stiffness = section_at(steel, orthonormal_frame(Vector3d::UnitX(), Vector3d::UnitY()), e);
   const auto r = resultants(stiffness, strain);
   const EnergyDensity expected = energy_density(stiffness, strain);
   const EnergyDensity found = energy_density(steel, {.N = r.membrane, .M = r.bending, .Q = r.shear, .thickness = e});

@@ -41,7 +41,7 @@ shell::Strain<double> exact_strain(const Manufactured& exact, const geometry::Fr
   return shell::strain<double>({{along(u, 0), along(u, 1)}, r.value, {along(r, 0), along(r, 1)}}, frame);
 }
 
-double density(const shell::SectionStiffness& c, const shell::Strain<double>& s) {
+double density(const shell::Section& c, const shell::Strain<double>& s) {
   return 2 * shell::total_energy_density(c, s);
 }
 
@@ -69,8 +69,7 @@ double energy_error(const computation::Solution& solution, const Manufactured& e
     for (std::size_t q = 0; q < jets.size(); ++q) {
       const geometry::Frame frame = geometry::frame_at(jets[q]);
       const auto& section = shell.section(c);
-      const auto stiffness =
-          shell::section_stiffness(section.material, section.thickness(x[q], y[q]), frame.metric_con);
+      const auto stiffness = shell::section_at(section.material, frame, section.thickness(x[q], y[q]));
       const auto row = computed.row(static_cast<Eigen::Index>(q));
       const shell::Strain<double> e = exact_strain(exact, frame, x[q], y[q]);
       const shell::Strain<double> difference{row.head<3>().transpose() - e.membrane,

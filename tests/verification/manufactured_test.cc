@@ -9,7 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <plastron/geometry/chart.hpp>
-#include <plastron/shell/energy.hpp>
+#include <plastron/shell/material.hpp>
 
 namespace plastron::verification {
 
@@ -55,7 +55,7 @@ Integrals integrals(const Manufactured& exact, int cells) {
     const geometry::Frame frame = geometry::frame_at(chart(x, y));
     const ExactField u = exact.u(x, y), r = exact.r(x, y);
     const auto strain = shell::strain<double>({u.d, r.value, r.d}, frame);
-    const auto density = shell::energy_density(shell::section_stiffness(material, e, frame.metric_con), strain);
+    const auto density = shell::energy_density(shell::section_at(material, frame, e), strain);
     const ExactLoad load = exact.load(x, y);
     const double dS = weight * frame.sqrt_a;
     sum["area"] += dS;

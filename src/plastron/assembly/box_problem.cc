@@ -28,9 +28,13 @@ void scale_rows(const Eigen::Matrix<double, size, size>& stiffness, double area,
 void scale_by_stiffness(const ShellOperator& shell, std::size_t cell, RowMatrix& b) {
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
     const QuadraturePoint p = shell.point(cell, q);
-    scale_rows(p.stiffness.membrane, p.area, 8 * q, b);
-    scale_rows(p.stiffness.bending, p.area, 8 * q + 3, b);
-    scale_rows(p.stiffness.shear, p.area, 8 * q + 6, b);
+    if (p.section.is_coupled()) {
+      scale_rows(p.section.in_plane(), p.area, 8 * q, b);
+    } else {
+      scale_rows(p.section.membrane, p.area, 8 * q, b);
+      scale_rows(p.section.bending, p.area, 8 * q + 3, b);
+    }
+    scale_rows(p.section.shear, p.area, 8 * q + 6, b);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <plastron/assembly/cell_packs.hpp>
 
 #include <plastron/element/element_tables.hpp>
+#include <plastron/shell/material.hpp>
 
 namespace plastron::assembly {
 
@@ -33,16 +34,38 @@ CellPacks::CellPacks(const fem::Space& space, const fem::Surface& surface, const
   points_.resize(lines(xi_.size() * PackedCells::point_size));
   samplings_.resize(lines(sampling_points * PackedCells::sampling_size));
   materials_.resize(lines(PackedCells::material_size));
+  if (sections.most_layers() > 0) sections_.resize(lines(xi_.size() * PackedCells::section_size));
   for (std::size_t to = 0; to < packs * lanes(); ++to) {
     // Lanes without a cell get the last cell, so that their results are finite.
     const fem::Cell& cell = space.cells[std::min(to, space.owned_cells - 1)];
     const CrossSection& section = sections.at(*space.coarse, cell);
     set_points(surface, section, cell, to);
     set_sampling_points(surface, cell, to);
-    const shell::Material& m = section.material;
-    const double quantities[] = {m.lambda_plane_stress(), m.mu, m.shear_correction * m.mu, m.young()};
-    for (std::size_t k = 0; k < std::size(quantities); ++k)
-      data(materials_)[place(to, 1, 0, PackedCells::material_size) + k * lanes()] = quantities[k];
+    set_material(section.material, to);
+    if (!sections_.empty()) set_sections(section.material, to);
+  }
+}
+
+void CellPacks::set_material(const shell::Material& m, std::size_t to) {
+  const shell::Isotropic isotropic = m.isotropic() ? *m.isotropic() : shell::Isotropic{};
+  const double quantities[] = {m.isotropic() ? isotropic.lambda_plane_stress() : 0, isotropic.mu,
+                               m.shear_correction * isotropic.mu, m.young()};
+  for (std::size_t k = 0; k < std::size(quantities); ++k)
+    data(materials_)[place(to, 1, 0, PackedCells::material_size) + k * lanes()] = quantities[k];
+}
+
+void CellPacks::set_sections(const shell::Material& material, std::size_t to) {
+  for (std::size_t q = 0; q < xi_.size(); ++q) {
+    const shell::Section s = shell::section_at(material, frame(to, q), thickness(to, q));
+    double* out = data(sections_) + place(to, xi_.size(), q, PackedCells::section_size);
+    const auto put = [&](const auto& matrix) {
+      for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+        for (Eigen::Index j = 0; j <= i; ++j, out += lanes()) *out = matrix(i, j);
+    };
+    put(s.membrane);
+    put(s.coupling);
+    put(s.bending);
+    put(s.shear);
   }
 }
 
@@ -148,6 +171,7 @@ PackedCells CellPacks::view(const fem::Space& space) const {
           .points = data(points_),
           .samplings = data(samplings_),
           .materials = data(materials_),
+          .sections = data(sections_),
           .weights = weights_.data(),
           .value = value_.view(),
           .d = d_.view(),

@@ -62,13 +62,16 @@ class CellPacks {
   /// Writes the geometry of `cell` to the place of cell number `to`.
   void set_points(const fem::Surface& surface, const CrossSection& section, const fem::Cell& cell, std::size_t to);
   void set_sampling_points(const fem::Surface& surface, const fem::Cell& cell, std::size_t to);
+  void set_material(const shell::Material& material, std::size_t to);
+  /// Writes the sections of the points that set_points() has written.
+  void set_sections(const shell::Material& material, std::size_t to);
 
   const PackKernels* kernels_;
   PackedCells::Kind kind_;
   std::vector<std::vector<fem::Vector2d>> sampling_xi_{};  ///< sampling points of tied strains
   std::vector<fem::Vector2d> xi_;
   std::vector<double> weights_;
-  std::vector<Line> points_{}, samplings_{}, materials_{};
+  std::vector<Line> points_{}, samplings_{}, materials_{}, sections_{};
   Table value_{}, d_{}, reduced_value_{}, reduced_d_{}, from_reduced_{}, cell_value_{}, cell_d1_{}, cell_d2_{};
 };
 

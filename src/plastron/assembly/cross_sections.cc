@@ -28,6 +28,16 @@ const shell::Material& CrossSections::softest() const {
   return softest->material;
 }
 
+int CrossSections::most_layers() const {
+  const auto count = [](const CrossSection& section) {
+    const auto laminate = section.material.laminate();
+    return laminate ? static_cast<int>(laminate->layers().size()) : 0;
+  };
+  int most = count(common);
+  for (const auto& [name, section] : regions) most = std::max(most, count(section));
+  return most;
+}
+
 void check_regions(const CrossSections& sections, const fem::CoarseMesh& coarse) {
   for (const auto& [name, section] : sections.regions)
     if (std::ranges::find(coarse.regions, name) == coarse.regions.end())

@@ -22,6 +22,8 @@ struct CrossSections {
 
   /// Returns the cross-section of the region that contains a cell.
   const CrossSection& at(const fem::CoarseMesh& coarse, const fem::Cell& cell) const;
+  /// Returns the largest number of layers of a laminate; 0 without laminates.
+  int most_layers() const;
   /// Returns the material of the smallest E. With it, measures of the whole shell are conservative.
   const shell::Material& softest() const;
 };

@@ -260,6 +260,14 @@ void for_packs(const PackedCells& c, const Work& work) {
          packs(c.materials) + pack * PackedCells::material_size);
 }
 
+/// Returns the stresses at quadrature point q of a pack times the point's area.
+inline Strains stresses_at(const PackedCells& c, std::size_t pack, int q, const Strains& s, const Frame& f,
+                           const Pack* material) {
+  if (c.sections == nullptr) return stresses_of(s, f, material, c.weights[q]);
+  const std::size_t point = pack * static_cast<std::size_t>(c.points_per_cell) + static_cast<std::size_t>(q);
+  return stresses_of_section(s, f, packs(c.sections) + point * PackedCells::section_size, c.weights[q]);
+}
+
 /// Computes the strains of the gathered field at all quadrature points and calls take(q, frame, strains), which may
 /// store stresses.
 template <class Take>
@@ -287,7 +295,7 @@ void add_product(const PackedCells& c, const double* y, double* f) {
   for_packs(c, [&](std::size_t pack, const Pack* points, const Pack* samplings, const Pack* material) {
     cell.gather(pack, all_components, y);
     with_strains(c, cell, points, samplings, [&](int q, const Frame& frame, const Strains& s) {
-      const Strains n = stresses_of(s, frame, material, c.weights[q]);
+      const Strains n = stresses_at(c, pack, q, s, frame, material);
       Derivatives dual = bending_dual(n.bending, frame);
       if (tied) {
         cell.put_tied(q, n);
@@ -309,7 +317,7 @@ PackEnergies energies(const PackedCells& c, const double* y) {
   for_packs(c, [&](std::size_t pack, const Pack* points, const Pack* samplings, const Pack* material) {
     cell.gather(pack, all_components, y);
     with_strains(c, cell, points, samplings, [&](int q, const Frame& frame, const Strains& s) {
-      const Strains n = stresses_of(s, frame, material, c.weights[q]);
+      const Strains n = stresses_at(c, pack, q, s, frame, material);
       for (int k = 0; k < 3; ++k) {
         membrane += n.membrane[k] * s.membrane[k];
         bending += n.bending[k] * s.bending[k];

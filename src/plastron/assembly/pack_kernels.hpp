@@ -29,8 +29,10 @@ struct PackedCells {
   static constexpr int point_size = 10;
   /// Quantities of a sampling point: the two vectors for its strains.
   static constexpr int sampling_size = 6;
-  /// Quantities of a cell's material: E nu / (1 - nu^2), mu, k_s mu, E.
+  /// Quantities of a cell's material: E nu / (1 - nu^2), mu, k_s mu, E. The first three are those of isotropic cells.
   static constexpr int material_size = 4;
+  /// Quantities of a section: the rows of A, B, D up to the diagonal, then those of S.
+  static constexpr int section_size = 21;
 
   Kind kind = Kind::tied;
   std::size_t cells = 0;
@@ -39,6 +41,7 @@ struct PackedCells {
   const double* points = nullptr;
   const double* samplings = nullptr;  ///< points of the three sets of (M22), set by set: a_1, a_3; a_2, a_3; a_1, a_2
   const double* materials = nullptr;  ///< values by pack, quantity, lane
+  const double* sections = nullptr;   ///< sections of the quadrature points; null if all cells are isotropic
   const double* weights = nullptr;    ///< weights of the quadrature points
   /// Tables along a line: values and derivatives at the full and reduced Gauss points, and the map from reduced to full
   /// points.

@@ -208,6 +208,27 @@ inline Strains stresses_of(const Strains& s, const Frame& f, const Pack* materia
   return n;
 }
 
+/// Adds C strain for a symmetric matrix, given by its rows up to the diagonal.
+inline void add_symmetric(const Pack* c, Pack factor, const Pack* strain, Pack* stress) {
+  stress[0] += factor * (c[0] * strain[0] + c[1] * strain[1] + c[3] * strain[2]);
+  stress[1] += factor * (c[1] * strain[0] + c[2] * strain[1] + c[4] * strain[2]);
+  stress[2] += factor * (c[3] * strain[0] + c[4] * strain[1] + c[5] * strain[2]);
+}
+
+/// Returns the stresses of a stored section times the area of the point.
+inline Strains stresses_of_section(const Strains& s, const Frame& f, const Pack* section, double weight) {
+  const Pack area = weight * f.sqrt_a;
+  const Pack *membrane = section, *coupling = section + 6, *bending = section + 12, *shear = section + 18;
+  Strains n{};
+  add_symmetric(membrane, area, s.membrane, n.membrane);
+  add_symmetric(coupling, area, s.bending, n.membrane);
+  add_symmetric(coupling, area, s.membrane, n.bending);
+  add_symmetric(bending, area, s.bending, n.bending);
+  n.shear[0] = area * (shear[0] * s.shear[0] + shear[1] * s.shear[1]);
+  n.shear[1] = area * (shear[1] * s.shear[0] + shear[2] * s.shear[1]);
+  return n;
+}
+
 inline Derivatives bending_dual(const Pack* m, const Frame& f) {
   return {m[0] * f.da1 + m[2] * f.da2, m[2] * f.da1 + m[1] * f.da2, m[0] * f.a1 + m[2] * f.a2,
           m[2] * f.a1 + m[1] * f.a2};

@@ -86,24 +86,30 @@ algebra::Vector assembled(const ShellOperator& shell, const ForcesOf& forces_of)
 }
 
 /// Returns N^{ab} times area at the quadrature points.
-MembraneRows membrane_forces(const ShellOperator& shell, std::size_t cell, const element::CellField& field) {
-  return shell.weighted_stresses(cell, shell.strains(cell, field)).leftCols<3>();
+MembraneRows membrane_forces(const ShellOperator& shell, std::size_t cell, const CellStrain& strains,
+                             double load_factor) {
+  CellStrain stresses = shell.weighted_stresses(cell, strains);
+  if (const auto initial = shell.weighted_initial_stresses(cell)) stresses -= load_factor * *initial;
+  return stresses.leftCols<3>();
+}
+MembraneRows membrane_forces(const ShellOperator& shell, std::size_t cell, const element::CellField& field,
+                             double load_factor) {
+  return membrane_forces(shell, cell, shell.strains(cell, field), load_factor);
 }
 
 }  // namespace
 
-SecondOrder second_order(const ShellOperator& shell, const algebra::Vector& y) {
+SecondOrder second_order(const ShellOperator& shell, const algebra::Vector& y, double load_factor) {
   SecondOrder mine;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const element::CellField field = shell.gather(c, y);
     const CellStrain strains = shell.strains(c, field);
     const SampledFields v = sampled_fields(shell, c, field);
-    const MembraneRows q = products(shell, v, v) / 2;
+    const MembraneRows q = products(shell, v, v) / 2, n = membrane_forces(shell, c, strains, load_factor);
     for (Eigen::Index p = 0; p < q.rows(); ++p) {
       const QuadraturePoint point = shell.point(c, static_cast<int>(p));
-      const Vector3d n = point.area * (point.stiffness.membrane * q.row(p).transpose());
-      mine.work += n.dot(strains.row(p).head<3>());
-      mine.stretch += n.dot(q.row(p)) / 2;
+      mine.work += n.row(p).dot(q.row(p));
+      mine.stretch += point.area / 2 * q.row(p).dot(point.section.membrane * q.row(p).transpose());
       const double strain = largest_principal(point, strains, p);
       if (!(strain <= mine.largest_strain)) mine.largest_strain = strain;
     }
@@ -114,30 +120,32 @@ SecondOrder second_order(const ShellOperator& shell, const algebra::Vector& y) {
           .largest_strain = algebra::max_over_ranks(mine.largest_strain, comm)};
 }
 
-algebra::Vector second_order_forces(const ShellOperator& shell, const algebra::Vector& y) {
+algebra::Vector second_order_forces(const ShellOperator& shell, const algebra::Vector& y, double load_factor) {
   return assembled(shell, [&](std::size_t c, element::CellField& forces) {
     const element::CellField field = shell.gather(c, y);
     const SampledFields v = sampled_fields(shell, c, field);
     CellStrain q = CellStrain::Zero(shell.tables().points_per_cell(), 8);
     q.leftCols<3>() = products(shell, v, v) / 2;
     forces += shell.forces(c, shell.weighted_stresses(c, q));
-    add_forces_along(shell, c, membrane_forces(shell, c, field), v, forces);
+    add_forces_along(shell, c, membrane_forces(shell, c, field, load_factor), v, forces);
   });
 }
 
-algebra::Vector geometric_forces(const ShellOperator& shell, const algebra::Vector& y, const algebra::Vector& v) {
+algebra::Vector geometric_forces(const ShellOperator& shell, const algebra::Vector& y, const algebra::Vector& v,
+                                 double load_factor) {
   return assembled(shell, [&](std::size_t c, element::CellField& forces) {
-    add_forces_along(shell, c, membrane_forces(shell, c, shell.gather(c, y)),
+    add_forces_along(shell, c, membrane_forces(shell, c, shell.gather(c, y), load_factor),
                      sampled_fields(shell, c, shell.gather(c, v)), forces);
   });
 }
 
-double stretch_beside(const ShellOperator& shell, const algebra::Vector& y, const algebra::Vector& z) {
+double stretch_beside(const ShellOperator& shell, const algebra::Vector& y, const algebra::Vector& z,
+                      double load_factor) {
   double mine = 0;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const element::CellField field = shell.gather(c, y), beside = shell.gather(c, z);
     const SampledFields v = sampled_fields(shell, c, field), w = sampled_fields(shell, c, beside);
-    const MembraneRows n = membrane_forces(shell, c, field), turned = products(shell, v, w);
+    const MembraneRows n = membrane_forces(shell, c, field, load_factor), turned = products(shell, v, w);
     CellStrain strains = -shell.strains(c, beside);
     strains.leftCols<3>() += products(shell, v, v) / 2;
     mine += strains.cwiseProduct(shell.weighted_stresses(c, strains)).sum() / 2 - n.cwiseProduct(turned).sum();

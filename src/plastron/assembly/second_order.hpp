@@ -13,20 +13,23 @@ struct SecondOrder {
       0;  ///< largest principal strain gamma +- e/2 chi at the faces, by absolute value, at quadrature points
 };
 
-/// Computes the quantities from Cartesian nodal values y = (u, r), block 6 with valid ghosts (collective).
-SecondOrder second_order(const ShellOperator& shell, const algebra::Vector& y);
+/// Computes the quantities from Cartesian nodal values y = (u, r), block 6 with valid ghosts (collective). N is the
+/// membrane force of the strains of y without `load_factor` times that of initial strains; so it is in all functions here.
+SecondOrder second_order(const ShellOperator& shell, const algebra::Vector& y, double load_factor = 1);
 
 /// Returns the derivative of `work` by y, f . w = int e a^{abrs} q_ab gamma_rs(w) + N^{ab} d_a u . d_b w sqrt(a) dx.
 /// The result are nodal forces, complete on owned nodes (collective).
-algebra::Vector second_order_forces(const ShellOperator& shell, const algebra::Vector& y);
+algebra::Vector second_order_forces(const ShellOperator& shell, const algebra::Vector& y, double load_factor = 1);
 
 /// Applies the geometric stiffness of N^{ab}(y): f . w = int N^{ab} d_a v . d_b w sqrt(a) dx, complete on owned nodes
 /// (collective).
-algebra::Vector geometric_forces(const ShellOperator& shell, const algebra::Vector& y, const algebra::Vector& v);
+algebra::Vector geometric_forces(const ShellOperator& shell, const algebra::Vector& y, const algebra::Vector& v,
+                                 double load_factor = 1);
 
 /// Returns the rest of `stretch` when the shell also moves by -z: stretch - f . z + 1/2 a(z, z),
 /// f = second_order_forces(y). The sum loses no digits where z removes nearly all of `stretch`. The result is least for
 /// z = A^-1 f (collective) [J].
-double stretch_beside(const ShellOperator& shell, const algebra::Vector& y, const algebra::Vector& z);
+double stretch_beside(const ShellOperator& shell, const algebra::Vector& y, const algebra::Vector& z,
+                      double load_factor = 1);
 
 }  // namespace plastron::assembly

@@ -1,5 +1,7 @@
 #include <plastron/assembly/shell_operator.hpp>
 
+#include <plastron/shell/material.hpp>
+
 #include <algorithm>
 #include <iterator>
 
@@ -34,7 +36,7 @@ QuadraturePoint ShellOperator::point(std::size_t cell, int q) const {
   const geometry::Frame frame = packs_.frame(cell, p);
   const double thickness = packs_.thickness(cell, p);
   const shell::Material& material = section(cell).material;
-  return {frame, shell::section_stiffness(material, thickness, frame.metric_con), thickness, material.young(),
+  return {frame, shell::section_at(material, frame, thickness), thickness, material.young(),
           frame.sqrt_a * tables_.weights[p]};
 }
 
@@ -128,9 +130,18 @@ CellStrain ShellOperator::weighted_stresses(std::size_t cell, const CellStrain& 
   CellStrain stresses(strains.rows(), 8);
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
     const QuadraturePoint p = point(cell, q);
-    stresses.row(q).head<3>() = p.area * (p.stiffness.membrane * strains.row(q).head<3>().transpose());
-    stresses.row(q).segment<3>(3) = p.area * (p.stiffness.bending * strains.row(q).segment<3>(3).transpose());
-    stresses.row(q).tail<2>() = p.area * (p.stiffness.shear * strains.row(q).tail<2>().transpose());
+    stresses.row(q) = p.area * p.section.resultants_of(strains.row(q).transpose());
+  }
+  return stresses;
+}
+
+std::optional<CellStrain> ShellOperator::weighted_initial_stresses(std::size_t cell) const {
+  const auto laminate = section(cell).material.laminate();
+  if (!laminate || !laminate->has_initial_strains()) return {};
+  CellStrain stresses(tables_.points_per_cell(), 8);
+  for (int q = 0; q < tables_.points_per_cell(); ++q) {
+    const QuadraturePoint p = point(cell, q);
+    stresses.row(q) = p.area * p.section.initial_resultants();
   }
   return stresses;
 }
@@ -242,7 +253,7 @@ Energies ShellOperator::energies_cell_by_cell(const algebra::Vector& y) const {
     for (int q = 0; q < tables_.points_per_cell(); ++q) {
       const QuadraturePoint p = point(c, q);
       const shell::Strain<double> strain{s.row(q).head<3>(), s.row(q).segment<3>(3), s.row(q).tail<2>()};
-      const shell::EnergyDensity density = shell::energy_density(p.stiffness, strain);
+      const shell::EnergyDensity density = shell::energy_density(p.section, strain);
       sum.membrane += p.area * density.membrane;
       sum.bending += p.area * density.bending;
       sum.shear += p.area * density.shear;

@@ -8,10 +8,11 @@
 #include <plastron/assembly/cell_packs.hpp>
 #include <plastron/assembly/cross_sections.hpp>
 #include <plastron/element/interpolation.hpp>
-#include <plastron/shell/energy.hpp>
+#include <plastron/shell/section.hpp>
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,10 +34,10 @@ struct Energies {
 /// Geometry and stiffness at a quadrature point, in the element's own coordinates.
 struct QuadraturePoint {
   geometry::Frame frame;
-  shell::SectionStiffness stiffness;  ///< without weight
-  double thickness;                   ///< e of the cell's own region [m]
-  double young;                       ///< E of the cell's own region [Pa]
-  double area;                        ///< sqrt(a) times the quadrature weight [m^2]
+  shell::Section section;  ///< without weight
+  double thickness;        ///< e of the cell's own region [m]
+  double young;            ///< E of the cell's own region [Pa]
+  double area;             ///< sqrt(a) times the quadrature weight [m^2]
 };
 
 class ShellOperator {
@@ -67,8 +68,10 @@ class ShellOperator {
   CellStrain strains(std::size_t cell, const element::CellField& field) const;
   /// Nodal forces of weighted stresses: the transpose of strains().
   element::CellField forces(std::size_t cell, const CellStrain& stresses) const;
-  /// Stresses times area at the quadrature points: N, M, Q of (M8).
+  /// Stresses times area at the quadrature points: N, M, Q of (M8), without the share of initial strains.
   CellStrain weighted_stresses(std::size_t cell, const CellStrain& strains) const;
+  /// Returns N_0, M_0 of initial strains times area at the quadrature points; empty if the cell has none.
+  std::optional<CellStrain> weighted_initial_stresses(std::size_t cell) const;
   /// Returns the matrix of strains(): rows by point in the order of CellStrain, columns by node in the order of
   /// CellField.
   RowMatrix strain_matrix(std::size_t cell) const;

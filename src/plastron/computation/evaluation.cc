@@ -107,6 +107,8 @@ void choose_recovery(const problem::Output& output, Solution& solution) {
 void find_stress_peak(Result& result) {
   const Solution& solution = *result.solution;
   result.singular_places = recovery::singular_places(*solution.discrete, result.summary);
+  result.layers =
+      recovery::layer_stresses(*solution.discrete, solution.nodal, solution.recovery, result.singular_places);
   result.peak = recovery::stress_peak(*solution.discrete, solution.nodal, solution.recovery, result.singular_places);
   if (!result.estimates) return;
   for (const estimation::GoalEstimate& goal : result.estimates->goals)

@@ -23,7 +23,7 @@ double edge_change(const Solution& one, const Solution& other, double least_thic
 /// Sets solution.recovery according to the problem. Call it again when the solution changes (collective).
 void choose_recovery(const problem::Output& output, Solution& solution);
 
-/// Sets result.peak and result.singular_places from its solution and summary. Call it after choose_recovery()
+/// Sets result.peak, result.layers and result.singular_places from its solution and summary. Call it after choose_recovery()
 /// (collective).
 void find_stress_peak(Result& result);
 

@@ -3,6 +3,7 @@
 #include <plastron/certificate/certificate_limits.hpp>
 #include <plastron/contact/problem.hpp>
 #include <plastron/estimation/goal_record.hpp>
+#include <plastron/recovery/layer_stresses.hpp>
 #include <plastron/recovery/stress_peak.hpp>
 
 #include <mpi.h>
@@ -98,6 +99,7 @@ struct Result {
   std::vector<ProbeValue> probes{};                        ///< equal on every rank
   recovery::StressPeak peak{};                             ///< peak of the last solution
   std::vector<recovery::SingularPlace> singular_places{};  ///< places that the peak ignores
+  std::vector<recovery::LayerStress> layers{};             ///< stresses by layer; empty without laminates
   std::vector<Level> levels{};                             ///< meshes of the first instant, if there are steps
   std::vector<HistoryEntry> history{};                     ///< on the finest mesh, by instant; empty without steps
   bool has_obstacle = false;

@@ -48,6 +48,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   Table root(reading, section(""), parse_toml(source));
   result.title = root.text("title").value_or("");
   read_constants(root);
+  read_materials(root);
   read_shell(root, result.problem);
   read_geometry(root, result.problem);
   read_regions(root, result.problem);

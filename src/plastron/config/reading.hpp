@@ -6,11 +6,13 @@
 #include <plastron/config/source.hpp>
 #include <plastron/fem/domain.hpp>
 #include <plastron/geometry/space_function.hpp>
+#include <plastron/shell/material.hpp>
 
 #include <Eigen/Core>
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,12 +22,19 @@
 
 namespace plastron::config {
 
+/// A material of [[material]].
+struct NamedMaterial {
+  shell::Material material{};
+  std::optional<shell::Orthotropic> layer{};  ///< the constants of a layer of this material; empty for a laminate
+};
+
 struct Reading {
   const Source& source;
   std::filesystem::path folder{};                                      ///< folder of the files that the case names
   std::vector<std::pair<std::string, std::filesystem::path>> files{};  ///< files that the case names, with their paths
   std::optional<fem::Domain> domain{};                                 ///< empty: it is wrong, or not read yet
   geometry::Constants constants{};
+  std::map<std::string, NamedMaterial> materials{};
   std::vector<std::string> later_constants{};  ///< constants below the one being read
   bool constants_complete =
       true;  ///< false: some constant is wrong and is NaN; mistakes that follow from it are not reported

@@ -23,6 +23,7 @@ std::vector<Section> file_sections() {
            "A case file is a TOML file with these sections.",
            {key("title", Kind::text, {.fallback = "\"\""}, "shown in reports"),
             key("constants", Kind::free_table, {.fallback = "{}"}, "named numbers for expressions"),
+            tables("material", "materials with a name"),
             required("shell", "material and thickness"),
             required("geometry", "the mid-surface"),
             tables("region", "thickness, material, density of a region"),
@@ -48,9 +49,10 @@ std::vector<Section> file_sections() {
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = [] {
     std::vector<Section> list;
-    for (const auto declare : {file_sections, constants_sections, shell_sections, geometry_sections, accuracy_sections,
-                               mesh_sections, join_sections, rigid_body_sections, support_sections, load_sections,
-                               obstacle_sections, step_sections, probe_sections, output_sections, solver_sections})
+    for (const auto declare :
+         {file_sections, constants_sections, material_sections, shell_sections, geometry_sections, accuracy_sections,
+          mesh_sections, join_sections, rigid_body_sections, support_sections, load_sections, obstacle_sections,
+          step_sections, probe_sections, output_sections, solver_sections})
       std::ranges::move(declare(), std::back_inserter(list));
     return list;
   }();

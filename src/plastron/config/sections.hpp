@@ -14,6 +14,15 @@ std::vector<Section> constants_sections();
 /// Fills Reading::constants, which all other sections use.
 void read_constants(Table& root);
 
+/// Poisson's ratio of isotropic materials.
+inline constexpr Range poisson_range{.low = -0.999, .high = 0.5, .high_open = true};
+
+std::vector<Section> material_sections();
+/// Fills Reading::materials, which [shell] and [[region]] use.
+void read_materials(Table& root);
+/// Reports that no material has the name that `material` of the table gives.
+void report_unknown_material(const Table& table, const std::string& name);
+
 /// Returns [shell], [[region]] and [gravity].
 std::vector<Section> shell_sections();
 void read_shell(Table& root, problem::Problem& problem);

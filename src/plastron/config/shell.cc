@@ -13,18 +13,17 @@ using assembly::CrossSection;
 using element::Formulation, element::Tangency;
 using shell::Material;
 
-constexpr Range poisson{.low = -0.999, .high = 0.5, .high_open = true};
-
 Section shell_section() {
   return {"shell",
           "[shell]",
-          "The material and the thickness. The elastic constants are either E and nu, or lambda and mu.",
+          "The material and the thickness. The material is E and nu, or lambda and mu, or the name of a [[material]].",
           {key("E", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "2.1e11"}, "Young's modulus"),
-           key("nu", Kind::number, {.range = poisson, .example = "0.3"},
+           key("nu", Kind::number, {.range = poisson_range, .example = "0.3"},
                "Poisson's ratio; nearer to -1 double precision does not suffice"),
            key("lambda", Kind::number, {.unit = "Pa", .example = "1.2e11"},
                "first Lame constant; 3 lambda + 2 mu > 0, and Poisson's ratio is at least -0.999"),
            key("mu", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "8e10"}, "shear modulus"),
+           key("material", Kind::name, {.example = "\"carbon\""}, "a [[material]], in the place of E and nu"),
            key("thickness", &CrossSection::thickness,
                {.unit = "m", .required = true, .range = Range::positive(), .example = "0.02"}, "the thickness e"),
            key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()},
@@ -55,9 +54,10 @@ Section region_section() {
                "a region of the domain that no other [[region]] names"),
            key("thickness", &CrossSection::thickness, {.unit = "m", .range = Range::positive()}, "the thickness e"),
            key("E", Kind::number, {.unit = "Pa", .range = Range::positive()}, "Young's modulus, together with nu"),
-           key("nu", Kind::number, {.range = poisson}, "Poisson's ratio, together with E"),
+           key("nu", Kind::number, {.range = poisson_range}, "Poisson's ratio, together with E"),
            key("lambda", Kind::number, {.unit = "Pa"}, "first Lame constant, together with mu"),
            key("mu", Kind::number, {.unit = "Pa", .range = Range::positive()}, "shear modulus, together with lambda"),
+           key("material", Kind::name, {}, "a [[material]], in the place of E and nu"),
            key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()}, "mass per volume")}};
 }
 
@@ -71,7 +71,7 @@ Section gravity_section() {
            "Cartesian acceleration of gravity; it needs a density in [shell] or in a [[region]]")}};
 }
 
-constexpr const char* pairs = "either E and nu, or lambda and mu";
+constexpr const char* pairs = "either E and nu, or lambda and mu, or material";
 
 void from_young_poisson(Table& table, Material& material) {
   for (const char* name : {"lambda", "mu"})
@@ -80,7 +80,7 @@ void from_young_poisson(Table& table, Material& material) {
       return;
     }
   const auto E = table.number("E"), nu = table.number("nu");
-  if (E && nu) material = Material::from_young_poisson(*E, *nu, material.shear_correction);
+  if (E && nu) material.law = Material::from_young_poisson(*E, *nu, 1).law;
 }
 
 void from_lame(Table& table, Material& material) {
@@ -91,14 +91,15 @@ void from_lame(Table& table, Material& material) {
                         fmt::format("lambda is {} and mu is {}: such a material expands under pressure", *lambda, *mu),
                         "3 lambda + 2 mu > 0");
   const double nu = *lambda / (2 * (*lambda + *mu));
-  if (nu < poisson.low)
+  if (nu < poisson_range.low)
     return table.report("lambda", fmt::format("lambda is {} and mu is {}: Poisson's ratio is {:.6g}", *lambda, *mu, nu),
                         "lambda / (2 (lambda + mu)) >= -0.999", "nearer to -1 double precision does not suffice");
-  material = {*lambda, *mu, material.shear_correction};
+  material.law = shell::Isotropic{*lambda, *mu};
 }
 
 bool has_elastic_constants(const Table& table) {
-  return std::ranges::any_of(std::array{"E", "nu", "lambda", "mu"}, [&](const char* name) { return table.has(name); });
+  return std::ranges::any_of(std::array{"E", "nu", "lambda", "mu", "material"},
+                             [&](const char* name) { return table.has(name); });
 }
 
 /// Reports the missing partner in a pair of elastic constants.
@@ -109,8 +110,22 @@ bool has_pair(const Table& table, const std::string& header, const char* first, 
   return false;
 }
 
-/// Sets the Lame constants from the table, if they are present and correct. `header`: name of the table in messages.
+/// Sets the law of the [[material]] that the table names.
+void from_name(Table& table, Material& material) {
+  for (const char* name : {"E", "nu", "lambda", "mu"})
+    if (table.has(name)) table.report_key(name, fmt::format("\"{}\" is given besides \"material\"", name), pairs);
+  const auto name = table.text("material");
+  if (!name) return;
+  const auto& materials = table.reading().materials;
+  if (const auto found = materials.find(*name); found != materials.end())
+    material.law = found->second.material.law;
+  else
+    report_unknown_material(table, *name);
+}
+
+/// Sets the elastic law from the table, if it is present and correct. `header`: name of the table in messages.
 void read_material(Table& table, const std::string& header, Material& material) {
+  if (table.has("material")) return from_name(table, material);
   if (table.has("E") || table.has("nu")) {
     if (has_pair(table, header, "E", "nu")) from_young_poisson(table, material);
   } else if (table.has("lambda") || table.has("mu")) {
@@ -121,7 +136,7 @@ void read_material(Table& table, const std::string& header, Material& material) 
 /// Reads a cross-section of a region. Its initial values are the values of [shell].
 void read_own(Table& region, CrossSection& section) {
   if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density"))
-    region.report_here("[[region]] has nothing of its own", "thickness, E and nu, lambda and mu, density",
+    region.report_here("[[region]] has nothing of its own", "thickness, E and nu, lambda and mu, material, density",
                        "give one of them, or leave the region out: it is like [shell] anyway");
   read_material(region, "[[region]]", section.material);
   region.fill(section);

@@ -2,6 +2,7 @@
 
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/reference_cell.hpp>
+#include <plastron/shell/material.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
@@ -76,7 +77,7 @@ class FreeEdgesOf {
       lengths.push_back(line_.weights[i] * derivative.norm());
     }
     if (!is_free(side, edge.tangent.front())) return {};
-    edge.weight = weights(edge, lengths);
+    edge.weight = weights(edge, jets, lengths);
     return edge;
   }
 
@@ -90,7 +91,8 @@ class FreeEdgesOf {
     });
   }
 
-  std::vector<double> weights(const FreeEdge& edge, std::vector<double> lengths) const {
+  std::vector<double> weights(const FreeEdge& edge, std::span<const geometry::SurfaceJet> jets,
+                              std::vector<double> lengths) const {
     const assembly::ShellOperator& shell = discrete_.shell;
     std::vector<double> x(edge.xi.size()), y(edge.xi.size()), e(edge.xi.size());
     shell.surface().positions(space_.cells[edge.cell], edge.xi, x, y);
@@ -98,12 +100,13 @@ class FreeEdgesOf {
     section.thickness.evaluate(x, y, e);
     const double width = shell.area(edge.cell) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
     for (std::size_t i = 0; i < e.size(); ++i) {
-      const shell::Material& m = section.material;
-      const double delta = e[i] / std::sqrt(12 * m.shear_correction);
+      const shell::Section along = shell::section_at(
+          section.material, shell::frame_across(edge.tangent[i], geometry::unit_normal(jets[i])), e[i]);
+      const double delta = shell::twist_length(along);
       const double cell = width / delta;
       // Within the layer M_nt is an ordinary residual, weighted with the cell's width.
       const double missing = (1 - energy_share_of_polynomials(space_.degree, cell)) * std::min(1.0, cell);
-      lengths[i] *= missing * delta * 12 / (m.mu * std::pow(e[i], 3));
+      lengths[i] *= missing * delta / along.bending_without_force()(2, 2);
     }
     return lengths;
   }

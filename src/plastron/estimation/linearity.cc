@@ -67,7 +67,8 @@ std::optional<double> buckling(const Solved& solved, DualSolver& solver) {
     for (algebra::Vector* each : {&*v, &force})
       for (double& value : each->local()) value /= size;
     algebra::Vector next_force =
-        on_coordinates(solved, geometric_forces(solved.discrete.shell, solved.nodal.y, cartesian(solved, *v)));
+        on_coordinates(solved, geometric_forces(solved.discrete.shell, solved.nodal.y, cartesian(solved, *v),
+                                                solved.discrete.state.load_factor));
     for (double& value : next_force.local()) value = -value;
     auto next = response(solver, next_force);
     if (!next) return {};
@@ -95,10 +96,11 @@ std::optional<double> buckling(const Solved& solved, DualSolver& solver) {
 Linearity linearity(const Solved& solved, algebra::Preconditioner& preconditioner, bool wants_buckling) {
   const assembly::DiscreteShell& discrete = solved.discrete;
   DualSolver solver(solved.box, solved.z, preconditioner);
-  const auto z = response(solver, on_coordinates(solved, second_order_forces(discrete.shell, solved.nodal.y)));
+  const auto z = response(
+      solver, on_coordinates(solved, second_order_forces(discrete.shell, solved.nodal.y, discrete.state.load_factor)));
   if (!z) return {};
   const algebra::Vector y = cartesian(solved, *z);
-  return {.remaining_stretch = stretch_beside(discrete.shell, solved.nodal.y, y) +
+  return {.remaining_stretch = stretch_beside(discrete.shell, solved.nodal.y, y, discrete.state.load_factor) +
                                tangency_energy(discrete.shell, discrete.tangency_factor(), y),
           .buckling = wants_buckling ? buckling(solved, solver) : std::nullopt};
 }

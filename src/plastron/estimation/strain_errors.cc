@@ -45,10 +45,7 @@ class StrainErrorsOf {
       const assembly::QuadraturePoint& p = shell_.point(cell, q);
       const auto s = result.stresses.row(q);
       auto e = result.error.row(q);
-      e.head<3>() = p.stiffness.membrane.llt().solve(s.head<3>().transpose()).transpose();
-      e.segment<3>(3) = p.stiffness.bending.llt().solve(s.segment<3>(3).transpose()).transpose();
-      e.tail<2>() = p.stiffness.shear.llt().solve(s.tail<2>().transpose()).transpose();
-      e -= strains.row(q);
+      e = p.section.strains_of(s.transpose()).transpose() - strains.row(q);
       result.stresses.row(q) *= p.area;
     }
     return result;

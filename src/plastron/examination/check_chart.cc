@@ -2,6 +2,7 @@
 // (M1 to M3).
 #include <plastron/examination/checks.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/shell/material.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +61,7 @@ class ChartCheck {
     for (std::size_t p = 0; p < xi.size(); ++p) {
       if (!regular(s.jets[p], s.x[p], s.y[p]) || !thick(s.e[p], s.x[p], s.y[p])) return false;
       const geometry::Frame frame = geometry::frame_at(s.jets[p]);
-      if (!thin(frame, s.e[p], s.x[p], s.y[p])) return false;
+      if (!thin(frame, s.e[p], s.x[p], s.y[p]) || !has_axes(cell, s, p)) return false;
       area_ += frame.sqrt_a * examined_.tables.weights[p];
     }
     return true;
@@ -70,7 +71,7 @@ class ChartCheck {
   bool usable_nodes(const fem::Cell& cell) {
     const Samples s = samples(cell, examined_.tables.nodes, false);
     for (std::size_t i = 0; i < s.jets.size(); ++i) {
-      if (!regular(s.jets[i], s.x[i], s.y[i]) || !thick(s.e[i], s.x[i], s.y[i])) return false;
+      if (!regular(s.jets[i], s.x[i], s.y[i]) || !thick(s.e[i], s.x[i], s.y[i]) || !has_axes(cell, s, i)) return false;
       low_ = low_.cwiseMin(s.jets[i].value);
       high_ = high_.cwiseMax(s.jets[i].value);
     }
@@ -108,6 +109,17 @@ class ChartCheck {
                   "the chart is degenerate at x = {:.6g}, y = {:.6g}: its tangents a_1 and a_2 are parallel or zero "
                   "(|a_1 x a_2| = {:.2g}); choose parameters in which phi has independent tangents",
                   x, y, element);
+    return false;
+  }
+
+  bool has_axes(const fem::Cell& cell, const Samples& s, std::size_t p) {
+    const auto laminate = examined_.problem.shell.sections.at(*examined_.space->coarse, cell).material.laminate();
+    if (!laminate || laminate->has_axes(geometry::unit_normal(s.jets[p]))) return true;
+    examined_.add(
+        Severity::error,
+        "the material's direction is normal to the shell at x = {:.6g}, y = {:.6g}, so that its axis 1 is not "
+        "known there; choose a direction that is nowhere within half a degree of the normal a3",
+        s.x[p], s.y[p]);
     return false;
   }
 

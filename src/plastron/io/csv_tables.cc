@@ -33,7 +33,10 @@ std::string number_text(double value) { return std::isfinite(value) ? fmt::forma
 
 std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
                      const problem::Output& given) {
-  const std::vector<Field> present = fields_of(has_obstacle, has_multiplier, given.heights);
+  std::size_t layers = 0;
+  for (const recovery::PointValues& p : points)
+    if (p.laminate) layers = std::max(layers, p.laminate->layer_count());
+  const std::vector<Field> present = fields_of(has_obstacle, has_multiplier, given.heights, static_cast<int>(layers));
   std::string text = line_header(present, given.units);
   double length = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

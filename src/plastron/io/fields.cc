@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plastron::io {
 
@@ -130,7 +131,7 @@ const std::vector<Field>& table() {
       field("shear_stress_middle", {"shear_stress_1_middle", "shear_stress_2_middle"}, "sigma^a3", "Pa",
             "transverse shear stresses in the axes t1, t2 at the mid-surface, by the parabola over the thickness: 3/2 "
             "Q^a / e",
-            2, [](const PointValues& p) { return two(shell::parabolic_shear_stress(section_forces(p), 0)); }),
+            2, [](const PointValues& p) { return two(shell::shear_stress(section_forces(p), 0)); }),
       field("energy_density", {"energy_density_membrane", "energy_density_bending", "energy_density_shear"}, "-",
             "J/m^2", "stored energy per mid-surface area: membrane, bending, shear", 3,
             [](const PointValues& p) {
@@ -163,13 +164,37 @@ void add_height(double height, std::vector<Field>& fields) {
   fields.push_back(field("principal_stress" + at, {"stress_I" + at, "stress_II" + at}, "sigma_I, sigma_II", "Pa",
                          "principal stresses" + where + ", the larger first", 2,
                          [side](const PointValues& p) { return principal_stress(p, side); }));
-  fields.push_back(field("shear_stress" + at, {"shear_stress_1" + at, "shear_stress_2" + at}, "sigma^a3", "Pa",
-                         "transverse shear stresses in the axes t1, t2, by the parabola over the thickness," + where, 2,
-                         [side](const PointValues& p) {
-                           return two(shell::parabolic_shear_stress(section_forces(p), side * p.thickness / 2));
-                         }));
+  fields.push_back(field(
+      "shear_stress" + at, {"shear_stress_1" + at, "shear_stress_2" + at}, "sigma^a3", "Pa",
+      "transverse shear stresses in the axes t1, t2, by the parabola over the thickness," + where, 2,
+      [side](const PointValues& p) { return two(shell::shear_stress(section_forces(p), side * p.thickness / 2)); }));
   fields.push_back(field("von_mises" + at, {"von_mises" + at}, "-", "Pa", "equivalent stress of von Mises" + where, 1,
                          [side](const PointValues& p) { return one(von_mises(p, side)); }));
+}
+
+/// Returns the stresses of layer k at its lower (0), middle (1/2) or upper (1) height, in its axes.
+shell::Stress layer_stress(const PointValues& p, std::size_t k, double part) {
+  if (!p.laminate || k >= p.laminate->layer_count()) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {Vector3d::Constant(none), Eigen::Vector2d::Constant(none)};
+  }
+  const double bottom = p.laminate->interface(k), top = p.laminate->interface(k + 1);
+  return shell::stress_of(p.laminate->stress_in_layer_axes(k, bottom + part * (top - bottom)), section_forces(p));
+}
+
+/// Adds the stresses of layer k, counted from 0 at the lower face.
+void add_layer(std::size_t k, std::vector<Field>& fields) {
+  const std::string name = fmt::format("layer_{}", k + 1);
+  for (const auto& [where, part] : {std::pair("_lower", 0.0), std::pair("_upper", 1.0)}) {
+    const std::string end = "_" + name + where;
+    fields.push_back(
+        field(name + where, {"stress_11" + end, "stress_22" + end, "stress_12" + end}, "sigma_ab", "Pa",
+              fmt::format("stresses in the axes of layer {} at its {} side", k + 1, where + 1), 3,
+              [k, part = part](const PointValues& p) { return three(layer_stress(p, k, part).in_plane); }));
+  }
+  fields.push_back(field(name + "_shear", {"shear_stress_1_" + name, "shear_stress_2_" + name}, "sigma_a3", "Pa",
+                         fmt::format("transverse shear stresses in the axes of layer {} in its middle", k + 1), 2,
+                         [k](const PointValues& p) { return two(layer_stress(p, k, 0.5).shear); }));
 }
 
 }  // namespace
@@ -181,11 +206,12 @@ bool is_present(const Field& field, bool has_obstacle, bool has_multiplier) {
          (field.presence == Presence::with_multiplier && has_multiplier);
 }
 
-std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights) {
+std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights, int layers) {
   std::vector<Field> present;
   std::copy_if(table().begin(), table().end(), std::back_inserter(present),
                [&](const Field& f) { return is_present(f, has_obstacle, has_multiplier); });
   for (const double height : heights) add_height(height, present);
+  for (int k = 0; k < layers; ++k) add_layer(static_cast<std::size_t>(k), present);
   return present;
 }
 

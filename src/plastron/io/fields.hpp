@@ -33,7 +33,9 @@ std::span<const Field> fields();
 /// Whether a field has a meaning in a computation with or without obstacle and multiplier (mixed formulation).
 bool is_present(const Field& field, bool has_obstacle, bool has_multiplier);
 /// Returns the fields with a meaning. `heights`: additional values of z / e for stresses, named "stress_at_0.25" and so
-/// on; probes do not have them.
-std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights = {});
+/// on; probes do not have them. `layers`: the largest number of layers of a laminate; each has its own stresses, named
+/// "layer_1_lower" and so on, in the layer's axes. They are NaN where there is no such layer.
+std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights = {},
+                             int layers = 0);
 
 }  // namespace plastron::io

@@ -125,6 +125,32 @@ std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities() {
   return all;
 }
 
+std::span<const Quantity<recovery::LayerStress>> layer_quantities() {
+  using recovery::LayerStress;
+  static const std::vector<Quantity<LayerStress>> all{
+      {"region", "-", "name of the region", [](const LayerStress& s) { return Json(s.region); }, Form::text},
+      {"layer", "1", "number of the layer, from 1 at the lower face",
+       [](const LayerStress& s) { return Json(s.layer); }, Form::integer},
+      {"angle", "degrees", "angle from the laminate's axis 1 to the layer's axis 1",
+       [](const LayerStress& s) { return number(s.angle); }},
+      {"component", "-", "11, 22, 12, 13 or 23 in the layer's axes 1, 2 and the normal 3",
+       [](const LayerStress& s) { return Json(s.component); }, Form::text},
+      {"max/stress", "Pa", "largest value of the component at points of output, away from singular_places",
+       [](const LayerStress& s) { return number(s.most.stress); }},
+      {"max/position", "m", "place of the largest value on the undeformed mid-surface",
+       [](const LayerStress& s) { return triple(s.most.position); }, Form::triple},
+      {"max/height", "m", "height z of the largest value, along a_3",
+       [](const LayerStress& s) { return number(s.most.height); }},
+      {"min/stress", "Pa", "smallest value of the component",
+       [](const LayerStress& s) { return number(s.least.stress); }},
+      {"min/position", "m", "place of the smallest value",
+       [](const LayerStress& s) { return triple(s.least.position); }, Form::triple},
+      {"min/height", "m", "height z of the smallest value",
+       [](const LayerStress& s) { return number(s.least.height); }},
+  };
+  return all;
+}
+
 std::span<const Quantity<solution::SupportReaction>> support_quantities() {
   using solution::SupportReaction;
   static const std::vector<Quantity<SupportReaction>> all{

@@ -30,6 +30,8 @@ Json number(double value);
 std::span<const Quantity<computation::Result>> result_quantities();
 /// Paths inside "singular_places[]".
 std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities();
+/// Paths inside "layers[]".
+std::span<const Quantity<recovery::LayerStress>> layer_quantities();
 /// Paths inside "supports[]".
 std::span<const Quantity<solution::SupportReaction>> support_quantities();
 /// Paths inside "corner_supports[]".

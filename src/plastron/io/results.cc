@@ -147,7 +147,8 @@ Json verification_json(const Provenance& provenance) {
 /// Returns the arrays of the .vtu file.
 Json fields_json(const computation::Result& result, const std::vector<double>& heights) {
   Json list = Json::array();
-  for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result), heights))
+  const int layers = result.solution ? result.solution->discrete->shell.sections().most_layers() : 0;
+  for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result), heights, layers))
     list.push_back(
         {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
   if (result.estimates)
@@ -185,6 +186,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
   json["singular_places"] = records_json(singular_place_quantities(), result.singular_places);
+  json["layers"] = records_json(layer_quantities(), result.layers);
   json["supports"] = records_json(support_quantities(), result.summary.support_reactions);
   json["corner_supports"] = records_json(corner_support_quantities(), result.summary.corner_reactions);
   json["point_supports"] = records_json(point_support_quantities(), result.summary.point_reactions);

@@ -33,6 +33,8 @@ const std::vector<Part>& parts() {
       part("", "the whole result; with steps, the result of the last step", result_quantities()),
       part("singular_places/*/", "places where stresses have no limit as the mesh is refined",
            singular_place_quantities()),
+      part("layers/*/", "stresses by layer; empty without [[material]] that has layers or is orthotropic",
+           layer_quantities()),
       part("supports/*/", "reaction at each supported boundary", support_quantities()),
       part("corner_supports/*/", "reaction at each corner where supported edges meet", corner_support_quantities()),
       part("point_supports/*/", "reaction at each supported point", point_support_quantities()),

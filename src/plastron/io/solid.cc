@@ -32,7 +32,7 @@ std::vector<double> list(const Vector3d& v) { return {v[0], v[1], v[2]}; }
 std::vector<double> stress_in_space(const SolidPoint& p) {
   const shell::SectionForces f = section_forces(p.at);
   const Vector3d s = shell::in_plane_stress(f, p.z());
-  const Eigen::Vector2d q = shell::parabolic_shear_stress(f, p.z());
+  const Eigen::Vector2d q = shell::shear_stress(f, p.z());
   Eigen::Matrix3d local, axes;
   local << s[0], s[2], q[0], s[2], s[1], q[1], q[0], q[1], 0;
   axes << p.at.t1, p.at.t2, p.at.a3;
@@ -58,9 +58,9 @@ const std::vector<SolidField>& solid_fields() {
       {"stress_12", "Pa", false,
        [](const SolidPoint& p) { return std::vector{shell::in_plane_stress(section_forces(p.at), p.z())[2]}; }},
       {"shear_stress_1", "Pa", false,
-       [](const SolidPoint& p) { return std::vector{shell::parabolic_shear_stress(section_forces(p.at), p.z())[0]}; }},
+       [](const SolidPoint& p) { return std::vector{shell::shear_stress(section_forces(p.at), p.z())[0]}; }},
       {"shear_stress_2", "Pa", false,
-       [](const SolidPoint& p) { return std::vector{shell::parabolic_shear_stress(section_forces(p.at), p.z())[1]}; }},
+       [](const SolidPoint& p) { return std::vector{shell::shear_stress(section_forces(p.at), p.z())[1]}; }},
       {"von_mises", "Pa", false,
        [](const SolidPoint& p) { return std::vector{shell::von_mises_at(section_forces(p.at), p.z())}; }},
       {"contact", "1", true,

@@ -60,9 +60,9 @@ GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& 
       .type = space.shape() == fem::Shape::triangle ? CellType::lagrange_triangle : CellType::lagrange_quadrilateral,
       .points_per_cell = xi.size()};
   if (space.owned_cells == 0) return piece;
-  const auto present =
-      fields_of(!solution.discrete->obstacles.empty(),
-                solution.discrete->tangency.formulation == element::Formulation::mixed, choice.heights);
+  const auto present = fields_of(!solution.discrete->obstacles.empty(),
+                                 solution.discrete->tangency.formulation == element::Formulation::mixed, choice.heights,
+                                 solution.discrete->shell.sections().most_layers());
   piece.point_arrays = arrays_of(present, choice.units);
   if (solution.cell_errors.size() == space.owned_cells)
     piece.cell_arrays.push_back(

@@ -87,6 +87,10 @@ std::vector<PointValues> Recovery::geometry_at_points(std::size_t cell) const {
     points[p].curvatures = {curvatures[0], curvatures[1]};
     points[p].thickness = e[p];
     points[p].material = section.material;
+    if (const auto laminate = section.material.laminate())
+      points[p].laminate =
+          std::make_shared<shell::LaminateSection>(laminate, shell::orthonormal_frame(axes.t1, axes.t2), e[p],
+                                                   section.material.shear_correction, discrete_.state.load_factor);
   }
   return points;
 }
@@ -134,6 +138,7 @@ void Recovery::add_resultants(std::size_t cell, const element::CellField& field,
       if (!of_cell) of_cell.emplace(resultant_points_(cell, field), continuation_);
       values = of_cell->at(p, axes);
     }
+    if (point.laminate) *values -= point.laminate->section().initial_resultants().transpose();
     point.N = values->segment<3>(0);
     point.M = values->segment<3>(3);
     point.Q = values->segment<2>(6);

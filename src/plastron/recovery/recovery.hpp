@@ -22,17 +22,18 @@ struct PointValues {
   double pressure = 0;            ///< eta, the sum of all obstacles [Pa]
   double lambda = 0;              ///< multiplier of (M14) [N m]
   double touching = 0;            ///< 1 in contact, 0 free; between 0 and 1 next to the zone's edge
-  Eigen::Vector2d face_pressure = Eigen::Vector2d::Zero();  ///< eta on the lower and on the upper face [Pa]
-  Eigen::Vector2d face_touching = Eigen::Vector2d::Zero();  ///< `touching` of the lower and of the upper face
-  Vector3d N = Vector3d::Zero();                            ///< N_11, N_22, N_12 [N/m]
-  Vector3d M = Vector3d::Zero();                            ///< M_11, M_22, M_12 [N]
-  Eigen::Vector2d Q = Eigen::Vector2d::Zero();              ///< Q_1, Q_2 [N/m]
-  shell::Material material{};                               ///< material of the point's region
+  Eigen::Vector2d face_pressure = Eigen::Vector2d::Zero();   ///< eta on the lower and on the upper face [Pa]
+  Eigen::Vector2d face_touching = Eigen::Vector2d::Zero();   ///< `touching` of the lower and of the upper face
+  Vector3d N = Vector3d::Zero();                             ///< N_11, N_22, N_12 [N/m]
+  Vector3d M = Vector3d::Zero();                             ///< M_11, M_22, M_12 [N]
+  Eigen::Vector2d Q = Eigen::Vector2d::Zero();               ///< Q_1, Q_2 [N/m]
+  shell::Material material{};                                ///< material of the point's region
+  std::shared_ptr<const shell::LaminateSection> laminate{};  ///< the laminate in these axes; null if homogeneous
 };
 
-/// The forces N, M, Q and the thickness, which determine the stresses.
+/// The forces N, M, Q and the cross-section, which determine the stresses.
 inline shell::SectionForces section_forces(const PointValues& point) {
-  return {.N = point.N, .M = point.M, .Q = point.Q, .thickness = point.thickness};
+  return {.N = point.N, .M = point.M, .Q = point.Q, .thickness = point.thickness, .laminate = point.laminate};
 }
 
 /// Choice of resultants and frames.

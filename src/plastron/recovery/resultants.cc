@@ -46,8 +46,7 @@ CellResultants ResultantPoints::operator()(std::size_t cell, const element::Cell
     const geometry::Frame frame = geometry::frame_at(jets[p]);
     const auto row = strains.row(static_cast<Eigen::Index>(p));
     const shell::Strain<double> strain{row.head<3>(), row.segment<3>(3), row.tail<2>()};
-    const auto stiffness = shell::section_stiffness(section.material, e[p], frame.metric_con);
-    const auto s = shell::resultants(stiffness, strain);
+    const auto s = shell::resultants(shell::section_at(section.material, frame, e[p]), strain);
     const SurfaceAxes axes = surface_axes(in_parameters[p], frame.a3, axis_);
     Eigen::Matrix2d to_axes;  // T^{ab} a_a a_b in orthonormal axes
     to_axes << frame.a_cov[0].dot(axes.t1), frame.a_cov[1].dot(axes.t1), frame.a_cov[0].dot(axes.t2),

@@ -78,7 +78,7 @@ struct CellResultants {
 };
 
 /// Computes resultants from strains at element::resultant_points(), where they converge one order faster than
-/// elsewhere.
+/// elsewhere. They are linear in the field: without the share of initial strains, which Recovery subtracts.
 class ResultantPoints {
  public:
   /// `axis`: see surface_axes().

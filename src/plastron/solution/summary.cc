@@ -137,7 +137,7 @@ double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebr
 void add_energies(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Summary& s) {
   s.energy = discrete.shell.energies(solution.y);
   s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
-  s.second_order = assembly::second_order(discrete.shell, solution.y);
+  s.second_order = assembly::second_order(discrete.shell, solution.y, discrete.state.load_factor);
   s.rounding_energy = rounding_of_energy * strain_scale(discrete, solution.y, s.size).energy;
   s.is_unstrained = 2 * (s.energy.total() + s.tangency_energy) < s.rounding_energy;
   if (s.is_unstrained) s.second_order.work = 0;  // membrane forces are only rounding

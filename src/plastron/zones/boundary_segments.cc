@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/shell/material.hpp>
 #include <plastron/solution/nodal_solution.hpp>
 #include <plastron/zones/gap_opening.hpp>
 #include <plastron/zones/sub_cells.hpp>
@@ -217,12 +218,12 @@ class Marching {
                     const Eigen::Matrix<double, 3, 2>& tangents) const {
     const assembly::NodalPoint &touching = discrete_.points[static_cast<std::size_t>(node(end.touching))],
                                &other = discrete_.points[static_cast<std::size_t>(node(end.other))];
-    EdgeSearch search{.from = jet.value,
-                      .axes = {},
-                      .shear_length = shear_length(discrete_.shell.section(cell_).material, other.thickness),
-                      .inwards = touching.phi - other.phi};
+    EdgeSearch search{.from = jet.value, .axes = {}, .inwards = touching.phi - other.phi};
+    const Vector3d a3 = geometry::unit_normal(jet), across = geometry::tangential(search.inwards, a3).normalized();
+    search.shear_length = shell::bending_length(shell::section_at(
+        discrete_.shell.section(cell_).material, shell::orthonormal_frame(across, a3.cross(across)), other.thickness));
     search.axes.col(0) = jet.d[0].normalized();
-    search.axes.col(1) = geometry::unit_normal(jet).cross(search.axes.col(0));
+    search.axes.col(1) = a3.cross(search.axes.col(0));
     const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
     for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
       if (is_border(side) && std::abs(inside_of(side, a)) < rounding_of_xi &&

@@ -135,11 +135,6 @@ class DistanceFit {
 
 }  // namespace
 
-double shear_length(const shell::Material& material, double thickness) {
-  const double bending = (material.lambda_plane_stress() + 2 * material.mu) / 12;  // divided by e^3
-  return thickness * std::sqrt(bending / (material.shear_correction * material.mu));
-}
-
 GapOpening::GapOpening(const assembly::DiscreteShell& discrete, const TouchingNodes& touching) {
   constexpr int rings = 6;  // as many as `count` nodes of way_to_edge() need on one side of a line
   const fem::Space& space = discrete.space();

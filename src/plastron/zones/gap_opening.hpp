@@ -2,7 +2,7 @@
 //
 // Outside next to the edge, the shear force Q is about constant. The moment is M = Q (s + delta) at the distance s
 // from the edge. Inside, rotations decay like exp(-|s|/delta), delta^2 = D/G = e^2/(6 (1 - nu) k_s) the ratio of
-// bending to shear stiffness, and M is continuous. Therefore the gap opens like
+// bending to shear stiffness (shell::bending_length), and M is continuous. Therefore the gap opens like
 //
 //     g = c s^2 (3 delta + s),
 //
@@ -18,14 +18,11 @@
 
 namespace plastron::zones {
 
-/// delta of the material in a shell of this thickness [m].
-double shear_length(const shell::Material& material, double thickness);
-
 /// A search for the edge near a point.
 struct EdgeSearch {
   Vector3d from;                           ///< a point near the edge, on the mid-surface
   Eigen::Matrix<double, 3, 2> axes;        ///< orthonormal axes of the tangent plane at the point
-  double shear_length = 0;                 ///< delta [m]
+  double shear_length = 0;                 ///< delta, see shell::bending_length() [m]
   Vector3d inwards;                        ///< direction from a free node beside the point to a touching one
   std::optional<Eigen::Vector2d> along{};  ///< the only admissible direction of the way, in the axes; set on a border
 };

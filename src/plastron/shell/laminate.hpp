@@ -1,0 +1,110 @@
+// Laminates: orthotropic layers, bonded over the whole thickness. The strains are Naghdi's, linear in the height z; each
+// layer has its own plane-stress stiffness. Classical lamination theory with transverse shear: Reddy, Mechanics of
+// Laminated Composite Plates and Shells, 2nd edition, CRC Press 2004, chapters 1 to 3.
+#pragma once
+#include <plastron/geometry/frame.hpp>
+#include <plastron/shell/section.hpp>
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+namespace plastron::shell {
+
+/// Elastic constants of a layer in its own axes 1, 2 and the normal 3, for plane stress [Pa].
+struct Orthotropic {
+  double E1 = 0, E2 = 0;             ///< Young's moduli
+  double nu12 = 0;                   ///< contraction along 2 by a stress along 1; nu21 = nu12 E2 / E1
+  double G12 = 0, G13 = 0, G23 = 0;  ///< shear moduli
+
+  static Orthotropic isotropic(double E, double nu) {
+    const double G = E / (2 * (1 + nu));
+    return {E, E, nu, G, G, G};
+  }
+  /// Returns whether every strain costs energy: positive moduli, and nu12^2 < E1 / E2.
+  bool is_positive_definite() const;
+  /// Returns the stiffness of (eps_1, eps_2, 2 eps_12) [Pa].
+  Eigen::Matrix3d in_plane() const;
+};
+
+struct Layer {
+  Orthotropic material{};
+  double part = 1;                     ///< the layer's part of the thickness, relative to those of the other layers
+  double angle = 0;                    ///< from the laminate's direction to the layer's axis 1, about a_3 [rad]
+  Vector3d strain = Vector3d::Zero();  ///< initial strains eps_1, eps_2, 2 eps_12 in the layer's axes: free of stress
+};
+
+/// Maps strains to stresses at a height, both for given resultants: sigma = map (N, M, Q) + constant, with sigma_11,
+/// sigma_22, sigma_12, sigma_13, sigma_23 in orthonormal axes.
+struct StressMap {
+  Eigen::Matrix<double, 5, 8> map = Eigen::Matrix<double, 5, 8>::Zero();
+  Eigen::Matrix<double, 5, 1> constant = Eigen::Matrix<double, 5, 1>::Zero();
+};
+
+class Laminate {
+ public:
+  /// `layers`: from the lower to the upper face, at least one. `direction`: its projection on the tangent plane is the
+  /// laminate's axis 1.
+  Laminate(std::vector<Layer> layers, const Vector3d& direction);
+
+  const std::vector<Layer>& layers() const { return layers_; }
+  /// Returns z/e between layers k - 1 and k; -1/2 and 1/2 on the faces.
+  double interface(std::size_t k) const { return interfaces_[k]; }
+  /// Returns the mean of Young's moduli of all layers in both directions [Pa].
+  double young() const;
+  /// Returns the mean of G13 and G23 of all layers [Pa].
+  double shear_modulus() const;
+  bool has_initial_strains() const { return unit_.has_initial_strains(); }
+
+  /// Returns whether the direction has a projection: whether its angle to the normal has a sine of at least 0.01.
+  bool has_axes(const Vector3d& a3) const;
+  /// Returns the components of the laminate's axes 1, 2 (rows) along the frame's a_1, a_2. Precondition: has_axes().
+  Eigen::Matrix2d axes(const geometry::Frame& frame) const;
+  /// Returns the cross-section in the components of `axes`.
+  Section section(const Eigen::Matrix2d& axes, double thickness, double shear_correction) const;
+
+ private:
+  std::vector<Layer> layers_;
+  std::vector<double> interfaces_;
+  Vector3d direction_;
+  Section unit_;  // thickness 1, shear correction 1, in the laminate's axes
+};
+
+/// A laminate at a point, in orthonormal axes, with what its stresses need.
+class LaminateSection {
+ public:
+  /// `axes`: an orthonormal_frame(). `load_factor` multiplies the initial strains.
+  LaminateSection(std::shared_ptr<const Laminate> laminate, const geometry::Frame& axes, double thickness,
+                  double shear_correction, double load_factor);
+
+  /// Returns the stiffness, with N_0 and M_0 times the load factor.
+  const Section& section() const { return section_; }
+  std::size_t layer_count() const { return plies_.size(); }
+  /// Returns the height of the interface below layer k [m].
+  double interface(std::size_t k) const { return thickness_ * laminate_->interface(k); }
+  /// Returns the layer that contains the height z. Of two it is the one nearer to the mid-surface.
+  std::size_t layer_at(double z) const;
+  /// Returns the stresses of a layer at the height z: in-plane stresses from the strains, transverse shear from
+  /// equilibrium in each direction (docs/methods/stresses.md).
+  StressMap stress(std::size_t layer, double z) const;
+  /// Returns the same in the layer's own axes.
+  StressMap stress_in_layer_axes(std::size_t layer, double z) const;
+
+ private:
+  struct Ply {
+    Eigen::Matrix3d stiffness;
+    Vector3d initial_stress;
+    Eigen::Matrix2d axes;                // the layer's axes in the section's axes
+    Eigen::Matrix2d shear_at_interface;  // maps Q to the transverse shear stress at the interface below
+  };
+  /// Maps Q to the change of the transverse shear stress from the interface below to z.
+  Eigen::Matrix2d shear_gain(const Ply& ply, double from, double to) const;
+
+  std::shared_ptr<const Laminate> laminate_;
+  double thickness_;
+  std::vector<Ply> plies_{};
+  Section section_;
+  Eigen::Matrix<double, 6, 6> compliance_;
+};
+
+}  // namespace plastron::shell
