@@ -41,6 +41,7 @@ computation::Result some_result(bool has_obstacle) {
   result.summary.point_reactions = {{.at = {0.25, 1}, .force = {1e-9, 0, -2}}};
   result.summary.corner_reactions = {{.boundaries = {"left", "rim"}, .at = {0, 1}, .reaction = {.force = {0, 0, 1}}}};
   result.singular_places = {{.what = "corner", .at = {0, 1}, .radius = 0.1}};
+  result.layers = {{.region = "web", .layer = 2, .angle = 45, .component = "12", .most = {.stress = 3}}};
   result.summary.body_reactions = {{.name = "plate", .rotation = {0, 0.5, 0}, .reaction = {.force = {0, 0, 3}}}};
   result.estimates = {.cells = {1e-6}, .energy_norm_squared = 1e-6};
   result.estimates->goals = {{.name = "energy", .unit = "J", .value = 2, .estimate = -0.25, .contact_edge = 0.5}};
