@@ -38,11 +38,11 @@ const pictureFile = (entry) => `${entry.case}${typeof entry.picture === 'string'
 
 const question = (text) => text.match(/\*\*Question\.\*\* ([\s\S]*?)\n\n/)[1].replace(/\s+/g, ' ').trim();
 
-/** What the energy is worth, as the run tells. */
+/** The part of the energy that the linear model leaves out, in per cent. */
 function linearity(json) {
   const part = json.linearity.left_out;
   const share = part < 1e-4 ? 'less than 0.01' : part < 10 ? Number((100 * part).toPrecision(2)) : 'more than 1000';
-  return `The linear model leaves out ${share} % of the energy${part > 0.05 ? ', and the run warns of it' : ''}.`;
+  return `Left out: ${share} %.`;
 }
 
 function section(entry) {
@@ -54,17 +54,16 @@ function section(entry) {
 
 ${question(read('cases', entry.case, 'README.md'))}
 
-Answer: ${answers.join('; ')}. ${linearity(json)} [Case, known answer, what to look at](../cases/${entry.case}/README.md)
-
-    plastron run cases/${entry.case}/case.toml --output out/${entry.case}
+Answer: ${answers.join('; ')}. ${linearity(json)} [Case](../cases/${entry.case}/README.md)
 `;
 }
 
 const top = `# Gallery
 
-Every case of [cases](../cases) as \`scripts/make-gallery\` computed and drew it: the question, one or two numbers of \`results.json\` with the path they have there, and the
-command. Pictures are those that report.html saves: colours as the bar says, displacements as they are or, where they are small, enlarged so that they can be seen. Red lines bound contact
-zones, grey surfaces are obstacles. What the linear model leaves out is \`linearity.left_out\`: [theory](theory.md#what-linearity-leaves-out) says what that is worth.
+\`plastron run cases/NAME/case.toml --output out/NAME\` computes a case of [cases](../cases). Each answer has its path in \`results.json\`.
+"Left out" is the part of the energy that the [linear model leaves out](theory.md#what-linearity-leaves-out); the run warns from 5 % on.
+Red lines bound contact zones, grey surfaces are obstacles. Small displacements are enlarged.
+\`scripts/make-gallery\` makes this page.
 `;
 
 /** The picture that the page saves, as WebP: a fifth of the PNG. */

@@ -1,4 +1,4 @@
-// The command line: its arguments, its commands and their exit codes (docs/user-guide.md).
+// The command line: its arguments, its commands and their exit codes (docs/command-line.md).
 #pragma once
 #include <plastron/contact/problem.hpp>
 #include <research/names/study_names.hpp>

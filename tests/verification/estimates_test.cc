@@ -1,5 +1,5 @@
-// Estimated errors beside true ones: manufactured shells in the energy norm, references with known energies and reactions. The numbers are
-// those of docs/methods/estimates.md.
+// Estimated errors beside true ones (docs/methods/estimates.md): manufactured shells in the energy norm, references with known energies and
+// reactions.
 #include "verification/error_norm.hpp"
 #include "verification/reference_problems.hpp"
 
