@@ -255,8 +255,7 @@ algebra::Vector load_vector(const ShellOperator& shell, const Loads& loads) {
     sum.throw_if_not_finite();
   });
   f.accumulate_ghosts();
-  if (shell.space().carried)
-    for (const fem::PlacedBody& body : shell.space().carried->bodies) add_body_load(shell.space(), body, f);
+  for (const fem::PlacedBody& body : shell.space().bodies) add_body_load(shell.space(), body, f);
   return f;
 }
 

@@ -122,7 +122,7 @@ Derivative derivative_of(const SupportForce& force, const Solved& solved) {
   const Counted counted(force, solved.discrete);
   std::vector<WeightedMultiplier> all;
   for (std::size_t i = 0; i < owned; ++i) {
-    if (coordinates.tied[i]) continue;
+    if (solved.discrete.space().continuity.constrains(i)) continue;
     for (int k = 0; k < coordinates.width; ++k) {
       const auto direction = coordinates.direction(i, k);
       if (direction.isZero(0) || !coordinates.is_prescribed(i, k)) continue;

@@ -1,7 +1,7 @@
 // The rigid motions u = c + w x phi, r = w x a_3 that the supports leave free, and the contacts that may fix them.
 #pragma once
 #include <plastron/assembly/nodal_coordinates.hpp>
-#include <plastron/fem/constraints.hpp>
+#include <plastron/fem/rigid_body.hpp>
 
 #include <Eigen/Core>
 #include <string>

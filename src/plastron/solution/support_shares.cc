@@ -1,9 +1,6 @@
 #include <plastron/solution/support_shares.hpp>
 
-#include <plastron/assembly/kinked_supports.hpp>
-#include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/solution/place_order.hpp>
 
@@ -56,12 +53,9 @@ Matrix6 held_by(const NodeSupport& rows, const Vector3d& a3) {
   return span_of(sum);
 }
 
-/// The rows of a subset of supports, computed like nodal_coordinates() computes them for all supports (collective).
+/// The rows of a subset of supports (collective).
 std::vector<NodeSupport> rows_of(const std::vector<assembly::Support>& some, const assembly::DiscreteShell& discrete) {
-  auto rows = assembly::node_supports(discrete.space(), discrete.shell.surface(), discrete.points, some);
-  assembly::hand_to_masters(discrete.space(), rows);
-  assembly::hand_across_kinks(discrete.space(), discrete.points, rows);
-  return rows;
+  return assembly::node_supports(discrete.space(), discrete.shell.surface(), discrete.points, some);
 }
 
 /// Length of edge represented by each node, and the sum of the unit tangents of the sides that leave it; block 4
@@ -89,7 +83,7 @@ algebra::Vector edge_at_nodes(const assembly::DiscreteShell& discrete, const std
     }
   }
   edge.accumulate_ghosts();
-  fem::collect(space, edge);
+  space.continuity.apply_transposed(edge);
   return edge;
 }
 

@@ -1,6 +1,7 @@
 #include <plastron/zones/boundary_segments.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/solution/nodal_solution.hpp>
 #include <plastron/zones/gap_opening.hpp>
@@ -39,10 +40,10 @@ class Marching {
         areas_(static_cast<std::size_t>(labels.count), 0) {
     for (const auto* sides : {&space_.sides, &space_.twin_sides})
       for (const fem::BoundarySide& side : *sides) borders_[side.cell] |= 1U << side.side;
-    for (const fem::Tie& tie : space_.ties) {
-      if (tie.masters.size() < 2) continue;
-      hangs_or_holds_[static_cast<std::size_t>(tie.node)] = 1;
-      for (const auto& [master, weight] : tie.masters) hangs_or_holds_[static_cast<std::size_t>(master)] = 1;
+    for (const constraints::Row& row : space_.continuity.rows()) {
+      if (row.terms.size() < 2) continue;
+      hangs_or_holds_[static_cast<std::size_t>(row.node)] = 1;
+      for (const constraints::Term& term : row.terms) hangs_or_holds_[static_cast<std::size_t>(term.node)] = 1;
     }
   }
 
