@@ -18,31 +18,6 @@ namespace plastron::assembly {
 
 namespace {
 
-constexpr int packed_size = 36 + 6 + 6 + 1;
-
-void pack(const NodeCoordinates& node, bool supported, double* out) {
-  Eigen::Map<NodeBasis>{out} = node.basis;
-  for (std::size_t k = 0; k < 6; ++k) {
-    out[36 + k] = node.lower[k];
-    out[42 + k] = node.upper[k];
-  }
-  out[48] = supported;
-}
-
-/// Takes the bases and bounds of all local nodes from their owners: a basis must be equal on all ranks to the last bit.
-void take_from_owners(algebra::Vector& packed, NodalCoordinates& coordinates) {
-  packed.update_ghosts();
-  for (std::size_t i = 0; i < coordinates.basis.size(); ++i) {
-    const double* in = packed.local().data() + i * packed_size;
-    coordinates.basis[i] = Eigen::Map<const NodeBasis>{in};
-    for (int k = 0; k < coordinates.width; ++k) {
-      coordinates.lower.local()[coordinates.at(i, k)] = in[36 + k];
-      coordinates.upper.local()[coordinates.at(i, k)] = in[42 + k];
-    }
-    coordinates.supported[i] = in[48] != 0;
-  }
-}
-
 /// Returns the gaps of all local nodes, one list for each obstacle.
 std::vector<std::vector<obstacle::Gap>> all_gaps(const std::vector<NodalPoint>& points, const RigidObstacles& obstacles,
                                                  const State& state) {
@@ -59,7 +34,6 @@ NodeCoordinates owned_coordinates(const NodalCoordinates& all, std::size_t i, co
   NodeCoordinates node;
   if (all.space->constraints.constrains(i)) {
     node = constrained_coordinates(*all.space, static_cast<algebra::LocalIndex>(i), point, support, size);
-    node.rows.clear();
     for (std::size_t k = 0; k < all.gaps.size(); ++k)
       node.rows.push_back({.obstacle = static_cast<int>(k), .bound_gap = NAN});
   } else {
@@ -81,7 +55,7 @@ obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double
   return {phi, a3, thickness, moved.head<3>(), geometry::tangential(moved.tail<3>(), a3)};
 }
 
-bool NodalCoordinates::is_held_inside(const ContactRow& row, const NodalPoint& point) const {
+bool NodalCoordinates::is_fixed_inside(const ContactRow& row, const NodalPoint& point) const {
   if (row.is_touchable() || row.is_left_out) return false;
   const double initial = gaps[static_cast<std::size_t>(row.obstacle)][row.node].initial;
   return row.bound_gap < -1e-12 * (point.phi.norm() + point.thickness + std::abs(initial));
@@ -97,7 +71,6 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   const int width = element::is_relaxed(formulation) ? 6 : 5;
   NodalCoordinates coordinates{.width = width,
                                .basis = std::vector<NodeBasis>(local),
-                               .supported = std::vector<char>(local),
                                .space = std::move(space_pointer),
                                .lower = algebra::Vector(space.layout, width),
                                .upper = algebra::Vector(space.layout, width)};
@@ -105,17 +78,20 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   const double size = bounding_box(
                           points.size(), [&](std::size_t i) { return points[i].phi; }, comm)
                           .longest_side();
-  algebra::Vector packed(space.layout, packed_size);
+  algebra::Vector bases(space.layout, 36);
   algebra::in_agreement<SupportError, obstacle::ObstacleError>(comm, [&] {
     coordinates.gaps = all_gaps(points, obstacles, state);
     for (std::size_t i = 0; i < node_support.size(); ++i) {
-      const NodeSupport& support = node_support[i];
-      const NodeCoordinates node = owned_coordinates(coordinates, i, points[i], support, state, size);
-      pack(node, !support.displacement.empty() || !support.rotation.empty(), packed.local().data() + i * packed_size);
+      const NodeCoordinates node = owned_coordinates(coordinates, i, points[i], node_support[i], state, size);
+      Eigen::Map<NodeBasis>{bases.at(i).data()} = node.basis;
+      std::copy_n(node.lower.begin(), width, coordinates.lower.at(i).begin());
+      std::copy_n(node.upper.begin(), width, coordinates.upper.at(i).begin());
       coordinates.rows.insert(coordinates.rows.end(), node.rows.begin(), node.rows.end());
     }
   });
-  take_from_owners(packed, coordinates);
+  // Ghosts take from their owners: a basis must be equal on all ranks to the last bit.
+  for (algebra::Vector* of_owners : {&bases, &coordinates.lower, &coordinates.upper}) of_owners->update_ghosts();
+  for (std::size_t i = 0; i < local; ++i) coordinates.basis[i] = Eigen::Map<const NodeBasis>{bases.at(i).data()};
   return coordinates;
 }
 

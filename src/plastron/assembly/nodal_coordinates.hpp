@@ -22,7 +22,6 @@ using RowMatrix = constraints::RowMatrix;
 struct NodalCoordinates {
   int width = 5;                 ///< coordinates of a node: 6 where r . a_3 is a coordinate
   std::vector<NodeBasis> basis;  ///< T of every local node
-  std::vector<char> supported;   ///< node has prescribed components (local)
   std::shared_ptr<const fem::Space> space{};
   algebra::Vector lower, upper;                    ///< bounds of z (block: width)
   std::vector<std::vector<obstacle::Gap>> gaps{};  ///< gaps by obstacle and local node
@@ -38,7 +37,7 @@ struct NodalCoordinates {
   bool is_touchable(std::size_t node) const { return std::ranges::any_of(rows_of(node), &ContactRow::is_touchable); }
   /// Whether the supports fix the row's face inside its obstacle, where no bound can move it out. `point` is the row's
   /// node. The limit is the rounding of the gap's terms, for any unit of length.
-  bool is_held_inside(const ContactRow& row, const NodalPoint& point) const;
+  bool is_fixed_inside(const ContactRow& row, const NodalPoint& point) const;
   /// Place of coordinate k of a node in z.
   std::size_t at(std::size_t node, int k) const {
     return node * static_cast<std::size_t>(width) + static_cast<std::size_t>(k);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace plastron::constraints {
@@ -11,33 +12,18 @@ namespace plastron::constraints {
 namespace {
 
 using algebra::LocalIndex;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-double* values_of(std::span<double> values, LocalIndex node, std::size_t block) {
-  return values.data() + static_cast<std::size_t>(node) * block;
-}
-
-/// Adds the term's part of v_node: weight block w.
-void add(const Term& term, const double* w, std::size_t block, double* v) {
-  if (term.block)
-    Eigen::Map<Vector6>{v} += term.weight * (*term.block * Eigen::Map<const Vector6>(w));
+/// Calls call(size) with a size that is known at compile time for six values, by far the most frequent: that is faster.
+template <class Call>
+void with_size(Eigen::Index block, Call&& call) {
+  if (block == 6)
+    call(std::integral_constant<int, 6>{});
   else
-    for (std::size_t c = 0; c < block; ++c) v[c] += term.weight * w[c];
+    call(std::integral_constant<int, Eigen::Dynamic>{});
 }
 
-/// Adds the term's part of the force on w: weight block' f.
-void add_transposed(const Term& term, const double* f, std::size_t block, double* w) {
-  if (term.block)
-    Eigen::Map<Vector6>{w} += term.weight * (term.block->transpose() * Eigen::Map<const Vector6>(f));
-  else
-    for (std::size_t c = 0; c < block; ++c) w[c] += term.weight * f[c];
-}
-
-std::size_t index_of(LocalIndex node, std::vector<LocalIndex>& nodes) {
-  const auto found = std::ranges::find(nodes, node);
-  if (found != nodes.end()) return static_cast<std::size_t>(found - nodes.begin());
-  nodes.push_back(node);
-  return nodes.size() - 1;
+void add_once(LocalIndex node, std::vector<LocalIndex>& nodes) {
+  if (std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
 }
 
 /// Adds the term of an outer map with the inner row of its node in place of the node.
@@ -72,6 +58,12 @@ Matrix6 Row::own() const {
 Map::Map(std::vector<Row> rows, MPI_Comm comm) : rows_(std::move(rows)) {
   std::ranges::sort(rows_, {}, &Row::node);
   is_identity_ = algebra::sum_over_ranks(static_cast<std::int64_t>(rows_.size()), comm) == 0;
+  for (const Row& row : rows_)
+    for (const Term& term : row.terms)
+      if (const Row* read = find(static_cast<std::size_t>(term.node)); read && read != &row)
+        read_.push_back(static_cast<std::size_t>(read - rows_.data()));
+  std::ranges::sort(read_);
+  read_.erase(std::unique(read_.begin(), read_.end()), read_.end());
 }
 
 const Row* Map::find(std::size_t node) const {
@@ -80,35 +72,70 @@ const Row* Map::find(std::size_t node) const {
   return found != rows_.end() && found->node == number ? &*found : nullptr;
 }
 
+template <class Visit>
+void Map::for_unread(Visit&& visit) const {
+  auto next = read_.begin();
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (next != read_.end() && *next == i)
+      ++next;
+    else
+      visit(rows_[i]);
+}
+
 void Map::apply(algebra::Vector& v) const {
-  const auto block = static_cast<std::size_t>(v.block());
-  // A term's node may be constrained itself: all values are computed before any is changed.
-  std::vector<double> computed(rows_.size() * block, 0.0);
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (const Term& term : rows_[i].terms) {
-      PLASTRON_ASSERT(!term.block || block == 6, block);
-      add(term, values_of(v.local(), term.node, block), block, computed.data() + i * block);
-    }
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    std::copy_n(computed.data() + i * block, block, values_of(v.local(), rows_[i].node, block));
+  double* values = v.local().data();
+  const Eigen::Index block = v.block();
+  with_size(block, [&](auto size) {
+    using Values = Eigen::Matrix<double, size(), 1>;
+    const auto at = [=](LocalIndex node) { return Eigen::Map<Values>(values + node * block, block); };
+    const auto sum_of = [&](const Row& row) {
+      Values sum = Values::Zero(block);
+      for (const Term& term : row.terms) {
+        PLASTRON_ASSERT(!term.block || block == 6, block);
+        if (term.block)
+          sum += term.weight * (*term.block * at(term.node));
+        else
+          sum += term.weight * at(term.node);
+      }
+      return sum;
+    };
+    // Values that other rows read are changed last.
+    std::vector<Values> of_read;
+    for (const std::size_t i : read_) of_read.push_back(sum_of(rows_[i]));
+    for_unread([&](const Row& row) { at(row.node) = sum_of(row); });
+    for (std::size_t k = 0; k < read_.size(); ++k) at(rows_[read_[k]].node) = of_read[k];
+  });
 }
 
 void Map::apply_transposed(algebra::Vector& f) const {
   if (is_identity_) return;
-  const auto block = static_cast<std::size_t>(f.block());
+  std::ranges::fill(f.local().subspan(f.owned().size()), 0.0);
+  double* values = f.local().data();
+  const Eigen::Index block = f.block();
   const LocalIndex owned = f.layout()->owned;
-  const auto values = f.local();
-  std::ranges::fill(values.subspan(f.owned().size()), 0.0);
-  std::vector<double> forces;
-  for (const Row& row : rows_) {
-    if (row.node >= owned) break;
-    double* at = values_of(values, row.node, block);
-    forces.insert(forces.end(), at, at + block);
-    std::fill_n(at, block, 0.0);
-  }
-  for (std::size_t i = 0; i * block < forces.size(); ++i)
-    for (const Term& term : rows_[i].terms)
-      add_transposed(term, forces.data() + i * block, block, values_of(values, term.node, block));
+  with_size(block, [&](auto size) {
+    using Values = Eigen::Matrix<double, size(), 1>;
+    const auto at = [=](LocalIndex node) { return Eigen::Map<Values>(values + node * block, block); };
+    const auto take = [&](const Row& row) {
+      const Values force = at(row.node);
+      at(row.node).setZero();
+      return force;
+    };
+    const auto give = [&](const Row& row, const Values& force) {
+      for (const Term& term : row.terms)
+        if (term.block)
+          at(term.node) += term.weight * (term.block->transpose() * force);
+        else
+          at(term.node) += term.weight * force;
+    };
+    // Forces at nodes that other rows read are taken before these rows add to them. Those of ghosts are zero.
+    std::vector<Values> of_read;
+    for (const std::size_t i : read_) of_read.push_back(take(rows_[i]));
+    for_unread([&](const Row& row) {
+      if (row.node < owned) give(row, take(row));
+    });
+    for (std::size_t k = 0; k < read_.size(); ++k) give(rows_[read_[k]], of_read[k]);
+  });
   f.accumulate_ghosts();
 }
 
@@ -116,9 +143,9 @@ std::vector<LocalIndex> Map::sources(std::span<const LocalIndex> nodes) const {
   std::vector<LocalIndex> all;
   for (const LocalIndex node : nodes)
     if (const Row* row = find(node))
-      for (const Term& term : row->terms) index_of(term.node, all);
+      for (const Term& term : row->terms) add_once(term.node, all);
     else
-      index_of(node, all);
+      add_once(node, all);
   return all;
 }
 
@@ -136,25 +163,27 @@ algebra::Connectivity Map::couplings(const algebra::Connectivity& elements) cons
 NodeColumns Map::on_sources(std::span<const LocalIndex> nodes, RowMatrix matrix) const {
   if (rows_.empty() || std::ranges::none_of(nodes, [&](LocalIndex node) { return constrains(node); }))
     return {{nodes.begin(), nodes.end()}, std::move(matrix)};
-  NodeColumns result{.nodes = sources(nodes)};
   const Eigen::Index width = matrix.cols() / static_cast<Eigen::Index>(nodes.size());
+  NodeColumns result{.nodes = sources(nodes)};
   result.matrix.setZero(matrix.rows(), width * static_cast<Eigen::Index>(result.nodes.size()));
-  const auto columns = [&](LocalIndex node) {
-    return result.matrix.middleCols(width * static_cast<Eigen::Index>(index_of(node, result.nodes)), width);
-  };
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto given = matrix.middleCols(width * static_cast<Eigen::Index>(i), width);
-    const Row* row = find(nodes[i]);
-    if (!row) {
-      columns(nodes[i]) += given;
-      continue;
+  with_size(width, [&](auto size) {
+    const auto columns = [&](LocalIndex node) {
+      const auto place = std::ranges::find(result.nodes, node) - result.nodes.begin();
+      return result.matrix.middleCols<size()>(width * place, width);
+    };
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto given = matrix.middleCols<size()>(width * static_cast<Eigen::Index>(i), width);
+      if (const Row* row = find(static_cast<std::size_t>(nodes[i]))) {
+        for (const Term& term : row->terms)
+          if (term.block)
+            columns(term.node) += given * (term.weight * *term.block);
+          else
+            columns(term.node) += term.weight * given;
+      } else {
+        columns(nodes[i]) += given;
+      }
     }
-    for (const Term& term : row->terms)
-      if (term.block)
-        columns(term.node) += given * (term.weight * *term.block);
-      else
-        columns(term.node) += term.weight * given;
-  }
+  });
   return result;
 }
 

@@ -1,7 +1,8 @@
-// Constraints between nodes: linear equations that give the values v of all nodes from the values w of free nodes,
-//   v_node = sum over the terms of its row: weight block w_term,     v = C w.
-// A node with a row is constrained. Other nodes are free, v_node = w_node. A constrained node keeps a part of its own
-// values where its row contains the node itself. Forces are transformed by the transposed map C'.
+// Constraints between nodes: linear equations that give the values v of all nodes from unknown values w,
+//   v = C w,     v_node = sum over the terms of its row: weight block w_term.
+// A node with a row is constrained. Other nodes are free, v_node = w_node. A constrained node may occur in its own row:
+// then a part of its values is its own. It may also store unknowns for others, which occur in their rows. Forces are
+// transformed by the transposed map C'.
 #pragma once
 #include <plastron/algebra/matrix.hpp>
 #include <plastron/algebra/vector.hpp>
@@ -21,8 +22,8 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 struct Term {
   algebra::LocalIndex node = 0;
   double weight = 1;
-  std::shared_ptr<const Matrix6>
-      block{};  ///< on the six values of a node; null: the identity, for any number of values
+  /// For six values of a node. Null is the identity, for any number of values.
+  std::shared_ptr<const Matrix6> block{};
 };
 /// Returns a term with a block.
 Term term(algebra::LocalIndex node, const Matrix6& block);
@@ -45,8 +46,7 @@ struct NodeColumns {
 class Map {
  public:
   Map() = default;  ///< the identity
-  /// `rows`: those of all local nodes. Nodes of terms are local too. A term's value is always w, also where its node is
-  /// constrained (collective).
+  /// `rows` has the rows of all local nodes. Nodes of terms are local too (collective).
   Map(std::vector<Row> rows, MPI_Comm comm);
 
   const std::vector<Row>& rows() const { return rows_; }  ///< by ascending node
@@ -70,7 +70,11 @@ class Map {
   void renumber(const algebra::Distribution& before, const algebra::Distribution& after);
 
  private:
+  template <class Visit>
+  void for_unread(Visit&& visit) const;
+
   std::vector<Row> rows_{};
+  std::vector<std::size_t> read_{};  ///< rows whose nodes occur in terms of other rows, ascending
   bool is_identity_ = true;
 };
 
