@@ -26,8 +26,8 @@ std::optional<double> prescribed(const fem::PlacedBody& placed, int k) {
 }
 
 /// Checks one row of a support, `row` on (u, r): the body's prescribed components must already prescribe it.
-void check_row(const fem::PlacedBody& placed, const fem::Member& member, const Vector6& row, double value, double scale,
-               const NodalPoint& point) {
+void check_row(const fem::PlacedBody& placed, const fem::BodyNode& member, const Vector6& row, double value,
+               double scale, const NodalPoint& point) {
   constexpr double rounding_part = 1e-9;
   Vector6 on_motion = member.motion.transpose() * row;
   double known = 0, most = scale;
@@ -50,7 +50,7 @@ void check_row(const fem::PlacedBody& placed, const fem::Member& member, const V
                     placed.body.name, point.x[0], point.x[1], known, value));
 }
 
-void check_supports(const fem::PlacedBody& placed, const fem::Member& member, const NodalPoint& point,
+void check_supports(const fem::PlacedBody& placed, const fem::BodyNode& member, const NodalPoint& point,
                     const NodeSupport& support) {
   for (const auto& [direction, value] : support.displacement) {
     Vector6 row;
@@ -108,7 +108,7 @@ NodeCoordinates kinked_coordinates(const constraints::Row& row, const NodalPoint
   return coordinates;
 }
 
-NodeCoordinates body_coordinates(const fem::PlacedBody& placed, const fem::Member& member, const NodalPoint& point,
+NodeCoordinates body_coordinates(const fem::PlacedBody& placed, const fem::BodyNode& member, const NodalPoint& point,
                                  const NodeSupport& support, double size) {
   check_supports(placed, member, point, support);
   NodeCoordinates coordinates =
@@ -131,7 +131,7 @@ NodeCoordinates body_coordinates(const fem::PlacedBody& placed, const fem::Membe
 NodeCoordinates constrained_coordinates(const fem::Space& space, algebra::LocalIndex node, const NodalPoint& point,
                                         const NodeSupport& support, double size) {
   for (const fem::PlacedBody& placed : space.bodies)
-    if (const fem::Member* member = placed.find(node)) return body_coordinates(placed, *member, point, support, size);
+    if (const fem::BodyNode* member = placed.find(node)) return body_coordinates(placed, *member, point, support, size);
   if (space.kinks.constrains(node)) return kinked_coordinates(*space.constraints.find(node), point, support, size);
   return {};
 }

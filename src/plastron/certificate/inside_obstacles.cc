@@ -19,7 +19,7 @@ void leave_out_bodies(const fem::Space& space, std::vector<CellGap>& cells) {
   if (space.bodies.empty()) return;
   std::vector<char> is_of_body(static_cast<std::size_t>(space.layout->local_size()));
   for (const fem::PlacedBody& body : space.bodies)
-    for (const fem::Member& member : body.members) is_of_body[static_cast<std::size_t>(member.node)] = 1;
+    for (const fem::BodyNode& member : body.members) is_of_body[static_cast<std::size_t>(member.node)] = 1;
   std::erase_if(cells, [&](const CellGap& cell) {
     return std::ranges::any_of(space.nodes(cell.cell), [&](algebra::LocalIndex node) {
       return is_of_body[static_cast<std::size_t>(node)] != 0;

@@ -58,28 +58,17 @@ Matrix6 Row::own() const {
 Map::Map(std::vector<Row> rows, MPI_Comm comm) : rows_(std::move(rows)) {
   std::ranges::sort(rows_, {}, &Row::node);
   is_identity_ = algebra::sum_over_ranks(static_cast<std::int64_t>(rows_.size()), comm) == 0;
+  is_read_.resize(rows_.size());
   for (const Row& row : rows_)
     for (const Term& term : row.terms)
       if (const Row* read = find(static_cast<std::size_t>(term.node)); read && read != &row)
-        read_.push_back(static_cast<std::size_t>(read - rows_.data()));
-  std::ranges::sort(read_);
-  read_.erase(std::unique(read_.begin(), read_.end()), read_.end());
+        is_read_[static_cast<std::size_t>(read - rows_.data())] = 1;
 }
 
 const Row* Map::find(std::size_t node) const {
   const auto number = static_cast<LocalIndex>(node);
   const auto found = std::ranges::lower_bound(rows_, number, {}, &Row::node);
   return found != rows_.end() && found->node == number ? &*found : nullptr;
-}
-
-template <class Visit>
-void Map::for_unread(Visit&& visit) const {
-  auto next = read_.begin();
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (next != read_.end() && *next == i)
-      ++next;
-    else
-      visit(rows_[i]);
 }
 
 void Map::apply(algebra::Vector& v) const {
@@ -101,9 +90,13 @@ void Map::apply(algebra::Vector& v) const {
     };
     // Values that other rows read are changed last.
     std::vector<Values> of_read;
-    for (const std::size_t i : read_) of_read.push_back(sum_of(rows_[i]));
-    for_unread([&](const Row& row) { at(row.node) = sum_of(row); });
-    for (std::size_t k = 0; k < read_.size(); ++k) at(rows_[read_[k]].node) = of_read[k];
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (is_read_[i]) of_read.push_back(sum_of(rows_[i]));
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (!is_read_[i]) at(rows_[i].node) = sum_of(rows_[i]);
+    auto next = of_read.begin();
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (is_read_[i]) at(rows_[i].node) = *next++;
   });
 }
 
@@ -130,11 +123,14 @@ void Map::apply_transposed(algebra::Vector& f) const {
     };
     // Forces at nodes that other rows read are taken before these rows add to them. Those of ghosts are zero.
     std::vector<Values> of_read;
-    for (const std::size_t i : read_) of_read.push_back(take(rows_[i]));
-    for_unread([&](const Row& row) {
-      if (row.node < owned) give(row, take(row));
-    });
-    for (std::size_t k = 0; k < read_.size(); ++k) give(rows_[read_[k]], of_read[k]);
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (is_read_[i]) of_read.push_back(take(rows_[i]));
+    auto next = of_read.begin();
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (is_read_[i])
+        give(rows_[i], *next++);
+      else if (rows_[i].node < owned)
+        give(rows_[i], take(rows_[i]));
   });
   f.accumulate_ghosts();
 }

@@ -70,11 +70,8 @@ class Map {
   void renumber(const algebra::Distribution& before, const algebra::Distribution& after);
 
  private:
-  template <class Visit>
-  void for_unread(Visit&& visit) const;
-
   std::vector<Row> rows_{};
-  std::vector<std::size_t> read_{};  ///< rows whose nodes occur in terms of other rows, ascending
+  std::vector<char> is_read_{};  ///< 1 for a row whose node occurs in the terms of another row
   bool is_identity_ = true;
 };
 

@@ -199,7 +199,7 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
 }
 
 /// Adds the rows of identified nodes and of nodes at kinks.
-void add_rows(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
+void add_joined_rows(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
   const algebra::Distribution before = *space.layout;
   std::set<GlobalIndex> wanted;
   for (LocalIndex i = 0; i < before.local_size(); ++i) {
@@ -246,7 +246,7 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
   auto result = std::make_shared<Space>(*space);
   for (Kink& kink : edges.kinks)
     for (BoundaryNode& node : kink.nodes) node.node = edges.same.representative(node.node);
-  add_rows(edges.same, KinkedGroups(edges.kinks).kinked(), *result);
+  add_joined_rows(edges.same, KinkedGroups(edges.kinks).kinked(), *result);
   // The shell does not end at joined edges.
   for (BoundarySide& side : result->sides)
     if (boundaries.contains(side.boundary)) side.is_inner = true;

@@ -153,7 +153,8 @@ std::array<GlobalIndex, 2> hosts_of(const Members& members) {
 }
 
 /// Adds the rows of a body's local nodes.
-void add_rows(const Space& space, const Members& members, PlacedBody& placed, std::vector<constraints::Row>& rows) {
+void add_body_rows(const Space& space, const Members& members, PlacedBody& placed,
+                   std::vector<constraints::Row>& rows) {
   const algebra::Layout& layout = *space.layout;
   const auto hosts = hosts_of(members);
   for (LocalIndex i = 0; i < layout.local_size(); ++i) {
@@ -225,7 +226,7 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
   std::vector<constraints::Row> rows;
   for (const constraints::Row& kink : result->kinks.rows())
     rows.push_back(*result->constraints.find(static_cast<std::size_t>(kink.node)));
-  for (std::size_t k = 0; k < bodies.size(); ++k) add_rows(*result, members[k], result->bodies[k], rows);
+  for (std::size_t k = 0; k < bodies.size(); ++k) add_body_rows(*result, members[k], result->bodies[k], rows);
   result->constraints = compose(result->continuity, constraints::Map(std::move(rows), comm), comm);
   return result;
 }

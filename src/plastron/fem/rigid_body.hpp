@@ -27,7 +27,7 @@ struct RigidBody {
 };
 
 /// A node of a body.
-struct Member {
+struct BodyNode {
   algebra::LocalIndex node = 0;
   Matrix6 motion = Matrix6::Zero();  ///< W: its (u, r) for (d, length theta)
 };
@@ -39,10 +39,10 @@ struct PlacedBody {
   std::array<algebra::LocalIndex, 2> hosts{-1, -1};  ///< local numbers; -1 where this rank has no node of the body
   double length = 1;                                 ///< from the reference point to the farthest node [m]
   Matrix6 gram = Matrix6::Zero();                    ///< sum over its nodes of W' D W, with D = diag(1, length^2)
-  std::vector<Member> members{};                     ///< its local nodes, ascending
+  std::vector<BodyNode> members{};                   ///< its local nodes, ascending
 
-  const Member* find(algebra::LocalIndex node) const {
-    const auto found = std::ranges::lower_bound(members, node, {}, &Member::node);
+  const BodyNode* find(algebra::LocalIndex node) const {
+    const auto found = std::ranges::lower_bound(members, node, {}, &BodyNode::node);
     return found != members.end() && found->node == node ? &*found : nullptr;
   }
 };

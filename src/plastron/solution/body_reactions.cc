@@ -52,7 +52,7 @@ void add_reaction(const fem::PlacedBody& placed, const BodyVector& reactions, co
 
 double least_gap(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed, const algebra::Vector& y) {
   double least = std::numeric_limits<double>::infinity();
-  for (const fem::Member& member : placed.members) {
+  for (const fem::BodyNode& member : placed.members) {
     if (member.node >= discrete.space().layout->owned) continue;
     const auto node = static_cast<std::size_t>(member.node);
     for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k) {
@@ -70,7 +70,7 @@ double distance_from_body(const assembly::DiscreteShell& discrete, const fem::Pl
   const fem::Space& space = discrete.space();
   const BodyVector q = in_lengths(placed, motion);
   double most = 0;
-  for (const fem::Member& member : placed.members) {
+  for (const fem::BodyNode& member : placed.members) {
     if (member.node >= space.layout->owned) continue;
     const auto node = static_cast<std::size_t>(member.node);
     BodyVector rest = node_values(y, node) - member.motion * q;
