@@ -1,7 +1,5 @@
 #include <research/spectra/spectra.hpp>
 
-#include <plastron/fem/constraints.hpp>
-
 #include <Eigen/Cholesky>
 
 namespace plastron::spectra {
@@ -67,7 +65,7 @@ algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::
   const double weight_of_s = length * length;
   const Vector6 weights = (Vector6() << 1, 1, 1, weight_of_s, weight_of_s, weight_of_s).finished();
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_carriers(space));
+  algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const assembly::RowMatrix cartesian = shell.quadrature_bases(c).empty()
                                               ? by_components(scalar_element(shell, c, length), weights)
@@ -83,13 +81,12 @@ algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::
 
 algebra::Matrix scalar_h1_matrix(const assembly::ShellOperator& shell, double length) {
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, 1, fem::coupled_nodes(space));
+  algebra::Matrix matrix(space.layout, 1, space.continuity.couplings(space.connectivity));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    assembly::RowMatrix k = scalar_element(shell, c, length);
-    const auto carriers = fem::carriers(space, c);
-    if (carriers) k = (carriers->weights.transpose() * k * carriers->weights).eval();
-    matrix.add(carriers ? std::span<const algebra::LocalIndex>(carriers->nodes) : space.nodes(c),
-               {k.data(), static_cast<std::size_t>(k.size())});
+    const assembly::RowMatrix half =
+        space.continuity.on_sources(space.nodes(c), scalar_element(shell, c, length)).matrix.transpose();
+    const auto k = space.continuity.on_sources(space.nodes(c), half);
+    matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
   }
   matrix.finish();
   return matrix;

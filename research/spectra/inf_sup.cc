@@ -115,10 +115,10 @@ double l2_inf_sup(const assembly::DiscreteShell& discrete, double length, std::s
 std::optional<double> tangency_inf_sup(const assembly::DiscreteShell& discrete, double length) {
   const auto& layout = discrete.space().layout;
   const auto zeros = multiplier_zeros(discrete.coordinates, *layout);
-  std::int64_t held = 0;
-  for (const char zero : zeros) held += zero;
-  held = algebra::sum_over_ranks(held, layout->comm);
-  if (held == 0 || held == layout->global_size) return {};
+  std::int64_t count = 0;
+  for (const char zero : zeros) count += zero;
+  count = algebra::sum_over_ranks(count, layout->comm);
+  if (count == 0 || count == layout->global_size) return {};
 
   const algebra::Matrix X = h1_matrix(discrete.shell, discrete.coordinates, length),
                         K = gradient_matrix(discrete.shell);

@@ -24,7 +24,7 @@ algebra::Vector changed_coordinates(const assembly::DiscreteShell& discrete, con
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   algebra::Vector z(y.layout(), coordinates.width), result(y.layout(), 6);
   for (std::size_t i = 0; i < static_cast<std::size_t>(y.layout()->owned); ++i) {
-    if (coordinates.tied[i]) continue;
+    if (discrete.space().continuity.constrains(i)) continue;
     const Eigen::Matrix<double, 6, 1> at_node = coordinates.basis[i].partialPivLu().solve(
         Eigen::Map<const Eigen::Matrix<double, 6, 1>>(y.local().data() + 6 * i));
     for (int k = 0; k < coordinates.width; ++k) {

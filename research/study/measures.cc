@@ -27,10 +27,10 @@ void prescribe_lifting(const assembly::DiscreteShell& discrete, std::span<const 
   for (std::size_t i = 0; i < box.load.owned().size(); ++i) {
     const std::size_t node = i / width;
     const bool is_gap = i % width == 0 && discrete.coordinates.is_touchable(node);
-    const bool held = !is_gap && box.lower.owned()[i] == box.upper.owned()[i];
+    const bool fixed = !is_gap && box.lower.owned()[i] == box.upper.owned()[i];
     const bool lifted = is_gap && at[node];
-    box.lower.owned()[i] = lifted ? change : held ? 0 : -infinity;
-    box.upper.owned()[i] = lifted ? change : held ? 0 : infinity;
+    box.lower.owned()[i] = lifted ? change : fixed ? 0 : -infinity;
+    box.upper.owned()[i] = lifted ? change : fixed ? 0 : infinity;
     box.load.owned()[i] = 0;
   }
   box.lower.update_ghosts();

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/assembly/box_problem.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/constraints.hpp>
 
 #include <cmath>
 #include <map>
@@ -57,18 +57,19 @@ test::MeshedSurface with_hanging_nodes(int degree, const std::array<std::string,
   const auto on_side = fem::side_nodes(fem::Shape::quadrilateral, degree, 1);
   std::vector<algebra::LocalIndex> masters;
   for (const int i : on_side) masters.push_back(space->connectivity.nodes[static_cast<std::size_t>(i)]);
+  std::vector<constraints::Row> rows;
   for (std::size_t node = 0; node < places.size(); ++node) {
     if (std::abs(places[node][0] - 1) > 1e-9 || std::ranges::count(masters, static_cast<int>(node)) > 0) continue;
-    fem::Tie tie{.node = static_cast<algebra::LocalIndex>(node), .masters = {}};
+    constraints::Row& row = rows.emplace_back(constraints::Row{.node = static_cast<algebra::LocalIndex>(node)});
     for (std::size_t k = 0; k < masters.size(); ++k) {
       double weight = 1;
       for (std::size_t j = 0; j < masters.size(); ++j)
         if (j != k) weight *= (places[node][1] - line[j]) / (line[k] - line[j]);
-      tie.masters.emplace_back(masters[k], weight);
+      row.terms.push_back({.node = masters[k], .weight = weight});
     }
-    space->ties.push_back(tie);
   }
-  space->has_ties = true;
+  space->continuity = constraints::Map(std::move(rows), MPI_COMM_SELF);
+  space->constraints = space->continuity;
   return {space, surface};
 }
 
@@ -83,23 +84,23 @@ class HangingNode : public testing::TestWithParam<int> {};
 
 TEST_P(HangingNode, IsThere) {
   const auto m = with_hanging_nodes(GetParam(), test::flat);
-  EXPECT_GE(m.space->ties.size(), static_cast<std::size_t>(GetParam()) - (GetParam() > 1 ? 1 : 0));
+  EXPECT_GE(m.space->continuity.rows().size(), static_cast<std::size_t>(GetParam()) - (GetParam() > 1 ? 1 : 0));
 }
 
 TEST_P(HangingNode, LetsRigidMotionsGiveNoEnergy) {
   for (const auto& chart : {test::flat, test::saddle}) {
     const auto m = with_hanging_nodes(GetParam(), chart);
     const auto shell = shell_on(m, element::Formulation::tangent);
-    algebra::Vector y = test::rigid_motion(*m.space, shell->points, {0.1, -0.2, 0.3}, {0.2, 0.1, -0.3}), spread = y;
-    fem::spread(*m.space, spread);
+    algebra::Vector y = test::rigid_motion(*m.space, shell->points, {0.1, -0.2, 0.3}, {0.2, 0.1, -0.3}), continuous = y;
+    m.space->continuity.apply(continuous);
     for (std::size_t i = 0; i < y.local().size(); ++i) {
       // Translations and, on the flat shell, rotations lie in the space.
       if (chart == test::flat) {
-        EXPECT_NEAR(spread.local()[i], y.local()[i], 1e-13);
+        EXPECT_NEAR(continuous.local()[i], y.local()[i], 1e-13);
       }
     }
     if (chart == test::flat) {
-      EXPECT_LT(shell->shell.energies(spread).total(), 1e-24);
+      EXPECT_LT(shell->shell.energies(continuous).total(), 1e-24);
     }
   }
 }
@@ -121,10 +122,10 @@ TEST_P(HangingNode, PassesThePatchTest) {
     std::copy_n(values, 6, y.local().begin() + static_cast<std::ptrdiff_t>(6 * i));
   }
   algebra::Vector same = y;
-  fem::spread(*m.space, same);
+  m.space->continuity.apply(same);
   for (std::size_t i = 0; i < y.local().size(); ++i) EXPECT_NEAR(same.local()[i], y.local()[i], 1e-13);
   shell->apply(y, f);
-  fem::collect(*m.space, f);
+  m.space->constraints.apply_transposed(f);
   int inside = 0;
   for (std::size_t i = 0; i < shell->points.size(); ++i) {
     const double x1 = shell->points[i].x[0], x2 = shell->points[i].x[1];
@@ -155,7 +156,7 @@ TEST_P(HangingNode, LeavesTheFormSymmetricAndTheMatrixTheOperator) {
   }
 }
 
-TEST_P(HangingNode, HandsItsWeightToItsMastersAndIsNeverInContact) {
+TEST_P(HangingNode, GivesItsWeightToItsMastersAndIsNeverInContact) {
   const auto m = with_hanging_nodes(GetParam(), test::flat);
   const auto shell = shell_on(m, element::Formulation::tangent);
   double area = 0;
@@ -164,11 +165,11 @@ TEST_P(HangingNode, HandsItsWeightToItsMastersAndIsNeverInContact) {
     area += point.weight;
   }
   EXPECT_NEAR(area, 2, 1e-13);
-  for (const fem::Tie& tie : m.space->ties) {
-    EXPECT_EQ(shell->points[static_cast<std::size_t>(tie.node)].weight, 0);
-    EXPECT_FALSE(shell->coordinates.is_touchable(static_cast<std::size_t>(tie.node)));
-    for (const auto& [master, weight] : tie.masters)
-      EXPECT_TRUE(shell->coordinates.is_touchable(static_cast<std::size_t>(master)));
+  for (const constraints::Row& row : m.space->continuity.rows()) {
+    EXPECT_EQ(shell->points[static_cast<std::size_t>(row.node)].weight, 0);
+    EXPECT_FALSE(shell->coordinates.is_touchable(static_cast<std::size_t>(row.node)));
+    for (const constraints::Term& term : row.terms)
+      EXPECT_TRUE(shell->coordinates.is_touchable(static_cast<std::size_t>(term.node)));
   }
 }
 

@@ -1,6 +1,7 @@
 // Named curves inside a mesh, and curves in several groups. Supports and loads act on each once, on any number of
 // ranks, on both shapes and on every level.
 #include "assembly/sample_shells.hpp"
+#include "supported.hpp"
 
 #include <plastron/assembly/load_vector.hpp>
 
@@ -83,7 +84,8 @@ void expect_held(const test::MeshedSurface& m, const std::string& boundary,
   double held = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.space->layout->owned); ++i) {
     const bool is_near = distance(discrete->points[i].x) < 1e-2;
-    EXPECT_EQ(discrete->coordinates.supported[i] != 0, is_near) << boundary << " " << discrete->points[i].x.transpose();
+    EXPECT_EQ(test::is_supported(discrete->coordinates, i), is_near)
+        << boundary << " " << discrete->points[i].x.transpose();
     held += is_near;
   }
   EXPECT_GE(algebra::sum_over_ranks(held, MPI_COMM_WORLD), 3) << boundary;

@@ -2,6 +2,7 @@
 // limit.
 // Tests also check which rows a corruption leaves alone. So the rows are not eight copies of one number.
 #include "assembly/sample_shells.hpp"
+#include "supported.hpp"
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/certificate/certificate_limits.hpp>
@@ -150,8 +151,9 @@ class Rows : public testing::TestWithParam<Sample> {
   }
   std::optional<std::size_t> free_node() const {
     const Eigen::Vector2d place = GetParam().is_flat() ? Eigen::Vector2d(0.24, 0.51) : Eigen::Vector2d(0.41, 0.02);
-    return node_near(solved, place,
-                     [&](std::size_t i) { return !solved.touches(i) && !solved.discrete->coordinates.supported[i]; });
+    return node_near(solved, place, [&](std::size_t i) {
+      return !solved.touches(i) && !test::is_supported(solved.discrete->coordinates, i);
+    });
   }
   double max_pressure() const { return algebra::max_abs(solved.nodal.pressure); }
 };
@@ -194,7 +196,7 @@ TEST_P(Rows, StationarityNoticesARotationThatIsChanged) {
 
 TEST_P(Rows, StationarityNoticesASupportedNodeThatIsMoved) {
   const auto held = node_near(solved, GetParam().is_flat() ? Eigen::Vector2d(0, 0.4) : Eigen::Vector2d(0.8, 0.1),
-                              [&](std::size_t i) { return solved.discrete->coordinates.supported[i] != 0; });
+                              [&](std::size_t i) { return test::is_supported(solved.discrete->coordinates, i); });
   move(held, 0, 1e-4 * solved.largest_displacement());
   EXPECT_GT(solved.certificate().stationarity, clear);
   EXPECT_THAT(solved.broken_rows(), Contains("stationarity"));

@@ -148,7 +148,8 @@ Given given(const Scene& scene, const Element& element, MPI_Comm comm) {
     }
     std::copy(u.begin(), u.end(), g.nodal.y.local().begin() + static_cast<std::ptrdiff_t>(6 * i));
   }
-  for (algebra::Vector* v : {&g.nodal.y, &g.nodal.pressure, &g.nodal.touching}) fem::spread(g.discrete->space(), *v);
+  for (algebra::Vector* v : {&g.nodal.y, &g.nodal.pressure, &g.nodal.touching})
+    g.discrete->space().continuity.apply(*v);
   return g;
 }
 

@@ -435,7 +435,7 @@ TEST(FinestMesh, IsMadeFromItsCells) {
     marks.front() = marks[marks.size() / 2] = 1;
     meshes.refine({}, marks);
   }
-  EXPECT_TRUE(meshes.space()->has_ties);
+  EXPECT_FALSE(meshes.space()->continuity.is_identity());
   expect_to_be_made_again(p, *meshes.space());
 }
 

@@ -45,7 +45,7 @@ LevelResult solve_graded(const problem::Problem& problem, const Rule& rule, int 
       marks.push_back(rule(middle_of(*meshes.space(), c), round) ? 1 : 0);
     meshes.refine({}, marks);
   }
-  EXPECT_TRUE(meshes.space()->has_ties);
+  EXPECT_FALSE(meshes.space()->continuity.is_identity());
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   const LevelTask task{.settings = problem.contact, .linearisation = problem.linearisation};
   return solve_level(task, assembly::discretise(meshes.space(), surface, problem.shell), {});

@@ -2,8 +2,8 @@
 // space and are transferred exactly, and nothing depends on the distribution of the mesh.
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/constraints.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
 
@@ -84,11 +84,11 @@ TEST_P(GradedMesh, HoldsPolynomialsAndCarriesThem) {
     const algebra::Vector exact = interpolant(space);
     EXPECT_LT(largest_difference(fields[0], exact), 1e-11);
     algebra::Vector spread_out = exact;
-    spread(space, spread_out);
+    space.continuity.apply(spread_out);
     EXPECT_LT(largest_difference(spread_out, exact), 1e-12);
-    hanging += static_cast<std::int64_t>(space.ties.size());
-    EXPECT_EQ(space.has_ties,
-              algebra::sum_over_ranks(static_cast<std::int64_t>(space.ties.size()), MPI_COMM_WORLD) > 0);
+    const auto rows = static_cast<std::int64_t>(space.continuity.rows().size());
+    hanging += rows;
+    EXPECT_EQ(space.continuity.is_identity(), algebra::sum_over_ranks(rows, MPI_COMM_WORLD) == 0);
   }
   EXPECT_GT(algebra::sum_over_ranks(hanging, MPI_COMM_WORLD), 20);
 }
@@ -110,7 +110,7 @@ TEST_P(GradedMesh, HasTheSameCellsAndFieldsAtOneDegreeMore) {
     exact.local()[i] = polynomial(before->degree, x.local()[2 * i], x.local()[2 * i + 1]);
   EXPECT_LT(largest_difference(fields[0], exact), 1e-11);
   algebra::Vector spread_out = exact;
-  spread(*raised, spread_out);
+  raised->continuity.apply(spread_out);
   EXPECT_LT(largest_difference(spread_out, exact), 1e-12);
 }
 
@@ -127,7 +127,7 @@ TEST_P(GradedMesh, HasContinuousFields) {
   algebra::Vector v(space.layout, 1);
   for (algebra::LocalIndex i = 0; i < space.layout->local_size(); ++i)
     v.local()[static_cast<std::size_t>(i)] = std::sin(7.0 * static_cast<double>(space.layout->global(i)));
-  spread(space, v);
+  space.continuity.apply(v);
   const auto line = gauss_lobatto(space.degree + 1).points;
   const auto value = [&](std::size_t c, const Vector2d& coarse_place) {
     const Vector2d xi = (coarse_place - space.cells[c].corner) / space.cells[c].size;
@@ -160,13 +160,13 @@ TEST_P(GradedMesh, HasNoChainsAndNoMasterOutOfSight) {
   MeshSequence meshes = square(GetParam());
   for (std::uint64_t round = 0; round < rounds; ++round) meshes.refine({}, scattered_marks(*meshes.space(), round));
   const Space& space = *meshes.space();
-  EXPECT_TRUE(std::ranges::is_sorted(space.ties, {}, &Tie::node));
-  for (const Tie& tie : space.ties) {
+  for (const constraints::Row& row : space.continuity.rows()) {
     double sum = 0;
-    for (const auto& [master, weight] : tie.masters) {
-      EXPECT_FALSE(std::ranges::binary_search(space.ties, master, {}, &Tie::node));
+    for (const auto& [master, weight, block] : row.terms) {
       ASSERT_GE(master, 0);
       ASSERT_LT(master, space.layout->local_size());
+      EXPECT_FALSE(space.continuity.constrains(static_cast<std::size_t>(master)));
+      EXPECT_FALSE(block);
       sum += weight;
     }
     EXPECT_NEAR(sum, 1, 1e-12);
@@ -180,11 +180,12 @@ TEST_P(GradedMesh, IsTheSameOnAnyNumberOfRanks) {
     alone.refine({}, scattered_marks(*alone.space(), round));
     EXPECT_EQ(together.space()->global_cells, alone.space()->global_cells);
     EXPECT_EQ(together.space()->layout->global_size, alone.space()->layout->global_size);
-    const auto owned_ties = [](const Space& space) {
-      return std::ranges::count_if(space.ties, [&](const Tie& tie) { return tie.node < space.layout->owned; });
+    const auto owned_rows = [](const Space& space) {
+      return std::ranges::count_if(space.continuity.rows(),
+                                   [&](const constraints::Row& row) { return row.node < space.layout->owned; });
     };
-    EXPECT_EQ(algebra::sum_over_ranks(static_cast<std::int64_t>(owned_ties(*together.space())), MPI_COMM_WORLD),
-              owned_ties(*alone.space()));
+    EXPECT_EQ(algebra::sum_over_ranks(static_cast<std::int64_t>(owned_rows(*together.space())), MPI_COMM_WORLD),
+              owned_rows(*alone.space()));
   }
 }
 

@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "computation/problems.hpp"
+#include "supported.hpp"
 
 namespace plastron::study {
 namespace {
@@ -78,7 +79,7 @@ TEST(NearestAdmissible, is_in_the_discrete_cone_and_leaves_what_is_in_it) {
     const double gap = discrete.coordinates.gaps[0][i](u, r);
     EXPECT_GE(gap, -1e-14);
     closed += gap < 1e-14;
-    if (!discrete.coordinates.supported[i]) continue;
+    if (!test::is_supported(discrete.coordinates, i)) continue;
     EXPECT_NEAR(u.norm() + r.norm(), 0, 1e-14);
   }
   EXPECT_GT(closed, 0);  // the field does penetrate the table
@@ -96,7 +97,7 @@ TEST(VirtualPart, is_zero_at_supports_and_tangent_and_knows_no_obstacle) {
           found(y.local().data() + 6 * i + part);
       Eigen::Vector3d expected = given;
       if (part == 3) expected = geometry::tangential(expected, discrete.points[i].a3);
-      if (discrete.coordinates.supported[i]) expected.setZero();
+      if (test::is_supported(discrete.coordinates, i)) expected.setZero();
       EXPECT_LT((found - expected).norm(), 1e-13);
     }
 }

@@ -151,15 +151,15 @@ TEST(RoundOff, ResidualsThroughStrainsKeepTheEnergyIdentityAtDegreeEightAndThick
   const contact::BoxProblem box = assembly::box_problem(discrete, A);
   algebra::Factorisation F(A);
   algebra::Vector load = box.load, z(box.load.layout(), 5);
-  std::vector<char> pinned(load.owned().size());
-  for (std::size_t i = 0; i < pinned.size(); ++i) {
-    pinned[i] = box.lower.owned()[i] == box.upper.owned()[i];
-    if (pinned[i]) load.owned()[i] = 0;
+  std::vector<char> fixed(load.owned().size());
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    fixed[i] = box.lower.owned()[i] == box.upper.owned()[i];
+    if (fixed[i]) load.owned()[i] = 0;
   }
-  ASSERT_TRUE(F.factorise(pinned));
+  ASSERT_TRUE(F.factorise(fixed));
   F.solve(load, z);
   z.update_ghosts();
-  const contact::BoxSolution solution{.z = std::move(z), .activity = std::vector<contact::Activity>(pinned.size())};
+  const contact::BoxSolution solution{.z = std::move(z), .activity = std::vector<contact::Activity>(fixed.size())};
   const auto verdict = certificate::certify(discrete, solution::nodal_solution(discrete, solution));
   expect_figure("round-off", "one direct solve", "energy identity", verdict.certificate.energy_identity);
   EXPECT_GT(verdict.certificate.energy_identity, 10 * result.certificate.energy_identity);

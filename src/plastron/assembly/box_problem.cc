@@ -2,7 +2,6 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
-#include <plastron/fem/constraints.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -112,7 +111,7 @@ algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
   const NodalCoordinates& coordinates = discrete.coordinates;
   const double tangency_factor = discrete.tangency_factor();
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, fem::coupled_carriers(space));
+  algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     auto [nodes, b] = in_coordinates(coordinates, c, shell.strain_matrix(c));
     scale_by_stiffness(shell, c, b);

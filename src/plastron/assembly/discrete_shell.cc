@@ -47,10 +47,10 @@ element::CellField DiscreteShell::state_values(std::size_t cell, const element::
 }
 
 std::vector<Eigen::Vector2d> DiscreteShell::support_points() const {
-  std::vector<Eigen::Vector2d> held;
+  std::vector<Eigen::Vector2d> fixed;
   for (const Support& support : supports)
-    if (support.point && std::ranges::find(held, *support.point) == held.end()) held.push_back(*support.point);
-  return held;
+    if (support.point && std::ranges::find(fixed, *support.point) == fixed.end()) fixed.push_back(*support.point);
+  return fixed;
 }
 
 double DiscreteShell::nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const {

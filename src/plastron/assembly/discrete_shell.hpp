@@ -30,8 +30,8 @@ struct DiscreteShell {
   double tangency_factor() const;
   /// Computes f = A y through strains, including the form of normal_rotation.hpp. Needs y's ghosts (collective).
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
-  /// Computes f = A y - l, the forces of supports and obstacles, on owned nodes. Forces at tied and carried nodes are
-  /// not yet passed to other nodes. Needs y's ghosts (collective).
+  /// Computes f = A y - l, the forces of supports and obstacles, on owned nodes. Forces at constrained nodes have
+  /// not yet been moved to other nodes. Needs y's ghosts (collective).
   void residual(const algebra::Vector& y, algebra::Vector& f) const;
   /// Returns the gap (M16) against obstacle k at a point that the state has moved.
   obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }

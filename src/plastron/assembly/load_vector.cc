@@ -257,8 +257,7 @@ algebra::Vector load_vector(const ShellOperator& shell, const Loads& loads) {
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
     if (const auto initial = shell.weighted_initial_stresses(c)) shell.scatter(c, shell.forces(c, *initial), f);
   f.accumulate_ghosts();
-  if (shell.space().carried)
-    for (const fem::PlacedBody& body : shell.space().carried->bodies) add_body_load(shell.space(), body, f);
+  for (const fem::PlacedBody& body : shell.space().bodies) add_body_load(shell.space(), body, f);
   return f;
 }
 

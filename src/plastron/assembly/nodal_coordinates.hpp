@@ -1,11 +1,13 @@
-// The coordinates in which supports and contact are bounds (D4): y = T z at every node, with T and bounds from
-// node_coordinates.hpp. Non-penetration is a bound of the coordinate that a contact row names. A support is lower ==
-// upper. Without the coordinate r . a_3 the fields are those of V (M10).
+// The coordinates in which supports and contact are bounds (D4): y = C T z. T has one basis for each node, with bounds
+// from node_coordinates.hpp, and C are the constraints between nodes (fem/constraints.hpp). Non-penetration is a bound of
+// the coordinate that a contact row names. A support is lower == upper. Without the coordinate r . a_3 the fields are
+// those of V (M10).
 #pragma once
 #include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/description.hpp>
 #include <plastron/assembly/node_coordinates.hpp>
 #include <plastron/assembly/state.hpp>
+#include <plastron/constraints/map.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -15,14 +17,11 @@
 
 namespace plastron::assembly {
 
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMatrix = constraints::RowMatrix;
 
 struct NodalCoordinates {
   int width = 5;                 ///< coordinates of a node: 6 where r . a_3 is a coordinate
   std::vector<NodeBasis> basis;  ///< T of every local node
-  std::vector<char> supported;   ///< node has prescribed components (local)
-  /// Values of the node follow from other nodes (local): T = 0, and its coordinates are fixed at 0.
-  std::vector<char> tied;
   std::shared_ptr<const fem::Space> space{};
   algebra::Vector lower, upper;                    ///< bounds of z (block: width)
   std::vector<std::vector<obstacle::Gap>> gaps{};  ///< gaps by obstacle and local node
@@ -38,7 +37,7 @@ struct NodalCoordinates {
   bool is_touchable(std::size_t node) const { return std::ranges::any_of(rows_of(node), &ContactRow::is_touchable); }
   /// Whether the supports fix the row's face inside its obstacle, where no bound can move it out. `point` is the row's
   /// node. The limit is the rounding of the gap's terms, for any unit of length.
-  bool is_held_inside(const ContactRow& row, const NodalPoint& point) const;
+  bool is_fixed_inside(const ContactRow& row, const NodalPoint& point) const;
   /// Place of coordinate k of a node in z.
   std::size_t at(std::size_t node, int k) const {
     return node * static_cast<std::size_t>(width) + static_cast<std::size_t>(k);
@@ -46,14 +45,13 @@ struct NodalCoordinates {
   bool is_prescribed(std::size_t node, int k) const { return lower.local()[at(node, k)] == upper.local()[at(node, k)]; }
   /// Marks the owned coordinates that are prescribed.
   std::vector<char> prescribed() const;
-  /// Returns the change of the node's own (u, r) with coordinate k: the column of T. It is zero where the coordinate is
-  /// a motion of a rigid body, or where the node leaves it to a body.
+  /// Returns the change of the node's own (u, r) with coordinate k: the column of T, without what the node leaves to
+  /// others. It is zero where the coordinate is a motion of a rigid body.
   Vector6 direction(std::size_t node, int k) const;
-  /// Computes y = H G T z on local nodes. H are the ties, G is the matrix of carried nodes
-  /// (fem/constraints.hpp). Needs z's ghosts; the result has valid ghosts.
+  /// Computes y = C T z on local nodes. Needs z's ghosts; the result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
-  /// Computes z += T' G' H' f on owned nodes. f is complete on owned nodes; afterwards f contains G' H' f (collective
-  /// where there are ties or carried nodes).
+  /// Computes z += T' C' f on owned nodes. f is complete on owned nodes; afterwards f contains C' f (collective where
+  /// there are constraints).
   void add_transposed(algebra::Vector& f, algebra::Vector& z) const;
 };
 
@@ -62,18 +60,14 @@ struct NodalCoordinates {
 std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const std::vector<NodalPoint>& points,
                                                 const Eigen::Vector2d& x);
 
-/// Returns the supports of owned nodes by local index; empty where a node has none (collective, throws SupportError).
+/// Returns the supports of owned nodes by local index; empty where a node has none. Supports of constrained nodes are
+/// given to the nodes that these follow from (collective, throws SupportError).
 std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
                                        const std::vector<NodalPoint>& points, const std::vector<Support>& supports);
 
-/// A matrix on the Cartesian values of a cell's nodes (six columns for each node), transformed to coordinates.
-/// It has `width` columns for each node on which the cell's values depend.
-struct InCoordinates {
-  std::vector<algebra::LocalIndex> nodes;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix;
-};
-InCoordinates in_coordinates(const NodalCoordinates& coordinates, std::size_t cell,
-                             const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& cartesian);
+/// Transforms a matrix on the Cartesian values of a cell's nodes, six columns for each, to coordinates. The result has
+/// `width` columns for each node on which the cell's values depend.
+constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std::size_t cell, RowMatrix cartesian);
 
 /// Returns a point of the shell after the motion (u, r) = `moved`.
 obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved);

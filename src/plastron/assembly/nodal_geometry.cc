@@ -1,7 +1,6 @@
 #include <plastron/assembly/nodal_geometry.hpp>
 
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
@@ -65,8 +64,9 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   add_sections(space, surface, tables, sections, data);
   data.update_ghosts();
   weights.accumulate_ghosts();
-  fem::collect(space, weights);  // a tied node is never in contact; its masters take its share
-  fem::collect_at_kinks(space, weights);
+  // A node whose displacement follows from other nodes is never in contact. These nodes take its share.
+  space.continuity.apply_transposed(weights);
+  space.kinks.apply_transposed(weights);
   weights.update_ghosts();
 
   std::vector<NodalPoint> points(done.size());

@@ -1,6 +1,7 @@
 // Converts supports by boundary or point and component to prescribed directions at nodes.
 #include <plastron/assembly/nodal_coordinates.hpp>
 
+#include <plastron/assembly/constrained_supports.hpp>
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/geometry/frame.hpp>
@@ -190,6 +191,7 @@ std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surfa
       at_node.rotation_scale = std::max(at_node.rotation_scale, rotation);
     }
   }
+  move_to_free_nodes(space, points, all);
   return all;
 }
 

@@ -1,11 +1,11 @@
 #include <plastron/assembly/normal_rotation.hpp>
 
-#include <plastron/fem/constraints.hpp>
 #include <plastron/shell/strain.hpp>
 
 #include <Eigen/Cholesky>
 
 #include <cmath>
+#include <utility>
 
 namespace plastron::assembly {
 
@@ -94,12 +94,12 @@ void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebr
   q.fill(0);
   shell.kernels().add_coupling(shell.packed(), y.local().data(), q.local().data());
   q.accumulate_ghosts();
-  fem::collect(shell.space(), q);
+  shell.space().continuity.apply_transposed(q);
 }
 
 void apply_coupling_transposed(const ShellOperator& shell, algebra::Vector& lambda, algebra::Vector& f) {
   PLASTRON_ASSERT(lambda.block() == 1 && f.block() == 6, lambda.block(), f.block());
-  fem::spread(shell.space(), lambda);
+  shell.space().continuity.apply(lambda);
   f.fill(0);
   shell.kernels().add_coupling_transposed(shell.packed(), lambda.local().data(), f.local().data());
   f.accumulate_ghosts();
@@ -108,7 +108,7 @@ void apply_coupling_transposed(const ShellOperator& shell, algebra::Vector& lamb
 algebra::Matrix gradient_matrix(const ShellOperator& shell) {
   const fem::Space& space = shell.space();
   const element::BasisAt& basis = shell.tables().quadrature;
-  algebra::Matrix matrix(space.layout, 1, fem::coupled_nodes(space));
+  algebra::Matrix matrix(space.layout, 1, space.continuity.couplings(space.connectivity));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     RowMatrix k = RowMatrix::Zero(basis.value.cols(), basis.value.cols());
     for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
@@ -117,12 +117,10 @@ algebra::Matrix gradient_matrix(const ShellOperator& shell) {
       g << basis.d1.row(q), basis.d2.row(q);
       k += p.area * g.transpose() * p.frame.metric_con * g;
     }
-    if (const auto carriers = fem::carriers(space, c)) {
-      k = (carriers->weights.transpose() * k * carriers->weights).eval();
-      matrix.add(carriers->nodes, {k.data(), static_cast<std::size_t>(k.size())});
-    } else {
-      matrix.add(space.nodes(c), {k.data(), static_cast<std::size_t>(k.size())});
-    }
+    // C' k C from k C, for k is symmetric.
+    const RowMatrix half = space.continuity.on_sources(space.nodes(c), std::move(k)).matrix.transpose();
+    const auto whole = space.continuity.on_sources(space.nodes(c), half);
+    matrix.add(whole.nodes, {whole.matrix.data(), static_cast<std::size_t>(whole.matrix.size())});
   }
   matrix.finish();
   return matrix;

@@ -33,7 +33,7 @@ std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const al
 /// Computes q_i = b(y, N_i), complete on owned nodes. Needs y's ghosts (collective).
 void apply_coupling(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& q);
 /// Computes f_j = b(phi_j, lambda) as Cartesian nodal forces, complete on owned nodes. Needs lambda's ghosts, and sets
-/// the values of its tied nodes (collective).
+/// the values of its constrained nodes (collective).
 void apply_coupling_transposed(const ShellOperator& shell, algebra::Vector& lambda, algebra::Vector& f);
 /// Returns the matrix of int a^{ab} d_a p d_b q sqrt(a) dx, one scalar for each node (collective).
 algebra::Matrix gradient_matrix(const ShellOperator& shell);

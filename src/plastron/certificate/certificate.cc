@@ -60,7 +60,7 @@ void add_node(const assembly::DiscreteShell& discrete, const solution::NodalSolu
   const assembly::NodalPoint& point = discrete.points[i];
   const Vector6 y = node_values(solution.y, i), load = node_values(discrete.load, i);
   add_scales(point, load, sums);
-  if (coordinates.tied[i]) return;
+  if (discrete.space().continuity.constrains(i)) return;
   Vector6 contact = Vector6::Zero();
   for (const assembly::ContactRow& row : coordinates.rows_of(i))
     contact += add_contact(discrete, solution, row, y, sums);

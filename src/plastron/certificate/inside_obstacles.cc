@@ -2,7 +2,6 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/constraints.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
@@ -17,11 +16,10 @@ namespace {
 /// Removes the cells at rigid bodies: no bound keeps a body's nodes out of obstacles. BodyReaction contains their
 /// depth.
 void leave_out_bodies(const fem::Space& space, std::vector<CellGap>& cells) {
-  if (!space.carried) return;
+  if (space.bodies.empty()) return;
   std::vector<char> is_of_body(static_cast<std::size_t>(space.layout->local_size()));
-  for (const fem::PlacedBody& body : space.carried->bodies)
-    for (const std::size_t member : body.members)
-      is_of_body[static_cast<std::size_t>(space.carried->nodes[member].node)] = 1;
+  for (const fem::PlacedBody& body : space.bodies)
+    for (const fem::BodyNode& member : body.members) is_of_body[static_cast<std::size_t>(member.node)] = 1;
   std::erase_if(cells, [&](const CellGap& cell) {
     return std::ranges::any_of(space.nodes(cell.cell), [&](algebra::LocalIndex node) {
       return is_of_body[static_cast<std::size_t>(node)] != 0;

@@ -2,7 +2,7 @@
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/cell_depths.hpp>
-#include <plastron/fem/constraints.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr int max_rounds = 30;
 constexpr double gain = 0.9;
 constexpr int max_rounds_without_gain = 4;
 /// Largest weight of fixed nodes at which lifts of the other nodes can reduce a depth.
-constexpr double most_held = 0.5;
+constexpr double most_fixed = 0.5;
 
 /// Returns at least twice the fineness of the reported gaps.
 int lattice_intervals(int degree) { return std::max(8, 4 * degree); }
@@ -31,41 +31,35 @@ int lattice_intervals(int degree) { return std::max(8, 4 * degree); }
 /// an obstacle.
 class CellWeights {
  public:
-  CellWeights(const fem::Space& space, const algebra::Vector& held) : space_(space), held_(held) {}
+  CellWeights(const fem::Space& space, const algebra::Vector& fixed) : space_(space), fixed_(fixed) {}
 
   std::vector<algebra::LocalIndex> nodes(std::size_t cell) const {
-    if (const auto carriers = fem::carriers(space_, cell)) return carriers->nodes;
-    const auto nodes = space_.nodes(cell);
-    return {nodes.begin(), nodes.end()};
+    return space_.continuity.sources(space_.nodes(cell));
   }
-  Eigen::VectorXd held(std::size_t cell, std::size_t obstacle, const Eigen::MatrixXd& basis) const {
-    const auto carriers = fem::carriers(space_, cell);
-    const auto free = nodes(cell);
+  Eigen::VectorXd fixed(std::size_t cell, std::size_t obstacle, const constraints::RowMatrix& basis) const {
+    const auto [free, values] = space_.continuity.on_sources(space_.nodes(cell), basis);
     Eigen::VectorXd marks(static_cast<Eigen::Index>(free.size()));
     for (std::size_t i = 0; i < free.size(); ++i)
       marks[static_cast<Eigen::Index>(i)] =
-          held_.local()[static_cast<std::size_t>(free[i]) * static_cast<std::size_t>(held_.block()) + obstacle];
-    return carriers ? Eigen::VectorXd(basis * (carriers->weights * marks)) : Eigen::VectorXd(basis * marks);
+          fixed_.local()[static_cast<std::size_t>(free[i]) * static_cast<std::size_t>(fixed_.block()) + obstacle];
+    return values * marks;
   }
 
  private:
   const fem::Space& space_;
-  const algebra::Vector& held_;
+  const algebra::Vector& fixed_;
 };
 
-/// Returns 1 where supports leave a node's gap no freedom, or where a rigid body carries the node (collective).
-algebra::Vector held_nodes(const assembly::DiscreteShell& discrete) {
+/// Returns 1 where supports leave a node's gap no freedom, or where the node is constrained (collective).
+algebra::Vector fixed_nodes(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  const fem::CarriedNodes* carried = discrete.space().carried.get();
-  const auto is_carried = [&](std::size_t node) {
-    return carried && carried->find(static_cast<algebra::LocalIndex>(node)) != nullptr;
-  };
-  algebra::Vector held(discrete.space().layout, static_cast<int>(coordinates.gaps.size()));
+  algebra::Vector fixed(discrete.space().layout, static_cast<int>(coordinates.gaps.size()));
   for (const assembly::ContactRow& row : coordinates.rows)
-    held.owned()[row.node * coordinates.gaps.size() + static_cast<std::size_t>(row.obstacle)] =
-        !row.is_touchable() && !row.is_left_out && (!std::isnan(row.bound_gap) || is_carried(row.node));
-  held.update_ghosts();
-  return held;
+    fixed.owned()[row.node * coordinates.gaps.size() + static_cast<std::size_t>(row.obstacle)] =
+        !row.is_touchable() && !row.is_left_out &&
+        (!std::isnan(row.bound_gap) || discrete.space().constraints.constrains(row.node));
+  fixed.update_ghosts();
+  return fixed;
 }
 
 struct CellDepth {
@@ -79,15 +73,15 @@ std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, cons
   const fem::Space& space = discrete.space();
   const int intervals = lattice_intervals(space.degree);
   const LatticeBound bound(space.shape(), intervals);
-  const Eigen::MatrixXd basis =
+  const constraints::RowMatrix basis =
       element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals)).value;
   std::vector<CellDepth> all;
   certificate::sample_gaps(discrete, y, intervals,
                            [&](std::size_t cell, std::size_t obstacle, std::span<const double> gaps) {
-                             const Eigen::VectorXd held = weights.held(cell, obstacle, basis);
+                             const Eigen::VectorXd fixed = weights.fixed(cell, obstacle, basis);
                              double depth = 0;
                              for (std::size_t p = 0; p < gaps.size(); ++p)
-                               if (held[static_cast<Eigen::Index>(p)] <= most_held)
+                               if (fixed[static_cast<Eigen::Index>(p)] <= most_fixed)
                                  depth = std::max(depth, -bound.at(p, gaps));
                              if (depth > 0) all.push_back({cell, obstacle, depth});
                            });
@@ -131,8 +125,8 @@ double largest_dip(const assembly::DiscreteShell& discrete, const algebra::Vecto
 std::optional<algebra::Vector> BoundLifts::next(const solution::NodalSolution& solution) {
   const fem::Space& space = discrete_.space();
   const MPI_Comm comm = space.layout->comm;
-  const algebra::Vector held = held_nodes(discrete_);
-  const CellWeights weights(space, held);
+  const algebra::Vector fixed = fixed_nodes(discrete_);
+  const CellWeights weights(space, fixed);
   const auto cells =
       algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return depths_here(discrete_, solution.y, weights); });
   double deepest = 0;
@@ -145,15 +139,15 @@ std::optional<algebra::Vector> BoundLifts::next(const solution::NodalSolution& s
   ++rounds_;
 
   // Sums are over ranks, because a node on the border of two ranks has cells on both.
-  algebra::Vector powers(space.layout, held.block());
-  const auto block = static_cast<std::size_t>(held.block());
+  algebra::Vector powers(space.layout, fixed.block());
+  const auto block = static_cast<std::size_t>(fixed.block());
   for (const CellDepth& cell : cells)
     for (const algebra::LocalIndex node : weights.nodes(cell.cell))
       powers.local()[static_cast<std::size_t>(node) * block + cell.obstacle] += std::pow(cell.depth / deepest, order);
   powers.accumulate_ghosts();
   algebra::Vector lifts = discrete_.state.lifts;
   for (std::size_t k = 0; k < lifts.owned().size(); ++k)
-    if (held.owned()[k] == 0) lifts.owned()[k] += deepest * std::pow(powers.owned()[k], 1.0 / order);
+    if (fixed.owned()[k] == 0) lifts.owned()[k] += deepest * std::pow(powers.owned()[k], 1.0 / order);
   lifts.update_ghosts();
   return lifts;
 }

@@ -18,10 +18,10 @@ namespace {
 /// nothing can move there.
 bool held_inside_obstacle(const assembly::DiscreteShell& discrete) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  std::int64_t held = 0;
+  std::int64_t fixed = 0;
   for (const assembly::ContactRow& row : coordinates.rows)
-    if (coordinates.is_held_inside(row, discrete.points[row.node])) ++held;
-  return algebra::sum_over_ranks(held, discrete.space().layout->comm) > 0;
+    if (coordinates.is_fixed_inside(row, discrete.points[row.node])) ++fixed;
+  return algebra::sum_over_ranks(fixed, discrete.space().layout->comm) > 0;
 }
 
 /// Adds the solver's data to the measures of a level.

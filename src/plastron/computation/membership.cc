@@ -4,6 +4,7 @@
 #include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/relinearisation.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/problem/instants.hpp>
 
@@ -46,39 +47,37 @@ double distance_from_span(const assembly::NodeBasis& basis, int width, const Vec
   return length_of(given - span * span.colPivHouseholderQr().solve(given));
 }
 
-/// Returns the distance of a kinked node from the position that its carriers give it [m].
-double kink_error(const fem::CarriedNodes& carried, const algebra::Vector& y, std::size_t node, double thickness) {
-  const fem::CarriedNode* at = carried.find(static_cast<algebra::LocalIndex>(node));
-  if (!at || !fem::is_kinked(carried, *at)) return 0;
-  Vector6 rest = node_values(y, node) - at->own * node_values(y, node);
-  for (const auto& [carrier, block] : at->carriers) rest -= block * node_values(y, static_cast<std::size_t>(carrier));
+/// Returns the distance of a kinked node from the position that its equation gives it [m].
+double kink_error(const fem::Space& space, const algebra::Vector& y, std::size_t node, double thickness) {
+  if (!space.kinks.constrains(node)) return 0;
+  Vector6 rest = node_values(y, node);
+  for (const constraints::Term& term : space.constraints.find(node)->terms)
+    rest -= *term.block * node_values(y, static_cast<std::size_t>(term.node));
   return length_of(as_length(rest, thickness));
 }
 
 /// The largest distance of nodal values from the discrete space [m].
 double space_error(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  algebra::Vector spread = y;
-  fem::spread(discrete.space(), spread);
-  const fem::CarriedNodes* carried = discrete.space().carried.get();
+  const fem::Space& space = discrete.space();
+  algebra::Vector continuous = y;
+  space.continuity.apply(continuous);
   double most = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(space.layout->owned); ++i) {
     const double e = discrete.points[i].thickness;
     const Vector6 here = node_values(y, i);
     double error = 0;
-    if (coordinates.tied[i])
-      error = length_of(as_length(here - node_values(spread, i), e));
-    else if (coordinates.width <
-             6)  // also valid for carried nodes: their bases span all of u, and r tangent to the shell
+    if (space.continuity.constrains(i))
+      error = length_of(as_length(here - node_values(continuous, i), e));
+    else if (coordinates.width < 6)  // also at kinks and bodies: bases span all of u, and r tangent to the shell
       error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
     if (!(error <= most)) most = error;  // also for a NaN
-    if (carried) most = std::max(most, kink_error(*carried, y, i, e));
+    most = std::max(most, kink_error(space, y, i, e));
   }
-  if (carried)
-    for (const fem::PlacedBody& body : carried->bodies) {
-      const double error = solution::distance_from_body(discrete, body, motion_of(discrete.space(), body, y), y);
-      if (!(error <= most)) most = error;
-    }
+  for (const fem::PlacedBody& body : space.bodies) {
+    const double error = solution::distance_from_body(discrete, body, motion_of(space, body, y), y);
+    if (!(error <= most)) most = error;
+  }
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
@@ -93,7 +92,7 @@ double tangency_error(const assembly::DiscreteShell& discrete, const solution::N
   for (std::size_t i = 0; i < zeros.size(); ++i) {
     if (!zeros[i]) continue;
     q.owned()[i] = 0;
-    if (!discrete.coordinates.tied[i]) outside = std::max(outside, std::abs(solution.lambda.owned()[i]));
+    if (!discrete.space().continuity.constrains(i)) outside = std::max(outside, std::abs(solution.lambda.owned()[i]));
   }
   const auto part = [](double some, double whole) { return whole > 0 ? some / whole : some; };
   outside = algebra::max_over_ranks(outside, discrete.space().layout->comm);

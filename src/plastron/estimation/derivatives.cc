@@ -18,7 +18,7 @@ Derivative derivative_of(const Energy& /*energy*/, const Solved& solved) {
   Derivative result = zero_derivative(solved);
   result.value = solved.discrete.shell.energies(solved.nodal.y).total();
   for (std::size_t i = 0; i < solved.z.activity.size(); ++i)
-    if (solved.z.activity[i] != contact::Activity::free) result.dual.held.owned()[i] = -solved.z.z.owned()[i];
+    if (solved.z.activity[i] != contact::Activity::free) result.dual.fixed.owned()[i] = -solved.z.z.owned()[i];
   result.weighs_gaps = true;
   return result;
 }
@@ -67,7 +67,7 @@ Derivative weigh(const std::vector<WeightedMultiplier>& all, const std::optional
     direction = force.normalized();
   Derivative result = zero_derivative(solved);
   result.value = direction.dot(force);
-  for (const WeightedMultiplier& m : all) result.dual.held.owned()[m.unknown] -= direction.dot(m.weight);
+  for (const WeightedMultiplier& m : all) result.dual.fixed.owned()[m.unknown] -= direction.dot(m.weight);
   result.force_direction = direction;
   return result;
 }
@@ -122,7 +122,7 @@ Derivative derivative_of(const SupportForce& force, const Solved& solved) {
   const Counted counted(force, solved.discrete);
   std::vector<WeightedMultiplier> all;
   for (std::size_t i = 0; i < owned; ++i) {
-    if (coordinates.tied[i]) continue;
+    if (solved.discrete.space().continuity.constrains(i)) continue;
     for (int k = 0; k < coordinates.width; ++k) {
       const auto direction = coordinates.direction(i, k);
       if (direction.isZero(0) || !coordinates.is_prescribed(i, k)) continue;
@@ -153,7 +153,7 @@ const std::shared_ptr<const recovery::ResultantPatches>& Solved::recovered() con
 
 Derivative zero_derivative(const Solved& solved) {
   const algebra::Vector none(solved.box.load.layout(), solved.box.load.block());
-  return {.dual = {.load = none, .held = none}};
+  return {.dual = {.load = none, .fixed = none}};
 }
 
 Derivative derivative(const Functional& functional, const Solved& solved) {

@@ -44,10 +44,10 @@ DualSolver::DualSolver(const contact::BoxProblem& problem, const contact::BoxSol
     shapes_.push_back(contact::active_shape(force, solution.activity));
 }
 
-std::optional<algebra::Vector> DualSolver::solve_held(const algebra::Vector& load, const algebra::Vector& held) {
+std::optional<algebra::Vector> DualSolver::solve_fixed(const algebra::Vector& load, const algebra::Vector& fixed) {
   dual_.load = load;
   for (std::size_t i = 0; i < set_.size(); ++i)
-    if (set_[i] != contact::Activity::free) dual_.lower.owned()[i] = dual_.upper.owned()[i] = held.owned()[i];
+    if (set_[i] != contact::Activity::free) dual_.lower.owned()[i] = dual_.upper.owned()[i] = fixed.owned()[i];
   auto point =
       is_factorised_ ? solver_.refine(set_, algebra::Vector(load.layout(), load.block())) : solver_.solve_anew(set_);
   if (!point) return {};
@@ -60,7 +60,7 @@ bool DualSolver::find_responses() {
   const algebra::Vector no_load(problem_.load.layout(), problem_.load.block());
   for (std::size_t k = 0; k < shapes_.size(); ++k) {
     if (algebra::max_abs(shapes_[k]) == 0) continue;
-    auto z = solve_held(no_load, shapes_[k]);
+    auto z = solve_fixed(no_load, shapes_[k]);
     if (!z) return false;
     responses_.push_back({k, std::move(*z)});
   }
@@ -77,7 +77,7 @@ double DualSolver::reaction(std::size_t force, const algebra::Vector& load, cons
 
 std::optional<algebra::Vector> DualSolver::solve(const DualLoad& dual) {
   if (responses_.empty() && !find_responses()) return {};
-  auto z = solve_held(dual.load, dual.held);
+  auto z = solve_fixed(dual.load, dual.fixed);
   if (!z || responses_.empty()) return z;
   const auto count = static_cast<Eigen::Index>(responses_.size());
   const algebra::Vector no_load(problem_.load.layout(), problem_.load.block());

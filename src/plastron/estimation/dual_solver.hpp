@@ -11,11 +11,11 @@
 
 namespace plastron::estimation {
 
-/// J(v) = load . v. `held` contains minus the weights of reactions at fixed coordinates, `positions` contains
+/// J(v) = load . v. `fixed` contains minus the weights of reactions at fixed coordinates, `positions` contains
 /// J(delta_k).
 struct DualLoad {
   algebra::Vector load;
-  algebra::Vector held;
+  algebra::Vector fixed;
   std::vector<double> positions{};
 };
 
@@ -26,7 +26,7 @@ class DualSolver {
              algebra::Preconditioner& preconditioner);
 
   /// Returns z with a(v, z) = J(v) for all v of the tangent space, with current ghosts (collective). Fixed
-  /// coordinates have the values of `held` plus multiples of the shapes of pressed obstacles. Empty if the solver for
+  /// coordinates have the values of `fixed` plus multiples of the shapes of pressed obstacles. Empty if the solver for
   /// linear equations fails.
   std::optional<algebra::Vector> solve(const DualLoad& dual);
 
@@ -35,7 +35,7 @@ class DualSolver {
     std::size_t force;
     algebra::Vector z;
   };
-  std::optional<algebra::Vector> solve_held(const algebra::Vector& load, const algebra::Vector& held);
+  std::optional<algebra::Vector> solve_fixed(const algebra::Vector& load, const algebra::Vector& fixed);
   bool find_responses();
   double reaction(std::size_t force, const algebra::Vector& load, const algebra::Vector& z) const;
 

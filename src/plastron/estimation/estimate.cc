@@ -52,7 +52,7 @@ double area_share(const assembly::ShellOperator& shell, std::size_t cell) {
 }
 
 bool weighs_nothing(const DualLoad& dual) {
-  return algebra::max_abs(dual.load) == 0 && algebra::max_abs(dual.held) == 0 &&
+  return algebra::max_abs(dual.load) == 0 && algebra::max_abs(dual.fixed) == 0 &&
          std::ranges::all_of(dual.positions, [](double p) { return p == 0; });
 }
 

@@ -29,7 +29,7 @@ algebra::Vector cartesian(const Solved& solved, const algebra::Vector& z) {
 
 /// A^-1 of forces, with fixed coordinates at 0.
 std::optional<algebra::Vector> response(DualSolver& solver, const algebra::Vector& forces) {
-  return solver.solve({.load = forces, .held = algebra::Vector(forces.layout(), forces.block())});
+  return solver.solve({.load = forces, .fixed = algebra::Vector(forces.layout(), forces.block())});
 }
 
 /// Forces without symmetry or pattern, the same on any number of ranks.

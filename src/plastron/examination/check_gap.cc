@@ -58,7 +58,7 @@ void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obsta
           ? "; the whole shell lies inside of it: is a normal reversed, the obstacle's or the chart's?"
           : "";
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (const assembly::ContactRow& row = coordinates.rows_of(i)[obstacle]; coordinates.is_held_inside(row, points[i]))
+    if (const assembly::ContactRow& row = coordinates.rows_of(i)[obstacle]; coordinates.is_fixed_inside(row, points[i]))
       return examined.add(Severity::error,
                           "the support of {} holds the shell inside of {} at {}: its face "
                           "lies {:.4g} m deep there and cannot move; lower the obstacle or move the support{}",

@@ -1,7 +1,6 @@
 #include <plastron/examination/rigid_motions.hpp>
 
 #include <plastron/examination/checks.hpp>
-#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>
@@ -51,7 +50,7 @@ RigidMotion RigidMotions::gap_change(const assembly::NodalPoint& point, const ob
   return at(point).transpose() * row;
 }
 
-Matrix6 RigidMotions::held_by(const fem::RigidBody& body) const {
+Matrix6 RigidMotions::fixed_by(const fem::RigidBody& body) const {
   Matrix6 gram = Matrix6::Zero();
   for (int c = 0; c < 6; ++c) {
     if (!body.fixed[static_cast<std::size_t>(c)]) continue;
@@ -142,9 +141,7 @@ FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<as
       by_gap += row * row.transpose() / static_cast<double>(points.size());
     }
   }
-  if (coordinates.space->carried)
-    for (const fem::PlacedBody& placed : coordinates.space->carried->bodies)
-      by_supports += motions.held_by(placed.body);
+  for (const fem::PlacedBody& placed : coordinates.space->bodies) by_supports += motions.fixed_by(placed.body);
   const MatrixXd free = kernel(by_supports);
   FreeMotions result{.unheld = MatrixXd(6, 0), .held_by_obstacle = MatrixXd(6, 0)};
   if (free.cols() == 0) return result;

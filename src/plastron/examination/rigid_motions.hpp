@@ -1,7 +1,7 @@
 // The rigid motions u = c + w x phi, r = w x a_3 that the supports leave free, and the contacts that may fix them.
 #pragma once
 #include <plastron/assembly/nodal_coordinates.hpp>
-#include <plastron/fem/constraints.hpp>
+#include <plastron/fem/rigid_body.hpp>
 
 #include <Eigen/Core>
 #include <string>
@@ -22,7 +22,7 @@ class RigidMotions {
   /// Returns the change of the gap at a node for each coefficient.
   RigidMotion gap_change(const assembly::NodalPoint& point, const obstacle::Gap& gap) const;
   /// Returns the Gram matrix of a rigid body's prescribed components as functionals of the motions.
-  Eigen::Matrix<double, 6, 6> held_by(const fem::RigidBody& body) const;
+  Eigen::Matrix<double, 6, 6> fixed_by(const fem::RigidBody& body) const;
   /// Returns the work of nodal forces and couples (u and r of every node in turn) for each coefficient.
   RigidMotion work(const std::vector<assembly::NodalPoint>& points, std::span<const double> forces) const;
 

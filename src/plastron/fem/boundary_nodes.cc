@@ -73,10 +73,7 @@ void widen(Space& space, const std::set<GlobalIndex>& wanted) {
   auto after = std::make_shared<const algebra::Layout>(std::move(wide));
   const auto renumber = [&](LocalIndex& node) { node = after->local(before.global(node)); };
   std::ranges::for_each(space.connectivity.nodes, renumber);
-  for (Tie& tie : space.ties) {
-    renumber(tie.node);
-    for (auto& [master, weight] : tie.masters) renumber(master);
-  }
+  for (ConstraintMap* map : {&space.continuity, &space.kinks, &space.constraints}) map->renumber(before, *after);
   space.layout = std::move(after);
 }
 

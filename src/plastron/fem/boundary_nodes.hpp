@@ -1,5 +1,5 @@
-// The nodes on a boundary, known to all ranks, and layouts with additional ghosts. Ties between distant nodes need
-// both.
+// The nodes on a boundary, known to all ranks, and layouts with additional ghosts. Constraints between distant
+// nodes need both.
 #pragma once
 #include <plastron/fem/surface.hpp>
 

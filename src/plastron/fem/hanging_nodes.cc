@@ -1,7 +1,8 @@
 // Hanging nodes on the side of a larger cell: their values are interpolated from that side's nodes, so that fields
 // are continuous. The mesh gives these relations one step at a time, each rank for its own nodes. Here they become
-// ties of all local nodes to free nodes.
+// rows of all local nodes on free nodes.
 #include <plastron/algebra/vector.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/constraints.hpp>
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace plastron::fem {
 
@@ -78,7 +80,7 @@ std::set<GlobalIndex> unseen(const algebra::Layout& layout, const OneStep& hangi
 
 }  // namespace
 
-void tie_hanging_nodes(Space& space, const std::vector<HangingNode>& owned) {
+void constrain_hanging_nodes(Space& space, const std::vector<HangingNode>& owned) {
   const MPI_Comm comm = space.layout->comm;
   if (algebra::sum_over_ranks(static_cast<std::int64_t>(owned.size()), comm) == 0) return;
   OneStep hanging(space, owned);
@@ -90,13 +92,16 @@ void tie_hanging_nodes(Space& space, const std::vector<HangingNode>& owned) {
     hanging = OneStep(space, owned);
   }
   const algebra::Layout& layout = *space.layout;
+  std::vector<constraints::Row> rows;
   for (LocalIndex i = 0; i < layout.local_size(); ++i) {
     const GlobalIndex node = layout.global(i);
     if (!hanging.all().contains(node)) continue;
-    Tie& tie = space.ties.emplace_back(Tie{.node = i});
-    for (const auto& [master, weight] : hanging.resolved(node)) tie.masters.emplace_back(layout.local(master), weight);
+    constraints::Row& row = rows.emplace_back(constraints::Row{.node = i});
+    for (const auto& [master, weight] : hanging.resolved(node))
+      row.terms.push_back({.node = layout.local(master), .weight = weight});
   }
-  space.has_ties = true;
+  space.continuity = constraints::Map(std::move(rows), comm);
+  space.constraints = space.continuity;
 }
 
 }  // namespace plastron::fem

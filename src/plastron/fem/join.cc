@@ -1,4 +1,5 @@
-// Joined edges, whose nodes are tied, and kinks, where shells meet at an angle.
+// Joined edges, whose nodes are equal, and kinks, where shells meet at an angle.
+#include <plastron/constraints/map.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/constraints.hpp>
 
@@ -10,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace plastron::fem {
 
@@ -39,8 +41,7 @@ class Classes {
     b = representative(b);
     if (a != b) parent_[std::max(a, b)] = std::min(a, b);
   }
-  bool is_tied(GlobalIndex node) const { return parent_.contains(node); }
-  bool is_empty() const { return parent_.empty(); }
+  bool is_represented(GlobalIndex node) const { return parent_.contains(node); }  ///< by another node
 
  private:
   std::map<GlobalIndex, GlobalIndex> parent_;
@@ -51,13 +52,13 @@ struct Kink {
   std::array<BoundaryNode, 2> nodes;
 };
 
-/// A carried node as known to all ranks.
+/// The row of a node at a kink, as known to all ranks.
 struct KinkedNode {
   Matrix6 own = Matrix6::Zero();
-  std::vector<std::pair<GlobalIndex, Matrix6>> carriers{};  ///< the first one determines u
+  std::vector<std::pair<GlobalIndex, Matrix6>> sources{};  ///< other nodes; the first one determines u
 };
 
-/// The carriers of a node, possibly with the node itself, and their matrices.
+/// The nodes that determine a node's (u, r), possibly with the node itself, and their matrices.
 using Expression = std::map<GlobalIndex, Matrix6>;
 
 /// One condition of a node: its r . `direction` equals the other's r . `other_direction`.
@@ -80,11 +81,11 @@ class KinkedGroups {
       }
   }
 
-  /// Returns all carried nodes by number.
-  std::map<GlobalIndex, KinkedNode> carried() {
+  /// Returns all nodes with a row by number.
+  std::map<GlobalIndex, KinkedNode> kinked() {
     for (const auto& [node, unused] : neighbours_)
       if (!expressed_.contains(node)) go_through(node);
-    return std::move(carried_);
+    return std::move(kinked_);
   }
 
  private:
@@ -126,21 +127,21 @@ class KinkedGroups {
     const auto turns = conditions(node);
     const Vector3d& a3 = at_.at(node).normal;
     Expression& all = expressed_[node];
-    for (const auto& [carrier, block] : expressed_.at(turns[0].other))
-      all.try_emplace(carrier, Matrix6::Zero()).first->second.topRows<3>() += block.topRows<3>();
+    for (const auto& [source, block] : expressed_.at(turns[0].other))
+      all.try_emplace(source, Matrix6::Zero()).first->second.topRows<3>() += block.topRows<3>();
     const auto dual = dual_directions(turns, a3);
     for (std::size_t k = 0; k < turns.size(); ++k)
-      for (const auto& [carrier, block] : expressed_.at(turns[k].other))
-        all.try_emplace(carrier, Matrix6::Zero()).first->second.bottomRows<3>() +=
+      for (const auto& [source, block] : expressed_.at(turns[k].other))
+        all.try_emplace(source, Matrix6::Zero()).first->second.bottomRows<3>() +=
             dual[k] * (turns[k].other_direction.transpose() * block.bottomRows<3>());
     const GlobalIndex decides_u = std::ranges::find_if(all, [](const auto& entry) {
                                     return !entry.second.template topRows<3>().isZero(0);
                                   })->first;
-    KinkedNode& kinked = carried_[node];
-    kinked.carriers.emplace_back(decides_u, all.at(decides_u));
+    KinkedNode& kinked = kinked_[node];
+    kinked.sources.emplace_back(decides_u, all.at(decides_u));
     constexpr double rounding = 1e-12;  // relative to products of unit vectors
     for (const auto& entry : all)
-      if (entry.first != decides_u && entry.second.norm() > rounding) kinked.carriers.emplace_back(entry);
+      if (entry.first != decides_u && entry.second.norm() > rounding) kinked.sources.emplace_back(entry);
     kinked.own.bottomRightCorner<3, 3>() = a3 * a3.transpose();
     if (turns.size() == 1) {
       const Vector3d along = turns[0].direction.cross(a3);
@@ -159,7 +160,7 @@ class KinkedGroups {
   std::map<GlobalIndex, BoundaryNode> at_;
   std::map<GlobalIndex, std::vector<TurnsWith>> neighbours_;
   std::map<GlobalIndex, Expression> expressed_;
-  std::map<GlobalIndex, KinkedNode> carried_;
+  std::map<GlobalIndex, KinkedNode> kinked_;
 };
 
 /// Relations between the nodes of joined edges.
@@ -197,31 +198,33 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
   }
 }
 
-/// Ties identified nodes to their representatives and adds nodes carried across a kink.
-void add_ties(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
+/// Adds the rows of identified nodes and of nodes at kinks.
+void add_joined_rows(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
   const algebra::Distribution before = *space.layout;
-  std::set<GlobalIndex> masters;
+  std::set<GlobalIndex> wanted;
   for (LocalIndex i = 0; i < before.local_size(); ++i) {
     const GlobalIndex node = same.representative(before.global(i));
-    if (same.is_tied(before.global(i))) masters.insert(node);
+    if (same.is_represented(before.global(i))) wanted.insert(node);
     if (const auto found = kinked.find(node); found != kinked.end())
-      for (const auto& [carrier, block] : found->second.carriers) masters.insert(carrier);
+      for (const auto& [source, block] : found->second.sources) wanted.insert(source);
   }
-  widen(space, masters);
+  widen(space, wanted);
   const algebra::Layout& after = *space.layout;
-  auto carried = std::make_shared<CarriedNodes>();
+  std::vector<constraints::Row> equal, at_kinks, deciding;
   for (LocalIndex i = 0; i < after.local_size(); ++i) {
     const GlobalIndex node = after.global(i);
-    if (same.is_tied(node)) space.ties.push_back({i, {{after.local(same.representative(node)), 1.0}}});
+    if (same.is_represented(node)) equal.push_back({i, {{.node = after.local(same.representative(node))}}});
     const auto found = kinked.find(node);
     if (found == kinked.end()) continue;
-    CarriedNode& at = carried->nodes.emplace_back(CarriedNode{.node = i, .own = found->second.own});
-    for (const auto& [carrier, block] : found->second.carriers) at.carriers.emplace_back(after.local(carrier), block);
+    constraints::Row& row = at_kinks.emplace_back(constraints::Row{.node = i});
+    for (const auto& [source, block] : found->second.sources)
+      row.terms.push_back(constraints::term(after.local(source), block));
+    deciding.push_back({i, {{.node = row.terms.front().node}}});
+    row.terms.push_back(constraints::term(i, found->second.own));
   }
-  // Sorted with the ties of hanging nodes, which never lie on a joined edge.
-  std::ranges::sort(space.ties, {}, &Tie::node);
-  space.has_ties = space.has_ties || !same.is_empty();
-  if (!kinked.empty()) space.carried = std::move(carried);
+  space.continuity = compose(space.continuity, constraints::Map(std::move(equal), after.comm), after.comm);
+  space.kinks = constraints::Map(std::move(deciding), after.comm);
+  space.constraints = compose(space.continuity, constraints::Map(std::move(at_kinks), after.comm), after.comm);
 }
 
 }  // namespace
@@ -243,7 +246,7 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
   auto result = std::make_shared<Space>(*space);
   for (Kink& kink : edges.kinks)
     for (BoundaryNode& node : kink.nodes) node.node = edges.same.representative(node.node);
-  add_ties(edges.same, KinkedGroups(edges.kinks).carried(), *result);
+  add_joined_rows(edges.same, KinkedGroups(edges.kinks).kinked(), *result);
   // The shell does not end at joined edges.
   for (BoundarySide& side : result->sides)
     if (boundaries.contains(side.boundary)) side.is_inner = true;

@@ -18,7 +18,7 @@ class QuadrilateralSequence;
 
 class MeshSequence {
  public:
-  /// Completes the space of each level before it is published: adds ties and the ghosts that they need (collective).
+  /// Completes the space of each level before it is published: adds constraints and the ghosts that they need (collective).
   using Finish = std::function<std::shared_ptr<const Space>(std::shared_ptr<const Space>)>;
 
   /// Groups of boundaries whose cells must all have one size, so that no node hangs there. A group contains the two

@@ -196,7 +196,7 @@ std::shared_ptr<const Space> QuadrilateralSequence::Storage::flat(const Nodes& o
   for (const auto& cell : of.dofs.active_cell_iterators())
     if (cell->is_ghost()) add_cell(cell, from_lexicographic, flat);
   flat.global_cells = static_cast<std::int64_t>(triangulation.n_global_active_cells());
-  tie_hanging_nodes(flat, of.hanging_nodes());
+  constrain_hanging_nodes(flat, of.hanging_nodes());
   return std::make_shared<const Space>(std::move(flat));
 }
 

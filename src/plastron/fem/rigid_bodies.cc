@@ -1,5 +1,6 @@
 // Rigid bodies that carry edges of the shell.
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace plastron::fem {
 
@@ -21,32 +24,32 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// The places of a body's nodes by number, known to all ranks.
 using Members = std::map<GlobalIndex, BoundaryNode>;
 
-/// Returns the node to which a join ties each tied node; none for a hanging node with several masters (collective).
-std::map<GlobalIndex, std::optional<GlobalIndex>> tied_to(const Space& space) {
+/// Returns the node that each constrained node equals; none for a hanging node with several masters (collective).
+std::map<GlobalIndex, std::optional<GlobalIndex>> equal_nodes(const Space& space) {
   std::vector<double> packed;
-  for (const Tie& tie : space.ties) {
-    if (tie.node >= space.layout->owned) continue;
-    packed.push_back(static_cast<double>(space.layout->global(tie.node)));
-    packed.push_back(tie.masters.size() == 1 ? static_cast<double>(space.layout->global(tie.masters[0].first)) : -1);
+  for (const constraints::Row& row : space.continuity.rows()) {
+    if (row.node >= space.layout->owned) continue;
+    packed.push_back(static_cast<double>(space.layout->global(row.node)));
+    packed.push_back(row.terms.size() == 1 ? static_cast<double>(space.layout->global(row.terms[0].node)) : -1);
   }
   std::map<GlobalIndex, std::optional<GlobalIndex>> result;
   const auto all = algebra::gather_over_ranks(packed, space.layout->comm);
   for (std::size_t i = 0; i < all.size(); i += 2) {
-    auto& master = result[static_cast<GlobalIndex>(all[i])];
-    if (all[i + 1] >= 0) master = static_cast<GlobalIndex>(all[i + 1]);
+    auto& other = result[static_cast<GlobalIndex>(all[i])];
+    if (all[i + 1] >= 0) other = static_cast<GlobalIndex>(all[i + 1]);
   }
   return result;
 }
 
 Members members_of(const RigidBody& body, const Space& space, const Surface& surface,
-                   const std::map<GlobalIndex, std::optional<GlobalIndex>>& tied) {
+                   const std::map<GlobalIndex, std::optional<GlobalIndex>>& equal) {
   Members members;
   const std::string what = fmt::format("an edge of the rigid body \"{}\"", body.name);
   for (const std::string& boundary : body.boundaries)
     for (BoundaryNode node : nodes_on(space, surface, boundary_index(*space.coarse, boundary, what.c_str()))) {
-      if (const auto tie = tied.find(node.node); tie != tied.end()) {
-        if (!tie->second) continue;
-        node.node = *tie->second;
+      if (const auto other = equal.find(node.node); other != equal.end()) {
+        if (!other->second) continue;
+        node.node = *other->second;
       }
       members.emplace(node.node, node);
     }
@@ -149,7 +152,9 @@ std::array<GlobalIndex, 2> hosts_of(const Members& members) {
   return {members.begin()->first, std::next(members.begin())->first};
 }
 
-void add_members(const Space& space, const Members& members, PlacedBody& placed, std::vector<CarriedNode>& nodes) {
+/// Adds the rows of a body's local nodes.
+void add_body_rows(const Space& space, const Members& members, PlacedBody& placed,
+                   std::vector<constraints::Row>& rows) {
   const algebra::Layout& layout = *space.layout;
   const auto hosts = hosts_of(members);
   for (LocalIndex i = 0; i < layout.local_size(); ++i) {
@@ -157,38 +162,29 @@ void add_members(const Space& space, const Members& members, PlacedBody& placed,
     if (found == members.end()) continue;
     for (std::size_t h = 0; h < 2; ++h) placed.hosts[h] = layout.local(hosts[h]);
     const Matrix6 w = motion_at(placed.body, found->second, placed.length);
-    CarriedNode at{.node = i};
-    if (!placed.body.turns_normals) at.own.bottomRightCorner<3, 3>().setIdentity();
+    placed.members.push_back({i, w});
+    constraints::Row& row = rows.emplace_back(constraints::Row{.node = i});
     for (int h = 0; h < 2; ++h) {
       Matrix6 block = Matrix6::Zero();
       block.leftCols<3>() = w.middleCols<3>(3 * h);
-      at.carriers.emplace_back(placed.hosts[h], block);
+      row.terms.push_back(constraints::term(placed.hosts[static_cast<std::size_t>(h)], block));
     }
-    nodes.push_back(std::move(at));
+    if (placed.body.turns_normals) continue;
+    Matrix6 own = Matrix6::Zero();
+    own.bottomRightCorner<3, 3>().setIdentity();
+    row.terms.push_back(constraints::term(i, own));
   }
 }
 
-/// Stores the indices of the body's members among the carried nodes, which are ascending.
-void note_members(const Members& members, const algebra::Layout& layout, const CarriedNodes& carried,
-                  PlacedBody& placed) {
-  for (std::size_t i = 0; i < carried.nodes.size(); ++i)
-    if (members.contains(layout.global(carried.nodes[i].node))) placed.members.push_back(i);
-}
-
-/// W of a carried node: the displacements of its two hosts are (d, length theta).
-Matrix6 motion_of_member(const CarriedNode& at) {
-  Matrix6 w;
-  w << at.carriers[0].second.leftCols<3>(), at.carriers[1].second.leftCols<3>();
-  return w;
-}
-
-/// Returns the nodes carried across kinks and not by a body. A body must contain all nodes of a kink or none.
-std::vector<CarriedNode> kinked_beside(const CarriedNodes& before, const std::vector<RigidBody>& bodies,
-                                       const std::vector<Members>& members, const algebra::Layout& layout) {
-  std::vector<CarriedNode> rest;
-  for (const CarriedNode& node : before.nodes) {
-    std::vector<GlobalIndex> group{layout.global(node.node)};
-    for (const auto& [carrier, block] : node.carriers) group.push_back(layout.global(carrier));
+/// Returns the rows of the kinks that no body contains. A body must contain all nodes of a kink or none.
+std::vector<constraints::Row> kinks_beside(const std::vector<RigidBody>& bodies, const std::vector<Members>& members,
+                                           const Space& space) {
+  const algebra::Layout& layout = *space.layout;
+  std::vector<constraints::Row> rest;
+  for (const constraints::Row& kink : space.kinks.rows()) {
+    std::vector<GlobalIndex> group;
+    for (const constraints::Term& term : space.constraints.find(static_cast<std::size_t>(kink.node))->terms)
+      group.push_back(layout.global(term.node));
     bool is_taken = false;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const auto in_body = [&](GlobalIndex number) { return members[k].contains(number); };
@@ -200,7 +196,7 @@ std::vector<CarriedNode> kinked_beside(const CarriedNodes& before, const std::ve
                         bodies[k].name));
       is_taken = true;
     }
-    if (!is_taken) rest.push_back(node);
+    if (!is_taken) rest.push_back(kink);
   }
   return rest;
 }
@@ -210,44 +206,37 @@ std::vector<CarriedNode> kinked_beside(const CarriedNodes& before, const std::ve
 std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> space, const Surface& surface,
                                                const std::vector<RigidBody>& bodies) {
   if (bodies.empty()) return space;
-  const auto tied = tied_to(*space);
+  const MPI_Comm comm = space->layout->comm;
+  const auto equal = equal_nodes(*space);
   std::vector<Members> members;
-  auto carried = std::make_shared<CarriedNodes>();
+  auto result = std::make_shared<Space>(*space);
   for (const RigidBody& body : bodies) {
-    members.push_back(members_of(body, *space, surface, tied));
-    carried->bodies.push_back(placed_body(body, members.back()));
+    members.push_back(members_of(body, *space, surface, equal));
+    result->bodies.push_back(placed_body(body, members.back()));
   }
   check_disjoint(bodies, members);
-  auto result = std::make_shared<Space>(*space);
   std::set<GlobalIndex> wanted;
   for (const Members& of_body : members)
     for (LocalIndex i = 0; i < space->layout->local_size(); ++i)
       if (of_body.contains(space->layout->global(i)))
         for (const GlobalIndex host : hosts_of(of_body)) wanted.insert(host);
-  if (space->carried)
-    carried->nodes = algebra::in_agreement<DomainError>(
-        space->layout->comm, [&] { return kinked_beside(*space->carried, bodies, members, *space->layout); });
+  result->kinks = constraints::Map(
+      algebra::in_agreement<DomainError>(comm, [&] { return kinks_beside(bodies, members, *space); }), comm);
   widen(*result, wanted);
-  for (CarriedNode& node : carried->nodes) {
-    const auto renumber = [&](LocalIndex& i) { i = result->layout->local(space->layout->global(i)); };
-    renumber(node.node);
-    for (auto& [carrier, block] : node.carriers) renumber(carrier);
-  }
-  for (std::size_t k = 0; k < bodies.size(); ++k) add_members(*result, members[k], carried->bodies[k], carried->nodes);
-  std::ranges::sort(carried->nodes, {}, &CarriedNode::node);
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    note_members(members[k], *result->layout, *carried, carried->bodies[k]);
-  result->carried = std::move(carried);
+  std::vector<constraints::Row> rows;
+  for (const constraints::Row& kink : result->kinks.rows())
+    rows.push_back(*result->constraints.find(static_cast<std::size_t>(kink.node)));
+  for (std::size_t k = 0; k < bodies.size(); ++k) add_body_rows(*result, members[k], result->bodies[k], rows);
+  result->constraints = compose(result->continuity, constraints::Map(std::move(rows), comm), comm);
   return result;
 }
 
 BodyMotion motion_of(const Space& space, const PlacedBody& placed, const algebra::Vector& y) {
   Vector6 sum = Vector6::Zero();
-  for (const std::size_t member : placed.members) {
-    const CarriedNode& at = space.carried->nodes[member];
-    if (at.node >= space.layout->owned) continue;
-    const Eigen::Map<const Vector6> moved(y.local().data() + 6 * static_cast<std::size_t>(at.node));
-    sum += weighted(motion_of_member(at), placed.length).transpose() * moved;
+  for (const auto& [node, motion] : placed.members) {
+    if (node >= space.layout->owned) continue;
+    const Eigen::Map<const Vector6> moved(y.local().data() + 6 * static_cast<std::size_t>(node));
+    sum += weighted(motion, placed.length).transpose() * moved;
   }
   for (double& component : sum) component = algebra::sum_over_ranks(component, space.layout->comm);
   Vector6 motion = Vector6::Zero();
@@ -263,11 +252,9 @@ BodyMotion motion_of(const Space& space, const PlacedBody& placed, const algebra
 
 void add_body_load(const Space& space, const PlacedBody& placed, algebra::Vector& f) {
   const Vector6 x = multipliers(placed);
-  for (const std::size_t member : placed.members) {
-    const CarriedNode& at = space.carried->nodes[member];
-    if (at.node >= space.layout->owned) continue;
-    Eigen::Map<Vector6>(f.local().data() + 6 * static_cast<std::size_t>(at.node)) +=
-        weighted(motion_of_member(at), placed.length) * x;
+  for (const auto& [node, motion] : placed.members) {
+    if (node >= space.layout->owned) continue;
+    Eigen::Map<Vector6>(f.local().data() + 6 * static_cast<std::size_t>(node)) += weighted(motion, placed.length) * x;
   }
 }
 

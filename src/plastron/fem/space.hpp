@@ -6,14 +6,15 @@
 #pragma once
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/matrix.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/fem/rigid_body.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace plastron::fem {
@@ -43,13 +44,7 @@ struct BoundarySide {
   bool is_inner = false;  ///< true with cells on both sides
 };
 
-/// A tied node, v = sum weight v_master: see constraints.hpp. Masters are not tied themselves.
-struct Tie {
-  algebra::LocalIndex node = 0;
-  std::vector<std::pair<algebra::LocalIndex, double>> masters{};
-};
-
-struct CarriedNodes;
+using ConstraintMap = constraints::Map;
 
 struct Space {
   int degree = 1;
@@ -62,10 +57,14 @@ struct Space {
   /// Sides of inner curves in the cells on their other side. Where cells differ in size, these have nodes that
   /// `sides` lacks.
   std::vector<BoundarySide> twin_sides{};
-  std::vector<Tie> ties{};  ///< ties of all local nodes, ascending; their masters are local too
-  bool has_ties = false;    ///< true if some rank has ties
-  /// Nodes whose (u, r) follow from others by matrices, see constraints.hpp; null if no rank has any.
-  std::shared_ptr<const CarriedNodes> carried{};
+  /// Constraints of every continuous field, with weights: a node that hangs on the side of a larger cell is
+  /// interpolated from the nodes there, a node on a joined edge equals its partner (fem/constraints.hpp).
+  ConstraintMap continuity{};
+  /// Nodes where shells meet at an angle: the row names the node that determines their u.
+  ConstraintMap kinks{};
+  /// Constraints of (u, r): continuity, kinks and rigid bodies.
+  ConstraintMap constraints{};
+  std::vector<PlacedBody> bodies{};
   std::int64_t global_cells = 0;
 
   Shape shape() const { return coarse->shape; }

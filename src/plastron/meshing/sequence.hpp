@@ -7,8 +7,7 @@
 
 namespace plastron::meshing {
 
-/// Returns a function that ties the nodes on the problem's joined edges and lets rigid bodies carry their nodes, for
-/// each level.
+/// Returns a function that adds the constraints of the problem's joined edges and rigid bodies, for each level.
 fem::MeshSequence::Finish joining(const problem::Problem& problem);
 /// Returns joined edges and the edges of rigid bodies: no node may hang there.
 fem::MeshSequence::Even even_boundaries(const problem::Problem& problem);

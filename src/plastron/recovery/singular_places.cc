@@ -85,7 +85,7 @@ void add_ends(const assembly::DiscreteShell& discrete, const fem::BoundarySide& 
     const bool is_first = (from - fem::side_point(space.shape(), side.side, 0)).norm() < 0.5;
     const auto node = static_cast<std::size_t>(
         space.nodes(side.cell)[static_cast<std::size_t>(is_first ? on_side.front() : on_side.back())]);
-    if (discrete.coordinates.tied[node]) continue;
+    if (space.continuity.constrains(node)) continue;
     SideEnd end{.node = space.layout->global(static_cast<algebra::LocalIndex>(node)),
                 .is_forward = k == 0,
                 .boundary = side.boundary,

@@ -52,10 +52,9 @@ void add_reaction(const fem::PlacedBody& placed, const BodyVector& reactions, co
 
 double least_gap(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed, const algebra::Vector& y) {
   double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t member : placed.members) {
-    const fem::CarriedNode& at = discrete.space().carried->nodes[member];
-    if (at.node >= discrete.space().layout->owned) continue;
-    const auto node = static_cast<std::size_t>(at.node);
+  for (const fem::BodyNode& member : placed.members) {
+    if (member.node >= discrete.space().layout->owned) continue;
+    const auto node = static_cast<std::size_t>(member.node);
     for (std::size_t k = 0; k < discrete.coordinates.gaps.size(); ++k) {
       const double gap = discrete.nodal_gap(k, node, y);
       if (!(gap >= least)) least = gap;  // true also for NaN
@@ -71,13 +70,10 @@ double distance_from_body(const assembly::DiscreteShell& discrete, const fem::Pl
   const fem::Space& space = discrete.space();
   const BodyVector q = in_lengths(placed, motion);
   double most = 0;
-  for (const std::size_t member : placed.members) {
-    const fem::CarriedNode& at = space.carried->nodes[member];
-    if (at.node >= space.layout->owned) continue;
-    const auto node = static_cast<std::size_t>(at.node);
-    BodyVector rest = node_values(y, node);
-    for (int h = 0; h < 2; ++h)
-      rest -= at.carriers[static_cast<std::size_t>(h)].second.leftCols<3>() * q.segment<3>(3 * h);
+  for (const fem::BodyNode& member : placed.members) {
+    if (member.node >= space.layout->owned) continue;
+    const auto node = static_cast<std::size_t>(member.node);
+    BodyVector rest = node_values(y, node) - member.motion * q;
     if (!placed.body.turns_normals) rest.tail<3>().setZero();
     const double error = rest.head<3>().norm() + discrete.points[node].thickness * rest.tail<3>().norm();
     if (!(error <= most)) most = error;  // true also for NaN
@@ -89,11 +85,10 @@ BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra:
                          const algebra::Vector& residual) {
   BodyBalance balance;
   const fem::Space& space = discrete.space();
-  if (!space.carried) return balance;
+  if (space.bodies.empty()) return balance;
   algebra::Vector load = discrete.load;
-  fem::collect(space, load);
-  fem::hand_back(space, load);
-  for (const fem::PlacedBody& placed : space.carried->bodies) {
+  space.constraints.apply_transposed(load);
+  for (const fem::PlacedBody& placed : space.bodies) {
     const fem::BodyMotion motion = motion_of(space, placed, y);
     balance.bodies.push_back({.name = placed.body.name,
                               .reference = placed.body.reference,

@@ -35,8 +35,8 @@ struct BodyBalance {
   Wrench reaction{};                         ///< sum of the reactions about the origin, all ranks
 };
 
-/// Computes the balance of all bodies on owned nodes (collective). `residual` is A y - l after adding the entries of
-/// tied and carried nodes to their masters.
+/// Computes the balance of all bodies on owned nodes (collective). `residual` is C' (A y - l): forces at
+/// constrained nodes have been moved to the free ones.
 BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
                          const algebra::Vector& residual);
 

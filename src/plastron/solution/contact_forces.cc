@@ -1,7 +1,6 @@
 #include <plastron/solution/contact_forces.hpp>
 
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
@@ -48,7 +47,7 @@ std::vector<ContactForce> contact_forces(const assembly::DiscreteShell& discrete
   std::vector<double> mine;
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
     for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-      if (discrete.coordinates.tied[i] || solution.touching.at(i)[k] == 0) continue;
+      if (discrete.space().continuity.constrains(i) || solution.touching.at(i)[k] == 0) continue;
       const assembly::NodalPoint& point = discrete.points[i];
       const obstacle::Gap& gap = discrete.coordinates.gaps[k][i];
       const double pressure = solution.pressure.at(i)[k];
@@ -104,7 +103,7 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
     }
   }
   lengths.accumulate_ghosts();
-  fem::collect(space, lengths);
+  space.continuity.apply_transposed(lengths);
   return lengths;
 }
 
@@ -116,7 +115,7 @@ EdgeContact edge_contact(const assembly::DiscreteShell& discrete, const NodalSol
   const MPI_Comm comm = discrete.space().layout->comm;
   const algebra::Vector lengths = edge_lengths(discrete);
   for (std::size_t i = 0; i < lengths.owned().size(); ++i) {
-    if (discrete.coordinates.tied[i] || !touches(solution, i)) continue;
+    if (discrete.space().continuity.constrains(i) || !touches(solution, i)) continue;
     const double pressure = total_pressure(solution, i), weight = discrete.points[i].weight,
                  length = lengths.owned()[i];
     if (length > 0) {

@@ -1,7 +1,7 @@
 #include <plastron/solution/nodal_solution.hpp>
 
 #include <plastron/assembly/normal_rotation.hpp>
-#include <plastron/fem/constraints.hpp>
+#include <plastron/constraints/map.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -16,8 +16,7 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
     apply_coupling_transposed(discrete.shell, lambda, f);
     algebra::axpy(1, f, r);
   }
-  fem::collect(discrete.space(), r);
-  fem::hand_back(discrete.space(), r);
+  discrete.space().constraints.apply_transposed(r);
   return r;
 }
 
@@ -41,7 +40,7 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
   coordinates.to_cartesian(box.z, solution.y);
   if (solution.lambda.layout()) {
     solution.lambda.update_ghosts();
-    fem::spread(discrete.space(), solution.lambda);
+    discrete.space().continuity.apply(solution.lambda);
   }
   const algebra::Vector r = residual(discrete, solution);
   for (const assembly::ContactRow& row : coordinates.rows) {
@@ -56,11 +55,11 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
   }
   for (algebra::Vector* field : {&solution.touching, &solution.pressure}) {
     field->update_ghosts();
-    fem::spread(discrete.space(), *field);
+    discrete.space().continuity.apply(*field);
   }
-  // Interpolation between touching and free masters gives a fraction: a tied node either touches or does not.
-  for (const fem::Tie& tie : discrete.space().ties)
-    for (double& touches : solution.touching.at(static_cast<std::size_t>(tie.node))) touches = touches > 0.5 ? 1 : 0;
+  // Interpolation between touching and free masters gives a fraction: a hanging node either touches or does not.
+  for (const constraints::Row& row : discrete.space().continuity.rows())
+    for (double& touches : solution.touching.at(static_cast<std::size_t>(row.node))) touches = touches > 0.5 ? 1 : 0;
   return solution;
 }
 

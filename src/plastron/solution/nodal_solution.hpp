@@ -20,8 +20,8 @@ bool touches(const NodalSolution& solution, std::size_t node);
 /// Computes eta_i from the residual at the nodes in the solution's active set (collective).
 NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& solution);
 
-/// Returns A y + B' lambda - l per owned node, computed from strains. The entries of tied and carried nodes are added
-/// to their masters (collective).
+/// Returns C' (A y + B' lambda - l) per owned node, computed from strains: forces at constrained nodes are added at the
+/// nodes that these follow from (collective).
 algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
 
 }  // namespace plastron::solution

@@ -67,7 +67,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
   sums.loads += nodal_wrench(point.phi, point.a3, load);
   sums.load_work += load.dot(y);
   note_size(point, y, sums);
-  if (coordinates.tied[i]) return;
+  if (discrete.space().continuity.constrains(i)) return;
   const Vector6 contact = add_contacts(discrete, solution, i, sums);
   const Vector6 rest = r - contact;
   Vector6 support = Vector6::Zero();

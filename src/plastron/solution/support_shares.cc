@@ -1,9 +1,6 @@
 #include <plastron/solution/support_shares.hpp>
 
-#include <plastron/assembly/kinked_supports.hpp>
-#include <plastron/assembly/tied_supports.hpp>
 #include <plastron/fem/basis.hpp>
-#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/solution/place_order.hpp>
 
@@ -48,7 +45,7 @@ Matrix6 intersection(const Matrix6& P, const Matrix6& Q) { return projector_abov
 Matrix6 span_of(const Matrix6& sum) { return projector_above(sum, least_part); }
 
 /// Projector on the directions of (u, r) that the rows fix. A support that prescribes a rotation fixes r . a_3 too.
-Matrix6 held_by(const NodeSupport& rows, const Vector3d& a3) {
+Matrix6 fixed_by(const NodeSupport& rows, const Vector3d& a3) {
   Matrix6 sum = Matrix6::Zero();
   for (const auto& [d, value] : rows.displacement) sum.topLeftCorner<3, 3>() += d * d.transpose();
   for (const auto& [d, value] : rows.rotation) sum.bottomRightCorner<3, 3>() += d * d.transpose();
@@ -56,12 +53,9 @@ Matrix6 held_by(const NodeSupport& rows, const Vector3d& a3) {
   return span_of(sum);
 }
 
-/// The rows of a subset of supports, computed like nodal_coordinates() computes them for all supports (collective).
+/// The rows of a subset of supports (collective).
 std::vector<NodeSupport> rows_of(const std::vector<assembly::Support>& some, const assembly::DiscreteShell& discrete) {
-  auto rows = assembly::node_supports(discrete.space(), discrete.shell.surface(), discrete.points, some);
-  assembly::hand_to_masters(discrete.space(), rows);
-  assembly::hand_across_kinks(discrete.space(), discrete.points, rows);
-  return rows;
+  return assembly::node_supports(discrete.space(), discrete.shell.surface(), discrete.points, some);
 }
 
 /// Length of edge represented by each node, and the sum of the unit tangents of the sides that leave it; block 4
@@ -89,7 +83,7 @@ algebra::Vector edge_at_nodes(const assembly::DiscreteShell& discrete, const std
     }
   }
   edge.accumulate_ghosts();
-  fem::collect(space, edge);
+  space.continuity.apply_transposed(edge);
   return edge;
 }
 
@@ -124,7 +118,7 @@ SupportCorner unpacked(std::span<const double>& n) {
 struct SupportShares::Holding {
   std::size_t carrier = 0;
   bool is_point = false;
-  Matrix6 held = Matrix6::Zero();     ///< projector on the fixed directions of (u, r)
+  Matrix6 fixed = Matrix6::Zero();    ///< projector on the fixed directions of (u, r)
   double length = 0;                  ///< length of its edge represented by the node [m]
   Vector3d along = Vector3d::Zero();  ///< sum of the unit tangents of its sides that leave the node
 };
@@ -141,16 +135,16 @@ std::vector<Matrix6> parts_of(const Holdings& holdings) {
   Matrix6 by_edges = Matrix6::Zero();
   for (const auto& h : holdings) {
     length += h.length;
-    if (!h.is_point) by_edges += h.held;
+    if (!h.is_point) by_edges += h.fixed;
   }
   by_edges = span_of(by_edges);
   std::vector<double> weights;
-  std::vector<Matrix6> held;
+  std::vector<Matrix6> fixed;
   Matrix6 sum = Matrix6::Zero();
   for (const auto& h : holdings) {
     weights.push_back(h.is_point || !(length > 0) ? 1 : h.length / length);
-    held.push_back(h.is_point ? span_of(h.held - intersection(h.held, by_edges)) : h.held);
-    sum += weights.back() * held.back();
+    fixed.push_back(h.is_point ? span_of(h.fixed - intersection(h.fixed, by_edges)) : h.fixed);
+    sum += weights.back() * fixed.back();
   }
   const auto eigen = geometry::symmetric_eigen(Eigen::MatrixXd(sum));
   Matrix6 inverse = Matrix6::Zero();
@@ -159,7 +153,7 @@ std::vector<Matrix6> parts_of(const Holdings& holdings) {
       inverse += eigen.vectors.col(k) * eigen.vectors.col(k).transpose() / eigen.values[k];
   Matrix6 rest = Matrix6::Identity();
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    parts[k] = weights[k] * held[k] * inverse;
+    parts[k] = weights[k] * fixed[k] * inverse;
     rest -= parts[k];
   }
   // Rounding, and directions that count as one: divided by length, among edges if there are any.
@@ -204,7 +198,7 @@ SupportShares::Holdings SupportShares::holdings(const assembly::DiscreteShell& d
   const auto add = [&](std::size_t carrier, bool is_point, const std::vector<NodeSupport>& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (!rows[i].displacement.empty() || !rows[i].rotation.empty())
-        all[i].push_back({.carrier = carrier, .is_point = is_point, .held = held_by(rows[i], discrete.points[i].a3)});
+        all[i].push_back({.carrier = carrier, .is_point = is_point, .fixed = fixed_by(rows[i], discrete.points[i].a3)});
   };
   const auto those = [&](const auto& belongs) {
     std::vector<assembly::Support> some;
@@ -241,7 +235,7 @@ void SupportShares::find_corners(const assembly::DiscreteShell& discrete, const 
     for (const Holding& a : at)
       for (const Holding& b : at) {
         if (a.is_point || b.is_point || a.carrier >= b.carrier || !is_corner(a, b)) continue;
-        const Matrix6 both = intersection(a.held, b.held);
+        const Matrix6 both = intersection(a.fixed, b.fixed);
         if (both.isZero(0)) continue;
         corner.shared += both;
         boundaries.insert({a.carrier, b.carrier});

@@ -1,6 +1,7 @@
 #include <plastron/zones/boundary_segments.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/shell/material.hpp>
 #include <plastron/solution/nodal_solution.hpp>
@@ -36,14 +37,14 @@ class Marching {
         labels_(labels),
         opening_(opening),
         borders_(space_.cells.size(), 0),
-        hangs_or_holds_(static_cast<std::size_t>(space_.layout->local_size()), 0),
+        is_at_hanging_(static_cast<std::size_t>(space_.layout->local_size()), 0),
         areas_(static_cast<std::size_t>(labels.count), 0) {
     for (const auto* sides : {&space_.sides, &space_.twin_sides})
       for (const fem::BoundarySide& side : *sides) borders_[side.cell] |= 1U << side.side;
-    for (const fem::Tie& tie : space_.ties) {
-      if (tie.masters.size() < 2) continue;
-      hangs_or_holds_[static_cast<std::size_t>(tie.node)] = 1;
-      for (const auto& [master, weight] : tie.masters) hangs_or_holds_[static_cast<std::size_t>(master)] = 1;
+    for (const constraints::Row& row : space_.continuity.rows()) {
+      if (row.terms.size() < 2) continue;
+      is_at_hanging_[static_cast<std::size_t>(row.node)] = 1;
+      for (const constraints::Term& term : row.terms) is_at_hanging_[static_cast<std::size_t>(term.node)] = 1;
     }
   }
 
@@ -156,12 +157,12 @@ class Marching {
             .point = {}};
   }
 
-  /// The reach of an end between two nodes that hang or have hanging nodes tied to them: a multiple of their
+  /// The reach of an end between two nodes that hang or are masters of hanging nodes: a multiple of their
   /// distance.
   double reach(LocalIndex a, LocalIndex b) const {
     constexpr double some_more = 2;
     const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-    if (!hangs_or_holds_[i] || !hangs_or_holds_[j]) return 0;
+    if (!is_at_hanging_[i] || !is_at_hanging_[j]) return 0;
     return some_more * (discrete_.points[i].phi - discrete_.points[j].phi).norm();
   }
 
@@ -272,8 +273,8 @@ class Marching {
   const TouchingNodes& touching_;
   const ZoneLabels& labels_;
   const GapOpening& opening_;
-  std::vector<unsigned> borders_;     ///< sides of each cell on named curves and on the rim, one bit each
-  std::vector<char> hangs_or_holds_;  ///< 1 if the node hangs or is a master of hanging nodes
+  std::vector<unsigned> borders_;    ///< sides of each cell on named curves and on the rim, one bit each
+  std::vector<char> is_at_hanging_;  ///< 1 if the node hangs or is a master of hanging nodes
   std::size_t cell_ = 0;
   std::vector<Segment> segments_{};
   std::vector<double> areas_;                  // areas of the zones

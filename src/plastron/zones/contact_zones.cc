@@ -27,7 +27,7 @@ void for_touching_nodes(const assembly::DiscreteShell& discrete, const solution:
                         std::size_t obstacle, const ZoneLabels& labels, Visit&& visit) {
   const auto block = static_cast<std::size_t>(solution.touching.block());
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    if (!discrete.coordinates.tied[i] && solution.touching.local()[i * block + obstacle] != 0)
+    if (!discrete.space().continuity.constrains(i) && solution.touching.local()[i * block + obstacle] != 0)
       visit(TouchingNode{labels.of_node[i], discrete.points[i], discrete.coordinates.gaps[obstacle][i],
                          solution.pressure.local()[i * block + obstacle]});
 }

@@ -145,7 +145,7 @@ GapOpening::GapOpening(const assembly::DiscreteShell& discrete, const TouchingNo
   std::vector<double> mine;
   for (std::size_t i = 0; i < static_cast<std::size_t>(space.layout->owned); ++i) {
     const assembly::NodalPoint& p = discrete.points[i];
-    if (!is_free[i] || !near[i] || p.weight == 0 || discrete.coordinates.tied[i]) continue;
+    if (!is_free[i] || !near[i] || p.weight == 0 || space.continuity.constrains(i)) continue;
     const double root = touching.roots()[i];
     mine.insert(mine.end(), {static_cast<double>(parts_.of_node[i]), p.phi[0], p.phi[1], p.phi[2], root * root});
   }

@@ -1,5 +1,7 @@
 #include <plastron/zones/sub_cells.hpp>
 
+#include <plastron/constraints/map.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -72,9 +74,9 @@ DisjointSets local_components(const fem::Space& space, std::span<const char> ins
       }
     }
   }
-  for (const fem::Tie& tie : space.ties)
-    for (const auto& [master, weight] : tie.masters) {
-      const auto i = static_cast<std::size_t>(tie.node), j = static_cast<std::size_t>(master);
+  for (const constraints::Row& row : space.continuity.rows())
+    for (const constraints::Term& term : row.terms) {
+      const auto i = static_cast<std::size_t>(row.node), j = static_cast<std::size_t>(term.node);
       if (inside[i] && inside[j]) sets.unite(i, j);
     }
   return sets;

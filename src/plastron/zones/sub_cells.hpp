@@ -1,7 +1,6 @@
 // Sub-cells: a cell of degree k is divided into k^2 sub-cells with nodes at their corners. Each side is shared with a
 // neighbour. Nodes are neighbours if they are corners of one sub-cell. Zones are connected components of neighbours.
 #pragma once
-#include <plastron/fem/constraints.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/fem/space.hpp>
 
@@ -32,9 +31,9 @@ void for_neighbours(const fem::Space& space, Visit&& visit) {
 /// Adds the sums of each rank's own cells over all ranks at every local node (collective).
 inline void make_whole(const fem::Space& space, algebra::Vector& sums) {
   sums.accumulate_ghosts();
-  fem::collect(space, sums);
+  space.continuity.apply_transposed(sums);
   sums.update_ghosts();
-  fem::spread(space, sums);
+  space.continuity.apply(sums);
 }
 
 /// Connected components of the nodes that touch, or of the nodes that do not, across ranks and joined edges.

@@ -1,5 +1,6 @@
 #include <plastron/zones/touching_nodes.hpp>
 
+#include <plastron/constraints/map.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/solution/nodal_solution.hpp>
 #include <plastron/zones/sub_cells.hpp>
@@ -27,9 +28,8 @@ Vector3d least_solution(const Eigen::Matrix3d& A, const Vector3d& b) {
 }  // namespace
 
 LocalIndex representative(const fem::Space& space, LocalIndex node) {
-  const auto tie = std::ranges::lower_bound(space.ties, node, {}, &fem::Tie::node);
-  if (tie == space.ties.end() || tie->node != node) return node;
-  return tie->masters.size() == 1 ? tie->masters.front().first : node;
+  const constraints::Row* row = space.continuity.find(static_cast<std::size_t>(node));
+  return row && row->terms.size() == 1 ? row->terms.front().node : node;
 }
 
 TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
@@ -52,7 +52,7 @@ void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& dis
   constexpr double closed = 0.1;
   const fem::Space& space = discrete.space();
   if (space.shape() != fem::Shape::triangle || space.degree != 2) return;
-  const auto has_bound = [&](LocalIndex node) {  // weights of tied nodes were added to their masters
+  const auto has_bound = [&](LocalIndex node) {  // weights of constrained nodes were added to their masters
     return discrete.points[static_cast<std::size_t>(representative(space, node))].weight > 0;
   };
   algebra::Vector sums(space.layout, block);

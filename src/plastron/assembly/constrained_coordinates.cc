@@ -1,7 +1,8 @@
-#include <plastron/assembly/carried_coordinates.hpp>
+#include <plastron/assembly/constrained_coordinates.hpp>
 
 #include <plastron/assembly/contact_coordinates.hpp>
 #include <plastron/assembly/state.hpp>
+#include <plastron/constraints/map.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
@@ -9,17 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
 
 namespace plastron::assembly {
 
 namespace {
-
-const fem::PlacedBody* body_of(const fem::CarriedNodes& carried, const fem::CarriedNode& node) {
-  const auto place = static_cast<std::size_t>(&node - carried.nodes.data());
-  const auto found = std::ranges::find_if(
-      carried.bodies, [&](const fem::PlacedBody& body) { return std::ranges::binary_search(body.members, place); });
-  return found == carried.bodies.end() ? nullptr : &*found;
-}
 
 /// Component k of (d, length theta), if it is prescribed.
 std::optional<double> prescribed(const fem::PlacedBody& placed, int k) {
@@ -29,12 +26,10 @@ std::optional<double> prescribed(const fem::PlacedBody& placed, int k) {
 }
 
 /// Checks one row of a support, `row` on (u, r): the body's prescribed components must already prescribe it.
-void check_row(const fem::PlacedBody& placed, const fem::CarriedNode& node, const Vector6& row, double value,
+void check_row(const fem::PlacedBody& placed, const fem::BodyNode& member, const Vector6& row, double value,
                double scale, const NodalPoint& point) {
   constexpr double rounding_part = 1e-9;
-  Vector6 on_motion;
-  for (int h = 0; h < 2; ++h)
-    on_motion.segment<3>(3 * h) = (node.carriers[static_cast<std::size_t>(h)].second.transpose() * row).head<3>();
+  Vector6 on_motion = member.motion.transpose() * row;
   double known = 0, most = scale;
   const double whole = on_motion.norm();
   for (int k = 0; k < 6; ++k)
@@ -55,12 +50,12 @@ void check_row(const fem::PlacedBody& placed, const fem::CarriedNode& node, cons
                     placed.body.name, point.x[0], point.x[1], known, value));
 }
 
-void check_supports(const fem::PlacedBody& placed, const fem::CarriedNode& node, const NodalPoint& point,
+void check_supports(const fem::PlacedBody& placed, const fem::BodyNode& member, const NodalPoint& point,
                     const NodeSupport& support) {
   for (const auto& [direction, value] : support.displacement) {
     Vector6 row;
     row << direction, Vector3d::Zero();
-    check_row(placed, node, row, value, support.displacement_scale, point);
+    check_row(placed, member, row, value, support.displacement_scale, point);
   }
   if (!placed.body.turns_normals) return;
   for (const auto& [direction, value] : support.rotation) {
@@ -68,7 +63,7 @@ void check_supports(const fem::PlacedBody& placed, const fem::CarriedNode& node,
     if (tangential.norm() < 1e-9) continue;  // r . a_3 is zero there
     Vector6 row;
     row << Vector3d::Zero(), tangential;
-    check_row(placed, node, row, value, support.rotation_scale, point);
+    check_row(placed, member, row, value, support.rotation_scale, point);
   }
 }
 
@@ -83,7 +78,7 @@ std::vector<Vector3d> orthonormal_range(const Eigen::Matrix3d& projector) {
 
 /// Returns a support that fixes the displacement in all directions. It also fixes the rotation where the body
 /// determines it.
-NodeSupport held(const NodalPoint& point, const NodeSupport& support, bool is_hinge) {
+NodeSupport all_fixed(const NodalPoint& point, const NodeSupport& support, bool is_hinge) {
   NodeSupport all;
   for (int axis = 0; axis < 3; ++axis) all.displacement.emplace_back(Vector3d::Unit(axis), 0);
   if (is_hinge) {
@@ -97,12 +92,12 @@ NodeSupport held(const NodalPoint& point, const NodeSupport& support, bool is_hi
 
 /// Returns coordinates with u and a part of r fixed at zero: u follows from another node, and the kink leaves the rest
 /// of r.
-NodeCoordinates kinked_coordinates(const fem::CarriedNode& node, const NodalPoint& point, const NodeSupport& support,
+NodeCoordinates kinked_coordinates(const constraints::Row& row, const NodalPoint& point, const NodeSupport& support,
                                    double size) {
   NodeSupport all;
   for (int axis = 0; axis < 3; ++axis) all.displacement.emplace_back(Vector3d::Unit(axis), 0);
   all.rotation_scale = support.rotation_scale;
-  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - node.own.bottomRightCorner<3, 3>();
+  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - row.own().bottomRightCorner<3, 3>();
   for (const Vector3d& direction : orthonormal_range(rest)) all.rotation.emplace_back(direction, 0);
   all.rotation.insert(all.rotation.end(), support.rotation.begin(), support.rotation.end());
   NodeCoordinates coordinates = node_coordinates(point, all, {}, {}, Vector6::Zero(), size);
@@ -113,18 +108,13 @@ NodeCoordinates kinked_coordinates(const fem::CarriedNode& node, const NodalPoin
   return coordinates;
 }
 
-}  // namespace
-
-NodeCoordinates carried_coordinates(const fem::CarriedNodes& carried, const fem::CarriedNode& node,
-                                    const NodalPoint& point, const NodeSupport& support, double size) {
-  const fem::PlacedBody* body = body_of(carried, node);
-  if (!body) return kinked_coordinates(node, point, support, size);
-  const fem::PlacedBody& placed = *body;
-  check_supports(placed, node, point, support);
+NodeCoordinates body_coordinates(const fem::PlacedBody& placed, const fem::BodyNode& member, const NodalPoint& point,
+                                 const NodeSupport& support, double size) {
+  check_supports(placed, member, point, support);
   NodeCoordinates coordinates =
-      node_coordinates(point, held(point, support, !placed.body.turns_normals), {}, {}, Vector6::Zero(), size);
+      node_coordinates(point, all_fixed(point, support, !placed.body.turns_normals), {}, {}, Vector6::Zero(), size);
   for (int h = 0; h < 2; ++h) {
-    if (placed.hosts[static_cast<std::size_t>(h)] != node.node) continue;
+    if (placed.hosts[static_cast<std::size_t>(h)] != member.node) continue;
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t k = 0; k < 6; ++k) {
         if (coordinates.basis(axis, static_cast<Eigen::Index>(k)) == 0) continue;
@@ -134,6 +124,16 @@ NodeCoordinates carried_coordinates(const fem::CarriedNodes& carried, const fem:
       }
   }
   return coordinates;
+}
+
+}  // namespace
+
+NodeCoordinates constrained_coordinates(const fem::Space& space, algebra::LocalIndex node, const NodalPoint& point,
+                                        const NodeSupport& support, double size) {
+  for (const fem::PlacedBody& placed : space.bodies)
+    if (const fem::BodyNode* member = placed.find(node)) return body_coordinates(placed, *member, point, support, size);
+  if (space.kinks.constrains(node)) return kinked_coordinates(*space.constraints.find(node), point, support, size);
+  return {};
 }
 
 }  // namespace plastron::assembly
