@@ -136,6 +136,31 @@ TEST_P(AStraightEdge, HasTheIntegralsOfPressureTimesGapAndTimesDeflectionAsShare
   }
 }
 
+// A dual whose deflection is the value at which it is fixed leaves the penetration alone. Its reaction is twice the pressure here.
+TEST_P(AStraightEdge, HasTheIntegralOfTheDualsReactionTimesGapAsShare) {
+  const auto [degree, is_turned] = GetParam();
+  const SolvedShell plate = lying_plate(degree, 2, is_turned);
+  const Solved solved = plate.solved();
+  const ContactEdge edge(solved);
+  ASSERT_EQ(edge.crossed().size(), 2U);
+  Derivative twice = of_the_solution(plate);
+  algebra::axpy(1, plate.box().load, twice.dual.load);
+  algebra::Vector z = plate.solution().z, y(plate.nodal().y.layout(), 6);
+  algebra::axpy(1, plate.solution().z, z);
+  z.update_ghosts();
+  const EdgeShares shares = edge.shares(twice, z, y);
+  twice.weighs_gaps = true;  // the dual is fixed at the initial gap, and both reactions count
+  for (std::size_t i = 2; i < y.local().size(); i += 6) y.local()[i] = sag;
+  const EdgeShares energies = edge.shares(twice, z, y);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Integrals sum = integrals(plate, edge.crossed()[i]);
+    const double rounding = 1e-9 * std::abs(sum.deflection);
+    EXPECT_GT(std::abs(sum.gap), 1e3 * rounding);
+    EXPECT_NEAR(shares.all[i], 2 * std::abs(sum.gap), rounding);
+    EXPECT_NEAR(energies.all[i], 3 * std::abs(sum.gap), rounding);
+  }
+}
+
 TEST_P(AStraightEdge, HasTheSameSumOfSharesWithMoreCellsAlongIt) {
   const auto [degree, is_turned] = GetParam();
   const auto sum = [&](int rows) {
