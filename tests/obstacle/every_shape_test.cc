@@ -167,10 +167,10 @@ Body box(const std::string& name, double fillet) {
   return body;
 }
 
-double wave(double x, double y) { return 0.2 * std::sin(2 * x) + 0.15 * x * y; }
+double wave(double x, double y) { return 0.2 * std::sin(6 * x) + 0.15 * x * y; }
 
 Body graph() {
-  Body body{"graph", HeightField(std::make_shared<const geometry::SpaceFunction>("0.2*sin(2*X) + 0.15*X*Y",
+  Body body{"graph", HeightField(std::make_shared<const geometry::SpaceFunction>("0.2*sin(6*X) + 0.15*X*Y",
                                                                                  geometry::Constants{}))};
   for (const double x : steps(-far, far, 1.5))
     for (const double y : steps(-far, far, 1.5)) body.surface.emplace_back(x, y, wave(x, y));
@@ -337,7 +337,7 @@ TEST(FunctionsAndTriangles, AreTheSameInMicrometresAndInMegametres) {
       for (Eigen::Index j = 0; j < 5; ++j)
         heights(i, j) = m * wave(-4 + 2 * static_cast<double>(i), -4 + 2 * static_cast<double>(j));
     return std::vector<Shape>{
-        HeightField(std::make_shared<const geometry::SpaceFunction>("m*(0.2*sin(2*X/m) + 0.15*X/m*Y/m)", unit)),
+        HeightField(std::make_shared<const geometry::SpaceFunction>("m*(0.2*sin(6*X/m) + 0.15*X/m*Y/m)", unit)),
         HeightField(std::make_shared<const Raster>(heights, Eigen::Vector2d(-4 * m, -4 * m), 2 * m)),
         DistanceField(std::make_shared<const geometry::SpaceFunction>(
             "((X/m-0.1)/0.9)^2 + ((Y/m+0.2)/0.6)^2 + ((Z/m-0.15)/0.5)^2 - 1", unit)),
