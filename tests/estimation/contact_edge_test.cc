@@ -1,0 +1,186 @@
+// Shares of the cells at a straight edge of contact. A plate is clamped above a table at one end and lies on it at the other. Nothing
+// depends on y, so the shares follow from integrals along x.
+#include <gtest/gtest.h>
+#include <plastron/element/element_tables.hpp>
+#include <plastron/estimation/contact_edge.hpp>
+#include <plastron/fem/basis.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "estimation/solved_shell.hpp"
+
+namespace plastron::estimation::contact_edge_test {
+namespace {
+
+using test::SolvedShell;
+
+constexpr double thickness = 0.1, height = 0.3,
+                 sag = 0.02;  ///< the lower face at the clamp is `sag` above the table [m]
+constexpr int columns = 16;
+
+/// A plate along x = xi_1 or, turned, along y, with this number of cells across.
+SolvedShell lying_plate(int degree, int rows, bool is_turned) {
+  assembly::AreaLoad load{};
+  load.force = {geometry::Expression(0.0), geometry::Expression(0.0), geometry::Expression(-0.02)};
+  const auto direction = is_turned ? assembly::Direction::x : assembly::Direction::y;
+  const auto symmetric = [&](const std::string& boundary) {  // nothing moves or turns across the plate
+    assembly::Support support{.boundary = boundary, .components = {}};
+    for (const auto unknown : {assembly::Unknown::displacement, assembly::Unknown::rotation})
+      support.components.push_back({unknown, direction, geometry::Expression(0.0)});
+    return support;
+  };
+  assembly::ShellDescription shell{.sections = plastron::test::steel_of(geometry::Expression(thickness)),
+                                   .loads = {.on_areas = {load}}};
+  shell.supports = is_turned ? std::vector{plastron::test::clamp("bottom"), symmetric("left"), symmetric("right")}
+                             : std::vector{plastron::test::clamp("left"), symmetric("bottom"), symmetric("top")};
+  obstacle::Obstacle table{};
+  table.placement.translation = {0, 0, height - thickness / 2 - sag};
+  shell.obstacles.all = {table};
+  const fem::Rectangle along_x{.to = {1, 0.25}, .cells = {columns, rows}},
+      along_y{.to = {0.25, 1}, .cells = {rows, columns}};
+  return {plastron::test::meshed(is_turned ? along_y : along_x, plastron::test::flat, degree, 0), shell};
+}
+
+/// A derivative whose dual is the solution itself, so that both reactions are the pressure.
+Derivative of_the_solution(const SolvedShell& plate) {
+  Derivative derivative = zero_derivative(plate.solved());
+  derivative.dual.load = plate.box().load;
+  return derivative;
+}
+
+/// int p g and int p w over a cell, p the pressure between nodes, g the gap, w the deflection, by an own rule.
+struct Integrals {
+  double gap = 0, deflection = 0;
+};
+Integrals integrals(const SolvedShell& plate, std::size_t cell) {
+  const fem::Space& space = plate.discrete().space();
+  const fem::Rule rule = fem::gauss(space.degree + 3);
+  const double area = space.cells[cell].size * space.cells[cell].size * 0.25 / static_cast<double>(space.global_cells);
+  Integrals sum;
+  for (std::size_t j = 0; j < rule.points.size(); ++j)
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
+      const auto basis =
+          element::basis_at(space.shape(), space.degree, {Eigen::Vector2d(rule.points[i], rule.points[j])});
+      double p = 0, w = 0;
+      for (int n = 0; n < space.nodes_per_cell(); ++n) {
+        const auto node = static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(n)]);
+        p += basis.value(0, n) * plate.nodal().pressure.local()[node];
+        w += basis.value(0, n) * plate.nodal().y.local()[6 * node + 2];
+      }
+      const double weight = area * rule.weights[i] * rule.weights[j];
+      sum.gap += weight * p * (w + sag);
+      sum.deflection += weight * p * w;
+    }
+  return sum;
+}
+
+struct Plate {
+  int degree;
+  bool is_turned;
+};
+void PrintTo(const Plate& plate, std::ostream* out) {
+  *out << "degree " << plate.degree << (plate.is_turned ? ", turned" : "");
+}
+
+class AStraightEdge : public testing::TestWithParam<Plate> {};
+INSTANTIATE_TEST_SUITE_P(Each, AStraightEdge,
+                         testing::Values(Plate{1, false}, Plate{2, false}, Plate{2, true}, Plate{3, false},
+                                         Plate{4, true}));
+
+TEST_P(AStraightEdge, CrossesOneRowOfCellsWithEqualShares) {
+  const auto [degree, is_turned] = GetParam();
+  constexpr int rows = 3;
+  const SolvedShell plate = lying_plate(degree, rows, is_turned);
+  const Solved solved = plate.solved();
+  const ContactEdge edge(solved);
+  ASSERT_EQ(edge.crossed().size(), static_cast<std::size_t>(rows));
+  EXPECT_TRUE(std::ranges::is_sorted(edge.crossed()));
+  const EdgeShares shares = edge.shares(of_the_solution(plate), plate.solution().z, plate.nodal().y);
+  ASSERT_EQ(shares.all.size(), edge.crossed().size());
+  for (std::size_t i = 0; i < edge.crossed().size(); ++i) {
+    EXPECT_EQ(edge.across()[i], is_turned ? 1 : 0);
+    EXPECT_EQ(edge.touching_nodes()[i], edge.touching_nodes()[0]);
+    EXPECT_EQ(edge.touching_nodes()[i] % static_cast<std::size_t>(degree + 1), 0U);  // whole rows of nodes
+    EXPECT_GT(shares.all[i], 0);
+    EXPECT_NEAR(shares.all[i], shares.all[0], 1e-6 * shares.all[0]);
+    EXPECT_EQ(shares.lines[i], 0);  // the zone is wide
+  }
+}
+
+TEST_P(AStraightEdge, HasTheIntegralsOfPressureTimesGapAndTimesDeflectionAsShares) {
+  const auto [degree, is_turned] = GetParam();
+  const SolvedShell plate = lying_plate(degree, 2, is_turned);
+  const Solved solved = plate.solved();
+  const ContactEdge edge(solved);
+  ASSERT_EQ(edge.crossed().size(), 2U);
+  const EdgeShares shares = edge.shares(of_the_solution(plate), plate.solution().z, plate.nodal().y);
+  Derivative of_force = of_the_solution(plate);  // here the dual's deflection is compared with -1 at the table
+  of_force.force_direction = Eigen::Vector3d::UnitZ();
+  Derivative of_energy = of_the_solution(plate);  // with both reactions, and compared with the initial gap
+  of_energy.weighs_gaps = true;
+  const EdgeShares forces = edge.shares(of_force, plate.solution().z, plate.nodal().y),
+                   energies = edge.shares(of_energy, plate.solution().z, plate.nodal().y);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Integrals sum = integrals(plate, edge.crossed()[i]);
+    EXPECT_GT(std::abs(sum.gap), 0);
+    const double pressure = (sum.gap - sum.deflection) / sag;  // int p
+    const double work = std::abs(sum.deflection);
+    EXPECT_NEAR(shares.all[i], std::max(std::abs(sum.gap), work), 1e-9 * work);
+    EXPECT_NEAR(forces.all[i], std::max(std::abs(sum.gap), std::abs(sum.deflection + pressure)), 1e-9 * pressure);
+    EXPECT_NEAR(energies.all[i], std::max(2 * std::abs(sum.gap), std::abs(sum.deflection - sag * pressure)),
+                1e-9 * work);
+  }
+}
+
+// A dual whose deflection is the value at which it is fixed leaves the penetration alone. Its reaction is twice the pressure here.
+TEST_P(AStraightEdge, HasTheIntegralOfTheDualsReactionTimesGapAsShare) {
+  const auto [degree, is_turned] = GetParam();
+  const SolvedShell plate = lying_plate(degree, 2, is_turned);
+  const Solved solved = plate.solved();
+  const ContactEdge edge(solved);
+  ASSERT_EQ(edge.crossed().size(), 2U);
+  Derivative twice = of_the_solution(plate);
+  algebra::axpy(1, plate.box().load, twice.dual.load);
+  algebra::Vector z = plate.solution().z, y(plate.nodal().y.layout(), 6);
+  algebra::axpy(1, plate.solution().z, z);
+  z.update_ghosts();
+  const EdgeShares shares = edge.shares(twice, z, y);
+  twice.weighs_gaps = true;  // the dual is fixed at the initial gap, and both reactions count
+  for (std::size_t i = 2; i < y.local().size(); i += 6) y.local()[i] = sag;
+  const EdgeShares energies = edge.shares(twice, z, y);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Integrals sum = integrals(plate, edge.crossed()[i]);
+    const double rounding = 1e-9 * std::abs(sum.deflection);
+    EXPECT_GT(std::abs(sum.gap), 1e3 * rounding);
+    EXPECT_NEAR(shares.all[i], 2 * std::abs(sum.gap), rounding);
+    EXPECT_NEAR(energies.all[i], 3 * std::abs(sum.gap), rounding);
+  }
+}
+
+TEST_P(AStraightEdge, HasTheSameSumOfSharesWithMoreCellsAlongIt) {
+  const auto [degree, is_turned] = GetParam();
+  const auto sum = [&](int rows) {
+    const SolvedShell plate = lying_plate(degree, rows, is_turned);
+    const Solved solved = plate.solved();
+    const EdgeShares shares = ContactEdge(solved).shares(of_the_solution(plate), plate.solution().z, plate.nodal().y);
+    return std::accumulate(shares.all.begin(), shares.all.end(), 0.0);
+  };
+  const double coarse = sum(2);
+  EXPECT_GT(coarse, 0);
+  EXPECT_NEAR(sum(3), coarse, 1e-6 * coarse);
+}
+
+TEST(AnEdge, CrossesNoCellWithoutObstacle) {
+  const assembly::ShellDescription shell{.sections = plastron::test::steel_of(geometry::Expression(thickness)),
+                                         .supports = {plastron::test::clamp("left")}};
+  const SolvedShell plate(plastron::test::meshed(fem::Rectangle{.cells = {2, 2}}, plastron::test::flat, 2, 0), shell);
+  const Solved solved = plate.solved();
+  EXPECT_TRUE(ContactEdge(solved).crossed().empty());
+}
+
+}  // namespace
+}  // namespace plastron::estimation::contact_edge_test

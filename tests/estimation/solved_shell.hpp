@@ -1,0 +1,56 @@
+// A solved shell for the tests of estimation/, with all that a dual problem needs.
+#pragma once
+#include <plastron/algebra/factorisation.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/contact/solve.hpp>
+#include <plastron/estimation/derivatives.hpp>
+#include <plastron/estimation/dual_solver.hpp>
+#include <plastron/estimation/kept_factorisation.hpp>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+
+#include "assembly/sample_shells.hpp"
+
+namespace plastron::estimation::test {
+
+class SolvedShell {
+ public:
+  SolvedShell(const plastron::test::MeshedSurface& mesh, const assembly::ShellDescription& shell)
+      : discrete_(assembly::discretise(mesh.space, mesh.surface, shell)),
+        matrix_(assembly::stiffness_matrix(*discrete_)),
+        factor_(matrix_),
+        kept_(factor_, mesh.space->layout->comm),
+        box_(assembly::box_problem(*discrete_, matrix_)),
+        z_(contact::solve(box_, {}, kept_)),
+        nodal_(solution::nodal_solution(*discrete_, z_)) {
+    EXPECT_EQ(z_.status, contact::Status::solved);
+    kept_.keep();
+  }
+
+  Solved solved() const { return {.discrete = *discrete_, .nodal = nodal_, .box = box_, .z = z_}; }
+  Derivative derivative_of(const Functional& functional) const { return derivative(functional, solved()); }
+  double value(const Functional& functional) const { return derivative_of(functional).value; }
+  /// The solution of the functional's dual problem.
+  std::optional<algebra::Vector> dual(const Functional& functional) {
+    return DualSolver(box_, z_, kept_).solve(derivative_of(functional).dual);
+  }
+
+  const assembly::DiscreteShell& discrete() const { return *discrete_; }
+  const contact::BoxProblem& box() const { return box_; }
+  const contact::BoxSolution& solution() const { return z_; }
+  const solution::NodalSolution& nodal() const { return nodal_; }
+
+ private:
+  std::unique_ptr<assembly::DiscreteShell> discrete_;
+  algebra::Matrix matrix_;
+  algebra::Factorisation factor_;
+  KeptFactorisation kept_;
+  contact::BoxProblem box_;
+  contact::BoxSolution z_;
+  solution::NodalSolution nodal_;
+};
+
+}  // namespace plastron::estimation::test
