@@ -16,7 +16,7 @@
 namespace plastron::estimation::contact_edge_test {
 namespace {
 
-using test::SolvedShell;
+using plastron::test::SolvedShell;
 
 constexpr double thickness = 0.1, height = 0.3,
                  sag = 0.02;  ///< the lower face at the clamp is `sag` above the table [m]

@@ -17,7 +17,7 @@
 namespace plastron::estimation::dual_solver_test {
 namespace {
 
-using test::SolvedShell;
+using plastron::test::SolvedShell;
 
 struct Scene {
   std::array<std::string, 3> chart = plastron::test::saddle;

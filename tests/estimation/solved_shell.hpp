@@ -14,11 +14,11 @@
 
 #include "assembly/sample_shells.hpp"
 
-namespace plastron::estimation::test {
+namespace plastron::test {
 
 class SolvedShell {
  public:
-  SolvedShell(const plastron::test::MeshedSurface& mesh, const assembly::ShellDescription& shell)
+  SolvedShell(const MeshedSurface& mesh, const assembly::ShellDescription& shell)
       : discrete_(assembly::discretise(mesh.space, mesh.surface, shell)),
         matrix_(assembly::stiffness_matrix(*discrete_)),
         factor_(matrix_),
@@ -30,12 +30,14 @@ class SolvedShell {
     kept_.keep();
   }
 
-  Solved solved() const { return {.discrete = *discrete_, .nodal = nodal_, .box = box_, .z = z_}; }
-  Derivative derivative_of(const Functional& functional) const { return derivative(functional, solved()); }
-  double value(const Functional& functional) const { return derivative_of(functional).value; }
+  estimation::Solved solved() const { return {.discrete = *discrete_, .nodal = nodal_, .box = box_, .z = z_}; }
+  estimation::Derivative derivative_of(const estimation::Functional& functional) const {
+    return estimation::derivative(functional, solved());
+  }
+  double value(const estimation::Functional& functional) const { return derivative_of(functional).value; }
   /// The solution of the functional's dual problem.
-  std::optional<algebra::Vector> dual(const Functional& functional) {
-    return DualSolver(box_, z_, kept_).solve(derivative_of(functional).dual);
+  std::optional<algebra::Vector> dual(const estimation::Functional& functional) {
+    return estimation::DualSolver(box_, z_, kept_).solve(derivative_of(functional).dual);
   }
 
   const assembly::DiscreteShell& discrete() const { return *discrete_; }
@@ -47,10 +49,10 @@ class SolvedShell {
   std::unique_ptr<assembly::DiscreteShell> discrete_;
   algebra::Matrix matrix_;
   algebra::Factorisation factor_;
-  KeptFactorisation kept_;
+  estimation::KeptFactorisation kept_;
   contact::BoxProblem box_;
   contact::BoxSolution z_;
   solution::NodalSolution nodal_;
 };
 
-}  // namespace plastron::estimation::test
+}  // namespace plastron::test
