@@ -52,7 +52,7 @@ std::vector<Monomial> monomials(Shape shape, int p_most, int q_most) {
 
 /// Points of the reference cell: random ones, the centre and the corners.
 std::vector<Vector2d> probes(Shape shape) {
-  std::mt19937 random(11);  // NOLINT: the same points in every run
+  std::mt19937 random(11);
   std::uniform_real_distribution<double> coordinate(0, 1);
   std::vector<Vector2d> all{fem::centre(shape)};
   for (int k = 0; k < fem::corner_count(shape); ++k) all.push_back(fem::corner(shape, k));

@@ -10,7 +10,7 @@
 namespace plastron::obstacle::test {
 
 inline std::vector<Vector3d> random_points(int count, double reach) {
-  std::mt19937 random(7);  // NOLINT: the same points in every run
+  std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-reach, reach);
   std::vector<Vector3d> points;
   for (int i = 0; i < count; ++i) points.emplace_back(coordinate(random), coordinate(random), coordinate(random));

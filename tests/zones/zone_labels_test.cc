@@ -102,7 +102,7 @@ Found expect_labels_of_flood_fill(const MeshedSurface& mesh) {
   const std::vector<Place> places = places_of(mesh);
   const Neighbours neighbours = neighbours_of(space, places);
   Found found;
-  std::mt19937 random(5);  // NOLINT: the same patterns in every run
+  std::mt19937 random(5);
   for (const double part : {0.0, 0.1, 0.25, 0.4, 0.7, 1.0}) {
     std::bernoulli_distribution is_marked(part);
     std::set<Place> inside;
