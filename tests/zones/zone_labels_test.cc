@@ -68,8 +68,8 @@ Neighbours neighbours_of(const fem::Space& space, const std::vector<Place>& plac
       for (int b = 0; b < space.nodes_per_cell(); ++b)
         if (are_beside(space, a, b))
           join(space.nodes(c)[static_cast<std::size_t>(a)], space.nodes(c)[static_cast<std::size_t>(b)]);
-  for (const fem::Tie& tie : space.ties)
-    for (const auto& master : tie.masters) join(tie.node, master.first);
+  for (const constraints::Row& row : space.continuity.rows())
+    for (const constraints::Term& term : row.terms) join(row.node, term.node);
   return all;
 }
 
@@ -153,7 +153,7 @@ TEST(ZoneLabels, GoOnAcrossHangingNodes) {
       for (std::size_t c = 0; c < marks.size(); c += 5) marks[c] = 1;
       meshes.refine({}, marks);
     }
-    ASSERT_TRUE(meshes.space()->has_ties);
+    ASSERT_FALSE(meshes.space()->continuity.is_identity());
     std::map<std::string, geometry::Chart> charts;
     charts.emplace("", geometry::Chart(test::flat, {}));
     expect_labels_of_flood_fill({meshes.space(), std::make_shared<const fem::Surface>(meshes.space()->coarse, charts)});
