@@ -260,7 +260,8 @@ const std::vector<Limit>& limits() {
        "a program with deformable contact"},
       {"temperature",
        {"thermal"},
-       "Initial strains are constant in each layer and region: no temperature field. There is no prestress that changes "
+       "Initial strains are constant in each layer and region: no temperature field. There is no prestress that "
+       "changes "
        "the stiffness.",
        "not shown",
        "`strain` of a layer; a program with thermal analysis"},
