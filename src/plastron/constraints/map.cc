@@ -110,7 +110,7 @@ void Map::apply_transposed(algebra::Vector& f) const {
     using Values = Eigen::Matrix<double, size(), 1>;
     const auto at = [=](LocalIndex node) { return Eigen::Map<Values>(values + node * block, block); };
     const auto take = [&](const Row& row) {
-      const Values force = at(row.node);
+      Values force = at(row.node);
       at(row.node).setZero();
       return force;
     };
