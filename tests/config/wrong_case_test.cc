@@ -67,6 +67,7 @@ TEST(WrongCases, OfTheExaminationAreReadWithoutComplaint) {
 
 TEST(WrongCases, ReportExactlyTheMistakesTheyHave) {
   EXPECT_EQ(std::ranges::count(errors_of(directory / "constant-wrong-is-reported-once.toml"), '^'), 1);
+  EXPECT_EQ(std::ranges::count(errors_of(directory / "laminate-of-a-wrong-material.toml"), '^'), 1 + 1);  // and nu12^2
   try {
     read_case(directory / "many-at-once.toml");
     FAIL();

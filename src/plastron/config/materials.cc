@@ -104,10 +104,10 @@ std::optional<Orthotropic> layer_material(Table& table) {
   const auto found = materials.find(*name);
   if (found == materials.end()) {
     report_unknown_material(table, *name);
-  } else if (!found->second.layer) {
+  } else if (found->second && !found->second->layer) {
     table.report("material", fmt::format("the material \"{}\" has layers itself", *name), "a material without layers");
-  } else {
-    return found->second.layer;
+  } else if (found->second) {
+    return found->second->layer;
   }
   return {};
 }
@@ -176,8 +176,7 @@ void read_materials(Table& root) {
     const auto name = table.text("name");
     auto material = material_of(table);
     if (!name) return;
-    // A wrong material keeps its name, so that those who choose it are not reported, too.
-    if (!table.reading().materials.emplace(*name, material.value_or(NamedMaterial{})).second)
+    if (!table.reading().materials.emplace(*name, std::move(material)).second)
       table.report("name", fmt::format("two [[material]] are named \"{}\"", *name), "", "give each a name of its own");
   });
 }

@@ -34,8 +34,8 @@ struct Reading {
   std::vector<std::pair<std::string, std::filesystem::path>> files{};  ///< files that the case names, with their paths
   std::optional<fem::Domain> domain{};                                 ///< empty: it is wrong, or not read yet
   geometry::Constants constants{};
-  std::map<std::string, NamedMaterial> materials{};
-  std::vector<std::string> later_constants{};  ///< constants below the one being read
+  std::map<std::string, std::optional<NamedMaterial>> materials{};  ///< by name; empty: the material is wrong
+  std::vector<std::string> later_constants{};                       ///< constants below the one being read
   bool constants_complete =
       true;  ///< false: some constant is wrong and is NaN; mistakes that follow from it are not reported
   std::vector<Mistake> mistakes{};

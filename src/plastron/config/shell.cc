@@ -117,10 +117,11 @@ void from_name(Table& table, Material& material) {
   const auto name = table.text("material");
   if (!name) return;
   const auto& materials = table.reading().materials;
-  if (const auto found = materials.find(*name); found != materials.end())
-    material.law = found->second.material.law;
-  else
+  const auto found = materials.find(*name);
+  if (found == materials.end())
     report_unknown_material(table, *name);
+  else if (found->second)
+    material.law = found->second->material.law;
 }
 
 /// Sets the elastic law from the table, if it is present and correct. `header`: name of the table in messages.
