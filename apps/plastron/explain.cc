@@ -261,8 +261,7 @@ const std::vector<Limit>& limits() {
       {"temperature",
        {"thermal"},
        "Initial strains are constant in each layer and region: no temperature field. There is no prestress that "
-       "changes "
-       "the stiffness.",
+       "changes the stiffness.",
        "not shown",
        "`strain` of a layer; a program with thermal analysis"},
       {"vibrations",

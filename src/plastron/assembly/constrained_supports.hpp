@@ -1,5 +1,5 @@
-// Supports of constrained nodes. A node on a joined edge gives its rows to the node that it equals. A node at a kink gives
-// its rows on u, and on the rotation about the edge, to the node that determines them.
+// Supports of constrained nodes. A node on a joined edge gives its rows to the node that it equals. A node at a kink
+// gives its rows on u, and on the rotation about the edge, to the node that determines them.
 #pragma once
 #include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/assembly/node_coordinates.hpp>

@@ -18,8 +18,8 @@ struct LoadError : std::invalid_argument {
 
 /// Returns nodal forces and couples, six values for each node, complete on owned nodes (collective). Area loads name
 /// regions of the mesh, edge loads name boundaries. Loads of the space's rigid bodies are included. So is the weight
-/// rho e g of the cross-sections, and the load of initial strains, int N_0 : gamma(v) + M_0 : chi(v, s). Loads made of pieces (geometry::is_piecewise) are
-/// integrated between the borders of the pieces, even if these are narrow. Throws LoadError on all ranks together.
+/// rho e g of the cross-sections, and the load of initial strains, int N_0 : gamma(v) + M_0 : chi(v, s). Loads made of
+/// pieces (geometry::is_piecewise) are integrated between the borders of the pieces, even if these are narrow. Throws LoadError on all ranks together.
 algebra::Vector load_vector(const ShellOperator& shell, const Loads& loads);
 
 }  // namespace plastron::assembly

@@ -13,8 +13,8 @@ struct SecondOrder {
       0;  ///< largest principal strain gamma +- e/2 chi at the faces, by absolute value, at quadrature points
 };
 
-/// Computes the quantities from Cartesian nodal values y = (u, r), block 6 with valid ghosts (collective). N is the
-/// membrane force of the strains of y without `load_factor` times that of initial strains; so it is in all functions here.
+/// Computes the quantities from Cartesian nodal values y = (u, r), block 6 with valid ghosts (collective). In all
+/// functions here N is the membrane force of the strains of y, less `load_factor` times that of initial strains.
 SecondOrder second_order(const ShellOperator& shell, const algebra::Vector& y, double load_factor = 1);
 
 /// Returns the derivative of `work` by y, f . w = int e a^{abrs} q_ab gamma_rs(w) + N^{ab} d_a u . d_b w sqrt(a) dx.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace plastron::config {
 
@@ -12,6 +13,7 @@ namespace {
 
 using shell::Layer, shell::Material, shell::Orthotropic;
 
+constexpr std::array isotropic_keys{"E", "nu"};
 constexpr std::array orthotropic_keys{"E1", "E2", "nu12", "G12", "G13", "G23"};
 constexpr const char* ways = "E and nu, or E1, E2, nu12, G12, G13 and G23, or layers";
 
@@ -61,16 +63,17 @@ bool is_orthotropic(const Table& table) {
   return std::ranges::any_of(orthotropic_keys, [&](const char* name) { return table.has(name); });
 }
 
-/// Reports that the material has keys of two kinds.
-void report_two_kinds(const Table& table, const std::string& second) {
-  table.report_key(second, fmt::format("[[material]] has \"{}\" besides the constants of another kind", second), ways);
+/// Reports keys that belong to another kind of material.
+void report_others(const Table& table, std::span<const char* const> names) {
+  for (const char* name : names)
+    if (table.has(name))
+      table.report_key(name, fmt::format("[[material]] has \"{}\" besides the constants of another kind", name), ways);
 }
 
 std::optional<NamedMaterial> isotropic(Table& table) {
-  for (const char* name : {"E", "nu"})
+  for (const char* name : isotropic_keys)
     if (!table.has(name)) table.report_here(fmt::format("[[material]] is isotropic, but has no \"{}\"", name), ways);
-  for (const char* name : orthotropic_keys)
-    if (table.has(name)) report_two_kinds(table, name);
+  report_others(table, orthotropic_keys);
   if (table.has("direction")) table.report_key("direction", "an isotropic material has no direction");
   const auto E = table.number("E"), nu = table.number("nu");
   if (!E || !nu) return {};
@@ -128,10 +131,8 @@ std::vector<Layer> layers_of(Table& material) {
 }
 
 std::optional<NamedMaterial> laminate(Table& table) {
-  for (const char* name : {"E", "nu"})
-    if (table.has(name)) report_two_kinds(table, name);
-  for (const char* name : orthotropic_keys)
-    if (table.has(name)) report_two_kinds(table, name);
+  report_others(table, isotropic_keys);
+  report_others(table, orthotropic_keys);
   const auto direction = table.direction("direction");
   auto layers = layers_of(table);
   if (table.value("layers")->is_array() && table.value("layers")->as_array().empty())
@@ -141,8 +142,7 @@ std::optional<NamedMaterial> laminate(Table& table) {
 }
 
 std::optional<NamedMaterial> orthotropic(Table& table) {
-  for (const char* name : {"E", "nu"})
-    if (table.has(name)) report_two_kinds(table, name);
+  report_others(table, isotropic_keys);
   const auto direction = table.direction("direction");
   const auto constants = orthotropic_constants(table);
   if (!direction || !constants) return {};

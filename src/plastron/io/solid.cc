@@ -19,7 +19,7 @@ struct SolidPoint {
   double z() const { return part * at.thickness; }
 };
 
-/// An array of the file. Unlike in solution.vtu, shear_stress_1 and shear_stress_2 are the parabola over the thickness.
+/// An array of the file. Unlike in solution.vtu, shear_stress_1 and shear_stress_2 follow from equilibrium at z.
 struct SolidField {
   std::string name, unit;
   bool of_contact;
@@ -28,7 +28,7 @@ struct SolidField {
 
 std::vector<double> list(const Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// Returns the stress in space, XX, YY, ZZ, XY, YZ, XZ: sigma^ab of the layer, with the parabola of the shear stress.
+/// Returns the stress in space, XX, YY, ZZ, XY, YZ, XZ: sigma^ab at z, with the shear stress of equilibrium.
 std::vector<double> stress_in_space(const SolidPoint& p) {
   const shell::SectionForces f = section_forces(p.at);
   const Vector3d s = shell::in_plane_stress(f, p.z());

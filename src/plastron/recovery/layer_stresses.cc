@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <numbers>
 
 namespace plastron::recovery {
@@ -12,6 +11,7 @@ namespace {
 
 constexpr std::array components{"11", "22", "12", "13", "23"};
 constexpr std::size_t entries_of_place = 7;  // stress, height, x, position
+
 /// The most and the least of one component, the least with the sign changed: both are maxima.
 using Extremes = std::array<PlacedStress, 2>;
 
@@ -64,7 +64,7 @@ class LayerSearch {
           std::ranges::find(regions_, assembly::region_of(*space.coarse, space.cells[cell]), &RegionLayers::name);
       if (region == regions_.end()) continue;
       for (const PointValues& point : recovery(cell))
-        if (!is_singular(point.phi)) look_at(point, region->first);
+        if (!is_singular(point.phi, singular_)) look_at(point, region->first);
     }
   }
 
@@ -103,11 +103,6 @@ class LayerSearch {
   }
 
  private:
-  bool is_singular(const Vector3d& position) const {
-    return std::ranges::any_of(
-        singular_, [&](const SingularPlace& place) { return (position - place.position).norm() < place.radius; });
-  }
-
   void look_at(const PointValues& point, std::size_t first) {
     const shell::SectionForces forces = section_forces(point);
     for (std::size_t k = 0; k < forces.laminate->layer_count(); ++k) {

@@ -10,6 +10,8 @@
 #pragma once
 #include <plastron/solution/summary.hpp>
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,12 @@ struct SingularPlace {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< on the undeformed mid-surface [m]
   double radius = 0;  ///< radius within which rankings leave stresses out: the thickness there [m]
 };
+
+/// Returns whether stresses at a point of the undeformed mid-surface do not count, because a place is near.
+inline bool is_singular(const Eigen::Vector3d& position, std::span<const SingularPlace> places) {
+  return std::ranges::any_of(
+      places, [&](const SingularPlace& place) { return (position - place.position).norm() < place.radius; });
+}
 
 /// Returns the places in an order that is the same on every rank (collective). `summary`: totals of the solution,
 /// with the forces of points.

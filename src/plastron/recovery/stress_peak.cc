@@ -19,11 +19,6 @@ StressPeak peak_of(const PointValues& point) {
   return {.von_mises = largest.stress, .height = largest.height, .x = point.x, .position = point.phi};
 }
 
-bool is_singular(const Vector3d& position, std::span<const SingularPlace> places) {
-  return std::ranges::any_of(
-      places, [&](const SingularPlace& place) { return (position - place.position).norm() < place.radius; });
-}
-
 /// The largest peaks of this rank, equal up to rounding.
 std::vector<StressPeak> local_peaks(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                     const Choice& choice, std::span<const SingularPlace> singular) {

@@ -1,5 +1,5 @@
-// Laminates: orthotropic layers, bonded over the whole thickness. The strains are Naghdi's, linear in the height z; each
-// layer has its own plane-stress stiffness. Classical lamination theory with transverse shear: Reddy, Mechanics of
+// Laminates: orthotropic layers, bonded over the whole thickness. The strains are Naghdi's, linear in the height z.
+// Each layer has its own plane-stress stiffness. Classical lamination theory with transverse shear: Reddy, Mechanics of
 // Laminated Composite Plates and Shells, 2nd edition, CRC Press 2004, chapters 1 to 3.
 #pragma once
 #include <plastron/geometry/frame.hpp>

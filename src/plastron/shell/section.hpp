@@ -86,8 +86,8 @@ Resultants<S> resultants(const Section& c, const Strain<S>& s) {
           coupling * s.membrane + c.bending.template cast<S>() * s.bending, c.shear.template cast<S>() * s.shear};
 }
 
-/// Energy per mid-surface area [J/m^2]: N : gamma / 2, M : chi / 2 and Q . delta. With coupling, one of the first two may
-/// be negative; their sum is not.
+/// Energy per mid-surface area [J/m^2]: N : gamma / 2, M : chi / 2 and Q . delta. With coupling, one of the first two
+/// may be negative; their sum is not.
 struct EnergyDensity {
   double membrane = 0, bending = 0, shear = 0;
 };

@@ -1,9 +1,9 @@
 // Stresses over a cross-section from its resultants. Naghdi's strains are linear in the height z. In a homogeneous
-// section the in-plane stresses are therefore linear, and their integrals over the thickness are N and M exactly; in a
-// laminate they are linear in each layer. The transverse shear stress is constant according to the kinematics. According
-// to equilibrium it has the same resultant and vanishes on both faces: a parabola in a homogeneous section. Tensors are
-// components in orthonormal tangents t1, t2, in the order 11, 22, 12. The normal stress sigma_33 is neglected (plane
-// stress).
+// section the in-plane stresses are therefore linear, and their integrals over the thickness are N and M exactly. In a
+// laminate they are linear in each layer. The transverse shear stress is constant according to the kinematics.
+// According to equilibrium it has the same resultant and vanishes on both faces: a parabola in a homogeneous section.
+// Tensors are components in orthonormal tangents t1, t2, in the order 11, 22, 12. The normal stress sigma_33 is
+// neglected (plane stress).
 #pragma once
 #include <plastron/shell/material.hpp>
 
