@@ -1,4 +1,5 @@
 #include <plastron/fem/mesh_data.hpp>
+#include <plastron/geometry/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -74,6 +75,24 @@ void add_triangle(int from, int order, std::vector<Place>& places) {
   add_triangle(from + 1, order - 3, places);
 }
 
+/// Whether the bytes are UTF-8 without control characters.
+bool is_printable(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte < 0x20 || byte == 0x7f || (byte >= 0x80 && byte < 0xc2) || byte > 0xf4) return false;
+    const std::size_t length = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
+    if (i + length > text.size()) return false;
+    for (std::size_t k = 1; k < length; ++k)
+      if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) return false;
+    const auto second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0;
+    if ((byte == 0xe0 && second < 0xa0) || (byte == 0xed && second > 0x9f)) return false;  // overlong; surrogates
+    if ((byte == 0xf0 && second < 0x90) || (byte == 0xf4 && second > 0x8f)) return false;  // overlong; beyond Unicode
+    if (byte == 0xc2 && second < 0xa0) return false;                                       // control characters C1
+    i += length;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string ElementType::name() const {
@@ -107,6 +126,25 @@ std::vector<std::size_t> lattice_places(Shape shape, int order) {
     result.push_back(static_cast<std::size_t>(row + i));
   }
   return result;
+}
+
+std::size_t group_set(MeshData& data, std::vector<int> groups) {
+  std::erase(groups, 0);
+  std::ranges::sort(groups);
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  const auto [found, is_new] = data.set_numbers.emplace(std::move(groups), data.group_sets.size());
+  if (is_new) data.group_sets.push_back(found->first);
+  return found->second;
+}
+
+std::string checked_name(const geometry::TextFile& text, std::string_view name) {
+  constexpr std::size_t longest = 127;
+  if (name.empty()) text.refuse("a name is empty");
+  if (name.size() > longest)
+    text.refuse(fmt::format("the name \"{}\" is longer than {} bytes", geometry::shown(name), longest));
+  if (!is_printable(name))
+    text.refuse(fmt::format("the name \"{}\" has characters that cannot be printed", geometry::shown(name)));
+  return std::string(name);
 }
 
 std::string place_of(const MeshElement& element) {

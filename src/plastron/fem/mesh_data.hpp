@@ -8,7 +8,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+namespace plastron::geometry {
+class TextFile;
+}
 
 namespace plastron::fem {
 
@@ -60,7 +65,25 @@ struct MeshData {
   std::vector<std::vector<int>> group_sets{{}};
   std::map<std::vector<int>, std::size_t> set_numbers{{{}, 0}};  ///< index of a set in `group_sets`
   std::map<std::pair<int, int>, std::string> names{};            ///< name by (dimension, group)
+  /// Unit normals of the surface at nodes, given by the file: one entry for each node, or none at all.
+  std::vector<std::optional<Eigen::Vector3d>> normals{};
+  std::map<std::string, std::vector<std::int64_t>> point_sets{};  ///< named points: indices into `nodes`
+  std::vector<std::string> notes{};  ///< for the user: what the file contains and is not read, one sentence each
 };
+
+/// Reads a .msh file of Gmsh, format 2.0 to 2.2 or 4.1 as text. Throws DomainError with the file, the line and the
+/// mistake.
+MeshData read_msh_file(const std::string& path);
+/// Reads the mesh of an Abaqus or CalculiX input file (inp_file.cc has the rules). Throws DomainError with the file, the
+/// line and the mistake.
+MeshData read_inp_file(const std::string& path);
+
+/// Returns the index of a set of groups, which is stored once. Group 0 means none.
+std::size_t group_set(MeshData& data, std::vector<int> groups);
+
+/// Returns the name. Refuses a name that is empty, longer than 127 bytes (Gmsh's limit), or not printable UTF-8: names
+/// are written to results and to the terminal.
+std::string checked_name(const geometry::TextFile& text, std::string_view name);
 
 /// Replaces the tags of the elements' nodes by their indices. Throws DomainError for a tag that is duplicate or
 /// missing.

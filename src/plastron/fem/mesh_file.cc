@@ -17,51 +17,18 @@ namespace {
 using geometry::shown;
 using geometry::TextFile;
 
-/// Whether the bytes are UTF-8 without control characters. Names are written to results and to the terminal.
-bool is_printable(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20 || byte == 0x7f || (byte >= 0x80 && byte < 0xc2) || byte > 0xf4) return false;
-    const std::size_t length = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
-    if (i + length > text.size()) return false;
-    for (std::size_t k = 1; k < length; ++k)
-      if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) return false;
-    const auto second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0;
-    if ((byte == 0xe0 && second < 0xa0) || (byte == 0xed && second > 0x9f)) return false;  // overlong; surrogates
-    if ((byte == 0xf0 && second < 0x90) || (byte == 0xf4 && second > 0x8f)) return false;  // overlong; beyond Unicode
-    if (byte == 0xc2 && second < 0xa0) return false;                                       // control characters C1
-    i += length;
-  }
-  return true;
-}
-
-std::string quoted_name(TextFile& text) {
-  constexpr std::size_t longest = 127;  // Gmsh's own limit
+std::string quoted_name(const TextFile& text) {
   const std::string_view line = text.line();
   const std::size_t from = line.find('"'), to = line.rfind('"');
   if (from == std::string_view::npos || to <= from + 1)
     text.refuse(fmt::format("\"{}\" has no name in quotes", shown(line)));
-  const std::string_view name = line.substr(from + 1, to - from - 1);
-  if (name.size() > longest) text.refuse(fmt::format("the name \"{}\" is longer than {} bytes", shown(name), longest));
-  if (!is_printable(name))
-    text.refuse(fmt::format("the name \"{}\" has characters that cannot be printed", shown(name)));
-  return std::string(name);
+  return checked_name(text, line.substr(from + 1, to - from - 1));
 }
 
 Eigen::Vector3d position(TextFile& text) {
   Eigen::Vector3d x;
   for (const int k : {0, 1, 2}) x[k] = text.real("a coordinate");
   return x;
-}
-
-/// Returns the index of a set of groups, which is stored once. Group 0 means none.
-std::size_t group_set(MeshData& data, std::vector<int> groups) {
-  std::erase(groups, 0);
-  std::ranges::sort(groups);
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-  const auto [found, is_new] = data.set_numbers.emplace(std::move(groups), data.group_sets.size());
-  if (is_new) data.group_sets.push_back(found->first);
-  return found->second;
 }
 
 /// Reads $PhysicalNames, which is the same in both versions.
@@ -306,12 +273,16 @@ class Reader {
 
 }  // namespace
 
-CoarseMesh read_mesh_file(const MeshFile& file, Shape shape) {
+MeshData read_msh_file(const std::string& path) {
   try {
-    return build_coarse_mesh(Reader(file.path).read(), shape);
+    return Reader(path).read();
   } catch (const geometry::FileError& error) {
     throw DomainError(error.what());
   }
+}
+
+CoarseMesh read_mesh_file(const MeshFile& file, Shape shape) {
+  return build_coarse_mesh(read_msh_file(file.path), shape);
 }
 
 }  // namespace plastron::fem
