@@ -1,10 +1,10 @@
 #include <plastron/zones/sub_cells.hpp>
 
 #include <plastron/constraints/map.hpp>
+#include <plastron/fem/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace plastron::zones {
 
@@ -37,30 +37,9 @@ std::vector<SubCell> sub_cells(fem::Shape shape, int degree) {
 
 namespace {
 
-/// Disjoint sets of 0 to n - 1; the smallest member of a set represents it.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t of(std::size_t i) {
-    while (parent_[i] != i) {
-      parent_[i] = parent_[parent_[i]];
-      i = parent_[i];
-    }
-    return i;
-  }
-  void unite(std::size_t a, std::size_t b) {
-    a = of(a);
-    b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// The components connected by this rank's own cells, by local node.
-DisjointSets local_components(const fem::Space& space, std::span<const char> inside) {
-  DisjointSets sets(static_cast<std::size_t>(space.layout->local_size()));
+fem::DisjointSets local_components(const fem::Space& space, std::span<const char> inside) {
+  fem::DisjointSets sets(static_cast<std::size_t>(space.layout->local_size()));
   const auto subs = sub_cells(space.shape(), space.degree);
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const auto nodes = space.nodes(c);
@@ -85,7 +64,7 @@ DisjointSets local_components(const fem::Space& space, std::span<const char> ins
 /// Names of components. Names of the same component are united over all ranks.
 struct SameNames {
   std::vector<double> names;  ///< ascending, each once
-  DisjointSets sets;
+  fem::DisjointSets sets;
 
   std::size_t set_of(double name) {
     return sets.of(static_cast<std::size_t>(std::ranges::lower_bound(names, name) - names.begin()));
@@ -98,7 +77,7 @@ SameNames same_names(std::span<const double> pairs, MPI_Comm comm) {
   std::vector<double> names = all;
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  SameNames same{.names = names, .sets = DisjointSets(names.size())};
+  SameNames same{.names = names, .sets = fem::DisjointSets(names.size())};
   for (std::size_t i = 0; i < all.size(); i += 2) same.sets.unite(same.set_of(all[i]), same.set_of(all[i + 1]));
   return same;
 }
@@ -108,7 +87,7 @@ SameNames same_names(std::span<const double> pairs, MPI_Comm comm) {
 ZoneLabels zone_labels(const fem::Space& space, std::span<const char> inside) {
   const algebra::Layout& layout = *space.layout;
   const auto count = static_cast<std::size_t>(layout.local_size());
-  DisjointSets sets = local_components(space, inside);
+  fem::DisjointSets sets = local_components(space, inside);
   // A component is named after one of its nodes. If a rank has another name for a node than its owner, both names
   // mean one component.
   algebra::Vector owners(space.layout, 1);

@@ -1,0 +1,45 @@
+// Normals of the cells at their nodes, and their means, the directors.
+#pragma once
+#include <plastron/fem/space_mesh.hpp>
+
+#include <vector>
+
+namespace plastron::fem {
+
+/// Unit normals of the cells at the nodes of their lattices, cell by cell.
+struct LatticeNormals {
+  std::vector<std::size_t> first;  ///< of each cell: index of its first node's normal
+  std::vector<Vector3d> normal;
+  std::vector<double> weight;  ///< angle of the cell at a corner [rad]; 1 at other nodes
+
+  const Vector3d& at(std::size_t cell, int place) const { return normal[first[cell] + place]; }
+};
+/// Throws DomainError for a cell that is degenerate at a node.
+LatticeNormals lattice_normals(const SpaceMesh& mesh);
+
+/// The angle between two vectors [rad].
+double angle_between(const Vector3d& a, const Vector3d& b);
+
+/// A copy of a node for one fan.
+struct DirectorNode {
+  std::int32_t node;
+  Vector3d director;  ///< unit vector
+};
+
+struct DirectorAngle {
+  double angle = 0;  ///< between a director and the normal of a cell there [rad]
+  std::size_t cell = 0;
+  Vector3d where = Vector3d::Zero();
+};
+
+/// Computes the directors of the copies, which are in ascending order of their nodes: the weighted mean of the normals
+/// of the fan's cells, or the normal that the file gives for the node, in the direction of the mean. At nodes with
+/// several fans the file's normal counts only for those whose mean is within 60 degrees of it. `cell_director_nodes`
+/// are the copies of each cell on its lattice. Returns the largest angle between a director and the normal of a cell.
+/// Throws DomainError if it exceeds 80 degrees, and if a normal of the file is more than 60 degrees off all fans of its
+/// node.
+DirectorAngle set_directors(const SpaceMesh& mesh, const LatticeNormals& normals,
+                            const std::vector<std::vector<std::int32_t>>& cell_director_nodes,
+                            std::vector<DirectorNode>& director_nodes);
+
+}  // namespace plastron::fem

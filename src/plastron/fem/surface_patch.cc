@@ -1,0 +1,98 @@
+#include <plastron/fem/basis.hpp>
+#include <plastron/fem/surface_patch.hpp>
+
+namespace plastron::fem {
+
+namespace {
+
+/// Points and weights that are exact for phi . (a_1 x a_2): degree 3 order - 1 in each coordinate of a quadrilateral,
+/// 3 order - 2 in a triangle.
+struct CellRule {
+  std::vector<Vector2d> xi;
+  std::vector<double> weights;
+};
+
+CellRule cell_rule(Shape shape, int order) {
+  if (shape == Shape::triangle) {
+    TriangleRule rule = triangle_rule(3 * order - 2);
+    return {std::move(rule.points), std::move(rule.weights)};
+  }
+  const Rule line = gauss((3 * order + 1) / 2);
+  CellRule rule;
+  for (std::size_t j = 0; j < line.points.size(); ++j)
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      rule.xi.emplace_back(line.points[i], line.points[j]);
+      rule.weights.push_back(line.weights[i] * line.weights[j]);
+    }
+  return rule;
+}
+
+std::vector<double> equidistant(int intervals) {
+  std::vector<double> points;
+  for (int i = 0; i <= intervals; ++i) points.push_back(static_cast<double>(i) / intervals);
+  return points;
+}
+
+}  // namespace
+
+PatchTable patch_table(Shape shape, int order, const std::vector<Vector2d>& xi) {
+  const auto rows = static_cast<Eigen::Index>(xi.size());
+  const auto columns = static_cast<Eigen::Index>(nodes_per_cell(shape, order));
+  PatchTable table{.xi = xi, .value = {}, .d1 = {}, .d2 = {}};
+  for (Eigen::MatrixXd* m : {&table.value, &table.d1, &table.d2}) m->resize(rows, columns);
+  const std::vector<double> nodes = equidistant(order);
+  for (Eigen::Index p = 0; p < rows; ++p) {
+    if (shape == Shape::triangle) {
+      const TriangleValues v = triangle_lagrange(order, xi[p]);
+      table.value.row(p) = v.value;
+      table.d1.row(p) = v.d[0];
+      table.d2.row(p) = v.d[1];
+      continue;
+    }
+    const LagrangeValues s = lagrange(nodes, xi[p][0]), t = lagrange(nodes, xi[p][1]);
+    for (Eigen::Index n = 0; n < columns; ++n) {
+      const Eigen::Index i = n % (order + 1), j = n / (order + 1);
+      table.value(p, n) = s.value[i] * t.value[j];
+      table.d1(p, n) = s.d[i] * t.value[j];
+      table.d2(p, n) = s.value[i] * t.d[j];
+    }
+  }
+  return table;
+}
+
+PatchPoints patch_points(const PatchTable& table, const SpaceMesh& mesh, const SurfaceCell& cell) {
+  const Vector3d origin = mesh.nodes[cell.nodes.front()];  // keeps the digits of small cells far from (0, 0, 0)
+  Eigen::MatrixX3d x(static_cast<Eigen::Index>(cell.nodes.size()), 3);
+  for (Eigen::Index n = 0; n < x.rows(); ++n) x.row(n) = mesh.nodes[cell.nodes[n]] - origin;
+  PatchPoints points{table.value.lazyProduct(x), table.d1.lazyProduct(x), table.d2.lazyProduct(x)};
+  points.phi.rowwise() += origin.transpose();
+  return points;
+}
+
+double degenerate_normal(const PatchPoints& points) {
+  constexpr double negligible = 1e-9;
+  return negligible * points.a1.rowwise().norm().maxCoeff() * points.a2.rowwise().norm().maxCoeff();
+}
+
+std::vector<PatchIntegrals> patch_integrals(const SpaceMesh& mesh, const Vector3d& origin) {
+  PatchTables tables(mesh.shape, [&](int order) { return cell_rule(mesh.shape, order).xi; });
+  std::map<int, std::vector<double>> weights;
+  std::vector<PatchIntegrals> integrals;
+  for (const SurfaceCell& cell : mesh.cells) {
+    auto& weight = weights[cell.order];
+    if (weight.empty()) weight = cell_rule(mesh.shape, cell.order).weights;
+    const PatchPoints points = patch_points(tables(cell.order), mesh, cell);
+    PatchIntegrals sum;
+    for (std::size_t p = 0; p < weight.size(); ++p) {
+      const auto row = static_cast<Eigen::Index>(p);
+      const Vector3d normal = points.normal(row);
+      sum.area += weight[p] * normal.norm();
+      sum.area_vector += weight[p] * normal;
+      sum.volume += weight[p] * (Vector3d(points.phi.row(row)) - origin).dot(normal) / 3;
+    }
+    integrals.push_back(sum);
+  }
+  return integrals;
+}
+
+}  // namespace plastron::fem
