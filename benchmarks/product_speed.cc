@@ -4,6 +4,7 @@
 #include <plastron/algebra/session.hpp>
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
+#include <plastron/fem/surface_patches.hpp>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -37,14 +38,39 @@ double seconds(const std::function<void()>& call) {
   return best;
 }
 
+geometry::Chart chart() { return {{"x", "y", "x*x - 0.3*x*y"}, {}}; }
+
+/// The same surface as a mesh in space with cells of order 2.
+fem::CoarseMesh in_space(fem::CoarseMesh mesh) {
+  auto patches = std::make_shared<fem::SurfacePatches>();
+  const geometry::Chart phi = chart();
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    fem::SurfacePatches::Patch patch{.order = 2};
+    for (const Eigen::Vector2d& xi : fem::lattice(fem::Shape::quadrilateral, 2)) {
+      const Eigen::Vector2d x = mesh.cells[c].map(xi).value;
+      const geometry::SurfaceJet jet = phi(x[0], x[1]);
+      patch.nodes.push_back(static_cast<std::int32_t>(patches->positions.size()));
+      patches->positions.push_back(jet.value);
+      patches->directors.push_back(geometry::unit_normal(jet));
+    }
+    patches->patches.push_back(std::move(patch));
+    mesh.cells[c].patch = static_cast<int>(c);
+    mesh.cells[c].map = {fem::LagrangeMap{1, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}}};
+  }
+  mesh.patches = std::move(patches);
+  return mesh;
+}
+
 /// A square of about so many unknowns, five a node.
-std::shared_ptr<const fem::Space> mesh_of(int degree, double unknowns) {
+std::shared_ptr<const fem::Space> mesh_of(int degree, double unknowns, bool is_in_space) {
   const double cells = std::sqrt(unknowns / 5) / degree;
   int coarse = std::max(1, static_cast<int>(std::lround(cells))), refinements = 0;
   for (; coarse > 16; ++refinements) coarse = (coarse + 1) / 2;
   fem::Rectangle square;
   square.cells = {coarse, coarse};
-  fem::MeshSequence meshes(fem::coarse_mesh(square, fem::Shape::quadrilateral), degree, MPI_COMM_WORLD);
+  fem::CoarseMesh mesh = fem::coarse_mesh(square, fem::Shape::quadrilateral);
+  if (is_in_space) mesh = in_space(std::move(mesh));
+  fem::MeshSequence meshes(std::move(mesh), degree, MPI_COMM_WORLD);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   return meshes.space();
 }
@@ -58,7 +84,7 @@ void apply_cell_by_cell(const assembly::ShellOperator& shell, const algebra::Vec
 /// Bytes that a product reads and writes.
 double bytes_of(const assembly::PackedCells& packed, std::size_t values) {
   const double of_geometry =
-      8.0 * (packed.points_per_cell * assembly::PackedCells::point_size +
+      8.0 * (packed.points_per_cell * packed.point_size() +
              static_cast<double>(packed.sampling_points()) * assembly::PackedCells::sampling_size +
              assembly::PackedCells::material_size);
   return static_cast<double>(packed.cells) * (of_geometry + 4 * packed.nodes_per_cell) +
@@ -71,16 +97,17 @@ double copy_seconds(double bytes) {
   return seconds([&] { std::memcpy(to.data(), from.data(), size); });
 }
 
-void report(int degree, bool tying, double wanted) {
-  const auto space = mesh_of(degree, wanted);
-  const auto surface = std::make_shared<const fem::Surface>(
-      space->coarse, std::map<std::string, geometry::Chart>{{"", geometry::Chart({"x", "y", "x*x - 0.3*x*y"}, {})}});
+void report(int degree, bool tying, double wanted, bool is_in_space) {
+  const auto space = mesh_of(degree, wanted, is_in_space);
+  std::map<std::string, geometry::Chart> charts;
+  if (!is_in_space) charts.emplace("", chart());
+  const auto surface = std::make_shared<const fem::Surface>(space->coarse, charts);
   const assembly::CrossSections sections{
       .common = {.thickness = geometry::Expression(0.01), .material = shell::Material::from_young_poisson(1, 0.3, 1)}};
   algebra::Vector y(space->layout, 6), f = y;
   for (std::size_t i = 0; i < y.local().size(); ++i) y.local()[i] = std::sin(static_cast<double>(i));
   const double unknowns = 5.0 * static_cast<double>(space->layout->owned);
-  fmt::print("{:>6} {:>6} {:>9.0f}", degree, tying, unknowns);
+  fmt::print("{:>7} {:>6} {:>6} {:>9.0f}", is_in_space ? "mesh" : "chart", degree, tying, unknowns);
   double bytes = 0, plain = 0;
   for (const assembly::PackKernels* kernels : assembly::pack_kernels()) {
     const assembly::ShellOperator shell(space, surface, sections, tying, false, *kernels);
@@ -103,10 +130,11 @@ int main(int argc, char** argv) {
   std::vector<double> sizes;
   for (int i = 1; i < argc; ++i) sizes.push_back(std::atof(argv[i]));
   if (sizes.empty()) sizes = {25000, 100000, 400000};
-  fmt::print("million unknowns a second\n{:>6} {:>6} {:>9}", "degree", "tied", "unknowns");
+  fmt::print("million unknowns a second\n{:>7} {:>6} {:>6} {:>9}", "surface", "degree", "tied", "unknowns");
   for (const auto* kernels : plastron::assembly::pack_kernels()) fmt::print(" {:>8}", kernels->name);
   fmt::print(" {:>8} {:>8} {:>8}\n", "by cells", "copying", "B/unkn");
   for (const double size : sizes)
     for (const bool tying : {true, false})
-      for (int degree = 2; degree <= 8; ++degree) plastron::benchmarks::report(degree, tying, size);
+      for (int degree = 2; degree <= 8; ++degree)
+        for (const bool is_in_space : {false, true}) plastron::benchmarks::report(degree, tying, size, is_in_space);
 }

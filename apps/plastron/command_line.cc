@@ -169,6 +169,18 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command) {
   return app;
 }
 
+CLI::App* add_parts(CLI::App& program, PartsOptions& options) {
+  CLI::App* parts = program.add_subcommand(
+      "parts", "List the regions, curves and folds of a mesh in space, and what is doubtful in it");
+  parts->add_option("MESH", options.file, "Mesh in space (.msh, .inp)")->required();
+  parts->add_option("--scale", options.scale, "Factor of its lengths: 1e-3 for millimetres")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  parts->add_option("--smooth", options.smooth, "Largest angle of smooth edges in degrees")
+      ->check(CLI::Range(0.0, 170.0));
+  return parts;
+}
+
 QuestionCommands add_question_commands(CLI::App& program, Questions& questions) {
   CLI::App* explain = program.add_subcommand(
       "explain", "Explain a key of the case file, a field, a number, a status or a limit of the program");
@@ -210,11 +222,13 @@ CommandLine::CommandLine() {
   describe_program(program);
   commands = add_common_commands(program, options);
   study = add_study(program, study_options);
+  parts = add_parts(program, parts_options);
   asked = add_question_commands(program, questions);
 }
 
 void log_start(const CommandLine& line) {
   const auto chosen = line.program.get_subcommands();
+  if (line.parts->parsed()) return;
   const bool is_study = line.study->parsed(), is_verify = line.commands.verify->parsed();
   if (!(is_study ? line.study_options.json_log : line.options.json_log)) return;
   log_events();

@@ -61,6 +61,13 @@ struct Questions {
   std::filesystem::path results{};     ///< plot: the directory that run wrote to
 };
 
+/// Options of parts.
+struct PartsOptions {
+  std::string file{};  ///< a mesh in space
+  double scale = 1;    ///< factor of its lengths
+  double smooth = 0;   ///< largest angle of smooth edges [degrees]; 0: the default of its order
+};
+
 /// The commands run, check, compare and verify, which share one Options.
 struct CommonCommands {
   CLI::App *run, *check, *compare, *verify;
@@ -80,9 +87,10 @@ struct CommandLine {
   CLI::App program{};
   Options options{};
   StudyCommand study_options{};
+  PartsOptions parts_options{};
   Questions questions{};
   CommonCommands commands{};
-  CLI::App* study = nullptr;
+  CLI::App *study = nullptr, *parts = nullptr;
   QuestionCommands asked{};
 };
 
@@ -97,6 +105,7 @@ ExitCode answer(const CLI::App& program, const CLI::ParseError& reply);
 ExitCode run(const Options& options);
 ExitCode study_case(const StudyCommand& command);
 ExitCode verify(const Options& options);
+ExitCode parts(const PartsOptions& options);
 ExitCode check(const Options& options);
 
 /// Runs the command of the line; each program has its own version.

@@ -30,6 +30,10 @@ config::Case read_together(const std::function<config::Case()>& read) {
   });
   set_unit_names(c.problem.output.units);
   c.problem.domain = fem::with_shared_mesh(std::move(c.problem.domain), c.problem.discretisation.cells, MPI_COMM_WORLD);
+  try {
+    problem::locate_points(c.problem);
+  } catch (const fem::DomainError&) {  // the examination and the solution report what is wrong with the mesh
+  }
   return c;
 }
 

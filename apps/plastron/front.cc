@@ -108,7 +108,7 @@ int front(int argc, char** argv) {
     line.program.parse(argc, argv);
     if (const auto answered = answer_question(line)) return *answered;
     log_start(line);
-    if (!line.commands.verify->parsed()) {  // verify has no case file, but results
+    if (!line.commands.verify->parsed() && !line.parts->parsed()) {  // they have no case file
       const bool is_study = line.study->parsed();
       [[maybe_unused]] const config::Case read =
           config::read_case(is_study ? line.study_options.case_file : line.options.case_file,

@@ -4,6 +4,7 @@
 #include "terminal.hpp"
 
 #include <plastron/computation/warnings.hpp>
+#include <plastron/fem/space_mesh.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/problem/goal_names.hpp>
@@ -239,6 +240,12 @@ void print_linearity(const computation::Result& result) {
     print("                  membrane forces are {:.2g} times the buckling load\n", *buckling);
 }
 
+/// The parameters of a point; on a mesh in space its position.
+std::string place_text(const solution::Summary& s, const Eigen::Vector2d& at, const Eigen::Vector3d& position) {
+  return s.is_in_space ? fmt::format("({:.4g})", fmt::join(position, ", "))
+                       : fmt::format("({:g})", fmt::join(at, ", "));
+}
+
 }  // namespace
 
 void print_summary(const computation::Result& result) {
@@ -263,10 +270,10 @@ void print_summary(const computation::Result& result) {
   for (const auto& r : s.support_reactions) largest = std::max(largest, r.reaction.force.norm());
   for (const auto& corner : s.corner_reactions)
     if (corner.reaction.force.norm() > 1e-6 * largest)  // smaller forces are rounding errors
-      print("  at {:<12} {} N, corner of {}\n", fmt::format("({:g}, {:g})", corner.at[0], corner.at[1]),
+      print("  at {:<12} {} N, corner of {}\n", place_text(s, corner.at, corner.position),
             vector_text(corner.reaction.force), fmt::format("{}", fmt::join(corner.boundaries, ", ")));
   for (const auto& p : s.point_reactions)
-    print("  at {:<12} {} N\n", fmt::format("({:g}, {:g})", p.at[0], p.at[1]), vector_text(p.force));
+    print("  at {:<12} {} N\n", place_text(s, p.at, p.position), vector_text(p.force));
   for (const auto& b : s.body_reactions) {
     print("{:<17} displacement {} m, rotation {} rad\n", b.name, vector_text(b.displacement), vector_text(b.rotation));
     if (b.reaction.force.norm() + b.moment_at_reference.norm() > 0)

@@ -118,6 +118,7 @@ ExitCode run(const Options& options) {
 }
 
 ExitCode carry_out(const CommandLine& line) {
+  if (line.parts->parsed()) return parts(line.parts_options);
   if (line.commands.verify->parsed()) return verify(line.options);
   return line.commands.run->parsed() ? run(line.options) : check(line.options);
 }

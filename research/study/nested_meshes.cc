@@ -149,9 +149,9 @@ class Evaluator {
  private:
   CellStrain strains(std::size_t c, const Part& part) {
     const PartTables& tables = tables_of(part);
-    std::vector<geometry::SurfaceJet> jets(tables.basis.xi.size());
-    shell_.surface().jets(shell_.space().cells[c], tables.basis.xi, jets);
-    CellStrain result = shell_.strains_at(c, shell_.gather(c, y_), tables.basis, tables.tied, jets);
+    std::vector<geometry::Frame> frames(tables.basis.xi.size());
+    shell_.surface().frames(shell_.space().cells[c], tables.basis.xi, frames);
+    CellStrain result = shell_.strains_at(c, shell_.gather(c, y_), tables.basis, tables.tied, frames);
     result.leftCols<6>() *= part.size * part.size;  // gamma_ab, chi_ab: two covariant indices
     result.rightCols<2>() *= part.size;             // delta_a: one
     return result;

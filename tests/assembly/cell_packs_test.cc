@@ -185,11 +185,11 @@ TEST(CellPacks, WhatIsStoredGivesTheFrameOfTheSurface) {
   for (const PackKernels* kernels : pack_kernels()) {
     const ShellOperator shell = shell_on(m, true, *kernels);
     const auto& xi = shell.tables().quadrature.xi;
-    std::vector<geometry::SurfaceJet> jets(xi.size());
+    std::vector<geometry::Frame> frames(xi.size());
     for (std::size_t c = 0; c < m.space->owned_cells; ++c) {
-      m.surface->jets(m.space->cells[c], xi, jets);
+      m.surface->frames(m.space->cells[c], xi, frames);
       for (std::size_t q = 0; q < xi.size(); ++q) {
-        const geometry::Frame stored = shell.point(c, static_cast<int>(q)).frame, direct = geometry::frame_at(jets[q]);
+        const geometry::Frame stored = shell.point(c, static_cast<int>(q)).frame, &direct = frames[q];
         EXPECT_LT((stored.metric_con - direct.metric_con).norm(), 1e-14 * direct.metric_con.norm());
         EXPECT_LT((stored.b_cov - direct.b_cov).norm(), 1e-14);
         for (int a = 0; a < 2; ++a) EXPECT_LT((stored.da3[a] - direct.da3[a]).norm(), 1e-14);

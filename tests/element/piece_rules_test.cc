@@ -23,19 +23,17 @@ namespace {
 using fem::Shape;
 
 /// The parameters are the reference coordinates.
-void unchanged(std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) {
-  for (std::size_t i = 0; i < xi.size(); ++i) {
-    x[i] = xi[i][0];
-    y[i] = xi[i][1];
-  }
+std::vector<geometry::Place> unchanged(std::span<const Vector2d> xi) {
+  std::vector<geometry::Place> places;
+  for (const Vector2d& at : xi) places.push_back({.x = at[0], .y = at[1]});
+  return places;
 }
 
 /// The integral of an expression of x = xi_1, y = xi_2 with a rule.
 double integral(const PieceRule& rule, const std::string& text) {
   const geometry::Expression f(text, {});
-  std::vector<double> x(rule.xi.size()), y(x.size()), value(x.size());
-  unchanged(rule.xi, x, y);
-  f.evaluate(x, y, value);
+  std::vector<double> value(rule.xi.size());
+  f.evaluate(unchanged(rule.xi), value);
   return std::inner_product(value.begin(), value.end(), rule.weights.begin(), 0.0);
 }
 
@@ -94,11 +92,10 @@ TEST(PieceRules, FollowSeveralFunctionsTogether) {
 
 // x = 2 xi_1 + xi_1 xi_2, so that the border x = 1 is curved in the cell: xi_1 = 1 / (2 + xi_2).
 TEST(PieceRules, FollowBordersInACurvedCell) {
-  const Positions curved = [](std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) {
-    for (std::size_t i = 0; i < xi.size(); ++i) {
-      x[i] = xi[i][0] * (2 + xi[i][1]);
-      y[i] = xi[i][1];
-    }
+  const Places curved = [](std::span<const Vector2d> xi) {
+    std::vector<geometry::Place> places;
+    for (const Vector2d& at : xi) places.push_back({.x = at[0] * (2 + at[1]), .y = at[1]});
+    return places;
   };
   const geometry::Pieces pieces(geometry::Expression("x < 1", {}));
   const auto rule = rule_between_borders({&pieces}, Shape::quadrilateral, 4, curved);

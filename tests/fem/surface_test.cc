@@ -30,19 +30,20 @@ std::vector<Cell> some_cells(const CoarseMesh& mesh) {
 
 const std::vector<Vector2d> xi{{0.2, 0.3}, {0.5, 0.5}, {0.9, 0.7}};
 
-TEST(Surface, has_jets_in_the_cells_own_coordinates) {
+TEST(Surface, HasFramesInTheCellsOwnCoordinates) {
   const auto mesh = shared(Disk{.radius = 0.5});
   const Surface surface(mesh, {{"", geometry::surfaces().back().chart}});
   for (const Cell& cell : some_cells(*mesh)) {
-    std::vector<geometry::SurfaceJet> jets(xi.size()), one(1);
-    surface.jets(cell, xi, jets);
+    std::vector<geometry::Frame> frames(xi.size());
+    surface.frames(cell, xi, frames);
     for (std::size_t p = 0; p < xi.size(); ++p) {
-      const auto value = [&](double s, double t) -> geometry::Vector3d {
-        const Vector2d at(s, t);
-        surface.jets(cell, {&at, 1}, one);
-        return one[0].value;
-      };
-      EXPECT_LT(geometry::distance(jets[p], geometry::jet_by_differences<geometry::Vector3d>(value, xi[p])), 1e-8);
+      const auto value = [&](double s, double t) -> geometry::Vector3d { return surface.frame(cell, {s, t}).phi; };
+      const geometry::Frame other = geometry::frame_at(geometry::jet_by_differences<geometry::Vector3d>(value, xi[p]));
+      EXPECT_LT((frames[p].phi - other.phi).norm(), 1e-8);
+      for (std::size_t a = 0; a < 2; ++a) {
+        EXPECT_LT((frames[p].a_cov[a] - other.a_cov[a]).norm(), 1e-8);
+        EXPECT_LT((frames[p].da3[a] - other.da3[a]).norm(), 1e-7);
+      }
     }
   }
 }
@@ -64,9 +65,9 @@ TEST(Surface, uses_the_chart_of_each_region) {
   const auto mesh = shared(Rectangle{.to = {2, 1}, .cells = {2, 1}, .breaks = {1}, .regions = {"low", "high"}});
   const Surface surface(mesh, {{"low", Chart({"x", "y", "0"}, {})}, {"high", Chart({"x", "y", "1"}, {})}});
   for (const Cell& cell : some_cells(*mesh)) {
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    surface.jets(cell, xi, jets);
-    for (const auto& jet : jets) EXPECT_EQ(jet.value[2], jet.value[0] < 1 ? 0 : 1);
+    std::vector<geometry::Frame> frames(xi.size());
+    surface.frames(cell, xi, frames);
+    for (const auto& frame : frames) EXPECT_EQ(frame.phi[2], frame.phi[0] < 1 ? 0 : 1);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/geometry/expression.hpp>
+#include <plastron/geometry/pieces.hpp>
 #include <plastron/geometry/quotation.hpp>
 
 #include <cmath>
@@ -31,9 +32,9 @@ TEST(Expression, can_be_scaled_once_and_again) {
   EXPECT_DOUBLE_EQ(sixfold(2, 3), 42);
   EXPECT_DOUBLE_EQ(constant(2, 3), 2);
   EXPECT_TRUE(constant.is_constant());
-  const std::vector<double> x{2, 0}, y{3, 1};
+  const std::vector<Place> places{{2, 3}, {0, 1}};
   std::vector<double> values(2);
-  sixfold.evaluate(x, y, values);
+  sixfold.evaluate(places, values);
   EXPECT_DOUBLE_EQ(values[0], 42);
   EXPECT_DOUBLE_EQ(values[1], 6);
 }
@@ -81,15 +82,26 @@ TEST(Expression, has_the_value_of_the_formula) {
   }
 }
 
+TEST(Expression, KnowsThePlaceInSpace) {
+  const Expression depth("9.81*(h - Z)", {{"h", 2}}), both("x + Y", {}), plane("x*y", {});
+  EXPECT_DOUBLE_EQ(depth({.Z = 0.5}), 9.81 * 1.5);
+  EXPECT_DOUBLE_EQ(both({.x = 1, .Y = 2}), 3);
+  EXPECT_TRUE(depth.uses_space() && !depth.uses_parameters());
+  EXPECT_TRUE(both.uses_space() && both.uses_parameters());
+  EXPECT_TRUE(!plane.uses_space() && plane.uses_parameters());
+  EXPECT_TRUE(Pieces(Expression("Z < 1", {})).is_one_over({.Z = {0, 0.5}}));
+  EXPECT_FALSE(Pieces(Expression("Z < 1", {})).is_one_over({.Z = {0, 1.5}}));
+}
+
 TEST(Expression, means_the_natural_logarithm_by_log) { EXPECT_DOUBLE_EQ(evaluate_constant("log(exp(2))", {}), 2); }
 
 TEST(Expression, evaluates_many_points_like_single_ones) {
   const Expression e("x^3 - sin(y)", {});
-  const std::vector<double> x{0, 0.5, -1}, y{1, 2, 3};
+  const std::vector<Place> places{{0, 1}, {0.5, 2}, {-1, 3}};
   std::vector<double> values(3);
-  e.evaluate(x, y, values);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(values[i], e(x[i], y[i]));
-  Expression(7).evaluate(x, y, values);
+  e.evaluate(places, values);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(values[i], e(places[i].x, places[i].y));
+  Expression(7).evaluate(places, values);
   EXPECT_THAT(values, testing::Each(7));
 }
 

@@ -30,7 +30,7 @@ PlaneJet parameters_at(const Vector2d& xi) {
 MovingBasis basis_at(const Vector2d& xi) {
   const PlaneJet f = parameters_at(xi);
   const SurfaceJet phi = jet_at(f.value[0], f.value[1]);
-  return moving_basis(phi, compose(phi, f));
+  return moving_basis(phi, compose(phi, f).d);
 }
 
 TEST(MovingBasis, IsDualToTheCovariantBasisOfTheChart) {

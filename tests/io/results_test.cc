@@ -71,7 +71,8 @@ TEST(Results, have_every_key_that_the_documentation_promises) {
                           "corner_supports", "singular_places", "units",
                           "estimates",       "layers"})
     EXPECT_TRUE(json.contains(key)) << key;
-  EXPECT_EQ(json["point_supports"], Json::parse(R"([{"at": [0.25, 1.0], "force": [1e-9, 0.0, -2.0]}])"));
+  EXPECT_EQ(json["point_supports"],
+            Json::parse(R"([{"at": [0.25, 1.0], "position": [0.0, 0.0, 0.0], "force": [1e-9, 0.0, -2.0]}])"));
   EXPECT_EQ(json["rigid_bodies"][0]["rotation"], Json::parse("[0.0, 0.5, 0.0]"));
   EXPECT_EQ(json["rigid_bodies"][0]["reaction"]["force"], Json::parse("[0.0, 0.0, 3.0]"));
   for (const char* key : {"area", "nodes", "min_gap", "max_penetration_between_nodes", "max_pressure"})

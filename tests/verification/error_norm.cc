@@ -2,6 +2,7 @@
 
 #include <plastron/fem/basis.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -59,15 +60,15 @@ double energy_error(const computation::Solution& solution, const Manufactured& e
   const auto basis = element::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
   const auto tied = element::tied_interpolation(shell.tables(), fine.xi);
   Squares sum;
-  std::vector<geometry::SurfaceJet> jets(fine.xi.size());
-  std::vector<double> x(jets.size()), y(jets.size());
+  std::vector<geometry::Frame> frames(fine.xi.size());
+  std::vector<double> x(frames.size()), y(frames.size());
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const fem::Cell& cell = shell.space().cells[c];
-    shell.surface().jets(cell, fine.xi, jets);
+    shell.surface().frames(cell, fine.xi, frames);
     shell.surface().positions(cell, fine.xi, x, y);
-    const CellStrain computed = shell.strains_at(c, shell.gather(c, solution.nodal.y), basis, tied, jets);
-    for (std::size_t q = 0; q < jets.size(); ++q) {
-      const geometry::Frame frame = geometry::frame_at(jets[q]);
+    const CellStrain computed = shell.strains_at(c, shell.gather(c, solution.nodal.y), basis, tied, frames);
+    for (std::size_t q = 0; q < frames.size(); ++q) {
+      const geometry::Frame& frame = frames[q];
       const auto& section = shell.section(c);
       const auto stiffness = shell::section_at(section.material, frame, section.thickness(x[q], y[q]));
       const auto row = computed.row(static_cast<Eigen::Index>(q));
@@ -108,6 +109,14 @@ std::vector<double> rates(const std::vector<double>& errors) {
   std::vector<double> all;
   for (std::size_t i = 1; i < errors.size(); ++i) all.push_back(std::log2(errors[i - 1] / errors[i]));
   return all;
+}
+
+bool is_solved_at_nodes(const computation::Result& result) {
+  if (result.status == contact::Status::solved) return true;
+  return result.status == contact::Status::inaccurate &&
+         std::ranges::all_of(result.limits, [](const certificate::CertificateLimit& limit) {
+           return limit.holds() || limit.row == "min_gap_between";
+         });
 }
 
 }  // namespace plastron::verification

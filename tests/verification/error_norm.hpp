@@ -19,4 +19,8 @@ double l2_error(const computation::Solution& solution, const Manufactured& exact
 /// log2 of the ratios of successive errors.
 std::vector<double> rates(const std::vector<double>& errors);
 
+/// Returns whether the discrete problem is solved. On coarse given meshes an obstacle may still pass too deep between
+/// nodes, which the program reports as `inaccurate`.
+bool is_solved_at_nodes(const computation::Result& result);
+
 }  // namespace plastron::verification

@@ -29,7 +29,7 @@ Errors errors(const Manufactured& exact, int degree, bool tying, int first, int 
     problem.discretisation.cells = cells;
     problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
     const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
-    EXPECT_EQ(result.status, contact::Status::solved);
+    EXPECT_TRUE(is_solved_at_nodes(result)) << result.missed_limits;
     e.energy.push_back(energy_error(*result.solution, exact));
     e.l2.push_back(l2_error(*result.solution, exact));
   }

@@ -33,12 +33,12 @@ std::vector<Place> places_of(const MeshedSurface& mesh) {
   const fem::Space& space = *mesh.space;
   const auto xi = element::element_tables(space.shape(), space.degree, false).nodes;
   std::vector<Place> places(static_cast<std::size_t>(space.layout->local_size()));
-  std::vector<geometry::SurfaceJet> jets(xi.size());
+  std::vector<geometry::Frame> frames(xi.size());
   for (std::size_t c = 0; c < space.cells.size(); ++c) {
-    mesh.surface->jets(space.cells[c], xi, jets, false);
+    mesh.surface->frames(space.cells[c], xi, frames, false);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       Place& place = places[static_cast<std::size_t>(space.nodes(c)[i])];
-      for (int k = 0; k < 3; ++k) place[static_cast<std::size_t>(k)] = std::llround(1e7 * jets[i].value[k]);
+      for (int k = 0; k < 3; ++k) place[static_cast<std::size_t>(k)] = std::llround(1e7 * frames[i].phi[k]);
     }
   }
   return places;

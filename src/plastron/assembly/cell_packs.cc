@@ -5,7 +5,6 @@
 
 namespace plastron::assembly {
 
-using geometry::SurfaceJet;
 using geometry::Vector3d;
 
 CellPacks::Table::Table(const Eigen::MatrixXd& table)
@@ -24,6 +23,7 @@ CellPacks::CellPacks(const fem::Space& space, const fem::Surface& surface, const
       kind_(tables.shape == fem::Shape::triangle ? PackedCells::Kind::plain
             : tables.tying                       ? PackedCells::Kind::tied
                                                  : PackedCells::Kind::square),
+      has_directors_(surface.has_directors()),
       xi_(tables.quadrature.xi),
       weights_(tables.weights) {
   set_tables(tables);
@@ -31,7 +31,7 @@ CellPacks::CellPacks(const fem::Space& space, const fem::Surface& surface, const
   for (const auto& xi : sampling_xi_) sampling_points += xi.size();
   const std::size_t packs = (space.owned_cells + lanes() - 1) / lanes();
   const auto lines = [&](std::size_t quantities) { return (packs * quantities * lanes() + 7) / 8; };
-  points_.resize(lines(xi_.size() * PackedCells::point_size));
+  points_.resize(lines(xi_.size() * point_size()));
   samplings_.resize(lines(sampling_points * PackedCells::sampling_size));
   materials_.resize(lines(PackedCells::material_size));
   if (sections.most_layers() > 0) sections_.resize(lines(xi_.size() * PackedCells::section_size));
@@ -88,22 +88,27 @@ void CellPacks::set_tables(const element::ElementTables& tables) {
 
 void CellPacks::set_points(const fem::Surface& surface, const CrossSection& section, const fem::Cell& cell,
                            std::size_t to) {
-  std::vector<SurfaceJet> jets(xi_.size());
-  std::vector<double> x(xi_.size()), y(xi_.size()), e(xi_.size());
-  surface.jets(cell, xi_, jets);
-  surface.positions(cell, xi_, x, y);
-  section.thickness.evaluate(x, y, e);
+  std::vector<geometry::Frame> frames(xi_.size());
+  std::vector<double> e(xi_.size());
+  surface.frames(cell, xi_, frames);
+  surface.evaluate(section.thickness, cell, xi_, e);
   for (std::size_t q = 0; q < xi_.size(); ++q) {
-    const Vector3d a3 = geometry::unit_normal(jets[q]);
-    double* out = data(points_) + place(to, xi_.size(), q, PackedCells::point_size);
+    double* out = data(points_) + place(to, xi_.size(), q, point_size());
     const auto put = [&](double quantity) {
       *out = quantity;
       out += lanes();
     };
-    for (const Vector3d& a : jets[q].d)
-      for (const double component : a) put(component);
-    for (const std::size_t k : {0, 2, 1}) put(jets[q].dd[k].dot(a3));
+    const auto put_vector = [&](const Vector3d& v) {
+      for (const double component : v) put(component);
+    };
+    for (const Vector3d& a : frames[q].a_cov) put_vector(a);
     put(e[q]);
+    if (has_directors_) {
+      put_vector(frames[q].a3);
+      for (const Vector3d& d : frames[q].da3) put_vector(d);
+      continue;
+    }
+    for (const auto& [a, b] : {std::pair(0, 0), {1, 1}, {0, 1}}) put(frames[q].b_cov(a, b));
   }
 }
 
@@ -111,19 +116,18 @@ void CellPacks::set_sampling_points(const fem::Surface& surface, const fem::Cell
   std::size_t points = 0, first = 0;
   for (const auto& xi : sampling_xi_) points += xi.size();
   for (std::size_t set = 0; set < sampling_xi_.size(); ++set) {
-    std::vector<SurfaceJet> jets(sampling_xi_[set].size());
-    surface.jets(cell, sampling_xi_[set], jets, false);
-    for (std::size_t t = 0; t < jets.size(); ++t) {
+    std::vector<geometry::Frame> frames(sampling_xi_[set].size());
+    surface.frames(cell, sampling_xi_[set], frames, false);
+    for (std::size_t t = 0; t < frames.size(); ++t) {
       double* out = data(samplings_) + place(to, points, first + t, PackedCells::sampling_size);
-      const Vector3d a3 = geometry::unit_normal(jets[t]);
-      const Vector3d& one = set == 1 ? jets[t].d[1] : jets[t].d[0];
-      const Vector3d& other = set == 2 ? jets[t].d[1] : a3;
+      const Vector3d& one = frames[t].a_cov[set == 1 ? 1 : 0];
+      const Vector3d& other = set == 2 ? frames[t].a_cov[1] : frames[t].a3;
       for (std::size_t k = 0; k < 3; ++k) {
         out[k * lanes()] = one[static_cast<Eigen::Index>(k)];
         out[(3 + k) * lanes()] = other[static_cast<Eigen::Index>(k)];
       }
     }
-    first += jets.size();
+    first += frames.size();
   }
 }
 
@@ -132,10 +136,12 @@ geometry::Frame CellPacks::frame(std::size_t cell, std::size_t q) const {
   const auto vector = [&](std::size_t first) {
     return Vector3d(in[first * lanes()], in[(first + 1) * lanes()], in[(first + 2) * lanes()]);
   };
+  if (has_directors_)
+    return geometry::frame_with_director(Vector3d::Zero(), {vector(0), vector(3)}, vector(7), {vector(10), vector(13)});
   // This jet has the stored curvature. No caller uses the tangential parts of its second derivatives.
-  SurfaceJet jet{.d = {vector(0), vector(3)}};
+  geometry::SurfaceJet jet{.d = {vector(0), vector(3)}};
   const Vector3d a3 = geometry::unit_normal(jet);
-  jet.dd = {in[6 * lanes()] * a3, in[8 * lanes()] * a3, in[7 * lanes()] * a3};
+  jet.dd = {in[7 * lanes()] * a3, in[9 * lanes()] * a3, in[8 * lanes()] * a3};
   return geometry::frame_at(jet);
 }
 
@@ -164,6 +170,7 @@ SamplingPoint CellPacks::sampling_point(std::size_t set, std::size_t cell, std::
 
 PackedCells CellPacks::view(const fem::Space& space) const {
   return {.kind = kind_,
+          .has_directors = has_directors_,
           .cells = space.owned_cells,
           .nodes_per_cell = space.nodes_per_cell(),
           .points_per_cell = static_cast<int>(weights_.size()),

@@ -30,7 +30,7 @@ class CellPacks {
   PackedCells view(const fem::Space& space) const;
 
   geometry::Frame frame(std::size_t cell, std::size_t q) const;
-  double thickness(std::size_t cell, std::size_t q) const { return point(cell, q)[9 * lanes()]; }
+  double thickness(std::size_t cell, std::size_t q) const { return point(cell, q)[6 * lanes()]; }
   /// Returns point t of the tables' sampling `set`. With tied strains, vectors that the strains of this set do not need
   /// are zero.
   SamplingPoint sampling_point(std::size_t set, std::size_t cell, std::size_t t) const;
@@ -48,6 +48,9 @@ class CellPacks {
   };
 
   std::size_t lanes() const { return static_cast<std::size_t>(kernels_->lanes); }
+  std::size_t point_size() const {
+    return static_cast<std::size_t>(PackedCells{.has_directors = has_directors_}.point_size());
+  }
   static double* data(std::vector<Line>& lines) { return lines.empty() ? nullptr : lines.front().values; }
   static const double* data(const std::vector<Line>& lines) { return lines.empty() ? nullptr : lines.front().values; }
   /// Returns the place of a cell's first quantity at `point`, in an array with `quantities` values for each of
@@ -56,7 +59,7 @@ class CellPacks {
     return ((cell / lanes() * points + point) * quantities) * lanes() + cell % lanes();
   }
   const double* point(std::size_t cell, std::size_t q) const {
-    return data(points_) + place(cell, weights_.size(), q, PackedCells::point_size);
+    return data(points_) + place(cell, weights_.size(), q, point_size());
   }
   void set_tables(const element::ElementTables& tables);
   /// Writes the geometry of `cell` to the place of cell number `to`.
@@ -68,6 +71,7 @@ class CellPacks {
 
   const PackKernels* kernels_;
   PackedCells::Kind kind_;
+  bool has_directors_;
   std::vector<std::vector<fem::Vector2d>> sampling_xi_{};  ///< sampling points of tied strains
   std::vector<fem::Vector2d> xi_;
   std::vector<double> weights_;

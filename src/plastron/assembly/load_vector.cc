@@ -18,21 +18,29 @@ namespace plastron::assembly {
 namespace {
 
 /// Adds values of a load (force, couple) at points, one row for each point.
-void add_expression(const VectorExpression& f, std::span<const double> x, std::span<const double> y, int column,
+void add_expression(const VectorExpression& f, std::span<const geometry::Place> places, int column,
                     element::CellField& values) {
-  std::vector<double> component(x.size());
+  std::vector<double> component(places.size());
   for (int k = 0; k < 3; ++k) {
-    f[static_cast<std::size_t>(k)].evaluate(x, y, component);
+    f[static_cast<std::size_t>(k)].evaluate(places, component);
     values.col(column + k) +=
         Eigen::Map<const Eigen::VectorXd>(component.data(), static_cast<Eigen::Index>(component.size()));
   }
 }
 
-void add_function(const VectorFunction& f, std::span<const double> x, std::span<const double> y, int column,
+template <class Load>
+bool uses_space(const Load& load) {
+  const auto any = [](const VectorExpression& f) { return std::ranges::any_of(f, &geometry::Expression::uses_space); };
+  if constexpr (requires { load.pressure; })
+    if (load.pressure.uses_space()) return true;
+  return any(load.force) || any(load.couple);
+}
+
+void add_function(const VectorFunction& f, std::span<const geometry::Place> places, int column,
                   element::CellField& values) {
   if (!f) return;
-  for (std::size_t p = 0; p < x.size(); ++p)
-    values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(x[p], y[p]);
+  for (std::size_t p = 0; p < places.size(); ++p)
+    values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(places[p].x, places[p].y);
 }
 
 /// Pieces of expressions that have several pieces.
@@ -58,6 +66,7 @@ struct RegionLoads {
   const geometry::Expression* thickness = nullptr;
   Vector3d weight = Vector3d::Zero();  ///< rho g [N/m^3], to be multiplied by e
   element::PiecesOfAll functions{};    ///< load functions that have several pieces
+  bool use_space = false;              ///< whether a function uses X, Y or Z
 
   bool is_empty() const { return loads.empty() && weight.isZero(0); }
 };
@@ -119,76 +128,79 @@ class LoadSum {
                        const Vector3d& gravity) const {
     const CrossSection& section = shell_.section(c);
     const std::string& region = region_of(*space_.coarse, space_.cells[c]);
-    RegionLoads loads{.thickness = &section.thickness, .weight = section.density * gravity};
+    RegionLoads loads{.thickness = &section.thickness,
+                      .weight = section.density * gravity,
+                      .use_space = section.thickness.uses_space()};
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (!all[k].acts_in(region)) continue;
       loads.loads.push_back(&all[k]);
       pieces[k].append_to(loads.functions);
+      loads.use_space = loads.use_space || uses_space(all[k]);
     }
     return loads;
   }
 
-  /// Returns loads at points of a cell with normals a_3.
+  /// Returns loads at points of a cell with unit normals of the surface.
   template <class NormalAt>
   element::CellField values(const RegionLoads& loads, std::size_t c, const std::vector<Vector2d>& xi,
-                            const NormalAt& a3) {
-    std::vector<double> x(xi.size()), y(xi.size()), pressure(xi.size());
-    shell_.surface().positions(space_.cells[c], xi, x, y);
+                            const NormalAt& normal) {
+    std::vector<double> pressure(xi.size());
+    const std::vector<geometry::Place> places = shell_.surface().places(space_.cells[c], xi, loads.use_space);
     element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     for (const AreaLoad* load : loads.loads) {
-      add_expression(load->force, x, y, 0, values);
-      add_expression(load->couple, x, y, 3, values);
-      add_function(load->force_function, x, y, 0, values);
-      add_function(load->couple_function, x, y, 3, values);
-      load->pressure.evaluate(x, y, pressure);
-      for (int q = 0; q < values.rows(); ++q) values.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * a3(q);
+      add_expression(load->force, places, 0, values);
+      add_expression(load->couple, places, 3, values);
+      add_function(load->force_function, places, 0, values);
+      add_function(load->couple_function, places, 3, values);
+      load->pressure.evaluate(places, pressure);
+      for (int q = 0; q < values.rows(); ++q)
+        values.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * normal(q);
     }
-    if (!loads.weight.isZero(0)) add_weight(loads, x, y, values);
-    note(values, x, y);
+    if (!loads.weight.isZero(0)) add_weight(loads, places, values);
+    note(values, places);
     return values;
   }
 
   /// Adds the weight rho e g.
-  static void add_weight(const RegionLoads& loads, std::span<const double> x, std::span<const double> y,
+  static void add_weight(const RegionLoads& loads, std::span<const geometry::Place> places,
                          element::CellField& values) {
-    std::vector<double> e(x.size());
-    loads.thickness->evaluate(x, y, e);
+    std::vector<double> e(places.size());
+    loads.thickness->evaluate(places, e);
     for (int q = 0; q < values.rows(); ++q) values.row(q).head<3>() += e[static_cast<std::size_t>(q)] * loads.weight;
   }
 
-  element::Positions positions_in(std::size_t c) const {
-    return [this, c](std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) {
-      shell_.surface().positions(space_.cells[c], xi, x, y);
+  element::Places places_in(std::size_t c, bool in_space) const {
+    return [this, c, in_space](std::span<const Vector2d> xi) {
+      return shell_.surface().places(space_.cells[c], xi, in_space);
     };
   }
 
   element::CellField on_cell(const RegionLoads& loads, std::size_t c) {
-    const element::Positions positions = positions_in(c);
-    if (element::are_one_piece(loads.functions, space_.shape(), positions)) return on_smooth_cell(loads, c);
+    const element::Places places = places_in(c, loads.use_space);
+    if (element::are_one_piece(loads.functions, space_.shape(), places)) return on_smooth_cell(loads, c);
     const element::ElementTables& tables = shell_.tables();
-    auto rule = element::rule_between_borders(loads.functions, space_.shape(), space_.degree, positions);
+    auto rule = element::rule_between_borders(loads.functions, space_.shape(), space_.degree, places);
     if (!rule)
-      rule = element::rule_of_parts(loads.functions, space_.shape(), {tables.quadrature.xi, tables.weights}, positions);
+      rule = element::rule_of_parts(loads.functions, space_.shape(), {tables.quadrature.xi, tables.weights}, places);
     return on_points(loads, c, rule->xi, rule->weights);
   }
 
   element::CellField on_smooth_cell(const RegionLoads& loads, std::size_t c) {
     const element::BasisAt& at = shell_.tables().quadrature;
-    element::CellField v = values(loads, c, at.xi, [&](int q) { return shell_.point(c, q).frame.a3; });
+    element::CellField v =
+        values(loads, c, at.xi, [&](int q) { return geometry::surface_normal(shell_.point(c, q).frame); });
     for (int q = 0; q < v.rows(); ++q) v.row(q) *= shell_.point(c, q).area;
     return shell_.interpolation().forces_of(c, at, v);
   }
 
   element::CellField on_points(const RegionLoads& loads, std::size_t c, const std::vector<Vector2d>& xi,
                                std::span<const double> weights) {
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    shell_.surface().jets(space_.cells[c], xi, jets, false);
-    std::vector<Vector3d> normals;
-    normals.reserve(jets.size());
-    for (const auto& jet : jets) normals.push_back(jet.d[0].cross(jet.d[1]));
-    const auto normal = [&](int q) { return normals[static_cast<std::size_t>(q)]; };
-    element::CellField v = values(loads, c, xi, [&](int q) { return Vector3d(normal(q).normalized()); });
-    for (int q = 0; q < v.rows(); ++q) v.row(q) *= weights[static_cast<std::size_t>(q)] * normal(q).norm();
+    std::vector<geometry::Frame> frames(xi.size());
+    shell_.surface().frames(space_.cells[c], xi, frames, false);
+    element::CellField v =
+        values(loads, c, xi, [&](int q) { return geometry::surface_normal(frames[static_cast<std::size_t>(q)]); });
+    for (int q = 0; q < v.rows(); ++q)
+      v.row(q) *= weights[static_cast<std::size_t>(q)] * frames[static_cast<std::size_t>(q)].sqrt_a;
     return shell_.interpolation().forces_of(c, element::basis_at(space_.shape(), space_.degree, xi), v);
   }
 
@@ -196,7 +208,7 @@ class LoadSum {
                              const element::PiecesOfAll& functions) {
     if (!functions.empty())
       if (const auto rule = element::rule_between_borders(functions, space_.shape(), edge.side, space_.degree,
-                                                          positions_in(edge.cell)))
+                                                          places_in(edge.cell, uses_space(load))))
         return on_side_points(load, edge, rule->xi, rule->weights);
     const auto integral = [&](const element::SidePart& part) { return on_side_part(load, edge, part); };
     constexpr int levels = 20;  // halving a side costs little
@@ -216,24 +228,22 @@ class LoadSum {
 
   element::CellField on_side_points(const EdgeLoad& load, const fem::BoundarySide& edge,
                                     const std::vector<Vector2d>& xi, std::span<const double> weights) {
-    std::vector<double> x(xi.size()), y(xi.size());
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    shell_.surface().positions(space_.cells[edge.cell], xi, x, y);
-    shell_.surface().jets(space_.cells[edge.cell], xi, jets, false);
+    const std::vector<geometry::Place> places = shell_.surface().places(space_.cells[edge.cell], xi, uses_space(load));
+    std::vector<geometry::Frame> frames(xi.size());
+    shell_.surface().frames(space_.cells[edge.cell], xi, frames, false);
     element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
-    add_expression(load.force, x, y, 0, values);
-    add_expression(load.couple, x, y, 3, values);
-    note(values, x, y);
+    add_expression(load.force, places, 0, values);
+    add_expression(load.couple, places, 3, values);
+    note(values, places);
     const Vector2d along = fem::side_tangent(space_.shape(), edge.side);
     for (std::size_t q = 0; q < xi.size(); ++q)
-      values.row(static_cast<Eigen::Index>(q)) *=
-          weights[q] * (along[0] * jets[q].d[0] + along[1] * jets[q].d[1]).norm();
+      values.row(static_cast<Eigen::Index>(q)) *= weights[q] * geometry::along(frames[q], along).norm();
     return shell_.interpolation().forces_of(edge.cell, element::basis_at(space_.shape(), space_.degree, xi), values);
   }
 
-  void note(const element::CellField& values, std::span<const double> x, std::span<const double> y) {
-    for (std::size_t q = 0; q < x.size() && !not_finite_; ++q)
-      if (!values.row(static_cast<Eigen::Index>(q)).allFinite()) not_finite_ = Vector2d(x[q], y[q]);
+  void note(const element::CellField& values, std::span<const geometry::Place> places) {
+    for (std::size_t q = 0; q < places.size() && !not_finite_; ++q)
+      if (!values.row(static_cast<Eigen::Index>(q)).allFinite()) not_finite_ = Vector2d(places[q].x, places[q].y);
   }
 
   const ShellOperator& shell_;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace plastron::assembly {
@@ -26,6 +27,40 @@ std::vector<std::vector<obstacle::Gap>> all_gaps(const std::vector<NodalPoint>& 
     for (std::size_t i = 0; i < points.size(); ++i)
       gaps[k].push_back(obstacles.gap(k, shell_point(points[i].phi, points[i].a3, points[i].thickness, state.at(i))));
   return gaps;
+}
+
+/// Lets the node that decides the displacement at a fold have the nearest face of all sides of the fold. A face of
+/// another side moves with u alone there: its rotation is normal to the obstacle's normal where that side touches
+/// (collective).
+void take_faces_at_folds(const fem::Space& space, std::vector<std::vector<obstacle::Gap>>& gaps) {
+  if (space.coarse->folds.empty()) return;
+  constexpr std::size_t size = 10;  // node, obstacle, gap, normal, side, contact point
+  std::vector<double> mine;
+  for (algebra::LocalIndex i = 0; i < space.layout->owned; ++i) {
+    const constraints::Row* row = space.kinks.find(static_cast<std::size_t>(i));
+    if (!row) continue;
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+      const obstacle::Gap& gap = gaps[k][static_cast<std::size_t>(i)];
+      mine.insert(mine.end(),
+                  {static_cast<double>(space.layout->global(row->terms.front().node)), static_cast<double>(k),
+                   gap.initial, gap.normal[0], gap.normal[1], gap.normal[2], gap.z < 0 ? -1.0 : 1.0,
+                   gap.contact_point[0], gap.contact_point[1], gap.contact_point[2]});
+    }
+  }
+  const auto all = algebra::gather_over_ranks(mine, space.layout->comm);
+  std::map<algebra::GlobalIndex, algebra::LocalIndex> local;
+  for (algebra::LocalIndex i = 0; i < space.layout->local_size(); ++i) local.emplace(space.layout->global(i), i);
+  for (std::size_t at = 0; at < all.size(); at += size) {
+    const auto node = local.find(static_cast<algebra::GlobalIndex>(all[at]));
+    if (node == local.end()) continue;
+    obstacle::Gap& gap = gaps[static_cast<std::size_t>(all[at + 1])][static_cast<std::size_t>(node->second)];
+    if (!(all[at + 2] < gap.initial)) continue;
+    constexpr double no_height = 1e-300;  // its sign tells the face
+    gap = {.initial = all[at + 2],
+           .normal = {all[at + 3], all[at + 4], all[at + 5]},
+           .z = all[at + 6] * no_height,
+           .contact_point = {all[at + 7], all[at + 8], all[at + 9]}};
+  }
 }
 
 /// Returns the coordinates of one owned node. A constrained node has no bounds: its rows touch no obstacle.
@@ -79,8 +114,11 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
                           points.size(), [&](std::size_t i) { return points[i].phi; }, comm)
                           .longest_side();
   algebra::Vector bases(space.layout, 36);
+  std::vector<std::vector<obstacle::Gap>> gaps;
+  algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { gaps = all_gaps(points, obstacles, state); });
+  take_faces_at_folds(space, gaps);
+  coordinates.gaps = std::move(gaps);
   algebra::in_agreement<SupportError, obstacle::ObstacleError>(comm, [&] {
-    coordinates.gaps = all_gaps(points, obstacles, state);
     for (std::size_t i = 0; i < node_support.size(); ++i) {
       const NodeCoordinates node = owned_coordinates(coordinates, i, points[i], node_support[i], state, size);
       Eigen::Map<NodeBasis>{bases.at(i).data()} = node.basis;

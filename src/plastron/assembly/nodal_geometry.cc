@@ -4,6 +4,7 @@
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace plastron::assembly {
 
@@ -15,18 +16,37 @@ constexpr int block = 10;
 /// Sets the largest thickness and modulus at owned nodes, from all cells that meet there, on any rank.
 void add_sections(const fem::Space& space, const fem::Surface& surface, const element::ElementTables& tables,
                   const CrossSections& sections, algebra::Vector& data) {
-  std::vector<double> x(tables.nodes.size()), y(x.size()), e(x.size());
+  std::vector<double> e(tables.nodes.size());
   for (std::size_t c = 0; c < space.cells.size(); ++c) {
     const CrossSection& section = sections.at(*space.coarse, space.cells[c]);
     const double young = section.material.young();
-    surface.positions(space.cells[c], tables.nodes, x, y);
-    section.thickness.evaluate(x, y, e);
+    surface.evaluate(section.thickness, space.cells[c], tables.nodes, e);
     const auto nodes = space.nodes(c);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (nodes[i] >= space.layout->owned) continue;
       double* d = data.local().data() + static_cast<std::size_t>(nodes[i]) * block;
       d[8] = std::max(d[8], e[i]);
       d[9] = std::max(d[9], young);
+    }
+  }
+}
+
+/// A node of a mesh in space has an address in each of its cells. The least one does not depend on the order of cells.
+void set_least_addresses(const fem::Space& space, const fem::Surface& surface, const element::ElementTables& tables,
+                         algebra::Vector& data) {
+  std::vector<double> x(tables.nodes.size()), y(x.size());
+  std::vector<char> is_set(static_cast<std::size_t>(space.layout->owned), 0);
+  for (std::size_t c = 0; c < space.cells.size(); ++c) {
+    surface.positions(space.cells[c], tables.nodes, x, y);
+    const auto nodes = space.nodes(c);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i] >= space.layout->owned) continue;
+      const auto node = static_cast<std::size_t>(nodes[i]);
+      double* d = data.local().data() + node * block;
+      if (is_set[node] != 0 && std::pair(d[0], d[1]) <= std::pair(x[i], y[i])) continue;
+      is_set[node] = 1;
+      d[0] = x[i];
+      d[1] = y[i];
     }
   }
 }
@@ -38,29 +58,28 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   // Owners write and ghosts read, so that ranks agree to the last bit.
   algebra::Vector data(space.layout, block), weights(space.layout, 1);
   std::vector<char> done(static_cast<std::size_t>(space.layout->local_size()), 0);
-  std::vector<geometry::SurfaceJet> jets(tables.nodes.size());
-  std::vector<double> x(jets.size()), y(jets.size());
+  std::vector<geometry::Frame> frames(tables.nodes.size());
+  std::vector<double> x(frames.size()), y(frames.size());
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const fem::Cell& cell = space.cells[c];
-    surface.jets(cell, tables.nodes, jets, false);
+    surface.frames(cell, tables.nodes, frames, false);
     surface.positions(cell, tables.nodes, x, y);
     const auto nodes = space.nodes(c);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto node = static_cast<std::size_t>(nodes[i]);
-      const Vector3d normal = jets[i].d[0].cross(jets[i].d[1]);
-      weights.local()[node] += tables.nodal_weights[i] * normal.norm();
+      weights.local()[node] += tables.nodal_weights[i] * frames[i].sqrt_a;
       if (done[node]) continue;
       done[node] = 1;
-      const Vector3d a3 = normal.normalized();
       double* d = data.local().data() + node * block;
       d[0] = x[i];
       d[1] = y[i];
       for (int k = 0; k < 3; ++k) {
-        d[2 + k] = jets[i].value[k];
-        d[5 + k] = a3[k];
+        d[2 + k] = frames[i].phi[k];
+        d[5 + k] = frames[i].a3[k];
       }
     }
   }
+  if (surface.has_directors()) set_least_addresses(space, surface, tables, data);
   add_sections(space, surface, tables, sections, data);
   data.update_ghosts();
   weights.accumulate_ghosts();

@@ -46,10 +46,9 @@ class EdgeFrames {
 
 /// Returns the outward conormal and the tangent (anticlockwise around the domain) on a side of a cell along
 /// `side_tangent`.
-EdgeFrame edge_frame(const geometry::SurfaceJet& jet, const Eigen::Vector2d& side_tangent) {
-  const Vector3d a3 = geometry::unit_normal(jet);
-  const Vector3d tangent = (side_tangent[0] * jet.d[0] + side_tangent[1] * jet.d[1]).normalized();
-  return {tangent.cross(a3), tangent};
+EdgeFrame edge_frame(const geometry::Frame& frame, const Eigen::Vector2d& side_tangent) {
+  const Vector3d tangent = geometry::along(frame, side_tangent).normalized();
+  return {tangent.cross(frame.a3).normalized(), tangent};
 }
 
 std::vector<Vector3d> directions(Direction direction, const Vector3d& a3, const EdgeFrames& edges) {
@@ -90,8 +89,8 @@ class FramesOn {
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
     for (const double t : line) xi.push_back(fem::side_point(space_.shape(), edge.side, t));
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    surface_.jets(space_.cells[edge.cell], xi, jets, false);
+    std::vector<geometry::Frame> frames(xi.size());
+    surface_.frames(space_.cells[edge.cell], xi, frames, false);
     const auto on_side = fem::side_nodes(space_.shape(), space_.degree, edge.side);
     const Eigen::Vector2d tangent = (is_twin ? -1 : 1) * fem::side_tangent(space_.shape(), edge.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
@@ -102,7 +101,7 @@ class FramesOn {
         s = static_cast<int>(frames_.size());
         frames_.emplace_back(node, EdgeFrames{});
       }
-      frames_[static_cast<std::size_t>(s)].second.add(edge_frame(jets[i], tangent));
+      frames_[static_cast<std::size_t>(s)].second.add(edge_frame(frames[i], tangent));
     }
   }
 
@@ -124,7 +123,7 @@ class Rows {
   void add(algebra::LocalIndex node, const EdgeFrames& edges, NodeSupport& at_node) {
     const NodalPoint& p = points_[static_cast<std::size_t>(node)];
     for (const PrescribedComponent& component : support_.components) {
-      const double value = component.value(p.x[0], p.x[1]);
+      const double value = component.value({p.x[0], p.x[1], p.phi[0], p.phi[1], p.phi[2]});
       double& largest = component.unknown == Unknown::displacement ? displacement_ : rotation_;
       largest = std::max(largest, std::abs(value));
       auto& rows = component.unknown == Unknown::displacement ? at_node.displacement : at_node.rotation;
@@ -167,8 +166,28 @@ NodeFrames nodes_of(const Support& support, const fem::Space& space, const fem::
 
 }  // namespace
 
+namespace {
+
+/// A node of a mesh in space has an address in each of its cells.
+std::vector<algebra::LocalIndex> owned_nodes_at_address(const fem::Space& space, const Eigen::Vector2d& address) {
+  constexpr double tolerance = 1e-9;
+  const auto location = fem::locate(*space.coarse, address);
+  if (!location) return {};
+  const std::vector<Eigen::Vector2d> nodes = fem::node_points(space.shape(), space.degree);
+  for (std::size_t c = 0; c < space.cells.size(); ++c) {
+    const auto xi = fem::local_coordinates(space.shape(), space.cells[c], *location);
+    if (!xi) continue;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if ((nodes[i] - *xi).norm() <= tolerance && space.nodes(c)[i] < space.layout->owned) return {space.nodes(c)[i]};
+  }
+  return {};
+}
+
+}  // namespace
+
 std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const std::vector<NodalPoint>& points,
                                                 const Eigen::Vector2d& x) {
+  if (space.coarse->patches) return owned_nodes_at_address(space, x);
   const double tolerance = fem::point_tolerance(*space.coarse);
   std::vector<algebra::LocalIndex> nodes;
   for (algebra::LocalIndex i = 0; i < space.layout->owned; ++i)

@@ -253,7 +253,7 @@ class PackCell {
 /// Calls work(pack, geometry of its quadrature points, geometry of its sampling points, its materials) for every pack.
 template <class Work>
 void for_packs(const PackedCells& c, const Work& work) {
-  const std::size_t points = static_cast<std::size_t>(c.points_per_cell) * PackedCells::point_size,
+  const std::size_t points = static_cast<std::size_t>(c.points_per_cell * c.point_size()),
                     samplings = c.sampling_points() * PackedCells::sampling_size;
   for (std::size_t pack = 0; pack * lanes < c.cells; ++pack)
     work(pack, packs(c.points) + pack * points, packs(c.samplings) + pack * samplings,
@@ -277,7 +277,7 @@ inline void with_strains(const PackedCells& c, PackCell& cell, const Pack* point
   cell.differentiate(all_components, !tied);
   if (tied) cell.tie(samplings);
   for (int q = 0; q < c.points_per_cell; ++q) {
-    const Frame f = frame_at(points + q * PackedCells::point_size);
+    const Frame f = frame_at(c, points, q);
     const Derivatives d = cell.derivatives(q);
     Strains s;
     set_bending(d, f, s);
@@ -339,7 +339,7 @@ void add_normal_rotation(const PackedCells& c, double factor, const double* y, d
     cell.gather(pack, of_rotation, y);
     cell.differentiate(of_rotation, true);
     for (int q = 0; q < c.points_per_cell; ++q) {
-      const Frame p = frame_at(points + q * PackedCells::point_size);
+      const Frame p = frame_at(c, points, q);
       const Pack e = p.thickness, scale = factor * c.weights[q] * material[3] * (e * e * e) * p.sqrt_a;
       cell.put_normal_rotation_dual(q, p, raised(scale, p, cell.normal_rotation_gradient(q, p)));
     }
@@ -354,7 +354,7 @@ void add_coupling(const PackedCells& c, const double* y, double* q) {
     cell.gather(pack, of_rotation, y);
     cell.differentiate(of_rotation, true);
     for (int p = 0; p < c.points_per_cell; ++p) {
-      const Frame f = frame_at(points + p * PackedCells::point_size);
+      const Frame f = frame_at(c, points, p);
       cell.put_scalar_dual(p, raised(c.weights[p] * f.sqrt_a, f, cell.normal_rotation_gradient(p, f)));
     }
     cell.differentiate_transposed(scalar, false, false);
@@ -368,7 +368,7 @@ void add_coupling_transposed(const PackedCells& c, const double* lambda, double*
     cell.gather(pack, scalar, lambda);
     cell.differentiate(scalar, false);
     for (int q = 0; q < c.points_per_cell; ++q) {
-      const Frame p = frame_at(points + q * PackedCells::point_size);
+      const Frame p = frame_at(c, points, q);
       cell.put_normal_rotation_dual(q, p, raised(c.weights[q] * p.sqrt_a, p, cell.scalar_gradient(q)));
     }
     cell.differentiate_transposed(of_rotation, true, false);

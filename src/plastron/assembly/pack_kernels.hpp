@@ -24,9 +24,10 @@ struct PackedCells {
     square,  ///< squares without tied strains
     plain    ///< cells without tensor product
   };
-  /// Quantities of a quadrature point: a_1, a_2, b_11, b_22, b_12, e. Computing the others is faster than reading them
-  /// from memory.
-  static constexpr int point_size = 10;
+  /// Quantities of a quadrature point: a_1, a_2, e, then b_11, b_22, b_12 on charts. Computing the others is faster than
+  /// reading them from memory. With directors the last ones are a_3, d_1 a_3, d_2 a_3.
+  static constexpr int chart_point_size = 10, director_point_size = 16;
+  int point_size() const { return has_directors ? director_point_size : chart_point_size; }
   /// Quantities of a sampling point: the two vectors for its strains.
   static constexpr int sampling_size = 6;
   /// Quantities of a cell's material: E nu / (1 - nu^2), mu, k_s mu, E. The first three are those of isotropic cells.
@@ -35,6 +36,7 @@ struct PackedCells {
   static constexpr int section_size = 21;
 
   Kind kind = Kind::tied;
+  bool has_directors = false;
   std::size_t cells = 0;
   int nodes_per_cell = 0, points_per_cell = 0;
   const std::int32_t* nodes = nullptr;  ///< nodes of all cells

@@ -145,26 +145,34 @@ struct Strains {
 };
 
 struct Frame {
-  Vector a1, a2, a3, da1, da2;  ///< tangents, normal, its derivatives
+  Vector a1, a2, a3, da1, da2;  ///< tangents, normal or director, its derivatives
   Pack g11, g12, g22;           ///< a^{ab}
   Pack sqrt_a, thickness;
 };
 
-inline Frame frame_at(const Pack* point) {
+/// Returns the frame at quadrature point q of a pack whose first point is at `points`.
+inline Frame frame_at(const PackedCells& c, const Pack* points, int q) {
+  const Pack* point = points + q * c.point_size();
   Frame f;
   f.a1 = vector_at(point, 1);
   f.a2 = vector_at(point + 3, 1);
   const Vector n = cross(f.a1, f.a2);
   const Pack squared = dot(n, n), inverse = 1 / squared;
   f.sqrt_a = square_root(squared);
-  f.a3 = (f.sqrt_a * inverse) * n;
   f.g11 = inverse * dot(f.a2, f.a2);
   f.g22 = inverse * dot(f.a1, f.a1);
   f.g12 = -inverse * dot(f.a1, f.a2);
-  const Pack b11 = point[6], b22 = point[7], b12 = point[8];
+  f.thickness = point[6];
+  if (c.has_directors) {
+    f.a3 = vector_at(point + 7, 1);
+    f.da1 = vector_at(point + 10, 1);
+    f.da2 = vector_at(point + 13, 1);
+    return f;
+  }
+  f.a3 = (f.sqrt_a * inverse) * n;
+  const Pack b11 = point[7], b22 = point[8], b12 = point[9];
   f.da1 = -(b11 * f.g11 + b12 * f.g12) * f.a1 + -(b11 * f.g12 + b12 * f.g22) * f.a2;
   f.da2 = -(b12 * f.g11 + b22 * f.g12) * f.a1 + -(b12 * f.g12 + b22 * f.g22) * f.a2;
-  f.thickness = point[9];
   return f;
 }
 

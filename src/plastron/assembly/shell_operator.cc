@@ -7,7 +7,6 @@
 
 namespace plastron::assembly {
 
-using geometry::SurfaceJet;
 using geometry::Vector3d;
 using shell::LocalField;
 
@@ -104,18 +103,17 @@ CellStrain ShellOperator::strains(std::size_t cell, const element::CellField& fi
 }
 
 CellStrain ShellOperator::strains_at(std::size_t cell, const element::CellField& field, const element::BasisAt& basis,
-                                     const std::vector<MatrixXd>& tied,
-                                     std::span<const geometry::SurfaceJet> jets) const {
-  PLASTRON_ASSERT(jets.size() == basis.xi.size() && (tied.empty() || tied.size() == tables_.samplings.size()),
-                  jets.size(), basis.xi.size(), tied.size(), tables_.samplings.size());
+                                     const std::vector<MatrixXd>& tied, std::span<const geometry::Frame> frames) const {
+  PLASTRON_ASSERT(frames.size() == basis.xi.size() && (tied.empty() || tied.size() == tables_.samplings.size()),
+                  frames.size(), basis.xi.size(), tied.size(), tables_.samplings.size());
   CellStrain strains = CellStrain::Zero(basis.value.rows(), 8);
   const element::FieldRows rows = interpolation_.fields(cell, basis, interpolation_.bases(cell, basis.xi), field);
   for (Eigen::Index p = 0; p < strains.rows(); ++p) {
-    const SurfaceJet& jet = jets[static_cast<std::size_t>(p)];
-    strains.row(p).segment<3>(3) = shell::bending_strain(rows.at(p), geometry::frame_at(jet));
+    const geometry::Frame& frame = frames[static_cast<std::size_t>(p)];
+    strains.row(p).segment<3>(3) = shell::bending_strain(rows.at(p), frame);
     if (tables_.tying) continue;
-    strains.row(p).head<3>() = shell::membrane_strain(rows.at(p), jet.d);
-    strains.row(p).tail<2>() = shell::shear_strain(rows.at(p), jet.d, geometry::unit_normal(jet));
+    strains.row(p).head<3>() = shell::membrane_strain(rows.at(p), frame.a_cov);
+    strains.row(p).tail<2>() = shell::shear_strain(rows.at(p), frame.a_cov, frame.a3);
   }
   for (std::size_t s = 0; s < tied.size(); ++s) {
     const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field);

@@ -79,7 +79,7 @@ class ShellOperator {
   /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), the others
   /// directly.
   CellStrain strains_at(std::size_t cell, const element::CellField& field, const element::BasisAt& basis,
-                        const std::vector<MatrixXd>& tied, std::span<const geometry::SurfaceJet> jets) const;
+                        const std::vector<MatrixXd>& tied, std::span<const geometry::Frame> frames) const;
 
   /// Computes f = A y for Cartesian nodal values (block 6). Needs y's ghosts; f is complete on owned nodes
   /// (collective).

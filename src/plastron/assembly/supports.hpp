@@ -29,7 +29,8 @@ struct Support {
   std::string boundary{};
   std::vector<PrescribedComponent> components{};
   bool symmetry = false;  ///< the components come from "symmetry": the edge must lie in a plane normal to the shell
-  std::optional<Eigen::Vector2d> point{};  ///< in Omega
+  std::optional<Eigen::Vector2d> point{};           ///< in Omega
+  std::optional<Eigen::Vector3d> point_in_space{};  ///< if given, `point` is the nearest node [m]
 };
 
 }  // namespace plastron::assembly

@@ -31,23 +31,23 @@ class CellPoints {
 
   void look_at(std::size_t cell, const element::BasisAt& basis) {
     const std::size_t count = basis.xi.size();
-    jets_.resize(count);
+    frames_.resize(count);
     for (auto* values : {&px_, &py_, &thickness_}) values->resize(count);
     const assembly::ShellOperator& shell = discrete_.shell;
-    shell.surface().jets(shell.space().cells[cell], basis.xi, jets_, false);
+    shell.surface().frames(shell.space().cells[cell], basis.xi, frames_, false);
     shell.surface().positions(shell.space().cells[cell], basis.xi, px_, py_);
-    shell.section(cell).thickness.evaluate(px_, py_, thickness_);
+    shell.surface().evaluate(shell.section(cell).thickness, shell.space().cells[cell], basis.xi, thickness_);
     values_ = shell.interpolation().values(cell, basis, shell.gather(cell, y_));
   }
 
-  std::size_t size() const { return jets_.size(); }
+  std::size_t size() const { return frames_.size(); }
   Vector2d x(std::size_t p) const { return {px_[p], py_[p]}; }
   double thickness(std::size_t p) const { return thickness_[p]; }
   /// The gap at a point. If the shell has passed through the obstacle, the gap is at most minus the thickness.
   obstacle::FaceGap gap(std::size_t obstacle, std::size_t p) const {
-    const Vector3d a3 = geometry::unit_normal(jets_[p]);
+    const Vector3d& a3 = frames_[p].a3;
     const obstacle::ShellPoint at =
-        assembly::shell_point(jets_[p].value, a3, thickness_[p], values_.row(static_cast<Eigen::Index>(p)).transpose());
+        assembly::shell_point(frames_[p].phi, a3, thickness_[p], values_.row(static_cast<Eigen::Index>(p)).transpose());
     obstacle::FaceGap gap = discrete_.obstacles.true_gap(obstacle, now_[obstacle], at);
     if (!may_pass(obstacle, at)) return gap;
     const obstacle::Passage passage = obstacle::passage(now_[obstacle], at.phi + ways_[obstacle], at.phi + at.u, a3);
@@ -59,7 +59,7 @@ class CellPoints {
   /// reserve for strains and curvature.
   double reach(std::size_t p, double half) const {
     constexpr double reserve = 1.25;
-    return reserve * half * (jets_[p].d[0].norm() + jets_[p].d[1].norm());
+    return reserve * half * (frames_[p].a_cov[0].norm() + frames_[p].a_cov[1].norm());
   }
 
   /// Whether a cell may be near an obstacle, judged at its first node: the distance changes by at most the way
@@ -100,7 +100,7 @@ class CellPoints {
   const algebra::Vector& y_;
   std::vector<obstacle::Obstacle> now_{};
   std::vector<Vector3d> ways_{};  ///< displacements of obstacles pressed by forces
-  std::vector<geometry::SurfaceJet> jets_{};
+  std::vector<geometry::Frame> frames_{};
   std::vector<double> px_{}, py_{}, thickness_{};
   element::CellField values_{};
 };

@@ -124,9 +124,9 @@ std::string AccuracyLoop::place_of_error(const fem::Space& space, const estimati
   if (const auto most = std::ranges::max_element(shares); most != shares.end()) {
     const fem::Surface surface(space.coarse, problem_.charts);
     const Eigen::Vector2d centre = fem::centre(space.shape());
-    geometry::SurfaceJet jet;
-    surface.jets(space.cells[static_cast<std::size_t>(most - shares.begin())], {&centre, 1}, {&jet, 1}, false);
-    largest = {*most, jet.value[0], jet.value[1], jet.value[2]};
+    const fem::Cell& cell = space.cells[static_cast<std::size_t>(most - shares.begin())];
+    const Eigen::Vector3d phi = surface.frame(cell, centre, false).phi;
+    largest = {*most, phi[0], phi[1], phi[2]};
   }
   const std::vector<double> all = algebra::gather_over_ranks(largest, comm);
   std::size_t at = 0;

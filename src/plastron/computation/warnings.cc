@@ -3,6 +3,7 @@
 #include <plastron/meshing/sizes.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -230,8 +231,10 @@ std::vector<std::string> point_support_warnings(const Result& result, const std:
   double pressed = 0;  // force of obstacles, which may be the only load of the shell
   for (const solution::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
   if (force <= negligible_force * (s.load_norms + pressed)) return {};
-  const std::string what =
-      fmt::format("the support at the point ({:.6g}, {:.6g}) carries {:.4g} N", most->at[0], most->at[1], force);
+  const std::string what = fmt::format("the support at the point {} carries {:.4g} N",
+                                       s.is_in_space ? fmt::format("({:.6g})", fmt::join(most->position, ", "))
+                                                     : fmt::format("({:.6g})", fmt::join(most->at, ", ")),
+                                       force);
   if (is_isostatic(supports) && in_equilibrium(s))
     return {what + fmt::format(", {:.1g} of the loads, though these are in equilibrium: on a curved shell the mesh "
                                "misses so much of a rigid rotation; refine it or raise the degree",

@@ -49,8 +49,8 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   result.title = root.text("title").value_or("");
   read_constants(root);
   read_materials(root);
+  read_geometry(root, result.problem);  // the variables of other fields depend on it
   read_shell(root, result.problem);
-  read_geometry(root, result.problem);
   read_regions(root, result.problem);
   read_mesh(root, result.problem);
   read_joins(root, result.problem);

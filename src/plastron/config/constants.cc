@@ -44,7 +44,8 @@ std::vector<Section> constants_sections() {
            "[constants]",
            "Each key is the name of a constant. Its value is a number or an expression of the constants above it. A "
            "name has at most 60 letters, digits and _, and does not begin with a digit. These names are not allowed: "
-           "x, y, pi, the names of functions, and log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, Catalan, "
+           "x, y, X, Y, Z, pi, the names of functions, and log2, log10, rint, sum, avg, sq, cube, step, Pi, I, Euler, "
+           "Catalan, "
            "which the libraries for expressions use.",
            {}}};
 }

@@ -99,24 +99,29 @@ Domain read_polygon(Table& domain) {
 }
 
 Domain read_mesh_file(Table& domain) {
-  const auto name = domain.text("mesh");
-  if (!name) return {};
-  if (has_control_characters(*name) || name->empty()) {
-    domain.report("mesh", name->empty() ? "the path of the mesh file is empty" : "the path has a control character");
-    return {};
-  }
-  const auto path = domain.reading().file(*name);
-  std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) return fem::MeshFile{path.string()};
-  const bool is_there = std::filesystem::exists(path, error);
-  domain.report("mesh",
-                is_there ? fmt::format("{} is a directory, a pipe or a device, not a mesh file", path.string())
-                         : fmt::format("there is no mesh file {}", path.string()),
-                "", is_there ? "name a Gmsh file (.msh)" : "the path is relative to the folder of the case file");
-  return {};
+  const auto path = read_mesh_path(domain, "mesh");
+  return path ? Domain(fem::MeshFile{.path = *path}) : Domain();
 }
 
 }  // namespace
+
+std::optional<std::string> read_mesh_path(Table& table, const std::string& key) {
+  const auto name = table.text(key);
+  if (!name) return {};
+  if (has_control_characters(*name) || name->empty()) {
+    table.report(key, name->empty() ? "the path of the mesh file is empty" : "the path has a control character");
+    return {};
+  }
+  const auto path = table.reading().file(*name);
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) return path.string();
+  const bool is_there = std::filesystem::exists(path, error);
+  table.report(key,
+               is_there ? fmt::format("{} is a directory, a pipe or a device, not a mesh file", path.string())
+                        : fmt::format("there is no mesh file {}", path.string()),
+               "", is_there ? "name a Gmsh file (.msh)" : "the path is relative to the folder of the case file");
+  return {};
+}
 
 std::vector<Section> domain_sections() {
   using fem::Rectangle, fem::Disk, fem::Annulus;

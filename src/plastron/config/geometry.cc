@@ -9,6 +9,7 @@ namespace plastron::config {
 
 namespace {
 
+using fem::SpaceReading;
 using Formulas = std::array<std::string, 3>;
 
 std::optional<std::string> read_formula(Reading& reading, const Item& item) {
@@ -94,18 +95,82 @@ std::vector<Section> geometry_sections() {
   std::vector<Section> all{
       {"geometry",
        "[geometry]",
-       "The mid-surface is the image of a plane domain under the chart.",
-       {key("domain", Kind::table, {.required = true, .example = "{ disk = { radius = 1 } }"},
-            "the domain of the parameters x, y"),
-        key("chart", Kind::formulas, {.unit = "m", .required = true, .example = "[\"x\", \"y\", \"0\"]"},
+       "The mid-surface is the image of a plane domain under the chart, or the cells of a mesh in space.",
+       {key("domain", Kind::table, {.example = "{ disk = { radius = 1 } }"}, "the domain of the parameters x, y"),
+        key("chart", Kind::formulas, {.unit = "m", .example = "[\"x\", \"y\", \"0\"]"},
             "three expressions: the point of the mid-surface at x, y. For a domain with named regions also a table "
-            "region = [three expressions]")}}};
+            "region = [three expressions]. Required with domain"),
+        key("file", Kind::text, {},
+            "instead of domain and chart: a mesh in space, whose quadrilaterals or triangles are the mid-surface. A "
+            "Gmsh "
+            "file (.msh, format 2.2 or 4.1, ASCII, order 1 to 10). Physical surfaces name the regions, physical curves "
+            "name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more"),
+        key("scale", &SpaceReading::scale, {.fallback = "1", .range = Range::positive()},
+            "factor from the lengths of the file to those of the case: 1e-3 for a file in millimetres"),
+        key("upper", &SpaceReading::upper, &Table::direction_or_none, {.kind = Kind::vector},
+            "direction to which the normal a3 points, on average. If not given, a3 of a closed surface points "
+            "outwards, "
+            "that of others to the side of most cells of the file"),
+        key("smooth", &SpaceReading::smooth_angle, &Table::angle_or_none,
+            {.kind = Kind::number, .unit = "degrees", .range = Range::between(0, 170)},
+            "cells that meet at a smaller angle are smooth there, others are a fold. If not given: 10 for cells of "
+            "order "
+            "2 or more, 30 for cells with straight sides"),
+        key("folds", &SpaceReading::folds, {.fallback = "[]"}, "names of curves that are folds, whatever their angle"),
+        key("tolerance", &SpaceReading::tolerance, &Table::number_or_none,
+            {.kind = Kind::number, .unit = "m", .range = Range::positive()},
+            "nodes nearer to each other than this are one node. If not given: 1e-9 of the extent"),
+        key("offset", Kind::number, {.fallback = "0", .range = Range::between(-1, 1)},
+            "distance of the mid-surface from the surface of the file along a3, as a part of the thickness: 0.5 if the "
+            "file "
+            "is the lower face, -0.5 if it is the upper one. Only without folds"),
+        key("slits", &SpaceReading::has_slits, {.fallback = "false"},
+            "true: edges may run beside each other without being joined; otherwise such a gap is an error")},
+       {"domain", "file"},
+       "",
+       {{"domain", "chart"}, {"chart", "domain"}}}};
   std::ranges::move(domain_sections(), std::back_inserter(all));
   return all;
 }
 
+namespace {
+
+/// Reads a mesh in space.
+std::optional<fem::Domain> read_file(Table& geometry) {
+  for (const char* name : {"domain", "chart"})
+    if (geometry.has(name))
+      geometry.report_key(name, fmt::format("[geometry] has both {} and file", name), "domain and chart, or file",
+                          "a mesh in space needs no formulas: remove one of them");
+  fem::MeshFile file;
+  SpaceReading reading;
+  const bool is_right = geometry.fill(reading);
+  reading.offset.part = geometry.number("offset").value_or(0);
+  const auto path = read_mesh_path(geometry, "file");
+  if (!path || !is_right) return {};
+  file.path = *path;
+  file.in_space = std::move(reading);
+  return file;
+}
+
+void refuse_keys_of_files(const Table& geometry) {
+  for (const char* name : {"scale", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
+    if (geometry.has(name))
+      geometry.report_key(name, fmt::format("{} is a key of a mesh in space", name), "",
+                          "name the mesh: file = \"part.msh\"");
+}
+
+}  // namespace
+
 void read_geometry(Table& root, problem::Problem& problem) {
   root.in_table("geometry", [&](Table& geometry) {
+    if (geometry.has("file")) {
+      root.reading().domain = read_file(geometry);
+      if (root.reading().domain) problem.domain = *root.reading().domain;
+      return;
+    }
+    refuse_keys_of_files(geometry);
+    geometry.require("domain");
+    geometry.require("chart");
     const auto domain = read_domain(geometry);
     root.reading().domain = domain;
     if (domain) {

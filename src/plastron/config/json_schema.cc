@@ -60,6 +60,8 @@ Schema schema_of(const Key& key, Kind kind, const std::string& path) {
   if (is(Kind::number, Kind::field)) return real;
   if (is(Kind::numbers)) return list_of(real);
   if (is(Kind::point)) return list_of(real, 2);
+  if (is(Kind::place)) return any_of({list_of(real, 2), list_of(real, 3)});
+  if (is(Kind::places)) return list_of(any_of({list_of(real, 2), list_of(real, 3)}));
   if (is(Kind::vector, Kind::field_vector)) return list_of(real, 3);
   if (is(Kind::vectors)) return list_of(list_of(real, 3));
   if (is(Kind::cell_counts)) return list_of(number("integer", key.range), 2);
@@ -121,6 +123,7 @@ Schema schema_of(const Section& section) {
   }
   if (!required.empty()) table["required"] = required;
   for (const std::string& name : section.exactly_one) table["oneOf"].push_back({{"required", Schema::array({name})}});
+  for (const auto& [name, needed] : section.needs) table["dependencies"][name] = Schema::array({needed});
   table["additionalProperties"] = section.other_keys.empty() ? Schema(false) : number("number", {});
   return table;
 }

@@ -16,17 +16,17 @@ bool is_file_name(const std::string& name) {
 }
 
 /// Returns equidistant points along a polyline, including its ends.
-std::vector<Eigen::Vector2d> along(const std::vector<Eigen::Vector2d>& corners, std::size_t count) {
+std::vector<ShellPlace> along(const std::vector<ShellPlace>& corners, std::size_t count) {
   std::vector<double> reached{0};
   for (std::size_t i = 1; i < corners.size(); ++i)
     reached.push_back(reached.back() + (corners[i] - corners[i - 1]).norm());
-  std::vector<Eigen::Vector2d> points;
+  std::vector<ShellPlace> points;
   std::size_t piece = 1;
   for (std::size_t i = 0; i < count; ++i) {
     const double s = reached.back() * static_cast<double>(i) / static_cast<double>(count - 1);
     while (piece + 1 < corners.size() && reached[piece] < s) ++piece;
     const double t = (s - reached[piece - 1]) / (reached[piece] - reached[piece - 1]);
-    points.push_back(corners[piece - 1] + std::min(t, 1.0) * (corners[piece] - corners[piece - 1]));
+    points.emplace_back(corners[piece - 1] + std::min(t, 1.0) * (corners[piece] - corners[piece - 1]));
   }
   return points;
 }
@@ -37,17 +37,17 @@ struct Arc {
   double radius = 1, from = 0, to = 360;
 };
 
-std::vector<Eigen::Vector2d> on_arc(const Arc& arc, std::size_t count) {
+std::vector<ShellPlace> on_arc(const Arc& arc, std::size_t count) {
   const double degree = std::numbers::pi / 180, from = arc.from * degree, to = arc.to * degree;
-  std::vector<Eigen::Vector2d> points;
+  std::vector<ShellPlace> points;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
-    points.push_back(arc.centre + arc.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    points.emplace_back(arc.centre + arc.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   return points;
 }
 
-std::vector<Eigen::Vector2d> read_points(Table& table) {
+std::vector<ShellPlace> read_points(Table& table) {
   const auto count = static_cast<std::size_t>(std::max(table.integer("points").value_or(101), 2));
   if (table.has("through") == table.has("arc")) {
     const std::string what = "a line goes either through points or along an arc";
@@ -58,12 +58,21 @@ std::vector<Eigen::Vector2d> read_points(Table& table) {
     return {};
   }
   if (table.has("arc")) {
+    if (table.reading().has_mesh_in_space()) {
+      table.report("arc", "an arc lies in the plane of x and y, which a mesh in space does not have", "through",
+                   "write through = [[X, Y, Z], ...]");
+      return {};
+    }
     Arc arc;
     table.in_table("arc", [&](Table& keys) { keys.fill(arc); });
     return on_arc(arc, count);
   }
-  const auto corners = table.points("through");
+  const auto corners = table.places("through");
   if (!corners) return {};
+  if (std::ranges::any_of(*corners, [&](const ShellPlace& at) { return at.size() != corners->front().size(); })) {
+    table.report("through", "the points are partly [x, y] and partly [X, Y, Z]", "all of one kind");
+    return {};
+  }
   for (std::size_t i = 0; i + 1 < corners->size(); ++i)
     if ((*corners)[i] == (*corners)[i + 1]) {
       table.report("through", fmt::format("points {} and {} are the same", i + 1, i + 2));
@@ -74,8 +83,8 @@ std::vector<Eigen::Vector2d> read_points(Table& table) {
                  "name the place of a single point in a [[probe]]");
     return {};
   }
-  for (const Eigen::Vector2d& at : *corners)
-    if (!may_contain(table.reading(), at))
+  for (const ShellPlace& at : *corners)
+    if (!is_in_space(at) && !may_contain(table.reading(), at.head<2>()))
       table.report("through", fmt::format("the point [{}, {}] is outside the domain", at[0], at[1]));
   return along(*corners, count);
 }
@@ -85,19 +94,22 @@ Section probe_section() {
           "[[probe]]",
           "A point where displacements, stress resultants and gap are reported.",
           {key("name", Kind::name, {.required = true, .example = "\"centre\""}, "a name that no other probe has"),
-           key("at", &problem::Probe::at, {.required = true, .example = "[0, 0]"}, "a point of the domain")}};
+           key("at", Kind::place, {.required = true, .example = "[0, 0]"},
+               "a point [x, y] of the domain, or [X, Y, Z] in space: the nearest point of the shell")}};
 }
 
 Section line_section() {
-  return {"line",
-          "[[line]]",
-          "Points of the domain where every field is written to line-NAME.csv, one row for each point.",
-          {key("name", Kind::name, {.required = true, .example = "\"meridian\""},
-               "a name that no other line has, of letters, digits, - and _"),
-           key("through", Kind::points, {}, "two or more points that straight pieces connect"),
-           key("arc", Kind::table, {}, "an arc of a circle, instead of through"),
-           key("points", Kind::integer, {.fallback = "101", .range = Range::between(2, 10000)},
-               "number of points, equidistant in the domain, including the ends")}};
+  return {
+      "line",
+      "[[line]]",
+      "Points of the domain where every field is written to line-NAME.csv, one row for each point.",
+      {key("name", Kind::name, {.required = true, .example = "\"meridian\""},
+           "a name that no other line has, of letters, digits, - and _"),
+       key("through", Kind::places, {},
+           "two or more points that straight pieces connect; points in space stand for the nearest ones of the shell"),
+       key("arc", Kind::table, {}, "an arc of a circle, instead of through"),
+       key("points", Kind::integer, {.fallback = "101", .range = Range::between(2, 10000)},
+           "number of points, equidistant in the domain, including the ends")}};
 }
 
 Section arc_section() {
@@ -121,7 +133,12 @@ void read_probes(Table& root, problem::Problem& problem) {
     if (name && std::ranges::count(problem.probes, *name, &problem::Probe::name) > 0)
       table.report("name", fmt::format("two probes are named \"{}\"", *name), "", "choose another name");
     problem::Probe probe{.name = name.value_or("")};
-    if (table.fill(probe) && !may_contain(table.reading(), probe.at))
+    const auto at = table.place("at");
+    if (at && is_in_space(*at))
+      probe.in_space = at->head<3>();
+    else if (at)
+      probe.at = at->head<2>();
+    if (at && !is_in_space(*at) && !may_contain(table.reading(), probe.at))
       table.report("at", fmt::format("the probe at [{}, {}] is outside the domain", probe.at[0], probe.at[1]));
     problem.probes.push_back(std::move(probe));
   });
@@ -135,7 +152,13 @@ void read_lines(Table& root, problem::Problem& problem) {
                    "choose such a name");
     if (name && std::ranges::count(problem.lines, *name, &problem::Line::name) > 0)
       table.report("name", fmt::format("two lines are named \"{}\"", *name), "", "choose another name");
-    problem.lines.push_back({name.value_or(""), read_points(table)});
+    problem::Line line{.name = name.value_or("")};
+    for (const ShellPlace& point : read_points(table))
+      if (is_in_space(point))
+        line.in_space.emplace_back(point.head<3>());
+      else
+        line.points.emplace_back(point.head<2>());
+    problem.lines.push_back(std::move(line));
   });
 }
 

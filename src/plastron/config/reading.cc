@@ -45,7 +45,7 @@ std::optional<double> plain_number(Reading& reading, const Item& item) {
   return {};
 }
 
-const std::vector<std::string> parameters{"x", "y"};
+const std::vector<std::string> variables_of_fields{"x", "y", "X", "Y", "Z"};
 
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool in_name(char c) { return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)); }
@@ -64,20 +64,25 @@ std::optional<std::size_t> unlisted_function(const std::string& text) {
   return {};
 }
 
-std::optional<geometry::Expression> expression(Reading& reading, const Item& item, bool parameters_allowed) {
+std::optional<geometry::Expression> expression(Reading& reading, const Item& item, bool may_vary) {
   if (!check_expression_text(reading, item)) return {};
   const std::string& text = item.value.as_string().str;
   try {
     if (const auto at = unlisted_function(text)) throw geometry::ExpressionError("unknown name", *at);
     geometry::Expression parsed(text, reading.constants);
     if (!parsed.is_constant()) {
-      if (!parameters_allowed) [[maybe_unused]]
+      if (!may_vary) [[maybe_unused]]
         const double fails = geometry::evaluate_constant(text, reading.constants);
+      if (parsed.uses_parameters() && reading.has_mesh_in_space()) {
+        reading.report(item.value, fmt::format("{} uses x or y, which a mesh in space does not have", item.name),
+                       "X, Y, Z and the constants", "X, Y, Z is the place on the mid-surface before the shell deforms");
+        return {};
+      }
       return parsed;
     }
-    if (finite(reading, item, parsed(0, 0))) return parsed;
+    if (finite(reading, item, parsed({}))) return parsed;
   } catch (const geometry::ExpressionError& error) {
-    report_expression(reading, item, error, parameters_allowed ? parameters : std::vector<std::string>{});
+    report_expression(reading, item, error, may_vary ? variables_of_fields : std::vector<std::string>{});
   }
   return {};
 }
@@ -114,7 +119,7 @@ bool names_no_component(Reading& reading, const std::string& name, const toml::v
 
 const std::vector<std::string>& expression_names() {
   static const std::vector<std::string> all = [] {
-    std::vector<std::string> names{"x", "y", "pi"};
+    std::vector<std::string> names{"x", "y", "X", "Y", "Z", "pi"};
     for (const auto* functions : {&geometry::smooth_functions(), &geometry::other_functions()})
       names.insert(names.end(), functions->begin(), functions->end());
     return names;
@@ -176,6 +181,30 @@ std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& read
   return {};
 }
 
+std::optional<ShellPlace> read_place(Reading& reading, const Item& item) {
+  const bool is_point = item.value.is_array() && item.value.as_array().size() == 2;
+  if (is_point && reading.has_mesh_in_space()) {
+    reading.report(item.value, fmt::format("{} has two numbers, but a mesh in space has no x and y", item.name),
+                   "three numbers [X, Y, Z]", "the nearest point of the shell is taken, and its distance is reported");
+    return {};
+  }
+  if (is_point) {
+    const auto point = read_vector<2>(reading, item);
+    return point ? std::optional(ShellPlace(*point)) : std::nullopt;
+  }
+  if (item.value.is_array() && item.value.as_array().size() == 3) {
+    const auto place = read_vector<3>(reading, item);
+    return place ? std::optional(ShellPlace(*place)) : std::nullopt;
+  }
+  if (item.value.is_array())
+    reading.report(item.value,
+                   fmt::format("{} has {} entries, but must have 2 or 3", item.name, item.value.as_array().size()),
+                   description(Kind::place));
+  else
+    report_kind(reading, item, Kind::place);
+  return {};
+}
+
 void report_kind(Reading& reading, const Item& item, Kind expected) {
   reading.report(item.value,
                  fmt::format("{} must be {}, found {}", item.name, description(expected), found(item.value)));
@@ -198,11 +227,11 @@ void report_expression(Reading& reading, const Item& item, const geometry::Expre
   }
   std::vector<std::string> known = variables;
   for (const std::string& name : expression_names())
-    if (name != "x" && name != "y") known.push_back(name);
+    if (std::ranges::count(variables_of_fields, name) == 0) known.push_back(name);
   for (const auto& [name, value] : reading.constants) known.push_back(name);
   std::string advice = did_you_mean(word, known);
-  if (word == "x" || word == "y")
-    advice = variables.empty() ? "x and y are not known here: the value must be constant"
+  if (std::ranges::count(variables_of_fields, word) > 0)
+    advice = variables.empty() ? fmt::format("{} is not known here: the value must be constant", word)
                                : "the coordinates in space are X, Y, Z; x and y are the parameters of the mid-surface";
   if (std::ranges::count(reading.later_constants, word) > 0)
     advice = fmt::format("\"{}\" is defined below: constants use those above them", word);

@@ -46,6 +46,10 @@ struct Reading {
     return domain ? fem::boundary_names(*domain) : std::vector<std::string>{};
   }
   std::vector<std::string> regions() const { return domain ? fem::region_names(*domain) : std::vector<std::string>{}; }
+  bool has_mesh_in_space() const {
+    const auto* file = domain ? std::get_if<fem::MeshFile>(&*domain) : nullptr;
+    return file && file->in_space;
+  }
   /// Notes a file that the case names; returns its path.
   std::filesystem::path file(const std::string& name) { return files.emplace_back(name, folder / name).second; }
   void report(Place place, std::string what, std::string allowed = "", std::string advice = "") {
@@ -131,5 +135,11 @@ std::optional<Eigen::Matrix<double, size, 1>> read_vector(Reading& reading, cons
   if (!list) return {};
   return Eigen::Matrix<double, size, 1>(list->data());
 }
+
+/// A point of the shell: x, y in the domain, or X, Y, Z in space.
+using ShellPlace = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+inline bool is_in_space(const ShellPlace& place) { return place.size() == 3; }
+/// Reads a place; on a mesh in space only X, Y, Z.
+std::optional<ShellPlace> read_place(Reading& reading, const Item& item);
 
 }  // namespace plastron::config

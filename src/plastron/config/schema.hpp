@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plastron::config {
@@ -30,13 +31,15 @@ enum class Kind {
   number,         ///< a number or an expression of the constants
   numbers,        ///< a list of numbers
   point,          ///< two numbers
+  place,          ///< two numbers, x and y, or three, X, Y and Z
+  places,         ///< a list of places
   vector,         ///< three numbers
   vectors,        ///< a list of vectors
   cell_counts,    ///< two integers
   names,          ///< a list of texts; each is one of Key::words, if there are any
   name_or_names,  ///< a name, or a list of some
   points,         ///< a list of points
-  field,          ///< a number or an expression of x, y and the constants
+  field,          ///< a number or an expression of the variables and constants
   field_vector,   ///< three fields
   space_formula,  ///< an expression of X, Y, Z with two derivatives
   formulas,       ///< three fields with two derivatives, or a table of them by region
@@ -85,6 +88,7 @@ struct Section {
   std::vector<Key> keys;
   std::vector<std::string> exactly_one{};  ///< exactly one of these keys is given
   std::string other_keys{};                ///< description of other keys, each a number; empty: no other keys
+  std::vector<std::pair<std::string, std::string>> needs{};  ///< keys, and another key that each needs
 };
 
 /// Returns all sections in the order of the manual.

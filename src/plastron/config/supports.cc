@@ -100,11 +100,11 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
 /// Places of a support: boundaries, or a point. Nothing if they are wrong.
 struct Places {
   std::vector<std::string> boundaries{};
-  std::optional<Eigen::Vector2d> point{};
+  std::optional<ShellPlace> point{};
 
   /// Returns their names in messages.
   std::vector<std::string> names() const {
-    if (point) return {fmt::format("the point ({:.10g}, {:.10g})", (*point)[0], (*point)[1])};
+    if (point) return {fmt::format("the point ({:.10g})", fmt::join(*point, ", "))};
     std::vector<std::string> all;
     for (const std::string& boundary : boundaries) all.push_back(fmt::format("\"{}\"", boundary));
     return all;
@@ -119,8 +119,8 @@ Places read_places(Table& support) {
     return {};
   }
   if (!support.has("point")) return {.boundaries = read_boundaries(support).value_or(std::vector<std::string>{})};
-  const auto point = support.point("point");
-  if (!point || may_contain(support.reading(), *point)) return {.point = point};
+  const auto point = support.place("point");
+  if (!point || is_in_space(*point) || may_contain(support.reading(), point->head<2>())) return {.point = point};
   support.report("point", fmt::format("the point ({:g}, {:g}) lies outside of the domain", (*point)[0], (*point)[1]));
   return {};
 }
@@ -155,7 +155,11 @@ void read_support(Table& support, FixedOn& fixed_on, problem::Problem& problem) 
   const auto fixed =
       read_fix(support, names.empty() ? std::vector<std::string>{"\"\""} : names, names.empty() ? elsewhere : fixed_on);
   if (!fixed) return;
-  assembly::Support result{.point = places.point};
+  assembly::Support result;
+  if (places.point && is_in_space(*places.point))
+    result.point_in_space = places.point->head<3>();
+  else if (places.point)
+    result.point = places.point->head<2>();
   for (const Fixed& f : *fixed) {
     result.components.push_back(component(f.name));
     result.symmetry = result.symmetry || f.by_symmetry;
@@ -185,7 +189,7 @@ std::vector<Section> support_sections() {
            "equilibrium. Any other force at a point is singular in this model and causes a warning.",
            {key("boundary", Kind::name_or_names, {},
                 "one or several boundaries of the domain; give either boundary or point"),
-            key("point", Kind::point, {},
+            key("point", Kind::place, {},
                 "a node of the coarsest mesh that finer meshes keep: a corner of a cell; if the degree is even, also "
                 "the middle of a side or of a quadrilateral. Only u.x, u.y, u.z can be fixed there"),
             key("fix", Kind::names, {.required = true, .words = fix_words(), .example = "[\"u\", \"r\"]"},
@@ -200,6 +204,14 @@ std::vector<Section> support_sections() {
 void read_supports(Table& root, problem::Problem& problem) {
   FixedOn fixed_on;
   root.in_tables("support", [&](Table& support) { read_support(support, fixed_on, problem); });
+  auto* file = std::get_if<fem::MeshFile>(&problem.domain);
+  if (!file || !file->in_space) return;
+  // The mesh depends on the planes of symmetry and on the thickness.
+  for (const assembly::Support& support : problem.shell.supports)
+    if (support.symmetry) file->in_space->symmetric.push_back(support.boundary);
+  file->in_space->offset.thickness = problem.shell.sections.common.thickness;
+  for (const auto& [region, section] : problem.shell.sections.regions)
+    file->in_space->offset.by_region.insert_or_assign(region, section.thickness);
 }
 
 }  // namespace plastron::config

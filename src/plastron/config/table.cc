@@ -136,8 +136,9 @@ std::optional<std::vector<double>> Table::numbers(const std::string& name) {
 std::optional<Eigen::Vector2d> Table::point(const std::string& name) { return read(name, read_vector<2>); }
 std::optional<Eigen::Vector3d> Table::vector(const std::string& name) { return read(name, read_vector<3>); }
 
-std::optional<std::vector<Eigen::Vector2d>> Table::points(const std::string& name) {
-  return read(name, list_reader(Kind::points, 0, read_vector<2>));
+std::optional<ShellPlace> Table::place(const std::string& name) { return read(name, read_place); }
+std::optional<std::vector<ShellPlace>> Table::places(const std::string& name) {
+  return read(name, list_reader(Kind::places, 0, read_place));
 }
 
 std::optional<std::vector<Eigen::Vector3d>> Table::vectors(const std::string& name) {
@@ -247,6 +248,11 @@ void Table::report_unknown_name(const Item& item, const std::string& what, const
                             "mesh file with named surfaces",
                             what)
               : did_you_mean(name, known));
+}
+
+std::optional<std::optional<double>> Table::angle_or_none(const std::string& name) {
+  const auto degrees = number(name);
+  return degrees ? std::optional(*degrees * std::numbers::pi / 180) : std::nullopt;
 }
 
 std::optional<std::string> Table::shape(const std::string& example, const std::string& advice_for_several) const {

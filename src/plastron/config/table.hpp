@@ -19,6 +19,10 @@ class Table {
   bool has(const std::string& name) const { return value_.as_table().count(name) > 0; }
   /// Returns the value in the file, or the default. A required key that is absent is reported.
   std::optional<toml::value> value(const std::string& name) const;
+  /// Reports the key as missing unless the file gives it.
+  void require(const std::string& name) const {
+    if (!has(name)) report_missing(declared(name));
+  }
   /// Reports a mistake in the value of a key of the file.
   void report(const std::string& name, std::string what, std::string allowed = "", std::string advice = "") const;
   /// Reports a key that the file gives, for example one too many.
@@ -40,7 +44,12 @@ class Table {
   std::optional<Eigen::Vector3d> vector(const std::string& name);
   /// Returns the unit vector along the three numbers of a key; reports the zero vector.
   std::optional<Eigen::Vector3d> direction(const std::string& name);
-  std::optional<std::vector<Eigen::Vector2d>> points(const std::string& name);
+  /// For members that may be empty. An angle is given in degrees and returned in radians.
+  std::optional<std::optional<Eigen::Vector3d>> direction_or_none(const std::string& name) { return direction(name); }
+  std::optional<std::optional<double>> number_or_none(const std::string& name) { return number(name); }
+  std::optional<std::optional<double>> angle_or_none(const std::string& name);
+  std::optional<ShellPlace> place(const std::string& name);
+  std::optional<std::vector<ShellPlace>> places(const std::string& name);
   std::optional<std::vector<Eigen::Vector3d>> vectors(const std::string& name);
   std::optional<std::array<int, 2>> cell_counts(const std::string& name);
   /// Returns a text; where words are declared, one of them, or "" for false.

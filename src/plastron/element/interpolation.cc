@@ -41,11 +41,12 @@ Interpolation::Interpolation(std::shared_ptr<const fem::Space> space, std::share
 
 std::vector<MovingBasis> Interpolation::bases(std::size_t cell, std::span<const Vector2d> xi) const {
   if (!is_covariant_) return {};
-  std::vector<geometry::SurfaceJet> in_parameters(xi.size()), in_cell(xi.size());
+  std::vector<geometry::SurfaceJet> in_parameters(xi.size());
+  std::vector<geometry::Frame> in_cell(xi.size());
   surface_->parameter_jets(space_->cells[cell], xi, in_parameters);
-  surface_->jets(space_->cells[cell], xi, in_cell, false);
+  surface_->frames(space_->cells[cell], xi, in_cell, false);
   std::vector<MovingBasis> bases(xi.size());
-  for (std::size_t p = 0; p < xi.size(); ++p) bases[p] = geometry::moving_basis(in_parameters[p], in_cell[p]);
+  for (std::size_t p = 0; p < xi.size(); ++p) bases[p] = geometry::moving_basis(in_parameters[p], in_cell[p].a_cov);
   return bases;
 }
 

@@ -30,16 +30,13 @@ std::vector<double> with_ends(std::vector<double> inner) {
 class Borders {
  public:
   using Place = std::function<Vector2d(double s, double t)>;
-  Borders(const PiecesOfAll& functions, Place place, const Positions& positions)
-      : functions_(functions), place_(std::move(place)), positions_(positions) {}
+  Borders(const PiecesOfAll& functions, Place place, const Places& places)
+      : functions_(functions), place_(std::move(place)), places_(places) {}
 
   bool are_none(double s0, double s1, double t0, double t1) const {
     if (++looks_ > most_looks) throw TooMany();
     const auto sides = box(s0, s1, t0, t1);
-    return std::ranges::all_of(functions_, [&](const geometry::Pieces* f) {
-      const auto& [x, y] = sides;
-      return f->is_one_over(x, y);
-    });
+    return std::ranges::all_of(functions_, [&](const geometry::Pieces* f) { return f->is_one_over(sides); });
   }
 
   /// Returns the places where borders cross the line of s, ascending.
@@ -68,32 +65,33 @@ class Borders {
   }
 
  private:
-  /// Returns intervals around x and y: the values at corners and middles, extended by the difference between the
+  /// Returns intervals around the variables: the values at corners and middles, extended by the difference between the
   /// middles and the linear interpolation of the corners.
-  std::array<geometry::Interval, 2> box(double s0, double s1, double t0, double t1) const {
+  geometry::Box box(double s0, double s1, double t0, double t1) const {
     std::array<Vector2d, 9> points;
-    std::array<double, 9> x{}, y{};
     std::size_t n = 0;
     const std::size_t across = s0 == s1 ? 1 : 3, along = t0 == t1 ? 1 : 3;
     for (std::size_t i = 0; i < across; ++i)
       for (std::size_t k = 0; k < along; ++k)
         points[n++] =
             place_(s0 + 0.5 * static_cast<double>(i) * (s1 - s0), t0 + 0.5 * static_cast<double>(k) * (t1 - t0));
-    positions_(std::span(points).first(n), std::span(x).first(n), std::span(y).first(n));
-    const auto enclosed = [&](const std::array<double, 9>& v) {
+    const std::vector<geometry::Place> places = places_(std::span(points).first(n));
+    const auto enclosed = [&](double geometry::Place::*variable) {
       const auto at = [&](std::size_t i, std::size_t k) {
-        return v[std::min(i, across - 1) * along + std::min(k, along - 1)];
+        return places[std::min(i, across - 1) * along + std::min(k, along - 1)].*variable;
       };
       double bend = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         bend = std::max(bend, across == 1 ? 0 : std::abs(at(1, k) - 0.5 * (at(0, k) + at(2, k))));
         bend = std::max(bend, along == 1 ? 0 : std::abs(at(k, 1) - 0.5 * (at(k, 0) + at(k, 2))));
       }
-      const auto [low, high] = std::minmax_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n));
-      const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(*low), std::abs(*high));
-      return geometry::Interval{*low - bend - rounding, *high + bend + rounding};
+      const auto [lowest, highest] = std::ranges::minmax(places, {}, variable);
+      const double low = lowest.*variable, high = highest.*variable;
+      const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
+      return geometry::Interval{low - bend - rounding, high + bend + rounding};
     };
-    return {enclosed(x), enclosed(y)};
+    using geometry::Place;
+    return {enclosed(&Place::x), enclosed(&Place::y), enclosed(&Place::X), enclosed(&Place::Y), enclosed(&Place::Z)};
   }
 
   /// Adds the crossings of the line of s between t0 and t1 to `all`. `end`: end of the interval that arithmetic cannot
@@ -203,7 +201,7 @@ class Borders {
 
   const PiecesOfAll& functions_;
   Place place_;
-  const Positions& positions_;
+  const Places& places_;
   mutable int looks_ = 0;
 };
 
@@ -234,14 +232,14 @@ fem::Rule with_roots_at_ends(int points) {
 
 }  // namespace
 
-bool are_one_piece(const PiecesOfAll& functions, fem::Shape shape, const Positions& positions) {
-  return Borders(functions, place_on(shape), positions).are_none(smallest, 1 - smallest, smallest, 1 - smallest);
+bool are_one_piece(const PiecesOfAll& functions, fem::Shape shape, const Places& places) {
+  return Borders(functions, place_on(shape), places).are_none(smallest, 1 - smallest, smallest, 1 - smallest);
 }
 
 std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int degree,
-                                              const Positions& positions) {
+                                              const Places& places) {
   const auto place = place_on(shape);
-  const Borders borders(functions, place, positions);
+  const Borders borders(functions, place, places);
   PieceRule rule;
   try {
     const fem::Rule across = with_roots_at_ends(degree + 8), along = fem::gauss(degree + 2);
@@ -259,7 +257,7 @@ std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem:
 }
 
 PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const PieceRule& of_cell,
-                        const Positions& positions) {
+                        const Places& places) {
   constexpr std::size_t most_parts = 30'000;
   constexpr int most_divisions = 30;
   constexpr double small = 1.0 / 64;  // shape functions are nearly linear over such a part: one point is enough
@@ -283,10 +281,10 @@ PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const Pi
     quarters.clear();
     for (const CellPart& part : crossed)
       for (const CellPart& quarter : divided(shape, part)) {
-        const Positions in_quarter = [&](std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) {
+        const Places in_quarter = [&](std::span<const Vector2d> xi) {
           points.clear();
           for (const Vector2d& point : xi) points.push_back(quarter.corner + quarter.size * point);
-          positions(points, x, y);
+          return places(points);
         };
         if (are_one_piece(functions, shape, in_quarter))
           add(quarter);
@@ -300,9 +298,9 @@ PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const Pi
 }
 
 std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int side, int degree,
-                                              const Positions& positions) {
+                                              const Places& places) {
   const auto place = [&](double, double t) { return fem::side_point(shape, side, t); };
-  const Borders borders(functions, place, positions);
+  const Borders borders(functions, place, places);
   PieceRule rule;
   try {
     between(with_ends(borders.on_line(0)), fem::gauss(degree + 2), [&](double t, double weight) {

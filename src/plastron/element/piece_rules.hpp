@@ -18,10 +18,10 @@ namespace plastron::element {
 
 using Eigen::Vector2d;
 
-/// Computes parameters x, y of points of a cell.
-using Positions = std::function<void(std::span<const Vector2d> xi, std::span<double> x, std::span<double> y)>;
+/// Returns the places of points of a cell, with X, Y, Z where a function needs them.
+using Places = std::function<std::vector<geometry::Place>(std::span<const Vector2d> xi)>;
 
-/// Functions of x and y that are integrated together.
+/// Functions of the place that are integrated together.
 using PiecesOfAll = std::vector<const geometry::Pieces*>;
 
 struct PieceRule {
@@ -30,19 +30,18 @@ struct PieceRule {
 };
 
 /// Whether the functions are one piece on the whole cell.
-bool are_one_piece(const PiecesOfAll& functions, fem::Shape shape, const Positions& positions);
+bool are_one_piece(const PiecesOfAll& functions, fem::Shape shape, const Places& places);
 
 /// Returns a rule between the borders of pieces; nothing where a cell has more borders than a rule can follow.
 std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int degree,
-                                              const Positions& positions);
+                                              const Places& places);
 
 /// Returns a rule for a cell with too many borders. Each part of the cell that no border crosses has the cell's rule.
 /// The remaining parts have it too when there are thousands.
-PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const PieceRule& of_cell,
-                        const Positions& positions);
+PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const PieceRule& of_cell, const Places& places);
 
 /// Returns the rule of rule_between_borders for a side of a cell, from its start to its end.
 std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int side, int degree,
-                                              const Positions& positions);
+                                              const Places& places);
 
 }  // namespace plastron::element

@@ -69,19 +69,18 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
   const assembly::DiscreteShell& discrete = solved_.discrete;
   const assembly::ShellOperator& shell = discrete.shell;
   const fem::Space& space = discrete.space();
-  std::vector<geometry::SurfaceJet> jets(at.xi.size());
-  std::vector<double> x(jets.size()), y(jets.size()), e(jets.size());
-  shell.surface().jets(space.cells[cell], at.xi, jets, false);
-  shell.surface().positions(space.cells[cell], at.xi, x, y);
-  shell.section(cell).thickness.evaluate(x, y, e);
+  std::vector<geometry::Frame> frames(at.xi.size());
+  std::vector<double> e(frames.size());
+  shell.surface().frames(space.cells[cell], at.xi, frames, false);
+  shell.surface().evaluate(shell.section(cell).thickness, space.cells[cell], at.xi, e);
   const element::CellField u = shell.interpolation().values(cell, at, shell.gather(cell, solved_.nodal.y));
   const element::CellField moved = discrete.state_values(cell, at);
   std::vector<std::pair<double, obstacle::Gap>> result;
-  for (std::size_t p = 0; p < jets.size(); ++p) {
+  for (std::size_t p = 0; p < frames.size(); ++p) {
     const auto row = static_cast<Eigen::Index>(p);
-    const Eigen::Vector3d a3 = geometry::unit_normal(jets[p]);
+    const Eigen::Vector3d& a3 = frames[p].a3;
     const obstacle::Gap gap =
-        discrete.gap(obstacle, assembly::shell_point(jets[p].value, a3, e[p], moved.row(row).transpose()));
+        discrete.gap(obstacle, assembly::shell_point(frames[p].phi, a3, e[p], moved.row(row).transpose()));
     result.emplace_back(gap.initial + opening(gap, u.row(row), a3), gap);
   }
   return result;
@@ -191,13 +190,12 @@ std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const
     const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];
     const element::BasisAt point = element::basis_at(fem::Shape::quadrilateral, discrete.space().degree, {xi});
     const obstacle::Gap gap = gaps(cell, at.obstacle, point).front().second;
-    geometry::SurfaceJet jet;
-    discrete.shell.surface().jets(discrete.space().cells[cell], {&xi, 1}, {&jet, 1}, false);
+    const geometry::Frame frame = discrete.shell.surface().frame(discrete.space().cells[cell], xi, false);
     const element::CellField z = discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, y));
     const double weight = at.part * discrete.points[at.node].weight;
     const double mu = weight * (reactions.mu[entry] + (derivative.weighs_gaps ? reactions.eta[entry] : 0));
     const double eta = weight * reactions.eta[entry];
-    const double reach = opening(gap, z.row(0), geometry::unit_normal(jet)) - derivative.held_at(at.obstacle, gap);
+    const double reach = opening(gap, z.row(0), frame.a3) - derivative.held_at(at.obstacle, gap);
     lines[at.crossed] += std::max(std::abs(mu * at.gap), solved_.box.pressing.empty() ? std::abs(eta * reach) : 0.0);
   }
   return lines;
@@ -288,8 +286,8 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
     densities.row(i) << reactions.mu[node + obstacle], reactions.eta[node + obstacle];
   }
   const Eigen::MatrixXd density = reaction_basis_ * densities;
-  std::vector<geometry::SurfaceJet> jets(at.xi.size());
-  shell.surface().jets(space.cells[cell], at.xi, jets, false);
+  std::vector<geometry::Frame> frames(at.xi.size());
+  shell.surface().frames(space.cells[cell], at.xi, frames, false);
   const element::CellField u = shell.interpolation().values(cell, at, shell.gather(cell, solved_.nodal.y));
   const element::CellField dual = shell.interpolation().values(cell, at, z);
   const element::CellField moved = discrete.state_values(cell, at);
@@ -297,7 +295,7 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
   for (int q = 0; q < u.rows(); ++q) {
     const assembly::QuadraturePoint& p = shell.point(cell, q);
     const obstacle::Gap gap =
-        discrete.gap(obstacle, assembly::shell_point(jets[static_cast<std::size_t>(q)].value, p.frame.a3, p.thickness,
+        discrete.gap(obstacle, assembly::shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3, p.thickness,
                                                      moved.row(q).transpose()));
     const auto opened = [&](const element::CellField& field) { return opening(gap, field.row(q), p.frame.a3); };
     penetration += p.area * density(q, 0) * (gap.initial + opened(u));

@@ -67,17 +67,17 @@ class FreeEdgesOf {
     if (side.is_inner || space_.degree < 2) return {};
     FreeEdge edge{.cell = side.cell};
     for (const double t : line_.points) edge.xi.push_back(fem::side_point(space_.shape(), side.side, t));
-    std::vector<geometry::SurfaceJet> jets(edge.xi.size());
-    discrete_.shell.surface().jets(space_.cells[side.cell], edge.xi, jets, false);
+    std::vector<geometry::Frame> frames(edge.xi.size());
+    discrete_.shell.surface().frames(space_.cells[side.cell], edge.xi, frames, false);
     const Vector2d along = fem::side_tangent(space_.shape(), side.side);
     std::vector<double> lengths;
-    for (std::size_t i = 0; i < jets.size(); ++i) {
-      const Vector3d derivative = along[0] * jets[i].d[0] + along[1] * jets[i].d[1];
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const Vector3d derivative = geometry::along(frames[i], along);
       edge.tangent.push_back(derivative.normalized());
       lengths.push_back(line_.weights[i] * derivative.norm());
     }
     if (!is_free(side, edge.tangent.front())) return {};
-    edge.weight = weights(edge, jets, lengths);
+    edge.weight = weights(edge, frames, lengths);
     return edge;
   }
 
@@ -91,17 +91,16 @@ class FreeEdgesOf {
     });
   }
 
-  std::vector<double> weights(const FreeEdge& edge, std::span<const geometry::SurfaceJet> jets,
+  std::vector<double> weights(const FreeEdge& edge, std::span<const geometry::Frame> frames,
                               std::vector<double> lengths) const {
     const assembly::ShellOperator& shell = discrete_.shell;
-    std::vector<double> x(edge.xi.size()), y(edge.xi.size()), e(edge.xi.size());
-    shell.surface().positions(space_.cells[edge.cell], edge.xi, x, y);
+    std::vector<double> e(edge.xi.size());
     const assembly::CrossSection& section = shell.section(edge.cell);
-    section.thickness.evaluate(x, y, e);
+    shell.surface().evaluate(section.thickness, space_.cells[edge.cell], edge.xi, e);
     const double width = shell.area(edge.cell) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
     for (std::size_t i = 0; i < e.size(); ++i) {
-      const shell::Section along = shell::section_at(
-          section.material, shell::frame_across(edge.tangent[i], geometry::unit_normal(jets[i])), e[i]);
+      const shell::Section along =
+          shell::section_at(section.material, shell::frame_across(edge.tangent[i], frames[i].a3), e[i]);
       const double delta = shell::twist_length(along);
       const double cell = width / delta;
       // Within the layer M_nt is an ordinary residual, weighted with the cell's width.

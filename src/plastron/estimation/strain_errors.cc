@@ -53,14 +53,14 @@ class StrainErrorsOf {
 
   /// Appends weighted values of M_nt at the points of an edge.
   void add_twist(const FreeEdge& edge, Eigen::VectorXd& twist) const {
-    std::vector<geometry::SurfaceJet> jets(edge.xi.size());
-    shell_.surface().jets(shell_.space().cells[edge.cell], edge.xi, jets, false);
+    std::vector<geometry::Frame> frames(edge.xi.size());
+    shell_.surface().frames(shell_.space().cells[edge.cell], edge.xi, frames, false);
     std::vector<SurfaceAxes> axes;
-    for (std::size_t i = 0; i < jets.size(); ++i) {
-      const Vector3d a3 = geometry::unit_normal(jets[i]);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const Vector3d& a3 = frames[i].a3;
       axes.push_back({.t1 = edge.tangent[i], .t2 = a3.cross(edge.tangent[i]), .a3 = a3});
     }
-    const auto stresses = recovered(edge.cell, shell_.gather(edge.cell, y_), {edge.xi, jets, axes});
+    const auto stresses = recovered(edge.cell, shell_.gather(edge.cell, y_), {edge.xi, frames, axes});
     const Eigen::Index before = twist.size();
     twist.conservativeResize(before + stresses.rows());
     for (Eigen::Index i = 0; i < stresses.rows(); ++i)
@@ -70,7 +70,7 @@ class StrainErrorsOf {
  private:
   struct Points {
     const std::vector<Eigen::Vector2d>& xi;
-    const std::vector<geometry::SurfaceJet>& jets;
+    const std::vector<geometry::Frame>& frames;
     const std::vector<SurfaceAxes>& axes;
   };
 
@@ -95,23 +95,21 @@ class StrainErrorsOf {
       return rows;
     }
     for (std::size_t q = 0; q < at.xi.size(); ++q)
-      rows.row(static_cast<Eigen::Index>(q)) = *patches_.at(cell, at.xi[q], at.jets[q].value, at.axes[q]);
+      rows.row(static_cast<Eigen::Index>(q)) = *patches_.at(cell, at.xi[q], at.frames[q].phi, at.axes[q]);
     return rows;
   }
 
   /// Contravariant components at the quadrature points.
   CellStrain recovered(std::size_t cell, const element::CellField& field) const {
     const auto& xi = shell_.tables().quadrature.xi;
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    shell_.surface().jets(shell_.space().cells[cell], xi, jets, false);
-    std::vector<geometry::Frame> frames;
+    std::vector<geometry::Frame> frames(xi.size());
+    shell_.surface().frames(shell_.space().cells[cell], xi, frames, false);
     std::vector<SurfaceAxes> axes;
     for (std::size_t q = 0; q < xi.size(); ++q) {
-      frames.push_back(shell_.frame_at(cell, static_cast<int>(q)));
-      const Vector3d t1 = frames.back().a_cov[0].normalized();
-      axes.push_back({.t1 = t1, .t2 = frames.back().a3.cross(t1), .a3 = frames.back().a3});
+      const Vector3d t1 = frames[q].a_cov[0].normalized();
+      axes.push_back({.t1 = t1, .t2 = frames[q].a3.cross(t1), .a3 = frames[q].a3});
     }
-    CellStrain stresses = recovered(cell, field, {xi, jets, axes});
+    CellStrain stresses = recovered(cell, field, {xi, frames, axes});
     for (std::size_t q = 0; q < xi.size(); ++q) {
       auto row = stresses.row(static_cast<Eigen::Index>(q));
       row = contravariant(Resultants(row), axes[q], frames[q]);

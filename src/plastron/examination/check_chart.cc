@@ -11,10 +11,9 @@ namespace plastron::examination {
 
 namespace {
 
-bool is_finite(const geometry::SurfaceJet& jet) {
-  bool finite = jet.value.allFinite();
-  for (const auto& d : jet.d) finite = finite && d.allFinite();
-  for (const auto& d : jet.dd) finite = finite && d.allFinite();
+bool is_finite(const geometry::Frame& frame) {
+  bool finite = frame.phi.allFinite() && frame.b_cov.allFinite();
+  for (const auto& a : frame.a_cov) finite = finite && a.allFinite();
   return finite;
 }
 
@@ -25,14 +24,15 @@ class ChartCheck {
 
   void run() {
     for (const fem::Cell& cell : examined_.space->cells)
-      for (const geometry::SurfaceJet& jet : samples(cell, examined_.tables.nodes, false).jets)
-        if (is_finite(jet)) largest_element_ = std::max(largest_element_, jet.d[0].cross(jet.d[1]).norm());
+      for (const geometry::Frame& frame : samples(cell, examined_.tables.nodes, false).frames)
+        if (std::isfinite(frame.sqrt_a)) largest_element_ = std::max(largest_element_, frame.sqrt_a);
     for (const fem::Cell& cell : examined_.space->cells)
       if (!usable_points(cell) || !usable_nodes(cell)) return;
     examined_.size = (high_ - low_).norm() / 2;
     examined_.is_developable = flattest_ <= 1e-9 * std::max(roundest_, 1 / examined_.size);
     const std::size_t points = examined_.space->cells.size() * examined_.tables.weights.size();
-    examined_.add(Severity::note, "chart: regular at {} sample points, mid-surface area {:.6g} m^2", points, area_);
+    examined_.add(Severity::note, "{}: regular at {} sample points, mid-surface area {:.6g} m^2",
+                  examined_.surface->has_directors() ? "surface" : "chart", points, area_);
     examined_.add(Severity::note, "thickness: {:.4g} to {:.4g} m; e |kappa| / 2 at most {:.3g} (must stay below 1)",
                   thinnest_, thickest_, sharpest_);
     check_proportions();
@@ -59,8 +59,8 @@ class ChartCheck {
     const auto& xi = examined_.tables.quadrature.xi;
     const Samples s = samples(cell, xi, true);
     for (std::size_t p = 0; p < xi.size(); ++p) {
-      if (!regular(s.jets[p], s.x[p], s.y[p]) || !thick(s.e[p], s.x[p], s.y[p])) return false;
-      const geometry::Frame frame = geometry::frame_at(s.jets[p]);
+      const geometry::Frame& frame = s.frames[p];
+      if (!regular(frame, s.x[p], s.y[p]) || !thick(s.e[p], s.x[p], s.y[p])) return false;
       if (!thin(frame, s.e[p], s.x[p], s.y[p]) || !has_axes(cell, s, p)) return false;
       area_ += frame.sqrt_a * examined_.tables.weights[p];
     }
@@ -70,65 +70,66 @@ class ChartCheck {
   /// Checks the nodes, because edges of the domain contain nodes but no quadrature points.
   bool usable_nodes(const fem::Cell& cell) {
     const Samples s = samples(cell, examined_.tables.nodes, false);
-    for (std::size_t i = 0; i < s.jets.size(); ++i) {
-      if (!regular(s.jets[i], s.x[i], s.y[i]) || !thick(s.e[i], s.x[i], s.y[i]) || !has_axes(cell, s, i)) return false;
-      low_ = low_.cwiseMin(s.jets[i].value);
-      high_ = high_.cwiseMax(s.jets[i].value);
+    for (std::size_t i = 0; i < s.frames.size(); ++i) {
+      if (!regular(s.frames[i], s.x[i], s.y[i]) || !thick(s.e[i], s.x[i], s.y[i]) || !has_axes(cell, s, i))
+        return false;
+      low_ = low_.cwiseMin(s.frames[i].phi);
+      high_ = high_.cwiseMax(s.frames[i].phi);
     }
     return true;
   }
 
   struct Samples {
     std::vector<double> x, y, e;
-    std::vector<geometry::SurfaceJet> jets;
+    std::vector<geometry::Frame> frames;
   };
   Samples samples(const fem::Cell& cell, const std::vector<Eigen::Vector2d>& xi, bool second_derivatives) const {
     const std::size_t n = xi.size();
     Samples s{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), {}};
-    s.jets.resize(n);
+    s.frames.resize(n);
     examined_.surface->positions(cell, xi, s.x, s.y);
-    examined_.surface->jets(cell, xi, s.jets, second_derivatives);
-    examined_.problem.shell.sections.at(*examined_.space->coarse, cell).thickness.evaluate(s.x, s.y, s.e);
+    examined_.surface->frames(cell, xi, s.frames, second_derivatives);
+    examined_.surface->evaluate(examined_.problem.shell.sections.at(*examined_.space->coarse, cell).thickness, cell, xi,
+                                s.e);
     return s;
   }
 
-  bool regular(const geometry::SurfaceJet& jet, double x, double y) {
-    if (!is_finite(jet)) {
+  bool regular(const geometry::Frame& frame, double x, double y) {
+    // A tangent that is zero up to rounding may be perpendicular to the other one. Degenerate tangents have no normal.
+    const bool is_degenerate = frame.a_cov[0].allFinite() && frame.a_cov[1].allFinite() &&
+                               !(geometry::tangent_sine(frame) > geometry::degenerate_sine &&
+                                 frame.sqrt_a > geometry::degenerate_sine * largest_element_);
+    if (!is_degenerate && !is_finite(frame)) {
       examined_.add(Severity::error,
-                    "the chart or one of its derivatives is not finite at x = {:.6g}, y = {:.6g}; the domain must stay "
+                    "the chart or one of its derivatives is not finite at {}; the domain must stay "
                     "inside of where the expressions are smooth",
-                    x, y);
+                    examined_.place({x, y}));
       return false;
     }
-    // A tangent that is zero up to rounding may be perpendicular to the other one.
-    const double element = jet.d[0].cross(jet.d[1]).norm();
-    if (geometry::tangent_sine(jet) > geometry::degenerate_sine &&
-        element > geometry::degenerate_sine * largest_element_)
-      return true;
+    if (!is_degenerate) return true;
     examined_.add(Severity::error,
-                  "the chart is degenerate at x = {:.6g}, y = {:.6g}: its tangents a_1 and a_2 are parallel or zero "
+                  "the chart is degenerate at {}: its tangents a_1 and a_2 are parallel or zero "
                   "(|a_1 x a_2| = {:.2g}); choose parameters in which phi has independent tangents",
-                  x, y, element);
+                  examined_.place({x, y}), frame.sqrt_a);
     return false;
   }
 
   bool has_axes(const fem::Cell& cell, const Samples& s, std::size_t p) {
     const auto laminate = examined_.problem.shell.sections.at(*examined_.space->coarse, cell).material.laminate();
-    if (!laminate || laminate->has_axes(geometry::unit_normal(s.jets[p]))) return true;
-    examined_.add(
-        Severity::error,
-        "the material's direction is normal to the shell at x = {:.6g}, y = {:.6g}, so that its axis 1 is not "
-        "known there; choose a direction that is nowhere within half a degree of the normal a3",
-        s.x[p], s.y[p]);
+    if (!laminate || laminate->has_axes(s.frames[p].a3)) return true;
+    examined_.add(Severity::error,
+                  "the material's direction is normal to the shell at {}, so that its axis 1 is not "
+                  "known there; choose a direction that is nowhere within half a degree of the normal a3",
+                  examined_.place({s.x[p], s.y[p]}));
     return false;
   }
 
   bool thick(double e, double x, double y) {
     if (e > 0 && std::isfinite(e)) return true;
     examined_.add(Severity::error,
-                  "the thickness is {:g} at x = {:.6g}, y = {:.6g}; it must be positive and finite everywhere in the "
+                  "the thickness is {:g} at {}; it must be positive and finite everywhere in the "
                   "domain",
-                  e, x, y);
+                  e, examined_.place({x, y}));
     return false;
   }
 
@@ -137,10 +138,10 @@ class ChartCheck {
     const double bending = e / 2 * std::max(std::abs(kappa[0]), std::abs(kappa[1]));
     if (!(bending < 1)) {
       examined_.add(Severity::error,
-                    "the shell is too thick for its curvature at x = {:.6g}, y = {:.6g}: thickness {:g} times largest "
+                    "the shell is too thick for its curvature at {}: thickness {:g} times largest "
                     "curvature {:g}, halved, is {:.3g} and must stay below 1; reduce the thickness or flatten the "
                     "chart there",
-                    x, y, e, 2 * bending / e, bending);
+                    examined_.place({x, y}), e, 2 * bending / e, bending);
       return false;
     }
     thinnest_ = std::min(thinnest_, e);

@@ -10,23 +10,18 @@ namespace plastron::examination {
 
 namespace {
 
-struct Points {
-  std::vector<double> x, y;
+using Points = std::vector<geometry::Place>;
 
-  void add(const Examined& examined, const fem::Cell& cell, const std::vector<Eigen::Vector2d>& xi) {
-    const std::size_t before = x.size();
-    x.resize(before + xi.size());
-    y.resize(x.size());
-    examined.surface->positions(cell, xi, std::span(x).subspan(before), std::span(y).subspan(before));
-  }
-};
+void add(const Examined& examined, const fem::Cell& cell, const std::vector<Eigen::Vector2d>& xi, Points& points) {
+  std::ranges::copy(examined.surface->places(cell, xi, true), std::back_inserter(points));
+}
 
 Points in_domain(const Examined& examined, const NamedExpression& e) {
   Points points;
   for (const fem::Cell& cell : examined.space->cells) {
     if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) continue;
-    points.add(examined, cell, examined.tables.quadrature.xi);
-    points.add(examined, cell, examined.tables.nodes);
+    add(examined, cell, examined.tables.quadrature.xi, points);
+    add(examined, cell, examined.tables.nodes, points);
   }
   return points;
 }
@@ -43,13 +38,20 @@ Points on_boundary(const Examined& examined, const std::string& name) {
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
     for (const double t : line) xi.push_back(fem::side_point(space.shape(), edge.side, t));
-    points.add(examined, space.cells[edge.cell], xi);
+    add(examined, space.cells[edge.cell], xi, points);
   }
   return points;
 }
 
+/// The place of a point of Omega; none outside.
+Points place_in(const Examined& examined, const Eigen::Vector2d& point) {
+  const auto location = fem::locate(*examined.space->coarse, point);
+  if (!location) return {};
+  return examined.surface->places({.coarse = location->coarse}, {&location->xi, 1}, true);
+}
+
 Points points_of(const Examined& examined, const NamedExpression& e) {
-  if (e.point) return {{(*e.point)[0]}, {(*e.point)[1]}};
+  if (e.point) return place_in(examined, *e.point);
   return e.boundary.empty() ? in_domain(examined, e) : on_boundary(examined, e.boundary);
 }
 
@@ -66,13 +68,13 @@ void check_finite(Examined& examined) {
   std::ranges::move(support_expressions(examined.problem), std::back_inserter(all));
   for (const NamedExpression& e : all) {
     const Points points = e.point ? points_of(examined, e) : points_at(e);
-    std::vector<double> values(points.x.size());
-    e.f.evaluate(points.x, points.y, values);
+    std::vector<double> values(points.size());
+    e.f.evaluate(points, values);
     const auto bad = std::ranges::find_if_not(values, [](double v) { return std::isfinite(v); });
     if (bad == values.end()) continue;
     const auto at = static_cast<std::size_t>(bad - values.begin());
-    examined.add(Severity::error, "{} is {:g} at x = {:.6g}, y = {:.6g}; it must be finite everywhere it acts", e.name,
-                 *bad, points.x[at], points.y[at]);
+    examined.add(Severity::error, "{} is {:g} at {}; it must be finite everywhere it acts", e.name, *bad,
+                 examined.place({points[at].x, points[at].y}));
   }
 }
 

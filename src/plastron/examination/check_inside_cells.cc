@@ -15,17 +15,11 @@ using Eigen::Vector3d;
 
 using Lines = JumpSearch::Lines;
 
-constexpr const char* mesh_line = "put a mesh line there: breaks of a rectangle, a polygon's edge or a .msh file";
-
-geometry::SurfaceJet jet_at(const Examined& examined, const fem::Cell& cell, const Vector2d& xi, bool second) {
-  geometry::SurfaceJet jet;
-  examined.surface->jets(cell, {&xi, 1}, {&jet, 1}, second);
-  return jet;
-}
+constexpr const char* mesh_line =
+    "put a mesh line there: breaks of a rectangle, a polygon's edge or the edges of a mesh file";
 
 /// Returns the shape operator as a tensor of space, which does not depend on the cell's coordinates [1/m].
-Eigen::Matrix3d shape_tensor(const geometry::SurfaceJet& jet) {
-  const geometry::Frame frame = geometry::frame_at(jet);
+Eigen::Matrix3d shape_tensor(const geometry::Frame& frame) {
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
   for (int a = 0; a < 2; ++a) S -= frame.da3[a] * frame.a_con[a].transpose();
   return S;
@@ -33,19 +27,18 @@ Eigen::Matrix3d shape_tensor(const geometry::SurfaceJet& jet) {
 
 bool check_kinks(Examined& examined, const JumpSearch& search) {
   const CellFunction surface = [&](const fem::Cell& cell, const Vector2d& xi) {
-    const geometry::SurfaceJet jet = jet_at(examined, cell, xi, false);
+    const geometry::Frame frame = examined.surface->frame(cell, xi, false);
     Sample s(6);
-    s << jet.value / examined.size, geometry::unit_normal(jet);
+    s << frame.phi / examined.size, frame.a3;
     return s;
   };
   const auto kink = search.in_cells(surface, 1e-5, Lines::forbidden);
   if (!kink) return true;
-  examined.add(
-      Severity::error,
-      "the mid-surface has a kink or a jump inside of a cell near x = {:.6g}, y = {:.6g}, of about {:.3g} degrees; "
-      "curvature may jump, the normal may not: round the fold off, or describe the pieces by regions (breaks "
-      "of a rectangle, or a .msh file) that meet with one tangent plane",
-      kink->at[0], kink->at[1], degrees_between(kink->size));
+  examined.add(Severity::error,
+               "the mid-surface has a kink or a jump inside of a cell near {}, of about {:.3g} degrees; "
+               "curvature may jump, the normal may not: round the fold off, or describe the pieces by regions (breaks "
+               "of a rectangle, or a .msh file) that meet with one tangent plane",
+               examined.place(kink->at), degrees_between(kink->size));
   return false;
 }
 
@@ -54,36 +47,35 @@ void check_curvature(Examined& examined, const JumpSearch& search) {
   double largest = 1e-3 / examined.size;
   for (const fem::Cell& cell : examined.space->cells)
     largest =
-        std::max(largest, shape_tensor(jet_at(examined, cell, fem::centre(examined.space->shape()), true)).norm());
+        std::max(largest, shape_tensor(examined.surface->frame(cell, fem::centre(examined.space->shape()))).norm());
   const CellFunction curvature = [&](const fem::Cell& cell, const Vector2d& xi) {
-    return Sample(shape_tensor(jet_at(examined, cell, xi, true)).reshaped() / largest);
+    return Sample(shape_tensor(examined.surface->frame(cell, xi)).reshaped() / largest);
   };
   if (const auto jump = search.in_cells(curvature, 1e-3, Lines::allowed))
     examined.add(Severity::warning,
-                 "the curvature of the mid-surface jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} 1/m; "
+                 "the curvature of the mid-surface jumps inside of a cell near {}, by {:.3g} 1/m; "
                  "results converge slowly there; {}",
-                 jump->at[0], jump->at[1], jump->size * largest, mesh_line);
+                 examined.place(jump->at), jump->size * largest, mesh_line);
 }
 
 /// Returns f divided by the scale in the cells where it acts, zero in others.
 CellFunction values_of(const Examined& examined, const NamedExpression& e, double scale) {
   return [&examined, e, scale](const fem::Cell& cell, const Vector2d& xi) {
     if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) return Sample(Sample::Zero(1));
-    Vector2d x;
-    examined.surface->positions(cell, {&xi, 1}, {&x[0], 1}, {&x[1], 1});
-    return Sample(Sample::Constant(1, e.f(x[0], x[1]) / scale));
+    double value = 0;
+    examined.surface->evaluate(e.f, cell, {&xi, 1}, {&value, 1});
+    return Sample(Sample::Constant(1, value / scale));
   };
 }
 
 /// Largest magnitude at the nodes; 1 if f is zero there.
 double scale_of(const Examined& examined, const NamedExpression& e) {
   const std::size_t count = examined.tables.nodes.size();
-  std::vector<double> x(count), y(count), values(count);
+  std::vector<double> values(count);
   double largest = 0;
   for (const fem::Cell& cell : examined.space->cells) {
     if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) continue;
-    examined.surface->positions(cell, examined.tables.nodes, x, y);
-    e.f.evaluate(x, y, values);
+    examined.surface->evaluate(e.f, cell, examined.tables.nodes, values);
     for (const double v : values) largest = std::max(largest, std::abs(v));
   }
   return largest > 0 && std::isfinite(largest) ? largest : 1;
@@ -113,9 +105,9 @@ void check_thickness(Examined& examined, const JumpSearch& search) {
     if (!jump) jump = search.along_lines(values, 1e-6, Lines::allowed);
     if (jump)
       examined.add(Severity::error,
-                   "the thickness {} jumps inside of a cell near x = {:.6g}, y = {:.6g}, by {:.3g} m, and elements "
+                   "the thickness {} jumps inside of a cell near {}, by {:.3g} m, and elements "
                    "take it for smooth; {}; or let it change over a length",
-                   quoted(e.f), jump->at[0], jump->at[1], jump->size * scale, mesh_line);
+                   quoted(e.f), examined.place(jump->at), jump->size * scale, mesh_line);
   }
 }
 
@@ -125,20 +117,21 @@ void check_load(Examined& examined, const JumpSearch& search, const NamedExpress
                                           : search.along_boundary(load.boundary, values, 1e-6);
   if (!jump) return;
   if (!jump->is_bounded)
-    examined.add(Severity::error, "{} grows without limit near x = {:.6g}, y = {:.6g}; it must be finite everywhere",
-                 load.name, jump->at[0], jump->at[1]);
+    examined.add(Severity::error, "{} grows without limit near {}; it must be finite everywhere", load.name,
+                 examined.place(jump->at));
   else
     examined.add(Severity::note,
-                 "{} jumps inside of a cell near x = {:.6g}, y = {:.6g}: cells are divided to integrate it; to have it "
+                 "{} jumps inside of a cell near {}: cells are divided to integrate it; to have it "
                  "exact, {}",
-                 load.name, jump->at[0], jump->at[1], mesh_line);
+                 load.name, examined.place(jump->at), mesh_line);
 }
 
 }  // namespace
 
 void check_inside_cells(Examined& examined) {
   const JumpSearch search(examined);
-  if (check_kinks(examined, search)) check_curvature(examined, search);
+  // The patches and directors of a mesh in space are smooth in their cells.
+  if (!examined.surface->has_directors() && check_kinks(examined, search)) check_curvature(examined, search);
   check_thickness(examined, search);
   for (const NamedExpression& load : load_expressions(examined.problem)) check_load(examined, search, load);
 }

@@ -54,14 +54,14 @@ class Rolling {
       : examined_(examined), motions_(motions), nodes_(nodes), load_(load) {
     for (std::size_t i = 0; i < nodes.points.size(); ++i) resultant_ += force_at(i).head<3>();
     const std::vector<Eigen::Vector2d> xi = fem::lattice(examined.space->shape(), 8);
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    std::vector<double> x(xi.size()), y(xi.size()), e(xi.size());
+    std::vector<geometry::Frame> frames(xi.size());
+    std::vector<double> e(xi.size());
     for (const fem::Cell& cell : examined.space->cells) {
-      examined.surface->jets(cell, xi, jets, false);
-      examined.surface->positions(cell, xi, x, y);
-      examined.problem.shell.sections.at(*examined.space->coarse, cell).thickness.evaluate(x, y, e);
+      examined.surface->frames(cell, xi, frames, false);
+      examined.surface->evaluate(examined.problem.shell.sections.at(*examined.space->coarse, cell).thickness, cell, xi,
+                                 e);
       for (std::size_t p = 0; p < xi.size(); ++p)
-        for (const double side : {-0.5, 0.5}) faces_.push_back(jets[p].value + side * e[p] * unit_normal(jets[p]));
+        for (const double side : {-0.5, 0.5}) faces_.push_back(frames[p].phi + side * e[p] * frames[p].a3);
     }
   }
 

@@ -43,6 +43,13 @@ void check_names(Examined& examined) {
       check(s.boundary, mesh.boundaries, "a support names the boundary");
   }
   for (const std::string& boundary : loads.boundary_names())
+    if (std::ranges::find(mesh.fold_boundaries, boundary) != mesh.fold_boundaries.end())
+      examined.add(
+          Severity::error,
+          "a load acts on \"{}\", which has the edges of all sides of the fold: it would count for each of them; "
+          "name the curve in the mesh and load that",
+          boundary);
+  for (const std::string& boundary : loads.boundary_names())
     check(boundary, mesh.boundaries, "a load names the boundary");
 }
 

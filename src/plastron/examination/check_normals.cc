@@ -16,45 +16,44 @@ struct Seen {
   Vector3d phi, a3;
 };
 
-bool agree(const Seen& first, const geometry::SurfaceJet& jet, double x, double y, Examined& examined) {
+bool agree(const Seen& first, const geometry::Frame& frame, double x, double y, Examined& examined) {
   constexpr double tolerance = 1e-6;
-  const Vector3d a3 = geometry::unit_normal(jet);
-  const double apart = (first.phi - jet.value).norm(), turned = (first.a3 - a3).norm();
+  const double apart = (first.phi - frame.phi).norm(), turned = (first.a3 - frame.a3).norm();
   if (apart > tolerance * examined.size) {
     examined.add(Severity::error,
-                 "the charts of two regions do not meet at x = {:.6g}, y = {:.6g}: they are {:.3g} m apart; "
+                 "the charts of two regions do not meet at {}: they are {:.3g} m apart; "
                  "the mid-surface must be continuous",
-                 x, y, apart);
+                 examined.place({x, y}), apart);
     return false;
   }
   if (turned <= tolerance) return true;
-  examined.add(
-      Severity::error,
-      "the mid-surface has a kink at x = {:.6g}, y = {:.6g}: the normals of both sides differ by {:.3g} degrees; "
-      "curvature may jump there, the normal may not: round the fold off, or let regions meet with one tangent "
-      "plane",
-      x, y, degrees_between(turned));
+  examined.add(Severity::error,
+               "the mid-surface has a kink at {}: the normals of both sides differ by {:.3g} degrees; "
+               "curvature may jump there, the normal may not: round the fold off, or let regions meet with one tangent "
+               "plane",
+               examined.place({x, y}), degrees_between(turned));
   return false;
 }
 
 }  // namespace
 
 void check_normals(Examined& examined) {
+  if (examined.surface->has_directors()) return;
   const fem::Space& space = *examined.space;
   // Slightly inside the cell: on a fold itself, the normal of a chart with abs is between the normals of both sides.
   std::vector<Eigen::Vector2d> xi = examined.tables.nodes;
   for (Eigen::Vector2d& point : xi) point += 1e-9 * (fem::centre(space.shape()) - point);
   std::vector<Seen> seen(static_cast<std::size_t>(space.layout->owned));
-  std::vector<geometry::SurfaceJet> jets(xi.size());
+  std::vector<geometry::Frame> frames(xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   for (std::size_t c = 0; c < space.cells.size(); ++c) {
-    examined.surface->jets(space.cells[c], xi, jets, false);
+    examined.surface->frames(space.cells[c], xi, frames, false);
     examined.surface->positions(space.cells[c], examined.tables.nodes, x, y);
-    for (std::size_t i = 0; i < jets.size(); ++i) {
+    for (std::size_t i = 0; i < frames.size(); ++i) {
       Seen& first = seen[static_cast<std::size_t>(space.nodes(c)[i])];
       if (!first.is)
-        first = {true, jets[i].value, geometry::unit_normal(jets[i])};
-      else if (!agree(first, jets[i], x[i], y[i], examined))
+        first = {true, frames[i].phi, frames[i].a3};
+      else if (!agree(first, frames[i], x[i], y[i], examined))
         return;
     }
   }

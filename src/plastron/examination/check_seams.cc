@@ -32,11 +32,11 @@ std::pair<algebra::LocalIndex, algebra::LocalIndex> ends_of(const fem::Space& sp
 OuterSide outer_side(const fem::Space& space, const fem::Surface& surface, const fem::BoundarySide& edge) {
   std::vector<Vector2d> xi;
   for (const double t : {0.0, 0.5, 1.0}) xi.push_back(fem::side_point(space.shape(), edge.side, t));
-  std::array<geometry::SurfaceJet, 3> jets;
+  std::array<geometry::Frame, 3> frames;
   std::array<double, 3> x{}, y{};
-  surface.jets(space.cells[edge.cell], xi, jets, false);
+  surface.frames(space.cells[edge.cell], xi, frames, false);
   surface.positions(space.cells[edge.cell], xi, x, y);
-  return {jets[0].value, jets[1].value, jets[2].value, {x[1], y[1]}, {}};
+  return {frames[0].phi, frames[1].phi, frames[2].phi, {x[1], y[1]}, {}};
 }
 
 /// Returns outer sides. Named sides inside the domain belong to two cells and are ignored.
@@ -73,12 +73,12 @@ std::string names_of(const OuterSide& side, const std::vector<std::string>& name
 
 void add_seam(Examined& examined, const OuterSide& a, const OuterSide& b) {
   const auto& names = examined.space->coarse->boundaries;
-  examined.add(
-      Severity::warning,
-      "the boundary of the domain meets itself in space but is not joined there: {} at x = {:.6g}, y = {:.6g} and {} "
-      "at x = {:.6g}, y = {:.6g} are the same place, ({:.6g}, {:.6g}, {:.6g}); the shell is slit along this seam and "
-      "may open: support both sides alike (by symmetry, say), or mesh the domain in one piece",
-      names_of(a, names), a.x[0], a.x[1], names_of(b, names), b.x[0], b.x[1], a.middle[0], a.middle[1], a.middle[2]);
+  examined.add(Severity::warning,
+               "the boundary of the domain meets itself in space but is not joined there: {} at {} and {} at {} are "
+               "the same place, ({:.6g}, {:.6g}, {:.6g}); the shell is slit along this seam and "
+               "may open: support both sides alike (by symmetry, say), or mesh the domain in one piece",
+               names_of(a, names), examined.place(a.x), names_of(b, names), examined.place(b.x), a.middle[0],
+               a.middle[1], a.middle[2]);
 }
 
 }  // namespace

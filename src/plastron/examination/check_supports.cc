@@ -17,10 +17,10 @@ void check_symmetry(Examined& examined) {
         if (!first) first = &direction;
         if ((direction - *first).norm() < 1e-6) continue;
         return examined.add(Severity::error,
-                            "the boundary \"{}\" is no symmetry plane: its conormal turns (at x = {:.6g}, y = {:.6g} "
+                            "the boundary \"{}\" is no symmetry plane: its conormal turns (at {} "
                             "by {:.3g} degrees); "
                             "symmetry needs a plane edge that the shell meets at a right angle",
-                            support.boundary, points[i].x[0], points[i].x[1],
+                            support.boundary, examined.place(points[i].x),
                             degrees_between((direction - *first).norm()));
       }
   }
@@ -29,6 +29,11 @@ void check_symmetry(Examined& examined) {
 void check_formulation(Examined& examined, const ExaminedNodes& nodes) {
   using element::Formulation;
   const Formulation kind = examined.problem.shell.tangency.formulation;
+  if (kind == Formulation::classical && examined.surface->has_directors())
+    examined.add(
+        Severity::error,
+        "the classical formulation needs a smooth chart, which a mesh in space does not have; use formulation = "
+        "\"tangent\"");
   if (kind == Formulation::classical && examined.problem.charts.size() > 1)
     examined.add(Severity::error,
                  "the classical formulation needs a smooth chart, and the regions {} have charts of their own, where "

@@ -50,8 +50,8 @@ std::vector<Finding> findings_of(const problem::Problem& problem) {
     check(examined);
     if (has_errors(examined.findings)) return examined.findings;
   }
-  for (const auto check : {check_normals, check_seams, check_finite, check_surfaces, check_locking, check_precision,
-                           check_start_mesh, check_probes, check_lines})
+  for (const auto check : {check_surface_mesh, check_normals, check_seams, check_finite, check_surfaces, check_locking,
+                           check_precision, check_start_mesh, check_probes, check_lines})
     check(examined);
   // Otherwise values that are not finite would be reported again with another text.
   if (!has_errors(examined.findings)) check_inside_cells(examined);
@@ -68,6 +68,7 @@ Examined::Examined(const problem::Problem& a_problem)
       tables(element::element_tables(space->shape(), space->degree, false)) {}
 
 std::string Examined::place(const Eigen::Vector2d& x) const {
+  if (surface->has_directors()) return fem::place_text(*surface, x);
   double extent = 0;
   for (const auto& vertex : space->coarse->vertices) extent = std::max(extent, (vertex - x).norm());
   const auto cleared = [&](double c) { return std::abs(c) < 1e-12 * extent ? 0 : c; };

@@ -83,6 +83,8 @@ void check_names(Examined& examined);
 void check_chart(Examined& examined);
 /// Checks that the charts of two regions meet with one normal.
 void check_normals(Examined& examined);
+/// Reports what a mesh in space consists of, and what is doubtful in it.
+void check_surface_mesh(Examined& examined);
 /// Checks that no edges coincide without being joined.
 void check_seams(Examined& examined);
 /// Checks that loads and prescribed values are finite.

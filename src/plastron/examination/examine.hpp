@@ -1,5 +1,6 @@
 // Examines a problem without solving it: chart, normals, thickness, initial gap, supports, probes.
 #pragma once
+#include <plastron/fem/surface_mesh.hpp>
 #include <plastron/problem/problem.hpp>
 
 #include <string>
@@ -18,6 +19,9 @@ struct Finding {
 /// Returns all findings, including errors; a problem with errors must not be solved. It does not communicate: one rank
 /// may examine for all.
 std::vector<Finding> examine(const problem::Problem& problem);
+
+/// Returns what a mesh in space consists of, and what is doubtful in it.
+std::vector<Finding> surface_findings(const fem::FileSurface& surface);
 
 bool has_errors(const std::vector<Finding>& findings);
 

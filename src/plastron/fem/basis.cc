@@ -113,6 +113,15 @@ TriangleValues triangle_lagrange(int order, const Vector2d& xi) {
   return v;
 }
 
+std::vector<Vector2d> node_points(Shape shape, int degree) {
+  if (shape == Shape::triangle) return lattice(shape, degree);
+  const std::vector<double> line = gauss_lobatto(degree + 1).points;
+  std::vector<Vector2d> points;
+  for (const double t : line)
+    for (const double s : line) points.emplace_back(s, t);
+  return points;
+}
+
 TriangleRule triangle_rule(int degree) {
   TriangleRule rule;
   switch (degree) {

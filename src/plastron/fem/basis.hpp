@@ -39,6 +39,10 @@ struct TriangleValues {
 /// One polynomial of degree `order` per point of lattice(Shape::triangle, order).
 TriangleValues triangle_lagrange(int order, const Vector2d& xi);
 
+/// The nodes of a cell of degree k in its own coordinates, xi_1 fastest: Gauss-Lobatto points of a quadrilateral, the
+/// lattice of a triangle.
+std::vector<Vector2d> node_points(Shape shape, int degree);
+
 struct TriangleRule {
   std::vector<Vector2d> points;  ///< points inside the triangle
   std::vector<double> weights;   ///< positive; sum to its area 1/2

@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Size of a packed node: number, place, normal, tangent.
-constexpr std::size_t boundary_node_size = 10;
+/// Size of a packed node: boundary, number, place, normal, tangent.
+constexpr std::size_t boundary_node_size = 11;
 
 }  // namespace
 
@@ -30,40 +30,61 @@ int boundary_index(const CoarseMesh& coarse, const std::string& name, const char
   return static_cast<int>(found - coarse.boundaries.begin());
 }
 
-std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, int boundary) {
+namespace {
+
+/// Returns the nodes of sides of owned cells by the number of their boundary (collective).
+std::map<int, std::vector<BoundaryNode>> nodes_of(const Space& space, const Surface& surface,
+                                                  const std::vector<BoundarySide>& sides) {
   const auto line = gauss_lobatto(space.degree + 1).points;
-  std::map<GlobalIndex, std::array<Vector3d, 3>> mine;
-  for (const BoundarySide& side : space.sides) {
-    if (side.boundary != boundary || side.cell >= space.owned_cells) continue;
+  std::map<std::pair<int, GlobalIndex>, std::array<Vector3d, 3>> mine;
+  for (const BoundarySide& side : sides) {
+    if (side.cell >= space.owned_cells) continue;
     std::vector<Vector2d> xi;
     xi.reserve(line.size());
     for (const double t : line) xi.push_back(side_point(space.shape(), side.side, t));
-    std::vector<geometry::SurfaceJet> jets(xi.size());
-    surface.jets(space.cells[side.cell], xi, jets, false);
+    std::vector<geometry::Frame> frames(xi.size());
+    surface.frames(space.cells[side.cell], xi, frames, false);
     const Vector2d tangent = side_tangent(space.shape(), side.side);
     const auto on_side = side_nodes(space.shape(), space.degree, side.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const LocalIndex node = space.nodes(side.cell)[on_side[i]];
-      mine[space.layout->global(node)] = {jets[i].value, geometry::unit_normal(jets[i]),
-                                          (tangent[0] * jets[i].d[0] + tangent[1] * jets[i].d[1]).normalized()};
+      mine[{side.boundary, space.layout->global(node)}] = {frames[i].phi, frames[i].a3,
+                                                           geometry::along(frames[i], tangent).normalized()};
     }
   }
   std::vector<double> packed;
-  for (const auto& [node, at] : mine) {
-    packed.push_back(static_cast<double>(node));
+  for (const auto& [key, at] : mine) {
+    packed.push_back(static_cast<double>(key.first));
+    packed.push_back(static_cast<double>(key.second));
     for (const Vector3d& v : at) packed.insert(packed.end(), v.begin(), v.end());
   }
   const auto all = algebra::gather_over_ranks(packed, space.layout->comm);
-  std::map<GlobalIndex, BoundaryNode> nodes;
+  std::map<int, std::map<GlobalIndex, BoundaryNode>> nodes;
   for (std::size_t i = 0; i < all.size(); i += boundary_node_size) {
-    const auto node = static_cast<GlobalIndex>(all[i]);
+    const auto node = static_cast<GlobalIndex>(all[i + 1]);
     const auto vector = [&](std::size_t at) { return Vector3d(all[i + at], all[i + at + 1], all[i + at + 2]); };
-    nodes.emplace(node, BoundaryNode{node, vector(1), vector(4), vector(7)});
+    nodes[static_cast<int>(all[i])].emplace(node, BoundaryNode{node, vector(2), vector(5), vector(8)});
   }
-  std::vector<BoundaryNode> list;
-  list.reserve(nodes.size());
-  for (const auto& [node, at] : nodes) list.push_back(at);
-  return list;
+  std::map<int, std::vector<BoundaryNode>> lists;
+  for (const auto& [boundary, of_boundary] : nodes)
+    for (const auto& [node, at] : of_boundary) lists[boundary].push_back(at);
+  return lists;
+}
+
+}  // namespace
+
+std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, int boundary) {
+  std::vector<BoundarySide> sides;
+  std::ranges::copy_if(space.sides, std::back_inserter(sides),
+                       [&](const BoundarySide& side) { return side.boundary == boundary; });
+  return nodes_of(space, surface, sides)[boundary];
+}
+
+std::vector<std::vector<BoundaryNode>> fold_nodes(const Space& space, const Surface& surface) {
+  std::vector<std::vector<BoundaryNode>> all(2 * space.coarse->folds.size());
+  for (auto& [edge, nodes] : nodes_of(space, surface, space.fold_sides))
+    all[static_cast<std::size_t>(edge)] = std::move(nodes);
+  return all;
 }
 
 void widen(Space& space, const std::set<GlobalIndex>& wanted) {

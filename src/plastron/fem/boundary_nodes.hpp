@@ -20,6 +20,10 @@ int boundary_index(const CoarseMesh& coarse, const std::string& name, const char
 /// Returns the nodes in ascending order, the same on every rank (collective).
 std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, int boundary);
 
+/// Returns the nodes of the edges of CoarseMesh::folds, by number of the edge (Space::fold_sides) and in ascending order,
+/// the same on every rank (collective).
+std::vector<std::vector<BoundaryNode>> fold_nodes(const Space& space, const Surface& surface);
+
 /// Adds ghosts to the space; the owned nodes keep their numbers (collective).
 void widen(Space& space, const std::set<algebra::GlobalIndex>& wanted);
 

@@ -219,10 +219,11 @@ void cut_crosswise(const CoarseCell& quadrilateral, CoarseMesh& mesh) {
   mesh.vertices.push_back(quadrilateral.map(middle).value);
   constexpr std::array<int, 2> anticlockwise[4] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
   for (const auto& [from, to] : anticlockwise) {
-    mesh.cells.push_back({{quadrilateral.vertices[from], quadrilateral.vertices[to], top, -1},
-                          quadrilateral.region,
-                          triangle_map(quadrilateral.map, corner(Shape::quadrilateral, from),
-                                       corner(Shape::quadrilateral, to), middle)});
+    mesh.cells.push_back(
+        {{quadrilateral.vertices[from], quadrilateral.vertices[to], top, -1},
+         quadrilateral.region,
+         triangle_map(quadrilateral.map, corner(Shape::quadrilateral, from), corner(Shape::quadrilateral, to), middle),
+         quadrilateral.patch});
   }
 }
 
@@ -244,11 +245,15 @@ std::vector<Vector2d> kept_nodes(const CoarseMesh& coarse, int degree) {
   std::vector<Vector2d> nodes;
   const std::vector<Vector2d> of_cell = lattice(coarse.shape, degree % 2 == 0 ? 2 : 1);
   for (const CoarseCell& cell : coarse.cells)
-    for (const Vector2d& xi : of_cell) nodes.push_back(cell.map(xi).value);
+    for (const Vector2d& xi : of_cell) {
+      const Vector2d at = cell.map(xi).value;
+      nodes.push_back(coarse.patches ? address_of(cell.patch, at) : at);
+    }
   return nodes;
 }
 
 double point_tolerance(const CoarseMesh& coarse) {
+  if (coarse.patches) return 1e-9;
   Vector2d low = Vector2d::Constant(INFINITY), high = -low;
   for (const Vector2d& vertex : coarse.vertices) {
     low = low.cwiseMin(vertex);

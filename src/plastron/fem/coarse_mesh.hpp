@@ -7,6 +7,8 @@
 #include <mpi.h>
 
 #include <array>
+#include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,7 +20,8 @@ namespace plastron::fem {
 struct CoarseCell {
   std::array<int, 4> vertices;
   int region = 0;  ///< index into CoarseMesh::regions
-  CellMap map;
+  CellMap map;     ///< onto a part of Omega or, on a mesh in space, of the patch's reference cell
+  int patch = -1;  ///< index into CoarseMesh::patches; -1: the cell lies in Omega
 };
 
 /// An edge of a named curve, on the boundary or inside. An edge of several curves occurs once for each.
@@ -30,9 +33,16 @@ struct BoundaryEdge {
 /// Positions where a quadrilateral is cut, across xi_1 and across xi_2: numbers between 0 and 1, ascending.
 using Cuts = std::array<std::vector<double>, 2>;
 
+/// A fold or branch: two edges of cells that lie on each other in space and belong to different sides of the angle.
+struct Fold {
+  std::array<std::array<int, 2>, 2> edges;  ///< vertices of both edges, ascending
+};
+
+struct SurfacePatches;
+
 struct CoarseMesh {
   Shape shape = Shape::quadrilateral;
-  std::vector<Vector2d> vertices;
+  std::vector<Vector2d> vertices;  ///< on a mesh in space only names: their coordinates have no meaning
   std::vector<CoarseCell> cells;
   std::vector<BoundaryEdge> edges;
   std::vector<std::string> regions;
@@ -40,7 +50,15 @@ struct CoarseMesh {
   /// Cuts of a coarser mesh's cells, if a mesh sequence made this mesh by cutting them (fem/cut_mesh.hpp); else
   /// empty.
   std::vector<Cuts> cuts{};
+  std::shared_ptr<const SurfacePatches> patches{};  ///< the surface of a mesh in space; null in a plane domain
+  std::vector<Fold> folds{};                        ///< pairs of edges joined at an angle; only on meshes in space
+  std::vector<std::string> fold_boundaries{};       ///< names of boundaries that consist of connected folds
 };
+
+/// The address of a point of a mesh in space takes the place of a point of Omega: (2 c + xi_1, xi_2) for the point xi of
+/// patch c. Omega is then a row of reference cells, one for each patch.
+inline Vector2d address_of(int patch, const Vector2d& xi) { return {2.0 * patch + xi[0], xi[1]}; }
+inline int patch_of(const Vector2d& address) { return static_cast<int>(std::floor(address[0] / 2)); }
 
 /// Makes the coarse mesh. Throws DomainError if the domain cannot be meshed or a mesh file is invalid. Triangles of a
 /// built-in domain are its quadrilaterals cut crosswise, except for polygons.

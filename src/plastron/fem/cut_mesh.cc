@@ -20,6 +20,8 @@ class Subdivision {
     mesh_.vertices = whole.vertices;
     mesh_.regions = whole.regions;
     mesh_.boundaries = whole.boundaries;
+    mesh_.patches = whole.patches;
+    mesh_.fold_boundaries = whole.fold_boundaries;
   }
 
   void add(const CoarseCell& cell, const Cuts& cuts) {
@@ -41,7 +43,7 @@ class Subdivision {
       for (int i = 0; i < columns; ++i) {
         const Vector2d from = place(i, j), size = place(i + 1, j + 1) - from;
         const CellMap map{cell.map.map, cell.map.origin + cell.map.axes * from, cell.map.axes * size.asDiagonal()};
-        mesh_.cells.push_back({{at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, cell.region, map});
+        mesh_.cells.push_back({{at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, cell.region, map, cell.patch});
       }
   }
 
@@ -50,6 +52,7 @@ class Subdivision {
       const std::vector<int> line = drawn_from(edge.vertices[0], edge.vertices[1]);
       for (std::size_t i = 0; i + 1 < line.size(); ++i) mesh_.edges.push_back({{line[i], line[i + 1]}, edge.boundary});
     }
+    PLASTRON_ASSERT(whole_.folds.empty());
     return std::move(mesh_);
   }
 

@@ -1,8 +1,12 @@
 // The parameter domains Omega that a case can name. A domain is only a description; coarse_mesh.hpp meshes it.
 #pragma once
+#include <plastron/geometry/expression.hpp>
+
 #include <Eigen/Core>
 #include <array>
+#include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -11,6 +15,7 @@
 namespace plastron::fem {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 struct CoarseMesh;
 
@@ -39,10 +44,37 @@ struct Polygon {
   std::vector<Vector2d> corners;
 };
 
-/// A Gmsh file of quadrilaterals or triangles (order 1 or higher, complete) in the parameter plane. Physical curves
-/// name the boundaries, physical surfaces the regions.
+/// Distance of the mid-surface from the surface of a file, along a_3, as a part of the thickness.
+struct Offset {
+  double part = 0;
+  geometry::Expression thickness{1.0};                      ///< of regions without their own [m]
+  std::map<std::string, geometry::Expression> by_region{};  ///< thickness by name of region [m]
+
+  const geometry::Expression& thickness_of(const std::string& region) const {
+    const auto own = by_region.find(region);
+    return own == by_region.end() ? thickness : own->second;
+  }
+};
+
+/// How the cells of a file become a mid-surface in space.
+struct SpaceReading {
+  double scale = 1;                 ///< factor of the file's lengths to those of the case
+  std::optional<Vector3d> upper{};  ///< side to which a_3 points; else outwards, or as in the file
+  std::optional<double>
+      smooth_angle{};                 ///< largest angle of an edge that is no fold [rad]; default by order of the cells
+  std::vector<std::string> folds{};   ///< names of curves that are folds at any angle
+  std::optional<double> tolerance{};  ///< nodes nearer than this are one node [m]; default: rounding
+  std::vector<std::string> symmetric{};  ///< boundaries in planes of symmetry, in which their directors lie
+  Offset offset{};
+  bool has_slits = false;  ///< whether edges may run beside each other without being joined
+};
+
+/// A file of quadrilaterals or triangles (order 1 or higher): Gmsh's .msh, or .inp of Abaqus and CalculiX in space.
+/// Physical curves name the boundaries, physical surfaces the regions.
 struct MeshFile {
   std::string path;
+  std::optional<SpaceReading>
+      in_space{};  ///< set if the cells are the mid-surface; else they lie in the plane of Omega
   /// Mesh if already read (with_shared_mesh); otherwise coarse_mesh() reads the file.
   std::shared_ptr<const CoarseMesh> mesh{};
 };

@@ -2,6 +2,7 @@
 #include <plastron/constraints/map.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/constraints.hpp>
+#include <plastron/geometry/frame.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
@@ -67,6 +68,12 @@ struct TurnsWith {
   Vector3d direction, other_direction;
 };
 
+/// The direction D with (w x d) . D = w . along for every rotation w, if d is normal to `along`. Directors of meshes in
+/// space need not be unit vectors.
+Vector3d turning(const Vector3d& along, const Vector3d& director) {
+  return along.cross(director) / director.squaredNorm();
+}
+
 /// Expresses the nodes of connected kinks by each other, beginning with the smallest node. Throws DomainError if a node
 /// would have to turn with more than two others about different tangents.
 class KinkedGroups {
@@ -77,7 +84,7 @@ class KinkedGroups {
         const BoundaryNode &node = kink.nodes[k], &other = kink.nodes[1 - k];
         const Vector3d& along = kink.nodes[0].along;
         at_.emplace(node.node, node);
-        neighbours_[node.node].push_back({other.node, along.cross(node.normal), along.cross(other.normal)});
+        neighbours_[node.node].push_back({other.node, turning(along, node.normal), turning(along, other.normal)});
       }
   }
 
@@ -125,7 +132,7 @@ class KinkedGroups {
 
   void express(GlobalIndex node) {
     const auto turns = conditions(node);
-    const Vector3d& a3 = at_.at(node).normal;
+    const Vector3d a3 = at_.at(node).normal.normalized();
     Expression& all = expressed_[node];
     for (const auto& [source, block] : expressed_.at(turns[0].other))
       all.try_emplace(source, Matrix6::Zero()).first->second.topRows<3>() += block.topRows<3>();
@@ -144,7 +151,7 @@ class KinkedGroups {
       if (entry.first != decides_u && entry.second.norm() > rounding) kinked.sources.emplace_back(entry);
     kinked.own.bottomRightCorner<3, 3>() = a3 * a3.transpose();
     if (turns.size() == 1) {
-      const Vector3d along = turns[0].direction.cross(a3);
+      const Vector3d along = turns[0].direction.cross(a3).normalized();
       kinked.own.bottomRightCorner<3, 3>() += along * along.transpose();
     }
     all[node] = kinked.own;
@@ -152,7 +159,7 @@ class KinkedGroups {
 
   /// Tangential vectors dual to the directions: their products with the directions are one and zero.
   static std::vector<Vector3d> dual_directions(const std::vector<TurnsWith>& turns, const Vector3d& a3) {
-    if (turns.size() == 1) return {turns[0].direction};
+    if (turns.size() == 1) return {turns[0].direction / turns[0].direction.squaredNorm()};
     const double area = a3.dot(turns[0].direction.cross(turns[1].direction));
     return {turns[1].direction.cross(a3) / area, a3.cross(turns[0].direction) / area};
   }
@@ -198,6 +205,33 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
   }
 }
 
+/// Returns the axis about which two shells turn together at a node of a fold. It is normal to both directors, as the
+/// fold's tangent is on the exact surface; a rigid motion then satisfies the condition of the kink exactly.
+Vector3d fold_axis(const BoundaryNode& first, const BoundaryNode& second) {
+  constexpr double parallel = 0.01;
+  const Vector3d axis = first.normal.normalized().cross(second.normal.normalized());
+  if (axis.norm() > parallel) return axis.normalized();
+  return geometry::tangential(first.along, first.normal.normalized()).normalized();
+}
+
+/// Adds the kinks at the folds of a mesh in space.
+void add_folds(const Space& space, const Surface& surface, JoinedEdges& edges) {
+  constexpr double same_place = 1e-8;
+  const auto all = fold_nodes(space, surface);
+  for (std::size_t edge = 0; edge < all.size(); edge += 2) {
+    const std::vector<BoundaryNode>&one = all[edge], &other = all[edge + 1];
+    PLASTRON_ASSERT(one.size() == other.size(), one.size(), other.size());
+    for (const BoundaryNode& node : one) {
+      const auto distance = [&](const BoundaryNode& partner) { return (partner.place - node.place).norm(); };
+      BoundaryNode first = node, second = *std::ranges::min_element(other, {}, distance);
+      PLASTRON_ASSERT(distance(second) <= same_place * length_of(one), distance(second));
+      if (first.node == second.node) continue;  // the end of a fold inside a sheet
+      first.along = second.along = fold_axis(first, second);
+      edges.kinks.push_back({{first, second}});
+    }
+  }
+}
+
 /// Adds the rows of identified nodes and of nodes at kinks.
 void add_joined_rows(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
   const algebra::Distribution before = *space.layout;
@@ -231,7 +265,7 @@ void add_joined_rows(const Classes& same, const std::map<GlobalIndex, KinkedNode
 
 std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Surface& surface,
                                     const std::vector<Join>& joins) {
-  if (joins.empty()) return space;
+  if (joins.empty() && space->coarse->folds.empty()) return space;
   JoinedEdges edges;
   std::set<int> boundaries;
   for (const Join& join : joins) {
@@ -243,6 +277,7 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
     }
     unite_partners(join, sides, edges);
   }
+  add_folds(*space, surface, edges);
   auto result = std::make_shared<Space>(*space);
   for (Kink& kink : edges.kinks)
     for (BoundaryNode& node : kink.nodes) node.node = edges.same.representative(node.node);

@@ -1,4 +1,5 @@
 // Conversion of a mesh file's data to a coarse mesh.
+#include <plastron/fem/mesh_groups.hpp>
 #include <plastron/fem/mesh_validity.hpp>
 
 #include <fmt/format.h>
@@ -15,19 +16,16 @@ namespace {
 
 class Builder {
  public:
-  Builder(const MeshData& data, Shape shape) : data_(data), shape_(shape), vertex_of_(data.nodes.size(), -1) {}
+  Builder(const MeshData& data, Shape shape)
+      : data_(data), shape_(shape), groups_(data, MeshGroups::Nameless::refused), vertex_of_(data.nodes.size(), -1) {}
 
   CoarseMesh build() {
     check_flat();
-    name_groups(2, "surface", "region", cells_.mesh.regions, region_of_);
-    if (cells_.mesh.regions.empty()) cells_.mesh.regions = {""};
+    cells_.mesh.regions = groups_.regions();
     for (const MeshElement& element : data_.elements)
       if (const ElementType type = *element_type(element.type); type.is_cell()) add_cell(element, type);
-    if (cells_.mesh.cells.empty())
-      refuse(shape_ == Shape::triangle
-                 ? "it has no triangles; mesh the surface, save it with its physical groups"
-                 : "it has no quadrilaterals; mesh the surface with Recombine, save it with its physical groups");
-    name_groups(1, "curve", "boundary", cells_.mesh.boundaries, boundary_of_);
+    if (cells_.mesh.cells.empty()) refuse_without_cells(data_, shape_);
+    cells_.mesh.boundaries = groups_.boundaries();
     const auto edges = edges_of(cells_.mesh.cells);
     check_cells_fit(cells_, edges, data_.source);
     add_boundaries(edges);
@@ -36,23 +34,6 @@ class Builder {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const { throw DomainError(data_.source + ": " + what); }
-
-  /// Collects the names of the groups that contain elements. Groups with the same name are one group.
-  void name_groups(int dimension, const char* kind, const char* meaning, std::vector<std::string>& names,
-                   std::map<int, int>& number_of) {
-    std::set<int> groups;
-    for (const MeshElement& element : data_.elements)
-      if (element_type(element.type)->is_cell() == (dimension == 2))
-        for (const int group : data_.group_sets[element.groups]) groups.insert(std::abs(group));
-    for (const int group : groups) {
-      const auto name = data_.names.find({dimension, group});
-      if (name == data_.names.end())
-        refuse(fmt::format("physical {} {} has no name; name it after its {}", kind, group, meaning));
-      const auto place = std::ranges::find(names, name->second);
-      number_of[group] = static_cast<int>(place - names.begin());
-      if (place == names.end()) names.push_back(name->second);
-    }
-  }
 
   const MeshNode& node(const MeshElement& element, std::size_t i) const {
     return data_.nodes[data_.element_nodes[element.first_node + i]];
@@ -68,41 +49,14 @@ class Builder {
     return index;
   }
 
-  int region(const MeshElement& element) const {
-    if (region_of_.empty()) return 0;
-    const auto& groups = data_.group_sets[element.groups];
-    if (groups.empty())
-      refuse(
-          fmt::format("{} lies in no physical surface, though others do; put every cell into one", place_of(element)));
-    const int first = region_of_.at(std::abs(groups.front()));
-    for (const int group : groups)
-      if (region_of_.at(std::abs(group)) != first)
-        refuse(fmt::format("{} lies in two physical surfaces, \"{}\" and \"{}\"", place_of(element),
-                           cells_.mesh.regions[first], cells_.mesh.regions[region_of_.at(std::abs(group))]));
-    return first;
-  }
-
-  void check_type(const ElementType& type) const {
-    if (shape_ == Shape::quadrilateral && (type.shape() == Shape::triangle || !type.is_complete))
-      refuse(fmt::format(
-          "it has elements of type \"{}\"; with cells = \"quadrilateral\" only complete quadrilaterals are "
-          "allowed (Recombine Surface, Mesh.SecondOrderIncomplete = 0){}",
-          type.name(), type.shape() == Shape::triangle ? "; cells = \"triangle\" in [mesh] takes triangles" : ""));
-    if (!type.is_complete)
-      refuse(
-          fmt::format("it has elements of type \"{}\"; only complete triangles and quadrilaterals are allowed "
-                      "(Mesh.SecondOrderIncomplete = 0)",
-                      type.name()));
-  }
-
   void add_cell(const MeshElement& element, const ElementType& type) {
-    check_type(type);
+    check_cell_type(data_, type, shape_);
     const Tables& tables = tables_of(type);
     std::vector<Vector2d> nodes(tables.places.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[tables.places[i]] = node(element, i).position.head<2>();
     const bool is_clockwise = check_map(element, tables.jacobian, nodes);
     CoarseCell cell{.vertices = {vertex(element, 0), vertex(element, 1), -1, -1},
-                    .region = region(element),
+                    .region = groups_.region(element),
                     .map = {TriangleLagrangeMap{type.order, {}}}};
     if (type.shape() == Shape::triangle) {
       cell.vertices[2] = vertex(element, 2);
@@ -170,9 +124,10 @@ class Builder {
       const std::array<int, 2> drawn{vertex_or_none(element, 0), vertex_or_none(element, 1)};
       const std::array<int, 2> ends{std::min(drawn[0], drawn[1]), std::max(drawn[0], drawn[1])};
       const auto edge = std::ranges::lower_bound(edges, ends, {}, &MeshEdge::ends);
-      if (edge == edges.end() || edge->ends != ends) refuse_line(element, boundary_of_.at(std::abs(groups.front())));
+      if (edge == edges.end() || edge->ends != ends)
+        refuse_line(data_, element, cells_.mesh.boundaries[groups_.boundary(groups.front())]);
       for (const int group : groups) {
-        const int boundary = boundary_of_.at(std::abs(group));
+        const int boundary = groups_.boundary(group);
         if (!known.insert({ends[0], ends[1], boundary}).second) continue;
         cells_.mesh.edges.push_back({group > 0 ? drawn : std::array{drawn[1], drawn[0]}, boundary});
       }
@@ -181,14 +136,6 @@ class Builder {
 
   int vertex_or_none(const MeshElement& element, std::size_t i) const {
     return vertex_of_[data_.element_nodes[element.first_node + i]];
-  }
-
-  [[noreturn]] void refuse_line(const MeshElement& element, int boundary) const {
-    const auto a = node(element, 0).position, b = node(element, 1).position;
-    refuse(fmt::format(
-        "{}, from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) on the curve \"{}\", is no side of a cell; mesh curve "
-        "and surface together, so that cells have their sides on the curve",
-        place_of(element), a[0], a[1], b[0], b[1], cells_.mesh.boundaries[boundary]));
   }
 
   /// Returns cells of the requested shape: for triangles, quadrilaterals are cut.
@@ -207,9 +154,9 @@ class Builder {
 
   const MeshData& data_;
   Shape shape_;
+  MeshGroups groups_;
   FileCells cells_;
   std::vector<int> vertex_of_;  ///< vertex index of each node, -1 if none
-  std::map<int, int> region_of_, boundary_of_;
   std::map<std::pair<Shape, int>, Tables> tables_;
 };
 

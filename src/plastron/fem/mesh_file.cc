@@ -1,6 +1,7 @@
 // Reads Gmsh's mesh files, formats 2.0 to 2.2 and 4.1 as text. Gmsh itself would execute any file of unknown format
 // as a script (docs/decisions/0008-mesh-files.md).
 #include <plastron/fem/mesh_data.hpp>
+#include <plastron/fem/surface_mesh.hpp>
 #include <plastron/geometry/text_file.hpp>
 
 #include <fmt/format.h>
@@ -282,6 +283,7 @@ MeshData read_msh_file(const std::string& path) {
 }
 
 CoarseMesh read_mesh_file(const MeshFile& file, Shape shape) {
+  if (file.in_space) return surface_mesh(read_surface(file, shape), shape);
   return build_coarse_mesh(read_msh_file(file.path), shape);
 }
 

@@ -36,10 +36,18 @@ NamedSides::NamedSides(const CoarseMesh& coarse)
                                                         : at(edge->cell, edge->side).twin_boundaries)
           .push_back(named.boundary);
   }
+  for (std::size_t fold = 0; fold < coarse.folds.size(); ++fold)
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto edge = std::ranges::lower_bound(edges, coarse.folds[fold].edges[k], {}, &MeshEdge::ends);
+      PLASTRON_ASSERT(edge != edges.end() && edge->ends == coarse.folds[fold].edges[k], fold);
+      at(edge->cell, edge->side).folds.push_back(static_cast<int>(2 * fold + k));
+    }
   for (std::size_t i = 0; i < edges.size(); ++i) {
     Side& side = at(edges[i].cell, edges[i].side);
     side.is_inner =
         (i > 0 && edges[i - 1].ends == edges[i].ends) || (i + 1 < edges.size() && edges[i + 1].ends == edges[i].ends);
+    // The shell does not end at a fold.
+    side.is_inner = side.is_inner || !side.folds.empty();
     if (!side.is_inner && side.boundaries.empty()) side.boundaries.push_back(-1);
   }
 }
@@ -51,8 +59,10 @@ void NamedSides::add_sides_of_last_cell(Space& space) const {
   for (int side = 0; side < sides; ++side) {
     const Side& coarse = sides_[static_cast<std::size_t>(cell.coarse) * static_cast<std::size_t>(sides) +
                                 static_cast<std::size_t>(side)];
-    if ((coarse.boundaries.empty() && coarse.twin_boundaries.empty()) || !lies_on_coarse_side(shape_, cell, side))
+    if ((coarse.boundaries.empty() && coarse.twin_boundaries.empty() && coarse.folds.empty()) ||
+        !lies_on_coarse_side(shape_, cell, side))
       continue;
+    for (const int fold : coarse.folds) space.fold_sides.push_back({last, side, fold, true});
     for (const int boundary : coarse.boundaries) space.sides.push_back({last, side, boundary, coarse.is_inner});
     for (const int boundary : coarse.twin_boundaries) space.twin_sides.push_back({last, side, boundary, true});
   }

@@ -20,6 +20,7 @@ class NamedSides {
   struct Side {
     std::vector<int> boundaries;  ///< indices into CoarseMesh::boundaries; only -1 on an unnamed part of the boundary
     std::vector<int> twin_boundaries{};  ///< boundaries listed by the cell on the other side
+    std::vector<int> folds{};            ///< see Space::fold_sides
     bool is_inner = false;
   };
   Side& at(std::size_t coarse_cell, int side);

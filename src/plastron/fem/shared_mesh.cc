@@ -2,6 +2,7 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/vector.hpp>
 #include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/fem/surface_patches.hpp>
 
 #include <deal.II/base/mpi.h>
 
@@ -18,6 +19,11 @@ namespace boost::serialization {
 template <class Archive>
 void serialize(Archive& archive, Eigen::Vector2d& x, unsigned) {
   archive& x[0] & x[1];
+}
+
+template <class Archive>
+void serialize(Archive& archive, Eigen::Vector3d& x, unsigned) {
+  archive& x[0] & x[1] & x[2];
 }
 
 /// Meshes of files have only polynomial maps.
@@ -42,7 +48,7 @@ void serialize(Archive& archive, plastron::fem::ExactMap& map, unsigned) {
 template <class Archive>
 void serialize(Archive& archive, plastron::fem::CoarseCell& cell, unsigned) {
   auto& [map, origin, axes] = cell.map;
-  archive& cell.vertices& cell.region& map& origin& axes(0, 0) & axes(0, 1) & axes(1, 0) & axes(1, 1);
+  archive& cell.vertices& cell.region& cell.patch& map& origin& axes(0, 0) & axes(0, 1) & axes(1, 0) & axes(1, 1);
 }
 
 template <class Archive>
@@ -51,8 +57,29 @@ void serialize(Archive& archive, plastron::fem::BoundaryEdge& edge, unsigned) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, plastron::fem::Fold& fold, unsigned) {
+  archive& fold.edges;
+}
+
+template <class Archive>
+void serialize(Archive& archive, plastron::fem::SurfacePatches::Patch& patch, unsigned) {
+  archive& patch.order& patch.nodes;
+}
+
+template <class Archive>
+void serialize(Archive& archive, plastron::fem::SurfacePatches& surface, unsigned) {
+  archive& surface.shape& surface.positions& surface.directors& surface.patches& surface.axes;
+}
+
+template <class Archive>
 void serialize(Archive& archive, plastron::fem::CoarseMesh& mesh, unsigned) {
-  archive& mesh.shape& mesh.vertices& mesh.cells& mesh.edges& mesh.regions& mesh.boundaries;
+  archive& mesh.shape& mesh.vertices& mesh.cells& mesh.edges& mesh.regions& mesh.boundaries& mesh.folds& mesh
+      .fold_boundaries;
+  plastron::fem::SurfacePatches patches;
+  if (Archive::is_saving::value && mesh.patches) patches = *mesh.patches;
+  archive& patches;
+  if (Archive::is_loading::value && !patches.patches.empty())
+    mesh.patches = std::make_shared<const plastron::fem::SurfacePatches>(std::move(patches));
 }
 
 }  // namespace boost::serialization

@@ -57,6 +57,9 @@ struct Space {
   /// Sides of inner curves in the cells on their other side. Where cells differ in size, these have nodes that
   /// `sides` lacks.
   std::vector<BoundarySide> twin_sides{};
+  /// Sides along folds and branches of a mesh in space. `boundary` is twice the index into CoarseMesh::folds, plus one for
+  /// the second edge.
+  std::vector<BoundarySide> fold_sides{};
   /// Constraints of every continuous field, with weights: a node that hangs on the side of a larger cell is
   /// interpolated from the nodes there, a node on a joined edge equals its partner (fem/constraints.hpp).
   ConstraintMap continuity{};

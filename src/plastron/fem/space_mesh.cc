@@ -77,7 +77,10 @@ std::string place_of(const SurfaceCell& cell) {
 }
 
 std::string place_of(const Vector3d& point) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point[0] + 0.0, point[1] + 0.0, point[2] + 0.0);
+  // Rounding of a coordinate is no place.
+  const double negligible = 1e-12 * point.norm();
+  const auto cleared = [&](double c) { return std::abs(c) <= negligible ? 0 : c; };
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", cleared(point[0]), cleared(point[1]), cleared(point[2]));
 }
 
 std::array<int, 4> corner_nodes(Shape shape, const SurfaceCell& cell) {

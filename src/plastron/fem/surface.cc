@@ -2,6 +2,8 @@
 
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/fem/cell_map.hpp>
+#include <plastron/fem/space_mesh.hpp>
+#include <plastron/fem/surface_patches.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,6 +24,7 @@ const geometry::Chart& chart_of_region(const std::map<std::string, geometry::Cha
 
 Surface::Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts)
     : coarse_(std::move(coarse)) {
+  if (has_directors()) return;
   for (const std::string& region : coarse_->regions) charts_.push_back(chart_of_region(charts, region));
   for (const auto& [name, chart] : charts)
     if (!name.empty() && std::ranges::find(coarse_->regions, name) == coarse_->regions.end())
@@ -44,19 +47,30 @@ PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
   return f;
 }
 
+Vector2d Surface::address(const Cell& cell, const Vector2d& xi) const {
+  const Vector2d value = plane_jet(cell, xi).value;
+  return has_directors() ? address_of(coarse_->cells[static_cast<std::size_t>(cell.coarse)].patch, value) : value;
+}
+
 void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x,
                         std::span<double> y) const {
   PLASTRON_ASSERT(x.size() == xi.size() && y.size() == xi.size(), xi.size(), x.size(), y.size());
   for (std::size_t p = 0; p < xi.size(); ++p) {
-    const Vector2d position = plane_jet(cell, xi[p]).value;
+    const Vector2d position = address(cell, xi[p]);
     x[p] = position[0];
     y[p] = position[1];
   }
 }
 
-void Surface::jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets,
-                   bool second_derivatives) const {
-  PLASTRON_ASSERT(jets.size() == xi.size(), jets.size(), xi.size());
+void Surface::frames(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::Frame> frames,
+                     bool second_derivatives) const {
+  PLASTRON_ASSERT(frames.size() == xi.size(), frames.size(), xi.size());
+  if (has_directors()) {
+    const int patch = coarse_->cells[static_cast<std::size_t>(cell.coarse)].patch;
+    for (std::size_t p = 0; p < xi.size(); ++p) frames[p] = coarse_->patches->frame(patch, plane_jet(cell, xi[p]));
+    return;
+  }
+  std::vector<geometry::SurfaceJet> jets(xi.size());
   std::vector<PlaneJet> plane(xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   for (std::size_t p = 0; p < xi.size(); ++p) {
@@ -65,21 +79,75 @@ void Surface::jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geo
     y[p] = plane[p].value[1];
   }
   chart_of(cell).evaluate(x, y, jets, second_derivatives);
-  for (std::size_t p = 0; p < xi.size(); ++p) jets[p] = geometry::compose(jets[p], plane[p]);
+  for (std::size_t p = 0; p < xi.size(); ++p) frames[p] = geometry::frame_at(geometry::compose(jets[p], plane[p]));
+}
+
+geometry::Frame Surface::frame(const Cell& cell, const Vector2d& xi, bool second_derivatives) const {
+  geometry::Frame frame;
+  frames(cell, {&xi, 1}, {&frame, 1}, second_derivatives);
+  return frame;
+}
+
+std::vector<geometry::Place> Surface::places(const Cell& cell, std::span<const Vector2d> xi, bool in_space) const {
+  std::vector<geometry::Place> places(xi.size());
+  for (std::size_t p = 0; p < xi.size(); ++p) {
+    const Vector2d position = address(cell, xi[p]);
+    places[p] = {.x = position[0], .y = position[1]};
+  }
+  if (!in_space) return places;
+  std::vector<geometry::Frame> at(xi.size());
+  frames(cell, xi, at, false);
+  for (std::size_t p = 0; p < xi.size(); ++p)
+    places[p] = {places[p].x, places[p].y, at[p].phi[0], at[p].phi[1], at[p].phi[2]};
+  return places;
+}
+
+void Surface::evaluate(const geometry::Expression& f, const Cell& cell, std::span<const Vector2d> xi,
+                       std::span<double> values) const {
+  if (f.is_constant())
+    std::ranges::fill(values, f({}));
+  else
+    f.evaluate(places(cell, xi, f.uses_space()), values);
 }
 
 void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
                              std::span<geometry::SurfaceJet> jets) const {
   PLASTRON_ASSERT(jets.size() == xi.size(), jets.size(), xi.size());
+  if (has_directors()) throw DomainError("a mesh in space has no chart, which the classical formulation needs");
   std::vector<double> x(xi.size()), y(xi.size());
   positions(cell, xi, x, y);
   chart_of(cell).evaluate(x, y, jets, true);
 }
 
+std::vector<geometry::Vector3d> Surface::first_tangents(const Cell& cell, std::span<const Vector2d> xi) const {
+  std::vector<geometry::Vector3d> tangents;
+  if (has_directors()) {
+    for (const Vector2d& at : xi) tangents.push_back(coarse_->patches->first_tangent(frame(cell, at, false)));
+    return tangents;
+  }
+  std::vector<geometry::SurfaceJet> jets(xi.size());
+  std::vector<double> x(xi.size()), y(xi.size());
+  positions(cell, xi, x, y);
+  chart_of(cell).evaluate(x, y, jets, false);
+  for (const geometry::SurfaceJet& jet : jets) tangents.push_back(jet.d[0]);
+  return tangents;
+}
+
 std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point) {
+  const int patch = coarse.patches ? patch_of(point) : -1;
+  const Vector2d in_map = coarse.patches ? Vector2d(point[0] - 2.0 * patch, point[1]) : point;
   for (std::size_t c = 0; c < coarse.cells.size(); ++c)
-    if (const auto xi = invert_map(coarse.shape, coarse.cells[c].map, point)) return Location{static_cast<int>(c), *xi};
+    if (coarse.cells[c].patch == patch)
+      if (const auto xi = invert_map(coarse.shape, coarse.cells[c].map, in_map))
+        return Location{static_cast<int>(c), *xi};
   return std::nullopt;
+}
+
+std::string place_text(const Surface& surface, const Vector2d& point) {
+  const auto location = surface.has_directors() ? locate(surface.coarse(), point) : std::nullopt;
+  if (!location) return fmt::format("x = {:.6g}, y = {:.6g}", point[0], point[1]);
+  const geometry::Vector3d phi = surface.frame({.coarse = location->coarse}, location->xi, false).phi;
+  return fmt::format("(X, Y, Z) = {}", place_of(phi));
 }
 
 std::optional<Vector2d> local_coordinates(Shape shape, const Cell& cell, const Location& location) {

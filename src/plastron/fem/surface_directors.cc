@@ -60,6 +60,71 @@ void use_normal_of_file(const Vector3d& given, std::span<DirectorNode> fans, con
                     place_of(where), in_degrees(nearest)));
 }
 
+/// Corrections of the normals at the ends of a cell's lines of nodes, see set_directors().
+class EndCorrection {
+ public:
+  /// `means`: unit directors before the correction.
+  EndCorrection(const SpaceMesh& mesh, const LatticeNormals& normals,
+                const std::vector<std::vector<std::int32_t>>& cell_director_nodes, const std::vector<bool>& ends,
+                const std::vector<Vector3d>& means)
+      : mesh_(mesh), normals_(normals), copies_(cell_director_nodes), ends_(ends), means_(means) {}
+
+  /// Calls add(place on the cell's lattice, correction).
+  template <class Add>
+  void for_cell(std::size_t cell, const Add& add) const {
+    const int order = mesh_.cells[cell].order;
+    if (order % 2 == 0) return;
+    if (mesh_.shape == Shape::triangle) return on_triangle(cell, add);
+    for (int side = 0; side < 4; ++side) {
+      if (!ends_[4 * cell + static_cast<std::size_t>(side)]) continue;
+      for (int k = 0; k <= order; ++k) {
+        const int row = order + 1, first = side < 2 ? k * row : k, last = side < 2 ? first + order : order * row + k;
+        const bool is_low = side % 2 == 0;
+        add(is_low ? first : last, Vector3d(-deviation(cell, is_low ? last : first)));
+      }
+    }
+  }
+
+ private:
+  Vector3d deviation(std::size_t cell, int place) const {
+    return means_[static_cast<std::size_t>(copies_[cell][static_cast<std::size_t>(place)])] - normals_.at(cell, place);
+  }
+
+  /// On a facet with a side at the end: the opposite corner.
+  template <class Add>
+  void on_triangle(std::size_t cell, const Add& add) const {
+    if (mesh_.cells[cell].order > 1) return;
+    for (int side = 0; side < 3; ++side) {
+      if (!ends_[3 * cell + static_cast<std::size_t>(side)]) continue;
+      const auto [from, to] = anticlockwise_corners(Shape::triangle, side);
+      const int opposite = 3 - from - to;
+      for (const int place : {from, to}) add(place, Vector3d(-deviation(cell, opposite)));
+    }
+  }
+
+  const SpaceMesh& mesh_;
+  const LatticeNormals& normals_;
+  const std::vector<std::vector<std::int32_t>>& copies_;
+  const std::vector<bool>& ends_;
+  const std::vector<Vector3d>& means_;
+};
+
+/// Normalises the sums of the weighted normals, with the corrections at the ends of the surface.
+void correct_at_ends(const SpaceMesh& mesh, const LatticeNormals& normals,
+                     const std::vector<std::vector<std::int32_t>>& cell_director_nodes, const std::vector<bool>& ends,
+                     std::vector<DirectorNode>& director_nodes) {
+  std::vector<Vector3d> means;
+  for (const DirectorNode& fan : director_nodes) means.push_back(fan.director.normalized());
+  const EndCorrection correction(mesh, normals, cell_director_nodes, ends, means);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    correction.for_cell(c, [&](int place, const Vector3d& change) {
+      const std::size_t i = normals.first[c] + static_cast<std::size_t>(place);
+      director_nodes[static_cast<std::size_t>(cell_director_nodes[c][static_cast<std::size_t>(place)])].director +=
+          normals.weight[i] * change;
+    });
+  for (DirectorNode& fan : director_nodes) fan.director.normalize();
+}
+
 void check_transversal(const DirectorAngle& largest, const SpaceMesh& mesh) {
   constexpr double allowed = 80 * one_degree;
   if (largest.angle > allowed)
@@ -98,7 +163,7 @@ LatticeNormals lattice_normals(const SpaceMesh& mesh) {
 
 DirectorAngle set_directors(const SpaceMesh& mesh, const LatticeNormals& normals,
                             const std::vector<std::vector<std::int32_t>>& cell_director_nodes,
-                            std::vector<DirectorNode>& director_nodes) {
+                            const std::vector<bool>& ends, std::vector<DirectorNode>& director_nodes) {
   for (DirectorNode& fan : director_nodes) fan.director = Vector3d::Zero();
   const auto visit = [&](const auto& visit_node) {
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
@@ -106,7 +171,7 @@ DirectorAngle set_directors(const SpaceMesh& mesh, const LatticeNormals& normals
         visit_node(c, director_nodes[cell_director_nodes[c][n]], normals.first[c] + n);
   };
   visit([&](std::size_t, DirectorNode& fan, std::size_t i) { fan.director += normals.weight[i] * normals.normal[i]; });
-  for (DirectorNode& fan : director_nodes) fan.director.normalize();
+  correct_at_ends(mesh, normals, cell_director_nodes, ends, director_nodes);
   if (!mesh.normals.empty())
     for (std::size_t i = 0, end = 0; i < director_nodes.size(); i = end) {
       const std::int32_t node = director_nodes[i].node;

@@ -33,13 +33,18 @@ struct DirectorAngle {
 };
 
 /// Computes the directors of the copies, which are in ascending order of their nodes: the weighted mean of the normals
-/// of the fan's cells, or the normal that the file gives for the node, in the direction of the mean. At nodes with
+/// of the fan's cells, corrected at the surface's end (below), or the normal that the file gives for the node, in the direction of the mean. At nodes with
 /// several fans the file's normal counts only for those whose mean is within 60 degrees of it. `cell_director_nodes`
 /// are the copies of each cell on its lattice. Returns the largest angle between a director and the normal of a cell.
 /// Throws DomainError if it exceeds 80 degrees, and if a normal of the file is more than 60 degrees off all fans of its
-/// node.
+/// node. `ends`: whether the smooth surface ends at a side, by cell and side.
+///
+/// For an odd order the errors of the normals at both ends of a cell are opposite, so that they cancel in the mean of two
+/// cells. At an end of the surface there is no second cell. There a cell's normal is corrected by its error at the
+/// opposite node, which the mean there shows: n - (d - n)_opposite. For facets this is the mirror image of the opposite
+/// director; the directors of a cylinder then are radial at its edges, too.
 DirectorAngle set_directors(const SpaceMesh& mesh, const LatticeNormals& normals,
                             const std::vector<std::vector<std::int32_t>>& cell_director_nodes,
-                            std::vector<DirectorNode>& director_nodes);
+                            const std::vector<bool>& ends, std::vector<DirectorNode>& director_nodes);
 
 }  // namespace plastron::fem

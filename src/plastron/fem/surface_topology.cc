@@ -58,11 +58,23 @@ class TopologyBuilder {
     number_vertices();
     number_sheets();
     number_parts();
-    t_.largest_director_angle = set_directors(t_.mesh, normals, t_.cell_director_nodes, t_.director_nodes);
+    t_.largest_director_angle =
+        set_directors(t_.mesh, normals, t_.cell_director_nodes, ends_of_surface(), t_.director_nodes);
     return std::move(t_);
   }
 
  private:
+  /// Whether a smooth sheet ends at each side of each cell.
+  std::vector<bool> ends_of_surface() const {
+    const auto corners = static_cast<std::size_t>(corner_count(t_.mesh.shape));
+    std::vector<bool> ends(t_.mesh.cells.size() * corners, false);
+    for (const SurfaceEdge& edge : t_.edges) {
+      if (edge.kind == EdgeKind::smooth || edge.is_lone_fold) continue;
+      for (const MeshEdge& side : sides(edge)) ends[side.cell * corners + static_cast<std::size_t>(side.side)] = true;
+    }
+    return ends;
+  }
+
   [[noreturn]] static void refuse(const std::string& what) { throw DomainError(what); }
   const SurfaceCell& cell(std::size_t c) const { return t_.mesh.cells[c]; }
   std::string name(std::size_t c) const { return place_of(cell(c)); }

@@ -11,7 +11,9 @@ namespace {
 
 // Returns the expressions of value, 1, 2, 11, 12, 22.
 std::vector<Expression> differentiate(const std::string& text, const Constants& constants) {
-  [[maybe_unused]] const Expression checked(text, constants);  // for muParser's messages, which contain positions
+  const Expression checked(text, constants);  // for muParser's messages, which contain positions
+  if (checked.uses_space())
+    throw NotDifferentiable(text, "a chart is a function of x and y, and X, Y, Z are its values");
   const GiNaC::realsymbol x("x"), y("y");
   std::map<std::string, GiNaC::ex> names{{"x", x}, {"y", y}, {"pi", GiNaC::Pi}};
   // Constants stay symbols during differentiation, so that R - R is exactly zero. They may have either sign, so that
@@ -46,14 +48,11 @@ SurfaceJet Chart::operator()(double x, double y) const {
 
 void Chart::evaluate(std::span<const double> x, std::span<const double> y, std::span<SurfaceJet> jets,
                      bool second_derivatives) const {
-  std::vector<double> values(jets.size());
   const int count = second_derivatives ? 6 : 3;
   for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < count; ++k) {
-      derivatives_[i][k].evaluate(x, y, values);
+    for (int k = 0; k < count; ++k)
       for (std::size_t p = 0; p < jets.size(); ++p)
-        (k == 0 ? jets[p].value : k < 3 ? jets[p].d[k - 1] : jets[p].dd[k - 3])[i] = values[p];
-    }
+        (k == 0 ? jets[p].value : k < 3 ? jets[p].d[k - 1] : jets[p].dd[k - 3])[i] = derivatives_[i][k](x[p], y[p]);
 }
 
 }  // namespace plastron::geometry

@@ -29,7 +29,8 @@ NotDifferentiable::NotDifferentiable(const std::string& text, std::string reason
 // muParser keeps the addresses of its variables, so they live as long as the compiled program.
 struct Expression::Program {
   mu::Parser parser;
-  double x = 0, y = 0;
+  Place at{};
+  bool uses_parameters = false, uses_space = false;
 };
 
 Expression::Expression(double value) : text_(fmt::format("{}", value)), constant_(value) {}
@@ -50,16 +51,20 @@ void Expression::compile(const Constants& constants) {
   auto program = std::make_shared<Program>();
   try {
     program->parser = parser_with(constants);
-    program->parser.DefineVar("x", &program->x);
-    program->parser.DefineVar("y", &program->y);
+    Place& at = program->at;
+    for (const auto& [name, value] : {std::pair("x", &at.x), {"y", &at.y}, {"X", &at.X}, {"Y", &at.Y}, {"Z", &at.Z}})
+      program->parser.DefineVar(name, value);
     program->parser.SetExpr(text_);
     const double first = program->parser.Eval();
     if (program->parser.GetNumResults() != 1)
       throw ExpressionError(fmt::format("\"{}\" has more than one value", shortened(text_)), 0);
-    if (program->parser.GetUsedVar().empty()) {
+    const auto& used = program->parser.GetUsedVar();
+    if (used.empty()) {
       constant_ = first;
       return;
     }
+    program->uses_parameters = used.contains("x") || used.contains("y");
+    program->uses_space = used.contains("X") || used.contains("Y") || used.contains("Z");
   } catch (const mu::ParserError& error) {
     rethrow(error, text_);
   }
@@ -70,10 +75,12 @@ std::map<std::string, double> Expression::constants() const {
   return program_ ? program_->parser.GetConst() : std::map<std::string, double>();
 }
 
-double Expression::operator()(double x, double y) const {
+bool Expression::uses_parameters() const { return program_ && program_->uses_parameters; }
+bool Expression::uses_space() const { return program_ && program_->uses_space; }
+
+double Expression::operator()(const Place& place) const {
   if (!program_) return constant_;
-  program_->x = x;
-  program_->y = y;
+  program_->at = place;
   return factor_ * program_->parser.Eval();
 }
 
@@ -85,17 +92,9 @@ Expression Expression::scaled(double factor) const {
   return result;
 }
 
-void Expression::evaluate(std::span<const double> x, std::span<const double> y, std::span<double> values) const {
-  if (!program_) {
-    std::ranges::fill(values, constant_);
-    return;
-  }
+void Expression::evaluate(std::span<const Place> places, std::span<double> values) const {
   // muParser's bulk mode is not used: it starts OpenMP threads for a few points.
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    program_->x = x[i];
-    program_->y = y[i];
-    values[i] = factor_ * program_->parser.Eval();
-  }
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = (*this)(places[i]);
 }
 
 double evaluate_constant(const std::string& text, const Constants& constants) {

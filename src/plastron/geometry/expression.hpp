@@ -1,4 +1,4 @@
-// A scalar function of the two parameters x, y, written by the user as text and evaluated by muParser.
+// A scalar function of a place on the mid-surface, written by the user as text and evaluated by muParser.
 #pragma once
 #include <cstddef>
 #include <map>
@@ -35,7 +35,14 @@ const std::vector<std::string>& other_functions();
 inline constexpr std::size_t longest_expression = 4000;  ///< characters
 inline constexpr std::size_t deepest_brackets = 50;
 
-/// f(x, y). Known names: x, y, pi, the constants; + - * / ^, comparisons, c ? a : b, and the functions above.
+/// A place on the undeformed mid-surface: its parameters in Omega and its Cartesian coordinates [m].
+struct Place {
+  double x = 0, y = 0;
+  double X = 0, Y = 0, Z = 0;
+};
+
+/// f(x, y, X, Y, Z). Known names: x, y, X, Y, Z, pi, the constants; + - * / ^, comparisons, c ? a : b, and the functions
+/// above.
 class Expression {
  public:
   /// Makes the zero function.
@@ -47,16 +54,20 @@ class Expression {
   /// Makes an expression from a text written by the program, without limit of length.
   static Expression made(std::string text, const Constants& constants);
 
-  double operator()(double x, double y) const;
-  /// Sets values[i] = f(x[i], y[i]).
-  void evaluate(std::span<const double> x, std::span<const double> y, std::span<double> values) const;
+  double operator()(const Place& place) const;
+  /// Precondition: the text has none of X, Y, Z.
+  double operator()(double x, double y) const { return (*this)(Place{x, y}); }
+  /// Sets values[i] = f(places[i]).
+  void evaluate(std::span<const Place> places, std::span<double> values) const;
 
   /// Returns the function `factor` f.
   Expression scaled(double factor) const;
 
   bool is_constant() const { return !program_; }
+  bool uses_parameters() const;  ///< whether the text has x or y
+  bool uses_space() const;       ///< whether the text has X, Y or Z
   const std::string& text() const { return text_; }
-  /// Values of the names in the text other than x and y; empty for a constant function.
+  /// Values of the names in the text other than variables; empty for a constant function.
   std::map<std::string, double> constants() const;
 
  private:
@@ -68,7 +79,7 @@ class Expression {
   std::shared_ptr<Program> program_;
 };
 
-/// Returns the value of a text that may use the constants but not x and y. Throws ExpressionError.
+/// Returns the value of a text that may use the constants but no variables. Throws ExpressionError.
 double evaluate_constant(const std::string& text, const Constants& constants);
 
 }  // namespace plastron::geometry

@@ -161,10 +161,11 @@ struct Function {
   Rule rule;
 };
 
-/// Part of an expression: a number, x, y, or a function of other parts.
+/// Part of an expression: a number, a variable, or a function of other parts.
 struct Part {
-  enum class Kind { number, x, y, call } kind = Kind::number;
+  enum class Kind { number, variable, call } kind = Kind::number;
   double number = 0;
+  Interval Box::*variable = nullptr;
   Rule rule = nullptr;
   std::array<std::size_t, 3> of{};  ///< positions in the list of parts
 };
@@ -318,8 +319,11 @@ class Reading {
     const std::string name(text_.substr(begin, at_ - begin));
     if (take("(")) return function(name);
     if (const auto found = constants_.find(name); found != constants_.end()) return add({.number = found->second});
-    if (name == "x" || name == "y") return add({.kind = name == "x" ? Part::Kind::x : Part::Kind::y});
-    return failed();
+    static const std::map<std::string, Interval Box::*> variables{
+        {"x", &Box::x}, {"y", &Box::y}, {"X", &Box::X}, {"Y", &Box::Y}, {"Z", &Box::Z}};
+    const auto variable = variables.find(name);
+    if (variable == variables.end()) return failed();
+    return add({.kind = Part::Kind::variable, .variable = variable->second});
   }
 
   /// Parses a function's arguments; min and max have any number of them.
@@ -360,7 +364,7 @@ Pieces::Pieces(const Expression& f) {
   if (parts) program_ = std::make_shared<const Program>(Program{std::move(*parts)});
 }
 
-bool Pieces::is_one_over(const Interval& x, const Interval& y) const {
+bool Pieces::is_one_over(const Box& box) const {
   if (!program_) return known_;
   thread_local std::vector<Range> ranges;
   ranges.clear();
@@ -368,11 +372,8 @@ bool Pieces::is_one_over(const Interval& x, const Interval& y) const {
       case Part::Kind::number:
         ranges.push_back({{part.number, part.number}});
         break;
-      case Part::Kind::x:
-        ranges.push_back({x});
-        break;
-      case Part::Kind::y:
-        ranges.push_back({y});
+      case Part::Kind::variable:
+        ranges.push_back({box.*part.variable});
         break;
       case Part::Kind::call:
         ranges.push_back(part.rule({ranges[part.of[0]], ranges[part.of[1]], ranges[part.of[2]]}));

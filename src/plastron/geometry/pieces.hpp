@@ -1,5 +1,5 @@
 // Expressions that may consist of pieces with jumps or kinks, and boxes over which they have a single piece. Interval arithmetic over a box of
-// x and y detects even the narrowest piece. Source: Moore, Kearfott and Cloud, Introduction to Interval Analysis
+// the variables detects even the narrowest piece. Source: Moore, Kearfott and Cloud, Introduction to Interval Analysis
 // (2009), chapters 5 and 6.
 #pragma once
 #include <plastron/geometry/expression.hpp>
@@ -16,6 +16,11 @@ struct Interval {
   double low = 0, high = 0;
 };
 
+/// Ranges of the variables of an expression.
+struct Box {
+  Interval x{}, y{}, X{}, Y{}, Z{};
+};
+
 class Pieces {
  public:
   explicit Pieces(const Expression& f);
@@ -23,7 +28,7 @@ class Pieces {
   /// Whether no comparison, choice, abs, ... takes two sides over the box, so that f is smooth there wherever it is
   /// finite. False if the arithmetic cannot decide. It can decide for every sufficiently small box that no border of
   /// a piece crosses.
-  bool is_one_over(const Interval& x, const Interval& y) const;
+  bool is_one_over(const Box& box) const;
 
  private:
   struct Program;

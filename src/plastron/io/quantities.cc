@@ -194,6 +194,7 @@ std::span<const Quantity<solution::PointReaction>> point_support_quantities() {
   static const std::vector<Quantity<PointReaction>> all{
       {"at", "the chart's", "parameters of the point in Omega", [](const PointReaction& r) { return pair(r.at); },
        Form::pair},
+      {"position", "m", "place of the point", [](const PointReaction& r) { return triple(r.position); }, Form::triple},
       {"force", "N",
        "force of the support in directions that no boundary through the point fixes; a force that is not zero depends "
        "on the mesh",

@@ -181,6 +181,19 @@ Json history_json(const computation::Result& result) {
   return list;
 }
 
+namespace {
+
+/// A point of a mesh in space has no parameters: its place in space says where it is.
+void clear_parameters(Json& json) {
+  for (auto& [key, value] : json.items())
+    if ((key == "x" || key == "at") && value.is_array() && value.size() == 2)
+      value = Json::array({nullptr, nullptr});
+    else if (value.is_structured())
+      clear_parameters(value);
+}
+
+}  // namespace
+
 Json results_json(const computation::Result& result, const Provenance& provenance) {
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
@@ -201,6 +214,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["certificate_limits"] = limits_json(result);
   json["levels"] = Json::array();
   for (const computation::Level& level : result.levels) json["levels"].push_back(level_json(level));
+  if (result.summary.is_in_space) clear_parameters(json);
   json["settings"] = provenance.settings;
   json["versions"] = versions_json();
   json["files"] = provenance.files;
@@ -210,6 +224,7 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   if (provenance.units.are_named()) {
     rename_units(json, provenance.units);
     json["title"] = provenance.title;
+    if (result.summary.is_in_space) clear_parameters(json);
     json["settings"] = provenance.settings;
   }
   json["unit_names"] = {{"length", provenance.units.length}, {"force", provenance.units.force}};

@@ -69,7 +69,7 @@ class CellShapes {
   /// Returns the direction in which a cell is longer.
   std::size_t longer(std::size_t cell) const {
     const auto length = [&](const Vector2d& from, const Vector2d& to) {
-      return (at(cell, from).value - at(cell, to).value).norm();
+      return (at(cell, from).phi - at(cell, to).phi).norm();
     };
     return length({0, 0.5}, {1, 0.5}) >= length({0.5, 0}, {0.5, 1}) ? 0 : 1;
   }
@@ -81,18 +81,16 @@ class CellShapes {
       return at(cell, direction == 0 ? Vector2d(across, along) : Vector2d(along, across));
     };
     const auto sag = [&](double x) {
-      const geometry::SurfaceJet middle = point(x, 0.5);
-      const Eigen::Vector3d off = middle.value - (point(x, 0).value + point(x, 1).value) / 2;
-      return geometry::tangential(off, geometry::unit_normal(middle)).norm();
+      const geometry::Frame middle = point(x, 0.5);
+      const Eigen::Vector3d off = middle.phi - (point(x, 0).phi + point(x, 1).phi) / 2;
+      return geometry::tangential(off, middle.a3).norm();
     };
-    return std::max(sag(from), sag(to)) <= bend * (point(to, 0.5).value - point(from, 0.5).value).norm();
+    return std::max(sag(from), sag(to)) <= bend * (point(to, 0.5).phi - point(from, 0.5).phi).norm();
   }
 
  private:
-  geometry::SurfaceJet at(std::size_t cell, const Vector2d& xi) const {
-    geometry::SurfaceJet jet;
-    surface_.jets({.coarse = static_cast<int>(cell)}, {&xi, 1}, {&jet, 1}, false);
-    return jet;
+  geometry::Frame at(std::size_t cell, const Vector2d& xi) const {
+    return surface_.frame({.coarse = static_cast<int>(cell)}, xi, false);
   }
 
   const fem::Surface& surface_;
@@ -283,7 +281,8 @@ Chords chords(const fem::CoarseMesh& mesh) {
 
 std::vector<fem::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task) {
   const bool is_divided = space.global_cells > static_cast<std::int64_t>(space.coarse->cells.size());
-  if (is_divided) return {};
+  // The two sides of a fold would have to be cut alike.
+  if (is_divided || !space.coarse->folds.empty()) return {};
   return ChordChoice(space, surface, task)();
 }
 

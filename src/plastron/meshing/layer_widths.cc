@@ -102,7 +102,7 @@ EdgeLayer layer_along(const Piece& piece, const geometry::Chart& chart, const ge
     squares.along += std::pow(form(frame.b_cov, t, t) / tt, 2) / samples;
     squares.twist += std::pow(form(frame.b_cov, n, t), 2) / (nn * tt) / samples;
     squares.across += std::pow(form(frame.b_cov, n, n) / nn, 2) / samples;
-    e += thickness(x[0], x[1]) / samples;
+    e += thickness({x[0], x[1], frame.phi[0], frame.phi[1], frame.phi[2]}) / samples;
     across += std::sqrt(nn) / samples;
     along += std::sqrt(tt) / samples;
   }
@@ -171,13 +171,12 @@ Interior interior(const problem::Problem& problem) {
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) xi.emplace_back((i + 0.5) / n, (j + 0.5) / n);
   std::vector<geometry::SurfaceJet> jets(xi.size());
-  std::vector<double> x(xi.size()), y(xi.size()), e(xi.size());
+  std::vector<double> e(xi.size());
   std::vector<Sums> by_region(coarse->regions.size());
   for (std::size_t c = 0; c < coarse->cells.size(); ++c) {
     const fem::Cell cell{.coarse = static_cast<int>(c)};
     surface.parameter_jets(cell, xi, jets);
-    surface.positions(cell, xi, x, y);
-    problem.shell.sections.at(*coarse, cell).thickness.evaluate(x, y, e);
+    surface.evaluate(problem.shell.sections.at(*coarse, cell).thickness, cell, xi, e);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const geometry::PlaneJet map = coarse->cells[c].map(xi[i]);
       const double weight = std::abs(map.d[0][0] * map.d[1][1] - map.d[0][1] * map.d[1][0]) / (n * n);

@@ -6,7 +6,6 @@
 namespace plastron::meshing {
 
 fem::MeshSequence::Finish joining(const problem::Problem& problem) {
-  if (problem.joins.empty() && problem.rigid_bodies.empty()) return {};
   return [joins = problem.joins, bodies = problem.rigid_bodies,
           charts = problem.charts](std::shared_ptr<const fem::Space> space) {
     const fem::Surface surface(space->coarse, charts);
@@ -24,7 +23,9 @@ fem::MeshSequence::Even even_boundaries(const problem::Problem& problem) {
 fem::MeshSequence mesh_sequence(const problem::Problem& problem, MPI_Comm comm) {
   // Every rank reads a mesh file that was not shared before, and one rank may find another file or none.
   auto coarse = algebra::in_agreement<fem::DomainError>(comm, [&] { return start_mesh(problem).coarse; });
-  return {std::move(coarse), problem.discretisation.degree, comm, joining(problem), even_boundaries(problem)};
+  fem::MeshSequence::Even even = even_boundaries(problem);
+  for (const std::string& fold : coarse.fold_boundaries) even.push_back({fold});
+  return {std::move(coarse), problem.discretisation.degree, comm, joining(problem), std::move(even)};
 }
 
 }  // namespace plastron::meshing

@@ -27,11 +27,11 @@ std::vector<Vector2d> corners_of(fem::Shape shape) {
   return xi;
 }
 
-double longest_side(fem::Shape shape, const std::vector<geometry::SurfaceJet>& corners) {
+double longest_side(fem::Shape shape, const std::vector<geometry::Frame>& corners) {
   double longest = 0;
   for (int side = 0; side < fem::corner_count(shape); ++side) {
     const auto [from, to] = fem::side_corners(shape, side);
-    longest = std::max(longest, (corners[to].value - corners[from].value).norm());
+    longest = std::max(longest, (corners[to].phi - corners[from].phi).norm());
   }
   return longest;
 }
@@ -44,13 +44,13 @@ double extent(const problem::Problem& problem) {
   refine_for_samples(meshes);
   const fem::Surface surface(meshes.space()->coarse, problem.charts);
   const std::vector<Vector2d> xi = corners_of(shape);
-  std::vector<geometry::SurfaceJet> jets(xi.size());
+  std::vector<geometry::Frame> frames(xi.size());
   Vector3d low = Vector3d::Constant(INFINITY), high = -low;
   for (const fem::Cell& cell : meshes.space()->cells) {
-    surface.jets(cell, xi, jets, false);
-    for (const geometry::SurfaceJet& jet : jets) {
-      low = low.cwiseMin(jet.value);
-      high = high.cwiseMax(jet.value);
+    surface.frames(cell, xi, frames, false);
+    for (const geometry::Frame& frame : frames) {
+      low = low.cwiseMin(frame.phi);
+      high = high.cwiseMax(frame.phi);
     }
   }
   return (high - low).norm() / 2;
@@ -63,14 +63,13 @@ std::vector<CellSize> cell_sizes(const problem::Problem& problem) {
   const fem::Surface surface(meshes.space()->coarse, problem.charts);
   const double to_finest = std::exp2(level - d.refinements);
   const std::vector<Vector2d> xi = corners_of(d.cells);
-  std::vector<geometry::SurfaceJet> jets(xi.size());
-  std::vector<double> x(xi.size()), y(xi.size()), thickness(xi.size());
+  std::vector<geometry::Frame> frames(xi.size());
+  std::vector<double> thickness(xi.size());
   std::vector<CellSize> sizes;
   for (const fem::Cell& cell : meshes.space()->cells) {
-    surface.jets(cell, xi, jets, false);
-    surface.positions(cell, xi, x, y);
-    problem.shell.sections.at(surface.coarse(), cell).thickness.evaluate(x, y, thickness);
-    sizes.push_back({to_finest * longest_side(d.cells, jets), *std::ranges::min_element(thickness)});
+    surface.frames(cell, xi, frames, false);
+    surface.evaluate(problem.shell.sections.at(surface.coarse(), cell).thickness, cell, xi, thickness);
+    sizes.push_back({to_finest * longest_side(d.cells, frames), *std::ranges::min_element(thickness)});
   }
   return sizes;
 }

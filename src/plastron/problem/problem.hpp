@@ -54,6 +54,7 @@ struct Linearisation {
 struct Probe {
   std::string name;
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  std::optional<Eigen::Vector3d> in_space{};  ///< if given, `at` is the nearest point: locate_points() sets it [m]
 };
 
 /// A step. Loads, forces on obstacles and their motions change from their values after the previous step to the values
@@ -69,6 +70,8 @@ struct Step {
 struct Line {
   std::string name;
   std::vector<Eigen::Vector2d> points{};
+  std::vector<Eigen::Vector3d>
+      in_space{};  ///< if given, `points` are the nearest points: locate_points() sets them [m]
 };
 
 /// Form of the results.
@@ -98,5 +101,9 @@ struct Problem {
   Output output{};
   bool admissible = false;  ///< bounds of gaps are lifted until the shell is outside the obstacles also between nodes
 };
+
+/// Sets the points of Omega of probes, lines and supports that are given in space: the nearest points of the mid-surface,
+/// and for supports the nearest nodes that every mesh keeps. Throws fem::DomainError of the mesh.
+void locate_points(Problem& problem);
 
 }  // namespace plastron::problem

@@ -157,32 +157,32 @@ Patches::Patches(const assembly::DiscreteShell& discrete, const std::vector<Cell
   decompose(normal_matrices(cells));
 }
 
-// Computes `jets` at the corners of a cell.
-void Patches::corner_jets(const assembly::DiscreteShell& discrete, std::size_t cell,
-                          std::vector<geometry::SurfaceJet>& jets) const {
-  jets.resize(static_cast<std::size_t>(corners_));
-  std::vector<Eigen::Vector2d> xi(jets.size());
+// Computes `frames` at the corners of a cell.
+void Patches::corner_frames(const assembly::DiscreteShell& discrete, std::size_t cell,
+                            std::vector<geometry::Frame>& frames) const {
+  frames.resize(static_cast<std::size_t>(corners_));
+  std::vector<Eigen::Vector2d> xi(frames.size());
   for (int k = 0; k < corners_; ++k) xi[static_cast<std::size_t>(k)] = fem::corner(space_.shape(), k);
-  discrete.shell.surface().parameter_jets(space_.cells[cell], xi, jets);
+  discrete.shell.surface().frames(space_.cells[cell], xi, frames, false);
 }
 
 algebra::Vector Patches::sums_round_vertices(const assembly::DiscreteShell& discrete,
                                              const std::vector<CellResultants>& cells) const {
   algebra::Vector all(vertices_.layout(), Sum::sums);
-  std::vector<geometry::SurfaceJet> jets;
+  std::vector<geometry::Frame> frames;
   for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
-    corner_jets(discrete, cell, jets);
+    corner_frames(discrete, cell, frames);
     const int region = space_.coarse->cells[static_cast<std::size_t>(space_.cells[cell].coarse)].region;
     const double area = discrete.shell.area(cell);
     for (int k = 0; k < corners_; ++k) {
       const auto sum = all.at(vertex(cell, k));
-      const geometry::SurfaceJet& jet = jets[static_cast<std::size_t>(k)];
-      const Vector3d a3 = geometry::unit_normal(jet);
+      const geometry::Frame& frame = frames[static_cast<std::size_t>(k)];
+      const Vector3d a3 = frame.a3.normalized();
       sum[Sum::cells] += 1;
       sum[Sum::region] += region;
       sum[Sum::region_square] += double{1} * region * region;
       for (std::size_t d = 0; d < 3; ++d) sum[Sum::normal + d] += a3[static_cast<Eigen::Index>(d)];
-      add_points(jet.value, cells[cell], area, sum);
+      add_points(frame.phi, cells[cell], area, sum);
     }
   }
   for (const fem::BoundarySide& side : space_.sides)
@@ -198,16 +198,16 @@ algebra::Vector Patches::sums_round_vertices(const assembly::DiscreteShell& disc
 /// in the turned square.
 algebra::Vector Patches::place(const assembly::DiscreteShell& discrete, const algebra::Vector& sums) {
   algebra::Vector turns(vertices_.layout(), 2);
-  std::vector<geometry::SurfaceJet> jets;
+  std::vector<geometry::Frame> frames;
   for (std::size_t cell = 0; cell < space_.owned_cells; ++cell) {
-    corner_jets(discrete, cell, jets);
+    corner_frames(discrete, cell, frames);
     for (int k = 0; k < corners_; ++k) {
       const algebra::LocalIndex at = vertex(cell, k);
-      const Vector3d& here = jets[static_cast<std::size_t>(k)].value;
+      const Vector3d& here = frames[static_cast<std::size_t>(k)].phi;
       const TangentPlane plane(sums.at(at));
       const Eigen::Matrix2d to_square = to_turned_square(sums.at(at), plane);
       for (const int other : neighbours(space_.shape(), k)) {
-        const Eigen::Vector2d edge = to_square * plane.components(jets[static_cast<std::size_t>(other)].value - here);
+        const Eigen::Vector2d edge = to_square * plane.components(frames[static_cast<std::size_t>(other)].phi - here);
         const double angle = 4 * std::atan2(edge[1], edge[0]);
         turns.at(at)[0] += std::cos(angle);
         turns.at(at)[1] += std::sin(angle);

@@ -100,8 +100,8 @@ class Patches {
     Eigen::MatrixXd inverse{};
   };
 
-  void corner_jets(const assembly::DiscreteShell& discrete, std::size_t cell,
-                   std::vector<geometry::SurfaceJet>& jets) const;
+  void corner_frames(const assembly::DiscreteShell& discrete, std::size_t cell,
+                     std::vector<geometry::Frame>& frames) const;
   algebra::Vector sums_round_vertices(const assembly::DiscreteShell& discrete,
                                       const std::vector<CellResultants>& cells) const;
   algebra::Vector place(const assembly::DiscreteShell& discrete, const algebra::Vector& sums);

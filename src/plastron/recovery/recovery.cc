@@ -68,22 +68,23 @@ std::vector<PointValues> Recovery::geometry_at_points(std::size_t cell) const {
   const assembly::ShellOperator& shell = discrete_.shell;
   const fem::Cell& where = shell.space().cells[cell];
   const auto count = at_points_.xi.size();
-  std::vector<geometry::SurfaceJet> jets(count);
+  std::vector<geometry::Frame> frames(count);
   std::vector<double> x(count), y(count), e(count);
-  shell.surface().parameter_jets(where, at_points_.xi, jets);
+  shell.surface().frames(where, at_points_.xi, frames);
+  const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, at_points_.xi);
   shell.surface().positions(where, at_points_.xi, x, y);
   const assembly::CrossSection& section = shell.section(cell);
-  section.thickness.evaluate(x, y, e);
+  shell.surface().evaluate(section.thickness, where, at_points_.xi, e);
   std::vector<PointValues> points(count);
   for (std::size_t p = 0; p < count; ++p) {
-    const geometry::Frame frame = geometry::frame_at(jets[p]);
-    const SurfaceAxes axes = surface_axes(jets[p], frame.a3, choice_.axis);
+    const geometry::Frame& frame = frames[p];
+    const SurfaceAxes axes = surface_axes(tangents[p], geometry::surface_normal(frame), choice_.axis);
     const auto curvatures = geometry::principal_curvatures(frame);
     points[p].x = {x[p], y[p]};
-    points[p].phi = jets[p].value;
+    points[p].phi = frame.phi;
     points[p].t1 = axes.t1;
     points[p].t2 = axes.t2;
-    points[p].a3 = axes.a3;
+    points[p].a3 = frame.a3;
     points[p].curvatures = {curvatures[0], curvatures[1]};
     points[p].thickness = e[p];
     points[p].material = section.material;
@@ -131,7 +132,7 @@ void Recovery::add_resultants(std::size_t cell, const element::CellField& field,
   std::optional<ContinuedResultants> of_cell;
   for (std::size_t p = 0; p < points.size(); ++p) {
     PointValues& point = points[p];
-    const SurfaceAxes axes{.t1 = point.t1, .t2 = point.t2, .a3 = point.a3};
+    const SurfaceAxes axes{.t1 = point.t1, .t2 = point.t2, .a3 = point.t1.cross(point.t2)};
     std::optional<Resultants> values;
     if (choice_.patches) values = choice_.patches->at(cell, at_points_.xi[p], point.phi, axes);
     if (!values) {

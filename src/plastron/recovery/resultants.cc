@@ -32,29 +32,28 @@ CellResultants ResultantPoints::operator()(std::size_t cell, const element::Cell
   const assembly::ShellOperator& shell = discrete_.shell;
   const fem::Cell& where = shell.space().cells[cell];
   const auto count = basis_.xi.size();
-  std::vector<geometry::SurfaceJet> jets(count), in_parameters(count);
-  std::vector<double> x(count), y(count), e(count);
-  shell.surface().jets(where, basis_.xi, jets);
-  shell.surface().parameter_jets(where, basis_.xi, in_parameters);
-  shell.surface().positions(where, basis_.xi, x, y);
+  std::vector<geometry::Frame> frames(count);
+  std::vector<double> e(count);
+  shell.surface().frames(where, basis_.xi, frames);
+  const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, basis_.xi);
   const assembly::CrossSection& section = shell.section(cell);
-  section.thickness.evaluate(x, y, e);
-  const auto strains = shell.strains_at(cell, field, basis_, tied_, jets);
+  shell.surface().evaluate(section.thickness, where, basis_.xi, e);
+  const auto strains = shell.strains_at(cell, field, basis_, tied_, frames);
 
   CellResultants result{.position = {}, .axes = {}, .values = ResultantRows(static_cast<Eigen::Index>(count), 8)};
   for (std::size_t p = 0; p < count; ++p) {
-    const geometry::Frame frame = geometry::frame_at(jets[p]);
+    const geometry::Frame& frame = frames[p];
     const auto row = strains.row(static_cast<Eigen::Index>(p));
     const shell::Strain<double> strain{row.head<3>(), row.segment<3>(3), row.tail<2>()};
     const auto s = shell::resultants(shell::section_at(section.material, frame, e[p]), strain);
-    const SurfaceAxes axes = surface_axes(in_parameters[p], frame.a3, axis_);
+    const SurfaceAxes axes = surface_axes(tangents[p], geometry::surface_normal(frame), axis_);
     Eigen::Matrix2d to_axes;  // T^{ab} a_a a_b in orthonormal axes
     to_axes << frame.a_cov[0].dot(axes.t1), frame.a_cov[1].dot(axes.t1), frame.a_cov[0].dot(axes.t2),
         frame.a_cov[1].dot(axes.t2);
     Resultants contravariant;
     contravariant << s.membrane.transpose(), s.bending.transpose(), s.shear.transpose();
     result.values.row(static_cast<Eigen::Index>(p)) = in_other_axes(contravariant, to_axes);
-    result.position.push_back(jets[p].value);
+    result.position.push_back(frame.phi);
     result.axes.push_back(axes);
   }
   return result;

@@ -20,10 +20,9 @@ struct SurfaceAxes {
 inline constexpr double parallel_sine = 1e-6;
 
 /// Returns axes with t1 along the projection of `axis` on the surface. Without `axis`, or if it is normal to the
-/// surface, t1 follows the tangent d phi/dx.
-inline SurfaceAxes surface_axes(const geometry::SurfaceJet& in_parameters, const Vector3d& a3,
-                                const std::optional<Vector3d>& axis) {
-  Vector3d t1 = in_parameters.d[0];
+/// surface, t1 follows `tangent`.
+inline SurfaceAxes surface_axes(const Vector3d& tangent, const Vector3d& a3, const std::optional<Vector3d>& axis) {
+  Vector3d t1 = tangent;
   if (axis) {
     const Vector3d projected = geometry::tangential(*axis, a3);
     if (projected.norm() > parallel_sine * axis->norm()) t1 = projected;

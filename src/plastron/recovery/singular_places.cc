@@ -80,8 +80,7 @@ void add_ends(const assembly::DiscreteShell& discrete, const fem::BoundarySide& 
   for (int k = 0; k < 2; ++k) {
     const Eigen::Vector2d from = fem::corner(space.shape(), corners[static_cast<std::size_t>(k)]),
                           to = fem::corner(space.shape(), corners[static_cast<std::size_t>(1 - k)]);
-    geometry::SurfaceJet jet;
-    discrete.shell.surface().jets(space.cells[side.cell], {&from, 1}, {&jet, 1}, false);
+    const geometry::Frame frame = discrete.shell.surface().frame(space.cells[side.cell], from, false);
     const bool is_first = (from - fem::side_point(space.shape(), side.side, 0)).norm() < 0.5;
     const auto node = static_cast<std::size_t>(
         space.nodes(side.cell)[static_cast<std::size_t>(is_first ? on_side.front() : on_side.back())]);
@@ -89,9 +88,9 @@ void add_ends(const assembly::DiscreteShell& discrete, const fem::BoundarySide& 
     SideEnd end{.node = space.layout->global(static_cast<algebra::LocalIndex>(node)),
                 .is_forward = k == 0,
                 .boundary = side.boundary,
-                .tangent = ((to - from)[0] * jet.d[0] + (to - from)[1] * jet.d[1]).normalized(),
-                .a3 = geometry::unit_normal(jet),
-                .position = jet.value,
+                .tangent = geometry::along(frame, to - from).normalized(),
+                .a3 = frame.a3,
+                .position = frame.phi,
                 .at = discrete.points[node].x,
                 .thickness = discrete.points[node].thickness};
     if (side.boundary >= 0) {

@@ -84,7 +84,7 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
   const auto weights = side_weights(space);
   const auto line = fem::gauss_lobatto(space.degree + 1).points;
   algebra::Vector lengths(space.layout, 1);
-  std::vector<geometry::SurfaceJet> jets(line.size());
+  std::vector<geometry::Frame> frames(line.size());
   const fem::BoundarySide* last = nullptr;
   for (const fem::BoundarySide& edge : space.sides) {
     // A side with several names occurs several times.
@@ -94,12 +94,12 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
     for (const double t : line) xi.push_back(fem::side_point(space.shape(), edge.side, t));
-    discrete.shell.surface().jets(space.cells[edge.cell], xi, jets, false);
+    discrete.shell.surface().frames(space.cells[edge.cell], xi, frames, false);
     const Eigen::Vector2d along = fem::side_tangent(space.shape(), edge.side);
     const auto on_side = fem::side_nodes(space.shape(), space.degree, edge.side);
     for (std::size_t i = 0; i < line.size(); ++i) {
       const auto node = static_cast<std::size_t>(space.nodes(edge.cell)[static_cast<std::size_t>(on_side[i])]);
-      lengths.local()[node] += weights[i] * (along[0] * jets[i].d[0] + along[1] * jets[i].d[1]).norm();
+      lengths.local()[node] += weights[i] * geometry::along(frames[i], along).norm();
     }
   }
   lengths.accumulate_ghosts();

@@ -174,6 +174,7 @@ Summary summarise(const assembly::DiscreteShell& discrete, const NodalSolution& 
   if (s.is_admissible_wanted) s.largest_lift = algebra::max_abs(discrete.state.lifts);
   if (solution.lambda.layout()) s.multiplier_norm = gradient_norm(discrete.shell, solution.lambda);
   SupportReactions supports = support_reactions(discrete, sums.at_supports);
+  s.is_in_space = discrete.shell.surface().has_directors();
   s.support_reactions = std::move(supports.boundaries);
   s.corner_reactions = std::move(supports.corners);
   s.point_reactions = std::move(supports.points);

@@ -62,6 +62,7 @@ struct Summary {
   double lift_work = 0;
   /// True if the displacements strain the shell no more than rounding.
   bool is_unstrained = false;
+  bool is_in_space = false;  ///< whether the mid-surface is a mesh in space: points then have no parameters
   std::vector<SupportReaction> support_reactions{};  ///< one per boundary
   std::vector<CornerReaction> corner_reactions{};    ///< where supported edges meet
   std::vector<PointReaction> point_reactions{};      ///< at supported points

@@ -1,8 +1,19 @@
 #include <plastron/solution/support_reactions.hpp>
 
+#include <plastron/algebra/assertion.hpp>
 #include <plastron/solution/support_shares.hpp>
 
 namespace plastron::solution {
+
+namespace {
+
+Vector3d place_of(const Eigen::Vector2d& point, const assembly::DiscreteShell& discrete) {
+  const auto location = fem::locate(*discrete.space().coarse, point);
+  PLASTRON_ASSERT(location, point[0], point[1]);
+  return discrete.shell.surface().frame({.coarse = location->coarse}, location->xi, false).phi;
+}
+
+}  // namespace
 
 SupportReactions support_reactions(const assembly::DiscreteShell& discrete,
                                    const std::vector<NodalSupportForce>& forces) {
@@ -29,7 +40,7 @@ SupportReactions support_reactions(const assembly::DiscreteShell& discrete,
     for (const std::size_t b : corner.boundaries) result.corners.back().boundaries.push_back(shares.boundaries()[b]);
   }
   for (const Eigen::Vector2d& at : discrete.support_points())
-    result.points.push_back({.at = at, .force = next++->force});
+    result.points.push_back({.at = at, .position = place_of(at, discrete), .force = next++->force});
   return result;
 }
 

@@ -34,6 +34,7 @@ struct CornerReaction {
 /// 6).
 struct PointReaction {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< in Omega
+  Vector3d position = Vector3d::Zero();          ///< on the mid-surface [m]
   Vector3d force = Vector3d::Zero();             ///< force on the shell, without directions that an edge fixes [N]
 };
 

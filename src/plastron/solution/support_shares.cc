@@ -64,17 +64,17 @@ algebra::Vector edge_at_nodes(const assembly::DiscreteShell& discrete, const std
   const fem::Space& space = discrete.space();
   const fem::Rule line = fem::gauss_lobatto(space.degree + 1);
   algebra::Vector edge(space.layout, 4);
-  std::vector<geometry::SurfaceJet> jets(line.points.size());
+  std::vector<geometry::Frame> frames(line.points.size());
   for (const fem::BoundarySide& side : space.sides) {
     if (side.cell >= space.owned_cells || side.boundary < 0) continue;
     if (space.coarse->boundaries[static_cast<std::size_t>(side.boundary)] != boundary) continue;
     std::vector<Eigen::Vector2d> xi;
     for (const double t : line.points) xi.push_back(fem::side_point(space.shape(), side.side, t));
-    discrete.shell.surface().jets(space.cells[side.cell], xi, jets, false);
+    discrete.shell.surface().frames(space.cells[side.cell], xi, frames, false);
     const Eigen::Vector2d along = fem::side_tangent(space.shape(), side.side);
     const auto on_side = fem::side_nodes(space.shape(), space.degree, side.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
-      const Vector3d tangent = along[0] * jets[i].d[0] + along[1] * jets[i].d[1];
+      const Vector3d tangent = geometry::along(frames[i], along);
       double* at = edge.local().data() +
                    4 * static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(on_side[i])]);
       at[0] += line.weights[i] * tangent.norm();

@@ -116,10 +116,10 @@ class Marching {
   double triangle_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) const {
     const Eigen::Vector2d one = b - a, other = c - a;
     const std::array<Eigen::Vector2d, 3> middles{(a + b) / 2, (b + c) / 2, (c + a) / 2};
-    std::array<geometry::SurfaceJet, 3> jets;
-    discrete_.shell.surface().jets(space_.cells[cell_], middles, jets, false);
+    std::array<geometry::Frame, 3> frames;
+    discrete_.shell.surface().frames(space_.cells[cell_], middles, frames, false);
     double sum = 0;
-    for (const geometry::SurfaceJet& jet : jets) sum += jet.d[0].cross(jet.d[1]).norm();
+    for (const geometry::Frame& frame : frames) sum += frame.sqrt_a;
     return sum / 3 * (one[0] * other[1] - one[1] * other[0]) / 2;
   }
 
@@ -181,21 +181,19 @@ class Marching {
   /// The point of the edge that free nodes on the end's side predict near `between`; `between` itself if they predict
   /// none.
   Eigen::Vector2d edge_near(const CellEnd& end, const Eigen::Vector2d& between) const {
-    const geometry::SurfaceJet jet = jet_at(between);
+    const geometry::Frame frame = frame_at(between);
     Eigen::Matrix<double, 3, 2> tangents;
-    tangents << jet.d[0], jet.d[1];
-    const auto way = opening_.way_to_edge(node(end.other), search(end, jet, tangents));
+    tangents << frame.a_cov[0], frame.a_cov[1];
+    const auto way = opening_.way_to_edge(node(end.other), search(end, frame, tangents));
     if (!way) return between;
     const Eigen::Vector2d moved = between + tangents.colPivHouseholderQr().solve(*way);
     if (!is_beside_no_border(moved)) return between;
     constexpr double curved = 0.1;  // charts may end or diverge a little outside of their cells
-    return (jet_at(moved).value - jet.value - *way).norm() <= curved * way->norm() ? moved : between;
+    return (frame_at(moved).phi - frame.phi - *way).norm() <= curved * way->norm() ? moved : between;
   }
 
-  geometry::SurfaceJet jet_at(const Eigen::Vector2d& xi) const {
-    geometry::SurfaceJet jet;
-    discrete_.shell.surface().jets(space_.cells[cell_], {&xi, 1}, {&jet, 1}, false);
-    return jet;
+  geometry::Frame frame_at(const Eigen::Vector2d& xi) const {
+    return discrete_.shell.surface().frame(space_.cells[cell_], xi, false);
   }
 
   /// Twice the area of the triangle of a side and a point. It is positive inside of the side and 0 on it.
@@ -215,15 +213,15 @@ class Marching {
     return true;
   }
 
-  EdgeSearch search(const CellEnd& end, const geometry::SurfaceJet& jet,
+  EdgeSearch search(const CellEnd& end, const geometry::Frame& frame,
                     const Eigen::Matrix<double, 3, 2>& tangents) const {
     const assembly::NodalPoint &touching = discrete_.points[static_cast<std::size_t>(node(end.touching))],
                                &other = discrete_.points[static_cast<std::size_t>(node(end.other))];
-    EdgeSearch search{.from = jet.value, .axes = {}, .inwards = touching.phi - other.phi};
-    const Vector3d a3 = geometry::unit_normal(jet), across = geometry::tangential(search.inwards, a3).normalized();
+    EdgeSearch search{.from = frame.phi, .axes = {}, .inwards = touching.phi - other.phi};
+    const Vector3d &a3 = frame.a3, across = geometry::tangential(search.inwards, a3).normalized();
     search.shear_length = shell::bending_length(shell::section_at(
         discrete_.shell.section(cell_).material, shell::orthonormal_frame(across, a3.cross(across)), other.thickness));
-    search.axes.col(0) = jet.d[0].normalized();
+    search.axes.col(0) = frame.a_cov[0].normalized();
     search.axes.col(1) = a3.cross(search.axes.col(0));
     const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
     for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
@@ -247,9 +245,9 @@ class Marching {
     if (new_ends_.empty()) return;
     const fem::Cell& cell = space_.cells[cell_];
     const std::vector<Eigen::Vector2d>& xi = new_places_;
-    std::vector<geometry::SurfaceJet> jets(xi.size());
+    std::vector<geometry::Frame> frames(xi.size());
     std::vector<double> x(xi.size()), y(xi.size());
-    discrete_.shell.surface().jets(cell, xi, jets, false);
+    discrete_.shell.surface().frames(cell, xi, frames, false);
     discrete_.shell.surface().positions(cell, xi, x, y);
     const element::CellField moved = discrete_.shell.interpolation().values(
         cell_, element::basis_at(space_.shape(), space_.degree, xi), discrete_.shell.gather(cell_, solution_.y));
@@ -259,7 +257,7 @@ class Marching {
       const double z = height(new_ends_[i], xi[i]);
       segments_[first + i / 2].ends[i % 2].point = {
           .x = {x[i], y[i]},
-          .place = jets[i].value + z * geometry::unit_normal(jets[i]),
+          .place = frames[i].phi + z * frames[i].a3,
           .displacement = row.head<3>().transpose() + z * row.tail<3>().transpose()};
     }
     new_ends_.clear();

@@ -1,0 +1,186 @@
+// Reports what a mesh in space consists of: parts, orientation, edges by kind, directors; and warns of what is doubtful.
+#include <plastron/examination/checks.hpp>
+#include <plastron/fem/surface_flaws.hpp>
+#include <plastron/fem/surface_mesh.hpp>
+
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace plastron::examination {
+
+namespace {
+
+using Findings = std::vector<Finding>;
+
+template <class... Args>
+void add(Findings& findings, Severity severity, fmt::format_string<Args...> text, Args&&... args) {
+  findings.push_back({severity, fmt::format(text, std::forward<Args>(args)...)});
+}
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+std::string counted(std::size_t number, const char* one, const char* several) {
+  return fmt::format("{} {}", number, number == 1 ? one : several);
+}
+
+void report_cells(Findings& findings, const fem::FileSurface& surface, const fem::SurfaceSummary& summary) {
+  const fem::SpaceMesh& mesh = surface.topology.mesh;
+  int least = mesh.cells.front().order, most = least;
+  for (const fem::SurfaceCell& cell : mesh.cells) {
+    least = std::min(least, cell.order);
+    most = std::max(most, cell.order);
+  }
+  add(findings, Severity::note, "mesh in space: {} {} of order {}, {} in {}; {}", mesh.cells.size(),
+      mesh.shape == fem::Shape::triangle ? "triangles" : "quadrilaterals",
+      least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most),
+      counted(static_cast<std::size_t>(surface.topology.sheet_count), "smooth sheet", "smooth sheets"),
+      counted(static_cast<std::size_t>(surface.topology.part_count), "part", "parts"),
+      summary.is_closed ? fmt::format("closed, volume {:.6g} m^3", summary.volume) : "open");
+  constexpr double huge = 300;
+  if ((summary.high - summary.low).maxCoeff() > huge)
+    add(findings, Severity::warning,
+        "the part is {:.4g} m long: if the file is in millimetres, write scale = 1e-3, or give all of the case in "
+        "millimetres",
+        (summary.high - summary.low).maxCoeff());
+  if (surface.merged_nodes > 0)
+    add(findings, Severity::note, "{} were at the place of others and are one with them",
+        counted(surface.merged_nodes, "node", "nodes"));
+  if (least == 1)
+    add(findings, Severity::note,
+        "cells of order 1 are facets: a curved part needs ten times finer cells than of order 2; export order 2 "
+        "(Gmsh: Mesh.ElementOrder = 2, Mesh.SecondOrderIncomplete = 0; Abaqus, CalculiX: S8)");
+}
+
+void report_orientation(Findings& findings, const fem::FileSurface& surface) {
+  std::vector<std::string> parts;
+  for (const fem::SurfaceComponent& component : surface.topology.components) {
+    const char* rule = component.sign == fem::SignRule::outward ? "outwards"
+                       : component.sign == fem::SignRule::upper ? "to the side of upper"
+                                                                : "as most cells of the file";
+    parts.push_back(fmt::format("{} ({} turned)", rule, component.turned));
+  }
+  constexpr std::size_t most = 6;
+  const std::size_t shown = std::min(most, parts.size());
+  add(findings, Severity::note, "a3 points {}{}",
+      fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(shown), "; "),
+      parts.size() > shown ? fmt::format("; and {} more", parts.size() - shown) : "");
+}
+
+void report_upper(Findings& findings, const fem::FileSurface& surface) {
+  const auto& components = surface.topology.components;
+  const auto undecided = std::ranges::count_if(components, [](const fem::SurfaceComponent& component) {
+    return !component.is_closed && component.sign != fem::SignRule::upper;
+  });
+  if (surface.has_upper && undecided > 0)
+    add(findings, Severity::warning,
+        "upper is at right angles to the mean normal of {} and decides nothing there: a3 points as in the file; choose "
+        "another direction",
+        counted(static_cast<std::size_t>(undecided), "part of the surface", "parts of the surface"));
+}
+
+void report_edges(Findings& findings, const fem::FileSurface& surface, const fem::SurfaceSummary& summary) {
+  const auto& [border, smooth, fold, branch] = summary.edges;
+  std::string text = fmt::format("edges: {} smooth (up to {:.3g} degrees; limit {:.3g})", smooth.number,
+                                 degrees(smooth.largest_angle), degrees(surface.smooth_angle));
+  if (fold.number > 0)
+    text += fmt::format(", {} folds ({:.3g} to {:.3g} degrees)", fold.number, degrees(fold.least_angle),
+                        degrees(fold.largest_angle));
+  if (branch.number > 0) text += fmt::format(", {} branches of three cells or more", branch.number);
+  if (border.number > 0) text += fmt::format(", {} on borders", border.number);
+  add(findings, Severity::note, "{}", text);
+  if (summary.lone_folds > 0)
+    add(findings, Severity::warning,
+        "{} of a single edge count as smooth: a fold that no other edge continues cannot be cut; mesh the fold "
+        "finer, or set smooth to a larger angle",
+        counted(summary.lone_folds, "fold", "folds"));
+}
+
+void report_doubtful_edges(Findings& findings, const fem::SurfaceTopology& topology, double limit) {
+  if (topology.edges_near_limit.empty()) return;
+  const fem::SurfaceEdge& edge = topology.edges[topology.edges_near_limit.front()];
+  const Eigen::Vector3d place = (topology.mesh.nodes[static_cast<std::size_t>(edge.ends[0])] +
+                                 topology.mesh.nodes[static_cast<std::size_t>(edge.ends[1])]) /
+                                2;
+  add(findings, Severity::warning,
+      "{} between half and twice the limit of {:.3g} degrees, the nearest of {:.3g} degrees at {}: it counts as {}; "
+      "set smooth, or name folds, if that is not meant",
+      counted(topology.edges_near_limit.size(), "edge has an angle", "edges have angles"), degrees(limit),
+      degrees(edge.angle), fem::place_of(place), edge.kind == fem::EdgeKind::fold ? "a fold" : "smooth");
+}
+
+void report_directors(Findings& findings, const fem::FileSurface& surface) {
+  const fem::DirectorAngle& largest = surface.topology.largest_director_angle;
+  add(findings, Severity::note, "directors differ from the cells' normals by at most {:.2g} degrees, at {}",
+      degrees(largest.angle), fem::place_of(largest.where));
+  constexpr double noticeable = 0.02;
+  if (surface.symmetry_turn > noticeable)
+    add(findings, Severity::warning,
+        "a director on an edge of symmetry was turned by {:.2g} degrees into the plane of symmetry: the cells "
+        "there do not meet it at a right angle",
+        degrees(surface.symmetry_turn));
+}
+
+/// Warns of cells that are nearer to each other than a thickness and of cells that pass through each other.
+void report_intersections(Examined& examined, const fem::FileSurface& surface) {
+  const assembly::CrossSections& sections = examined.problem.shell.sections;
+  std::vector<double> thickness;
+  for (const std::string& region : surface.regions) {
+    const auto own = sections.regions.find(region);
+    const geometry::Expression& e = own == sections.regions.end() ? sections.common.thickness : own->second.thickness;
+    if (!e.is_constant()) return;
+    thickness.push_back(e({}));
+  }
+  fem::SurfaceFlaws flaws;
+  fem::find_intersections(surface.topology.mesh, thickness, flaws);
+  for (const fem::Flaw& flaw : flaws.warnings) examined.add(Severity::warning, "{}", flaw.message);
+}
+
+void report_points(Examined& examined) {
+  const auto report = [&](const std::string& what, const Eigen::Vector3d& wanted, const Eigen::Vector2d& at) {
+    const auto location = fem::locate(examined.surface->coarse(), at);
+    if (!location) return;
+    const Eigen::Vector3d phi = examined.surface->frame({.coarse = location->coarse}, location->xi, false).phi;
+    const double distance = (phi - wanted).norm();
+    double e = 0;
+    examined.surface->evaluate(
+        examined.problem.shell.sections.at(*examined.space->coarse, {.coarse = location->coarse}).thickness,
+        {.coarse = location->coarse}, {&location->xi, 1}, {&e, 1});
+    examined.add(distance > e / 2 ? Severity::warning : Severity::note, "{} {} stands for {}, {:.3g} m away{}", what,
+                 fem::place_of(wanted), fem::place_of(phi), distance,
+                 distance > e / 2 ? ", more than half of the thickness" : "");
+  };
+  for (const problem::Probe& probe : examined.problem.probes)
+    if (probe.in_space) report(fmt::format("the probe \"{}\" at", probe.name), *probe.in_space, probe.at);
+  for (const assembly::Support& support : examined.problem.shell.supports)
+    if (support.point_in_space && support.point)
+      report("the support at the point", *support.point_in_space, *support.point);
+}
+
+}  // namespace
+
+std::vector<Finding> surface_findings(const fem::FileSurface& surface) {
+  Findings findings;
+  const fem::SurfaceSummary summary = fem::summary_of(surface.topology);
+  report_cells(findings, surface, summary);
+  report_orientation(findings, surface);
+  report_upper(findings, surface);
+  report_edges(findings, surface, summary);
+  report_doubtful_edges(findings, surface.topology, surface.smooth_angle);
+  report_directors(findings, surface);
+  for (const std::string& note : surface.notes) add(findings, Severity::note, "{}", note);
+  for (const std::string& warning : surface.warnings) add(findings, Severity::warning, "{}", warning);
+  return findings;
+}
+
+void check_surface_mesh(Examined& examined) {
+  report_points(examined);
+  const auto* file = std::get_if<fem::MeshFile>(&examined.problem.domain);
+  if (!file || !file->in_space || file->path.empty()) return;
+  const fem::FileSurface surface = fem::read_surface(*file, examined.problem.discretisation.cells);
+  std::ranges::move(surface_findings(surface), std::back_inserter(examined.findings));
+  report_intersections(examined, surface);
+}
+
+}  // namespace plastron::examination

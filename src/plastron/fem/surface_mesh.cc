@@ -1,0 +1,341 @@
+#include <plastron/fem/disjoint_sets.hpp>
+#include <plastron/fem/mesh_groups.hpp>
+#include <plastron/fem/surface_flaws.hpp>
+#include <plastron/fem/surface_mesh.hpp>
+#include <plastron/fem/surface_patches.hpp>
+
+#include <plastron/geometry/frame.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace plastron::fem {
+
+namespace {
+
+/// The cells of a file and its named lines.
+class SpaceCells {
+ public:
+  SpaceCells(const MeshData& data, std::optional<Shape> shape, double scale)
+      : data_(data), groups_(data, MeshGroups::Nameless::numbered), shape_(shape) {
+    for (const MeshNode& node : data.nodes) mesh_.nodes.push_back(scale * node.position);
+    mesh_.normals = data.normals;
+    mesh_.shape = shape_of_file();
+    for (const MeshElement& element : data.elements)
+      if (const ElementType type = *element_type(element.type); type.is_cell()) add_cell(element, type);
+  }
+
+  SpaceMesh take() { return std::move(mesh_); }
+  const MeshGroups& groups() const { return groups_; }
+
+  /// Calls visit(line element, node at its start, node at its end, group) for each line in a group.
+  template <class Visit>
+  void for_each_line(const Visit& visit) const {
+    for (const MeshElement& element : data_.elements) {
+      if (element_type(element.type)->is_cell()) continue;
+      const auto node = [&](std::size_t i) { return static_cast<int>(data_.element_nodes[element.first_node + i]); };
+      for (const int group : data_.group_sets[element.groups]) visit(element, node(0), node(1), group);
+    }
+  }
+
+ private:
+  /// Triangles of a file stay triangles; quadrilaterals are cut later if triangles are wanted.
+  Shape shape_of_file() const {
+    bool has_triangles = false, has_quadrilaterals = false;
+    for (const MeshElement& element : data_.elements) {
+      const ElementType type = *element_type(element.type);
+      if (!type.is_cell()) continue;
+      check_cell_type(data_, type, shape_.value_or(type.shape()));
+      (type.shape() == Shape::triangle ? has_triangles : has_quadrilaterals) = true;
+    }
+    if (!has_triangles && !has_quadrilaterals) refuse_without_cells(data_, shape_.value_or(Shape::quadrilateral));
+    if (has_triangles && has_quadrilaterals)
+      throw DomainError(fmt::format(
+          "{}: it has triangles and quadrilaterals; a mesh in space has one kind of cells: mesh with Recombine and "
+          "Mesh.SubdivisionAlgorithm = 1 for quadrilaterals alone, or without Recombine for triangles",
+          data_.source));
+    return has_triangles ? Shape::triangle : Shape::quadrilateral;
+  }
+
+  void add_cell(const MeshElement& element, const ElementType& type) {
+    const auto places = lattice_places(type.shape(), type.order);
+    SurfaceCell cell{.nodes = std::vector<std::int32_t>(places.size()),
+                     .order = type.order,
+                     .region = groups_.region(element),
+                     .tag = element.tag,
+                     .line = element.line};
+    for (std::size_t i = 0; i < places.size(); ++i)
+      cell.nodes[places[i]] = static_cast<std::int32_t>(data_.element_nodes[element.first_node + i]);
+    mesh_.cells.push_back(std::move(cell));
+  }
+
+  const MeshData& data_;
+  MeshGroups groups_;
+  std::optional<Shape> shape_;
+  SpaceMesh mesh_{};
+};
+
+std::array<int, 2> ascending(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::vector<std::string> messages_of(const std::vector<Flaw>& flaws) {
+  std::vector<std::string> messages;
+  for (const Flaw& flaw : flaws) messages.push_back(flaw.message);
+  return messages;
+}
+
+std::string text_of(const std::vector<Flaw>& flaws) { return fmt::format("{}", fmt::join(messages_of(flaws), "\n")); }
+
+double smooth_angle_of(const SpaceMesh& mesh) {
+  constexpr double degree = std::numbers::pi / 180;
+  const bool has_facets = std::ranges::any_of(mesh.cells, [](const SurfaceCell& cell) { return cell.order == 1; });
+  return (has_facets ? 30 : 10) * degree;
+}
+
+/// Returns the mesh whose nodes are moved along the directors by parts of the thickness. Throws DomainError where there
+/// are folds, or two thicknesses at a node.
+SpaceMesh moved_by(const Offset& offset, const SurfaceTopology& topology, const std::vector<std::string>& regions) {
+  const SpaceMesh& mesh = topology.mesh;
+  for (const SurfaceEdge& edge : topology.edges)
+    if (edge.kind == EdgeKind::fold || edge.kind == EdgeKind::branch)
+      throw DomainError(fmt::format(
+          "the surface has a fold at {}, where an offset would tear it; mesh the mid-surface of a part with folds",
+          place_of(mesh.nodes[static_cast<std::size_t>(edge.ends[0])])));
+  SpaceMesh moved = mesh;
+  std::vector<double> distance(mesh.nodes.size(), 0);
+  std::vector<bool> is_set(mesh.nodes.size(), false);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (std::size_t i = 0; i < mesh.cells[c].nodes.size(); ++i) {
+      const auto node = static_cast<std::size_t>(mesh.cells[c].nodes[i]);
+      const Vector3d& at = mesh.nodes[node];
+      const std::string& region = regions[static_cast<std::size_t>(mesh.cells[c].region)];
+      const double e = offset.thickness_of(region)(geometry::Place{0, 0, at[0], at[1], at[2]});
+      constexpr double rounding = 1e-9;
+      if (is_set[node] && std::abs(distance[node] - offset.part * e) > rounding * std::abs(distance[node]))
+        throw DomainError(
+            fmt::format("at {} two regions of different thickness meet, where an offset would tear the "
+                        "surface; let the thickness be continuous, or mesh the mid-surface",
+                        place_of(at)));
+      distance[node] = offset.part * e;
+      is_set[node] = true;
+      const auto copy = static_cast<std::size_t>(topology.cell_director_nodes[c][i]);
+      moved.nodes[node] = at + distance[node] * topology.director_nodes[copy].director;
+    }
+  return moved;
+}
+
+/// The director nodes on a named curve and the plane in which they lie.
+class CurveInPlane {
+ public:
+  CurveInPlane(int boundary, const FileSurface& surface) : topology_(surface.topology) {
+    for (const NamedEdge& named : surface.named_edges) {
+      if (named.boundary != boundary) continue;
+      const SurfaceEdge& edge = topology_.edges[named.edge];
+      for (std::size_t k = 0; k < edge.side_count; ++k) add(topology_.sides[edge.first_side + k]);
+    }
+  }
+
+  const std::set<std::int32_t>& nodes() const { return nodes_; }
+
+  /// The unit normal of the plane of the nodes; for a straight curve, of the plane of the curve and its mean director.
+  /// Empty if there is no such plane.
+  std::optional<Vector3d> normal() const {
+    constexpr double flat = 1e-6;  // relative to the extent
+    Vector3d mean = Vector3d::Zero(), director = Vector3d::Zero();
+    for (const std::int32_t node : nodes_) {
+      mean += place(node) / static_cast<double>(nodes_.size());
+      director += topology_.director_nodes[static_cast<std::size_t>(node)].director;
+    }
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (const std::int32_t node : nodes_) moments += (place(node) - mean) * (place(node) - mean).transpose();
+    const auto eigen = geometry::symmetric_eigen(moments);
+    const double extent = std::sqrt(eigen.values[2]);
+    if (std::sqrt(std::max(0.0, eigen.values[0])) > flat * extent) return {};
+    if (std::sqrt(std::max(0.0, eigen.values[1])) > flat * extent) return Vector3d(eigen.vectors.col(0));
+    const Vector3d along = eigen.vectors.col(2), across = along.cross(director);
+    return across.norm() > 0 ? std::optional(Vector3d(across.normalized())) : std::nullopt;
+  }
+
+ private:
+  void add(const MeshEdge& side) {
+    for (const int place : ascending_places(topology_.mesh, side))
+      nodes_.insert(topology_.cell_director_nodes[side.cell][static_cast<std::size_t>(place)]);
+  }
+  const Vector3d& place(std::int32_t node) const {
+    return topology_.mesh
+        .nodes[static_cast<std::size_t>(topology_.director_nodes[static_cast<std::size_t>(node)].node)];
+  }
+
+  const SurfaceTopology& topology_;
+  std::set<std::int32_t> nodes_{};
+};
+
+/// Makes the coarse mesh of a topology.
+class SurfaceMesher {
+ public:
+  explicit SurfaceMesher(const FileSurface& surface) : surface_(surface), topology_(surface.topology) {
+    mesh_.shape = topology_.mesh.shape;
+    mesh_.regions = surface.regions;
+    mesh_.boundaries = surface.boundaries;
+  }
+
+  CoarseMesh build() {
+    add_patches();
+    for (const std::int32_t node : topology_.vertex_director_nodes)
+      mesh_.vertices.push_back(mesh_.patches->positions[static_cast<std::size_t>(node)].head<2>());
+    for (std::size_t c = 0; c < topology_.mesh.cells.size(); ++c)
+      mesh_.cells.push_back(
+          {topology_.cell_vertices[c], topology_.mesh.cells[c].region, {whole_reference_cell()}, static_cast<int>(c)});
+    for (const NamedEdge& named : surface_.named_edges) {
+      // A curve along a fold is listed for one of its sides.
+      const auto [low, high] = drawn(topology_.sides[topology_.edges[named.edge].first_side]);
+      mesh_.edges.push_back({named.is_ascending ? std::array{low, high} : std::array{high, low}, named.boundary});
+    }
+    add_folds();
+    return std::move(mesh_);
+  }
+
+ private:
+  void add_patches() {
+    auto patches = std::make_shared<SurfacePatches>();
+    patches->shape = topology_.mesh.shape;
+    for (const DirectorNode& node : topology_.director_nodes) {
+      patches->positions.push_back(topology_.mesh.nodes[static_cast<std::size_t>(node.node)]);
+      patches->directors.push_back(node.director);
+    }
+    for (std::size_t c = 0; c < topology_.mesh.cells.size(); ++c)
+      patches->patches.push_back({topology_.mesh.cells[c].order, topology_.cell_director_nodes[c]});
+    choose_axes(*patches);
+    mesh_.patches = std::move(patches);
+  }
+
+  ExactMap whole_reference_cell() const {
+    if (mesh_.shape == Shape::triangle) return TriangleLagrangeMap{1, {{0, 0}, {1, 0}, {0, 1}}};
+    return LagrangeMap{1, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
+  }
+
+  /// The vertices of a cell's side, from its lower node to its higher one.
+  std::array<int, 2> drawn(const MeshEdge& side) const {
+    const auto [from, to] = anticlockwise_corners(mesh_.shape, side.side);
+    const auto& vertices = topology_.cell_vertices[side.cell];
+    return side.is_forward ? std::array{vertices[from], vertices[to]} : std::array{vertices[to], vertices[from]};
+  }
+
+  void add_folds() {
+    DisjointSets connected(topology_.mesh.nodes.size());
+    std::vector<const SurfaceEdge*> folds;
+    for (const SurfaceEdge& edge : topology_.edges) {
+      if (!is_cut(edge)) continue;
+      folds.push_back(&edge);
+      connected.unite(static_cast<std::size_t>(edge.ends[0]), static_cast<std::size_t>(edge.ends[1]));
+    }
+    std::map<std::size_t, int> boundary_of;  // by representative, in the order of the edges
+    for (const SurfaceEdge* fold : folds) {
+      const auto [found, is_new] = boundary_of.try_emplace(connected.of(static_cast<std::size_t>(fold->ends[0])),
+                                                           static_cast<int>(mesh_.boundaries.size()));
+      if (is_new) {
+        mesh_.fold_boundaries.push_back(fmt::format("fold {}", boundary_of.size()));
+        mesh_.boundaries.push_back(mesh_.fold_boundaries.back());
+      }
+      add_fold(*fold, found->second);
+    }
+  }
+
+  static bool is_cut(const SurfaceEdge& edge) {
+    return edge.kind == EdgeKind::branch || (edge.kind == EdgeKind::fold && !edge.is_lone_fold);
+  }
+
+  void add_fold(const SurfaceEdge& edge, int boundary) {
+    const auto first = drawn(topology_.sides[edge.first_side]);
+    for (std::size_t k = 0; k < edge.side_count; ++k) {
+      const auto side = drawn(topology_.sides[edge.first_side + k]);
+      mesh_.edges.push_back({side, boundary});
+      if (k > 0) mesh_.folds.push_back({{ascending(first[0], first[1]), ascending(side[0], side[1])}});
+    }
+  }
+
+  const FileSurface& surface_;
+  const SurfaceTopology& topology_;
+  CoarseMesh mesh_{};
+};
+
+}  // namespace
+
+void put_into_plane(const std::string& boundary, FileSurface& surface) {
+  const auto found = std::ranges::find(surface.boundaries, boundary);
+  if (found == surface.boundaries.end()) return;  // the support's own check reports the name
+  const CurveInPlane curve(static_cast<int>(found - surface.boundaries.begin()), surface);
+  const std::optional<Vector3d> normal = curve.normal();
+  if (!normal) return;  // the check of symmetry reports it
+  for (const std::int32_t node : curve.nodes()) {
+    Vector3d& director = surface.topology.director_nodes[static_cast<std::size_t>(node)].director;
+    const Vector3d in_plane = geometry::tangential(director, *normal);
+    constexpr double most_sine = 0.2;  // a shell that meets the plane obliquely is no symmetric one
+    if (in_plane.norm() < std::sqrt(1 - most_sine * most_sine)) continue;
+    surface.symmetry_turn = std::max(surface.symmetry_turn, std::acos(std::min(1.0, in_plane.norm())));
+    director = in_plane.normalized();
+  }
+}
+
+FileSurface read_surface(const MeshFile& file, std::optional<Shape> shape) {
+  const MeshData data = file.path.ends_with(".inp") ? read_inp_file(file.path) : read_msh_file(file.path);
+  const SpaceReading& reading = *file.in_space;
+  SpaceCells cells(data, shape, reading.scale);
+  const std::vector<std::string>& boundaries = cells.groups().boundaries();
+  for (const std::string& fold : reading.folds)
+    if (std::ranges::find(boundaries, fold) == boundaries.end())
+      throw DomainError(fmt::format("{}: there is no curve \"{}\" that could be a fold; the file has: {}", data.source,
+                                    fold, fmt::join(boundaries, ", ")));
+  try {
+    SpaceMesh mesh = cells.take();
+    const double tolerance = reading.tolerance.value_or(merge_tolerance(mesh));
+    MergedMesh merged = merge_nodes(std::move(mesh), tolerance);
+    const SurfaceFlaws flaws = find_flaws(merged.mesh, reading.has_slits ? FlawLimits{.gap = 0} : FlawLimits{});
+    if (!flaws.errors.empty()) throw DomainError(text_of(flaws.errors));
+    const auto ends = [&](int from, int to) { return std::array{merged.new_number[from], merged.new_number[to]}; };
+    const double smooth_angle = reading.smooth_angle.value_or(smooth_angle_of(merged.mesh));
+    SurfaceOptions options{.smooth_angle = smooth_angle, .upper = reading.upper};
+    cells.for_each_line([&](const MeshElement&, int from, int to, int group) {
+      const auto [a, b] = ends(from, to);
+      if (std::ranges::find(reading.folds, boundaries[cells.groups().boundary(group)]) != reading.folds.end())
+        options.folds.insert(ascending(a, b));
+    });
+    SurfaceTopology topology = surface_topology(std::move(merged.mesh), options);
+    if (reading.offset.part != 0)
+      topology = surface_topology(moved_by(reading.offset, topology, cells.groups().regions()), options);
+    FileSurface surface{.topology = std::move(topology),
+                        .regions = cells.groups().regions(),
+                        .boundaries = boundaries,
+                        .merged_nodes = merged.merged,
+                        .notes = data.notes,
+                        .warnings = messages_of(flaws.warnings),
+                        .has_upper = reading.upper.has_value(),
+                        .smooth_angle = smooth_angle};
+    std::set<std::pair<std::size_t, int>> known;
+    cells.for_each_line([&](const MeshElement& line, int from, int to, int group) {
+      const auto [a, b] = ends(from, to);
+      const int boundary = cells.groups().boundary(group);
+      const SurfaceEdge* edge = find_edge(surface.topology, ascending(a, b));
+      if (!edge) refuse_line(data, line, boundaries[boundary]);
+      const auto index = static_cast<std::size_t>(edge - surface.topology.edges.data());
+      if (known.insert({index, boundary}).second)
+        surface.named_edges.push_back({index, boundary, (a < b) == (group > 0)});
+    });
+    for (const std::string& boundary : reading.symmetric) put_into_plane(boundary, surface);
+    return surface;
+  } catch (const DomainError& error) {
+    const std::string text = error.what();
+    throw DomainError(text.starts_with(data.source) ? text : fmt::format("{}: {}", data.source, text));
+  }
+}
+
+CoarseMesh surface_mesh(const FileSurface& surface, Shape shape) {
+  CoarseMesh mesh = SurfaceMesher(surface).build();
+  return mesh.shape == shape ? mesh : cut_crosswise(std::move(mesh));
+}
+
+}  // namespace plastron::fem

@@ -1,0 +1,78 @@
+// A mesh in space from the command line: parts, check, run, verify; both formats of files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "cli/program.hpp"
+
+namespace plastron::cli {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Floor and wall in a right angle; the wall's nodes run the other way round.
+const std::string msh =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+    "$PhysicalNames\n3\n1 1 \"edge\"\n2 2 \"floor\"\n2 3 \"wall\"\n$EndPhysicalNames\n"
+    "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 0 1 1\n$EndNodes\n"
+    "$Elements\n3\n1 1 2 1 1 2 3\n2 3 2 2 1 1 2 3 4\n3 3 2 3 2 1 5 6 4\n$EndElements\n";
+const std::string inp =
+    "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 0, 1, 1\n"
+    "*ELEMENT, TYPE=S4R, ELSET=floor\n1, 1, 2, 3, 4\n*ELEMENT, TYPE=S4R, ELSET=wall\n2, 1, 5, 6, 4\n"
+    "*NSET, NSET=edge\n2, 3\n";
+
+std::string case_with(const std::string& file) {
+  return "[geometry]\nfile = \"" + file +
+         "\"\n[shell]\nE = 1e9\nnu = 0.3\nthickness = 0.02\n[[support]]\nboundary = \"edge\"\nfix = [\"u\", \"r\"]\n"
+         "[[load]]\nregion = \"wall\"\nforce = [\"-100*Z\", 0, 0]\n[[probe]]\nname = \"top\"\nat = [0, 0.5, 1.01]\n"
+         "[mesh]\ndegree = 3\nrefinements = 2\n";
+}
+
+double deflection(const Scratch& scratch, const std::string& name, const std::string& text) {
+  std::ofstream(scratch.path / name) << text;
+  std::ofstream(scratch.path / (name + ".toml")) << case_with(name);
+  const Outcome run = plastron({"run", name + ".toml", "--output", name + "-out"}, scratch.path);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const Outcome verify = plastron({"verify", name + "-out"}, scratch.path);
+  EXPECT_THAT(verify.output, HasSubstr("PASSED"));
+  const auto results = nlohmann::json::parse(text_of(scratch.path / (name + "-out") / "results.json"));
+  return results["probes"]["top"]["u"][0];
+}
+
+TEST(MeshInSpace, GivesOneResultFromBothFormats) {
+  const Scratch scratch;
+  const double from_msh = deflection(scratch, "angle.msh", msh);
+  EXPECT_NEAR(deflection(scratch, "angle.inp", inp), from_msh, 1e-10 * std::abs(from_msh));
+  // The moment of the load at the fold, 100/3 for each metre, turns it by M L / (E e^3 / 12) and bends the wall: 1/3 ML + q L^4 (11/120).
+  const double stiffness = 1e9 * 0.02 * 0.02 * 0.02 / 12;
+  EXPECT_NEAR(from_msh, -(100.0 / 3 + 100 * 11.0 / 120) / stiffness, 0.1 * std::abs(from_msh));
+}
+
+TEST(MeshInSpace, IsListedByItsParts) {
+  const Scratch scratch;
+  std::ofstream(scratch.path / "angle.msh") << msh;
+  const Outcome parts = plastron({"parts", "angle.msh", "--scale", "1e-3"}, scratch.path);
+  EXPECT_EQ(parts.exit_code, 0);
+  EXPECT_THAT(parts.output, AllOf(HasSubstr("2 quadrilaterals of order 1"), HasSubstr("1 folds (90 to 90 degrees)"),
+                                  HasSubstr("floor"), HasSubstr("wall"), HasSubstr("edge"), HasSubstr("1 turned")));
+  const Outcome missing = plastron({"parts", "no.msh"}, scratch.path);
+  EXPECT_EQ(missing.exit_code, 2);
+}
+
+TEST(MeshInSpace, IsExaminedWithThePlacesOfItsPoints) {
+  const Scratch scratch;
+  std::ofstream(scratch.path / "angle.msh") << msh;
+  std::ofstream(scratch.path / "case.toml") << case_with("angle.msh");
+  const Outcome check = plastron({"check", "case.toml"}, scratch.path);
+  EXPECT_EQ(check.exit_code, 0);
+  EXPECT_THAT(check.output,
+              AllOf(HasSubstr("stands for (0, 0.5, 1), 0.01 m away"), HasSubstr("1 folds"), HasSubstr("ready to run")));
+  const Outcome classical = plastron({"check", "case.toml", "--set", "shell.formulation=\"classical\""}, scratch.path);
+  EXPECT_EQ(classical.exit_code, 2);
+  EXPECT_THAT(classical.output, HasSubstr("needs a smooth chart"));
+}
+
+}  // namespace
+}  // namespace plastron::cli
