@@ -114,6 +114,7 @@ void correct_at_ends(const SpaceMesh& mesh, const LatticeNormals& normals,
                      const std::vector<std::vector<std::int32_t>>& cell_director_nodes, const std::vector<bool>& ends,
                      std::vector<DirectorNode>& director_nodes) {
   std::vector<Vector3d> means;
+  means.reserve(director_nodes.size());
   for (const DirectorNode& fan : director_nodes) means.push_back(fan.director.normalized());
   const EndCorrection correction(mesh, normals, cell_director_nodes, ends, means);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)

@@ -84,6 +84,7 @@ std::array<int, 2> ascending(int a, int b) { return {std::min(a, b), std::max(a,
 
 std::vector<std::string> messages_of(const std::vector<Flaw>& flaws) {
   std::vector<std::string> messages;
+  messages.reserve(flaws.size());
   for (const Flaw& flaw : flaws) messages.push_back(flaw.message);
   return messages;
 }
