@@ -4,6 +4,7 @@
 #include <plastron/algebra/vector.hpp>
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/cut_mesh.hpp>
+#include <plastron/fem/disjoint_sets.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/meshing/constants.hpp>
 
@@ -19,20 +20,6 @@ namespace plastron::meshing {
 namespace {
 
 using Eigen::Vector2d;
-
-/// Disjoint sets of cell directions that must be divided together.
-class Union {
- public:
-  explicit Union(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 struct Chord {
   double cells = 0;
@@ -256,7 +243,7 @@ class ChordChoice {
 
 Chords chords(const fem::CoarseMesh& mesh) {
   PLASTRON_ASSERT(mesh.shape == fem::Shape::quadrilateral);
-  Union sets(2 * mesh.cells.size());
+  fem::DisjointSets sets(2 * mesh.cells.size());  // of cell directions that must be divided together
   std::map<std::pair<int, int>, std::size_t> cut;  // sides, each with the cell direction that cuts it
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int side = 0; side < 4; ++side) {
@@ -264,12 +251,12 @@ Chords chords(const fem::CoarseMesh& mesh) {
       const auto ends = std::minmax(mesh.cells[c].vertices[from], mesh.cells[c].vertices[to]);
       const std::size_t direction = 2 * c + (side < 2 ? 1 : 0);
       const auto [other, is_new] = cut.try_emplace(ends, direction);
-      if (!is_new) sets.join(other->second, direction);
+      if (!is_new) sets.unite(other->second, direction);
     }
   Chords result;
   std::map<std::size_t, int> numbers;
   const auto number = [&](std::size_t direction) {
-    return numbers.try_emplace(sets.find(direction), static_cast<int>(numbers.size())).first->second;
+    return numbers.try_emplace(sets.of(direction), static_cast<int>(numbers.size())).first->second;
   };
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int first = number(2 * c);
