@@ -282,7 +282,7 @@ TEST(Refinement, of_triangles_keeps_the_function) {
       if (parent == coarse->cells.end()) continue;  // on another rank
       ++compared;
       const auto value = [&](const Space& space, const algebra::Vector& field, std::size_t cell, const Vector2d& at) {
-        const auto basis = triangle_lagrange(k, at).value;
+        const auto basis = lattice_values(Shape::triangle, k, at).value;
         double sum = 0;
         for (std::size_t i = 0; i < space.nodes(cell).size(); ++i)
           sum += basis[static_cast<Eigen::Index>(i)] * field.local()[static_cast<std::size_t>(space.nodes(cell)[i])];

@@ -51,7 +51,7 @@ TEST(TriangleLagrange, is_one_at_its_node_and_zero_at_the_others) {
     const auto nodes = lattice(Shape::triangle, order);
     ASSERT_EQ(nodes.size(), static_cast<std::size_t>(nodes_per_cell(Shape::triangle, order)));
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const TriangleValues v = triangle_lagrange(order, nodes[i]);
+      const LatticeValues v = lattice_values(Shape::triangle, order, nodes[i]);
       for (Eigen::Index j = 0; j < v.value.size(); ++j)
         EXPECT_NEAR(v.value[j], j == static_cast<Eigen::Index>(i) ? 1 : 0, 1e-13);
     }

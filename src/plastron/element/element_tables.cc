@@ -68,16 +68,8 @@ BasisAt square_basis(int degree, const std::vector<Vector2d>& xi) {
 }
 
 BasisAt triangle_basis(int degree, const std::vector<Vector2d>& xi) {
-  const auto points = static_cast<Eigen::Index>(xi.size());
-  const int n = fem::nodes_per_cell(Shape::triangle, degree);
-  BasisAt basis{xi, MatrixXd(points, n), MatrixXd(points, n), MatrixXd(points, n)};
-  for (Eigen::Index p = 0; p < points; ++p) {
-    const auto at = fem::triangle_lagrange(degree, xi[p]);
-    basis.value.row(p) = at.value;
-    basis.d1.row(p) = at.d[0];
-    basis.d2.row(p) = at.d[1];
-  }
-  return basis;
+  fem::LatticeTable table = fem::lattice_table(Shape::triangle, degree, xi);
+  return {std::move(table.xi), std::move(table.value), std::move(table.d1), std::move(table.d2)};
 }
 
 /// Samples every strain at the quadrature points themselves.

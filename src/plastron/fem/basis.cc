@@ -61,6 +61,45 @@ TriangleRule collapsed_rule(int degree) {
   return rule;
 }
 
+LatticeValues square_values(int order, const Vector2d& xi) {
+  std::vector<double> equidistant;
+  for (int i = 0; i <= order; ++i) equidistant.push_back(static_cast<double>(i) / order);
+  const LagrangeValues p = lagrange(equidistant, xi[0]), q = lagrange(equidistant, xi[1]);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nodes_per_cell(Shape::quadrilateral, order));
+  LatticeValues v{zero, {zero, zero}, {zero, zero, zero}};
+  int node = 0;
+  for (int j = 0; j <= order; ++j)
+    for (int i = 0; i <= order; ++i, ++node) {
+      v.value[node] = p.value[i] * q.value[j];
+      v.d[0][node] = p.d[i] * q.value[j];
+      v.d[1][node] = p.value[i] * q.d[j];
+      v.dd[0][node] = p.dd[i] * q.value[j];
+      v.dd[1][node] = p.d[i] * q.d[j];
+      v.dd[2][node] = p.value[i] * q.dd[j];
+    }
+  return v;
+}
+
+LatticeValues triangle_values(int order, const Vector2d& xi) {
+  const int count = nodes_per_cell(Shape::triangle, order);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(count);
+  LatticeValues v{zero, {zero, zero}, {zero, zero, zero}};
+  int node = 0;
+  for (int j = 0; j <= order; ++j)
+    for (int i = 0; i <= order - j; ++i, ++node) {
+      // Product of functions P, Q, R of the barycentric coordinates l_0 = 1 - xi_1 - xi_2, xi_1, xi_2.
+      const Factor p = factor(order, order - i - j, 1 - xi[0] - xi[1]), q = factor(order, i, xi[0]),
+                   r = factor(order, j, xi[1]);
+      v.value[node] = p.value * q.value * r.value;
+      v.d[0][node] = (p.value * q.d - p.d * q.value) * r.value;
+      v.d[1][node] = (p.value * r.d - p.d * r.value) * q.value;
+      v.dd[0][node] = (p.value * q.dd - 2 * p.d * q.d + p.dd * q.value) * r.value;
+      v.dd[1][node] = p.value * q.d * r.d - p.d * (q.d * r.value + q.value * r.d) + p.dd * q.value * r.value;
+      v.dd[2][node] = (p.value * r.dd - 2 * p.d * r.d + p.dd * r.value) * q.value;
+    }
+  return v;
+}
+
 }  // namespace
 
 Rule gauss(int points) { return rule_of(dealii::QGauss<1>(static_cast<unsigned int>(points))); }
@@ -93,24 +132,22 @@ LagrangeTable lagrange_table(std::span<const double> nodes, std::span<const doub
   return table;
 }
 
-TriangleValues triangle_lagrange(int order, const Vector2d& xi) {
-  const int count = nodes_per_cell(Shape::triangle, order);
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(count);
-  TriangleValues v{zero, {zero, zero}, {zero, zero, zero}};
-  int node = 0;
-  for (int j = 0; j <= order; ++j)
-    for (int i = 0; i <= order - j; ++i, ++node) {
-      // Product of functions P, Q, R of the barycentric coordinates l_0 = 1 - xi_1 - xi_2, xi_1, xi_2.
-      const Factor p = factor(order, order - i - j, 1 - xi[0] - xi[1]), q = factor(order, i, xi[0]),
-                   r = factor(order, j, xi[1]);
-      v.value[node] = p.value * q.value * r.value;
-      v.d[0][node] = (p.value * q.d - p.d * q.value) * r.value;
-      v.d[1][node] = (p.value * r.d - p.d * r.value) * q.value;
-      v.dd[0][node] = (p.value * q.dd - 2 * p.d * q.d + p.dd * q.value) * r.value;
-      v.dd[1][node] = p.value * q.d * r.d - p.d * (q.d * r.value + q.value * r.d) + p.dd * q.value * r.value;
-      v.dd[2][node] = (p.value * r.dd - 2 * p.d * r.d + p.dd * r.value) * q.value;
-    }
-  return v;
+LatticeValues lattice_values(Shape shape, int order, const Vector2d& xi) {
+  return shape == Shape::triangle ? triangle_values(order, xi) : square_values(order, xi);
+}
+
+LatticeTable lattice_table(Shape shape, int order, std::vector<Vector2d> xi) {
+  const auto rows = static_cast<Eigen::Index>(xi.size());
+  const auto columns = static_cast<Eigen::Index>(nodes_per_cell(shape, order));
+  LatticeTable table{.xi = std::move(xi), .value = {}, .d1 = {}, .d2 = {}};
+  for (Eigen::MatrixXd* m : {&table.value, &table.d1, &table.d2}) m->resize(rows, columns);
+  for (Eigen::Index p = 0; p < rows; ++p) {
+    const LatticeValues v = lattice_values(shape, order, table.xi[static_cast<std::size_t>(p)]);
+    table.value.row(p) = v.value;
+    table.d1.row(p) = v.d[0];
+    table.d2.row(p) = v.d[1];
+  }
+  return table;
 }
 
 std::vector<Vector2d> node_points(Shape shape, int degree) {

@@ -30,14 +30,21 @@ struct LagrangeTable {
 };
 LagrangeTable lagrange_table(std::span<const double> nodes, std::span<const double> points);
 
-/// The Lagrange polynomials of the equidistant lattice and their first two derivatives at a point.
-struct TriangleValues {
+/// The Lagrange polynomials of lattice(shape, order) and their first two derivatives at a point, in the order of the
+/// lattice.
+struct LatticeValues {
   Eigen::VectorXd value;
   std::array<Eigen::VectorXd, 2> d;   ///< d_1, d_2
   std::array<Eigen::VectorXd, 3> dd;  ///< d_11, d_12, d_22
 };
-/// One polynomial of degree `order` per point of lattice(Shape::triangle, order).
-TriangleValues triangle_lagrange(int order, const Vector2d& xi);
+LatticeValues lattice_values(Shape shape, int order, const Vector2d& xi);
+
+/// The same polynomials and their first derivatives at points: a row per point, a column per node.
+struct LatticeTable {
+  std::vector<Vector2d> xi;
+  Eigen::MatrixXd value, d1, d2;
+};
+LatticeTable lattice_table(Shape shape, int order, std::vector<Vector2d> xi);
 
 /// The nodes of a cell of degree k in its own coordinates, xi_1 fastest: Gauss-Lobatto points of a quadrilateral, the
 /// lattice of a triangle.

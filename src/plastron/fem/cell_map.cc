@@ -30,6 +30,18 @@ PlaneJet linear(const std::vector<Vector2d>& p, const Vector2d& xi) {
   return f;
 }
 
+PlaneJet polynomial(Shape shape, int order, const std::vector<Vector2d>& nodes, const Vector2d& xi) {
+  const LatticeValues basis = lattice_values(shape, order, xi);
+  PlaneJet f;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    f.value += basis.value[at] * nodes[i];
+    for (std::size_t a = 0; a < 2; ++a) f.d[a] += basis.d[a][at] * nodes[i];
+    for (std::size_t k = 0; k < 3; ++k) f.dd[k] += basis.dd[k][at] * nodes[i];
+  }
+  return f;
+}
+
 }  // namespace
 
 CurveJet Segment::operator()(double t) const { return {from + t * (to - from), to - from, Vector2d::Zero()}; }
@@ -57,36 +69,11 @@ PlaneJet BlendedMap::operator()(const Vector2d& xi) const {
 }
 
 PlaneJet LagrangeMap::operator()(const Vector2d& xi) const {
-  if (order == 1) return bilinear(nodes, xi);
-  std::vector<double> equidistant(static_cast<std::size_t>(order + 1));
-  for (int i = 0; i <= order; ++i) equidistant[i] = static_cast<double>(i) / order;
-  const LagrangeValues p = lagrange(equidistant, xi[0]), q = lagrange(equidistant, xi[1]);
-  PlaneJet f;
-  for (int j = 0; j <= order; ++j)
-    for (int i = 0; i <= order; ++i) {
-      const int k = j * (order + 1) + i;
-      const Vector2d& node = nodes[k];
-      f.value += p.value[i] * q.value[j] * node;
-      f.d[0] += p.d[i] * q.value[j] * node;
-      f.d[1] += p.value[i] * q.d[j] * node;
-      f.dd[0] += p.dd[i] * q.value[j] * node;
-      f.dd[1] += p.d[i] * q.d[j] * node;
-      f.dd[2] += p.value[i] * q.dd[j] * node;
-    }
-  return f;
+  return order == 1 ? bilinear(nodes, xi) : polynomial(Shape::quadrilateral, order, nodes, xi);
 }
 
 PlaneJet TriangleLagrangeMap::operator()(const Vector2d& xi) const {
-  if (order == 1) return linear(nodes, xi);
-  const TriangleValues basis = triangle_lagrange(order, xi);
-  PlaneJet f;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    f.value += basis.value[at] * nodes[i];
-    for (std::size_t a = 0; a < 2; ++a) f.d[a] += basis.d[a][at] * nodes[i];
-    for (std::size_t k = 0; k < 3; ++k) f.dd[k] += basis.dd[k][at] * nodes[i];
-  }
-  return f;
+  return order == 1 ? linear(nodes, xi) : polynomial(Shape::triangle, order, nodes, xi);
 }
 
 PlaneJet CellMap::operator()(const Vector2d& xi) const {

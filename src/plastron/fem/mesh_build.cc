@@ -75,7 +75,7 @@ class Builder {
   }
 
   /// Returns true if the cell is drawn clockwise. Refuses a cell whose map is not one to one.
-  bool check_map(const MeshElement& element, const JacobianTable& table, const std::vector<Vector2d>& nodes) const {
+  bool check_map(const MeshElement& element, const LatticeTable& table, const std::vector<Vector2d>& nodes) const {
     const JacobianRange range = jacobian_range(table, nodes);
     if (range.is_positive || range.is_negative) return range.is_negative;
     refuse(
@@ -87,7 +87,7 @@ class Builder {
 
   struct Tables {
     std::vector<std::size_t> places;
-    JacobianTable jacobian;
+    LatticeTable jacobian;
   };
 
   const Tables& tables_of(const ElementType& type) {

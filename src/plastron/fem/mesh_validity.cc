@@ -10,10 +10,6 @@ namespace plastron::fem {
 
 namespace {
 
-PlaneJet mapped(Shape shape, int order, const std::vector<Vector2d>& nodes, const Vector2d& xi) {
-  return shape == Shape::triangle ? TriangleLagrangeMap{order, nodes}(xi) : LagrangeMap{order, nodes}(xi);
-}
-
 /// A vertex in the interior of a side.
 struct HangingVertex {
   int vertex;
@@ -164,30 +160,12 @@ class Examiner {
 
 }  // namespace
 
-JacobianTable jacobian_table(Shape shape, int order) {
+LatticeTable jacobian_table(Shape shape, int order) {
   // For degree one the determinant is linear and has its extremes at the corners.
-  const int points = order == 1 ? 1 : 4 * order;
-  JacobianTable table{.xi = lattice(shape, points), .value = {}, .d1 = {}, .d2 = {}};
-  const auto nodes = static_cast<Eigen::Index>(nodes_per_cell(shape, order));
-  const auto rows = static_cast<Eigen::Index>(table.xi.size());
-  table.value.resize(rows, nodes);
-  table.d1.resize(rows, nodes);
-  table.d2.resize(rows, nodes);
-  std::vector<Vector2d> unit(static_cast<std::size_t>(nodes), Vector2d::Zero());
-  for (Eigen::Index n = 0; n < nodes; ++n) {
-    unit[n] = Vector2d::UnitX();  // the map then equals the n-th polynomial
-    for (Eigen::Index p = 0; p < rows; ++p) {
-      const PlaneJet f = mapped(shape, order, unit, table.xi[p]);
-      table.value(p, n) = f.value[0];
-      table.d1(p, n) = f.d[0][0];
-      table.d2(p, n) = f.d[1][0];
-    }
-    unit[n] = Vector2d::Zero();
-  }
-  return table;
+  return lattice_table(shape, order, lattice(shape, order == 1 ? 1 : 4 * order));
 }
 
-JacobianRange jacobian_range(const JacobianTable& table, const std::vector<Vector2d>& nodes) {
+JacobianRange jacobian_range(const LatticeTable& table, const std::vector<Vector2d>& nodes) {
   constexpr double degenerate = 1e-9;  // sine of the angle between the cell's two directions
   Eigen::MatrixX2d x(static_cast<Eigen::Index>(nodes.size()), 2);
   for (std::size_t i = 0; i < nodes.size(); ++i) x.row(static_cast<Eigen::Index>(i)) = nodes[i] - nodes.front();

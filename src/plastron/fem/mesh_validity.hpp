@@ -1,6 +1,7 @@
 // Checks that cells of a mesh file form a mesh of a plane domain. The map of each cell must be one to one. Every side
 // must belong to one cell or join two, no vertex may lie inside a side, and no two cells may overlap.
 #pragma once
+#include <plastron/fem/basis.hpp>
 #include <plastron/fem/mesh_data.hpp>
 
 #include <Eigen/Core>
@@ -11,20 +12,15 @@ namespace plastron::fem {
 
 // A test whether the polynomial map of a cell is one to one: the sign of its determinant at many points.
 
-/// The Lagrange polynomials of lattice(shape, order) and their derivatives at points dense enough to detect a change
-/// of sign of a determinant of their degree. A row per point, a column per node.
-struct JacobianTable {
-  std::vector<Vector2d> xi;
-  Eigen::MatrixXd value, d1, d2;
-};
-JacobianTable jacobian_table(Shape shape, int order);
+/// Returns the polynomials of a map at points dense enough to detect a change of sign of its determinant.
+LatticeTable jacobian_table(Shape shape, int order);
 
 struct JacobianRange {
   bool is_positive = true, is_negative = true;  ///< at all points
   Vector2d worst = Vector2d::Zero();  ///< image of the point where the cell is most nearly degenerate, or folded
 };
 /// Evaluates the determinant of the map through `nodes`, which are in the order of the lattice.
-JacobianRange jacobian_range(const JacobianTable& table, const std::vector<Vector2d>& nodes);
+JacobianRange jacobian_range(const LatticeTable& table, const std::vector<Vector2d>& nodes);
 
 /// Triangles (their fourth vertex is -1) and quadrilaterals, all anticlockwise, each with its element of the file.
 struct FileCells {

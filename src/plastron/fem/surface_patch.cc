@@ -1,4 +1,3 @@
-#include <plastron/fem/basis.hpp>
 #include <plastron/fem/surface_patch.hpp>
 
 namespace plastron::fem {
@@ -27,40 +26,9 @@ CellRule cell_rule(Shape shape, int order) {
   return rule;
 }
 
-std::vector<double> equidistant(int intervals) {
-  std::vector<double> points;
-  for (int i = 0; i <= intervals; ++i) points.push_back(static_cast<double>(i) / intervals);
-  return points;
-}
-
 }  // namespace
 
-PatchTable patch_table(Shape shape, int order, const std::vector<Vector2d>& xi) {
-  const auto rows = static_cast<Eigen::Index>(xi.size());
-  const auto columns = static_cast<Eigen::Index>(nodes_per_cell(shape, order));
-  PatchTable table{.xi = xi, .value = {}, .d1 = {}, .d2 = {}};
-  for (Eigen::MatrixXd* m : {&table.value, &table.d1, &table.d2}) m->resize(rows, columns);
-  const std::vector<double> nodes = equidistant(order);
-  for (Eigen::Index p = 0; p < rows; ++p) {
-    if (shape == Shape::triangle) {
-      const TriangleValues v = triangle_lagrange(order, xi[p]);
-      table.value.row(p) = v.value;
-      table.d1.row(p) = v.d[0];
-      table.d2.row(p) = v.d[1];
-      continue;
-    }
-    const LagrangeValues s = lagrange(nodes, xi[p][0]), t = lagrange(nodes, xi[p][1]);
-    for (Eigen::Index n = 0; n < columns; ++n) {
-      const Eigen::Index i = n % (order + 1), j = n / (order + 1);
-      table.value(p, n) = s.value[i] * t.value[j];
-      table.d1(p, n) = s.d[i] * t.value[j];
-      table.d2(p, n) = s.value[i] * t.d[j];
-    }
-  }
-  return table;
-}
-
-PatchPoints patch_points(const PatchTable& table, const SpaceMesh& mesh, const SurfaceCell& cell) {
+PatchPoints patch_points(const LatticeTable& table, const SpaceMesh& mesh, const SurfaceCell& cell) {
   const Vector3d origin = mesh.nodes[cell.nodes.front()];  // keeps the digits of small cells far from (0, 0, 0)
   Eigen::MatrixX3d x(static_cast<Eigen::Index>(cell.nodes.size()), 3);
   for (Eigen::Index n = 0; n < x.rows(); ++n) x.row(n) = mesh.nodes[cell.nodes[n]] - origin;

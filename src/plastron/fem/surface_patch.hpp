@@ -1,6 +1,7 @@
 // The polynomial patch of a cell in space, phi(xi) = sum of L_n(xi) x_n over the nodes x_n of its lattice, and its
 // normals a_1 x a_2.
 #pragma once
+#include <plastron/fem/basis.hpp>
 #include <plastron/fem/space_mesh.hpp>
 
 #include <Eigen/Core>
@@ -9,20 +10,12 @@
 
 namespace plastron::fem {
 
-/// The Lagrange polynomials of lattice(shape, order) and their derivatives at points. A row per point, a column per
-/// node.
-struct PatchTable {
-  std::vector<Vector2d> xi;
-  Eigen::MatrixXd value, d1, d2;
-};
-PatchTable patch_table(Shape shape, int order, const std::vector<Vector2d>& xi);
-
 /// Points and values of a cell at the points of a table, a row per point.
 struct PatchPoints {
   Eigen::MatrixX3d phi, a1, a2;
   Vector3d normal(Eigen::Index point) const { return Vector3d(a1.row(point)).cross(Vector3d(a2.row(point))); }
 };
-PatchPoints patch_points(const PatchTable& table, const SpaceMesh& mesh, const SurfaceCell& cell);
+PatchPoints patch_points(const LatticeTable& table, const SpaceMesh& mesh, const SurfaceCell& cell);
 
 /// A cell is degenerate where |a_1 x a_2| does not exceed this value: 1e-9 of the product of the largest |a_1| and
 /// |a_2|.
@@ -33,16 +26,16 @@ template <class Points>
 class PatchTables {
  public:
   PatchTables(Shape shape, Points points) : shape_(shape), points_(std::move(points)) {}
-  const PatchTable& operator()(int order) {
+  const LatticeTable& operator()(int order) {
     const auto [found, is_new] = tables_.try_emplace(order);
-    if (is_new) found->second = patch_table(shape_, order, points_(order));
+    if (is_new) found->second = lattice_table(shape_, order, points_(order));
     return found->second;
   }
 
  private:
   Shape shape_;
   Points points_;
-  std::map<int, PatchTable> tables_;
+  std::map<int, LatticeTable> tables_;
 };
 
 /// Integrals over a cell.

@@ -29,26 +29,13 @@ struct PatchSum {
 };
 
 PatchSum sum_at(const SurfacePatches& surface, const SurfacePatches::Patch& patch, const Vector2d& xi) {
+  const LatticeValues basis = lattice_values(surface.shape, patch.order, xi);
   PatchSum sum;
-  const auto add = [&](std::size_t i, double value, const Vector2d& d) {
+  for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
     const auto node = static_cast<std::size_t>(patch.nodes[i]);
-    sum.add(value, d, surface.positions[node], surface.directors[node]);
-  };
-  const auto n = static_cast<std::size_t>(patch.order) + 1;
-  if (surface.shape == Shape::triangle) {
-    const TriangleValues basis = triangle_lagrange(patch.order, xi);
-    for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
-      add(i, basis.value[at], {basis.d[0][at], basis.d[1][at]});
-    }
-    return sum;
+    sum.add(basis.value[at], {basis.d[0][at], basis.d[1][at]}, surface.positions[node], surface.directors[node]);
   }
-  std::vector<double> equidistant(n);
-  for (std::size_t i = 0; i < n; ++i) equidistant[i] = static_cast<double>(i) / patch.order;
-  const LagrangeValues p = lagrange(equidistant, xi[0]), q = lagrange(equidistant, xi[1]);
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i < n; ++i)
-      add(j * n + i, p.value[i] * q.value[j], {p.d[i] * q.value[j], p.value[i] * q.d[j]});
   return sum;
 }
 

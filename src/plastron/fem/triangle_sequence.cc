@@ -146,7 +146,7 @@ Eigen::MatrixXd to_child(int degree, int k) {
   const auto count = static_cast<Eigen::Index>(nodes.size());
   Eigen::MatrixXd matrix(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
-    matrix.row(i) = triangle_lagrange(degree, child.corner + child.size * nodes[i]).value;
+    matrix.row(i) = lattice_values(Shape::triangle, degree, child.corner + child.size * nodes[i]).value;
   return matrix;
 }
 

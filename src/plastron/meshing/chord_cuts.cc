@@ -243,7 +243,7 @@ class ChordChoice {
 
 Chords chords(const fem::CoarseMesh& mesh) {
   PLASTRON_ASSERT(mesh.shape == fem::Shape::quadrilateral);
-  fem::DisjointSets sets(2 * mesh.cells.size());  // of cell directions that must be divided together
+  fem::DisjointSets sets(2 * mesh.cells.size());   // of cell directions that must be divided together
   std::map<std::pair<int, int>, std::size_t> cut;  // sides, each with the cell direction that cuts it
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int side = 0; side < 4; ++side) {
