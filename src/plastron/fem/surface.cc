@@ -119,10 +119,12 @@ void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
   chart_of(cell).evaluate(x, y, jets, true);
 }
 
-std::vector<geometry::Vector3d> Surface::first_tangents(const Cell& cell, std::span<const Vector2d> xi) const {
+std::vector<geometry::Vector3d> Surface::first_tangents(const Cell& cell, std::span<const Vector2d> xi,
+                                                        std::span<const geometry::Frame> frames) const {
+  PLASTRON_ASSERT(frames.size() == xi.size(), frames.size(), xi.size());
   std::vector<geometry::Vector3d> tangents;
   if (has_directors()) {
-    for (const Vector2d& at : xi) tangents.push_back(coarse_->patches->first_tangent(frame(cell, at, false)));
+    for (const geometry::Frame& frame : frames) tangents.push_back(coarse_->patches->first_tangent(frame));
     return tangents;
   }
   std::vector<geometry::SurfaceJet> jets(xi.size());

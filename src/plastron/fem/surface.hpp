@@ -34,8 +34,10 @@ class Surface {
   /// Sets values[p] to f at the place of xi[p].
   void evaluate(const geometry::Expression& f, const Cell& cell, std::span<const Vector2d> xi,
                 std::span<double> values) const;
-  /// Tangents that define the first axis of results: d phi/dx, or SurfacePatches::first_tangent.
-  std::vector<geometry::Vector3d> first_tangents(const Cell& cell, std::span<const Vector2d> xi) const;
+  /// Tangents that define the first axis of results: d phi/dx, or SurfacePatches::first_tangent. `frames` are the
+  /// frames at the points.
+  std::vector<geometry::Vector3d> first_tangents(const Cell& cell, std::span<const Vector2d> xi,
+                                                 std::span<const geometry::Frame> frames) const;
   /// Jets of phi with respect to x and y of Omega at the same points. Precondition: the mesh lies in Omega.
   void parameter_jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets) const;
 

@@ -71,7 +71,7 @@ std::vector<PointValues> Recovery::geometry_at_points(std::size_t cell) const {
   std::vector<geometry::Frame> frames(count);
   std::vector<double> x(count), y(count), e(count);
   shell.surface().frames(where, at_points_.xi, frames);
-  const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, at_points_.xi);
+  const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, at_points_.xi, frames);
   shell.surface().positions(where, at_points_.xi, x, y);
   const assembly::CrossSection& section = shell.section(cell);
   shell.surface().evaluate(section.thickness, where, at_points_.xi, e);

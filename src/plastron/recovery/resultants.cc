@@ -35,7 +35,7 @@ CellResultants ResultantPoints::operator()(std::size_t cell, const element::Cell
   std::vector<geometry::Frame> frames(count);
   std::vector<double> e(count);
   shell.surface().frames(where, basis_.xi, frames);
-  const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, basis_.xi);
+  const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, basis_.xi, frames);
   const assembly::CrossSection& section = shell.section(cell);
   shell.surface().evaluate(section.thickness, where, basis_.xi, e);
   const auto strains = shell.strains_at(cell, field, basis_, tied_, frames);
