@@ -28,8 +28,8 @@ class CellSides {
   const std::vector<CellSide>& all() const { return sides_; }
   /// The side between two nodes; null if there is none.
   CellSide* between(std::int64_t a, std::int64_t b);
-  /// Sides with all of their nodes in a set that has no duplicates: those of one cell, or, if there are none, those
-  /// between cells.
+  /// Returns the border sides that have all of their nodes in the set. If no border side has, returns the sides between
+  /// cells that have. Precondition: the set has no duplicates.
   std::vector<CellSide*> within(const std::vector<std::int64_t>& nodes);
   /// Number of the different nodes of these sides.
   std::size_t node_count(const std::vector<CellSide*>& sides);

@@ -40,7 +40,7 @@ constexpr std::pair<const char*, int> line_types[] = {
     {"B31", 2},  {"B32", 3},  {"B33", 2},  {"PIPE21", 2}, {"PIPE22", 3}, {"PIPE31", 2}, {"PIPE32", 3},
     {"SAX1", 2}, {"SAX2", 3}, {"MAX1", 2}, {"MAX2", 3},   {"RAX2", 2},   {"R2D2", 2}};
 
-/// Reads the digits that begin a text; 0 if there are none.
+/// Returns the number at the begin of a text; 0 without digits.
 int leading_number(std::string_view text) {
   int number = 0;
   std::from_chars(text.data(), text.data() + text.size(), number);
@@ -288,7 +288,7 @@ void InpReader::set(const InpKeyword& keyword, InpSets& sets, const char* parame
   InpSet& set = sets.at(level(), name);
   set.is_listed = true;
   set.is_internal = keyword.has("INTERNAL");
-  // Numbers in a set of the assembly that names no instance are those of its own nodes and elements.
+  // A set of the assembly without an instance holds numbers of the assembly's own nodes and elements.
   const bool is_counted = level() == InpLevel::part || instance;
   if (&sets == &deck_.node_sets && keyword.has("ELSET"))
     set.nodes_of.push_back({capitals(required(keyword, "ELSET")), instance ? InpLevel::part : level(), keyword.line});

@@ -1,5 +1,4 @@
-// What an Abaqus or CalculiX input file says about its mesh, as written: nodes, elements, sets, surfaces, normals,
-// sections.
+// The mesh of an Abaqus or CalculiX input file as written: nodes, elements, sets, surfaces, normals, sections.
 #pragma once
 #include <plastron/fem/mesh_data.hpp>
 
@@ -114,7 +113,8 @@ struct InpDeck {
   std::size_t assembly_nodes = 0;  ///< nodes of the assembly, like reference points
 };
 
-/// Reads the file. Throws FileError or DomainError for syntax, and for what would leave the mesh incomplete.
+/// Reads the file. Throws FileError or DomainError for wrong syntax and for keywords that would leave the mesh
+/// incomplete.
 InpDeck read_inp_deck(const std::string& path);
 
 }  // namespace plastron::fem

@@ -1,15 +1,16 @@
 // Reads the mesh of Abaqus and CalculiX input files: shell elements, their regions, boundaries and normals.
 //
-// Regions are the sets of elements that sections name. Without sections they are, as far as they share no elements:
-// first the ELSET of *ELEMENT, then the sets of *ELSET, those of all elements last, then the surfaces of whole sides, then
-// the ELSET "Surface7" that Gmsh gives to each of its surfaces. Elements in none of them are the region "rest".
+// Regions are the sets of elements that sections name. A file without sections has these regions, unless they share
+// elements, where the first wins: the ELSETs of *ELEMENT, the sets of *ELSET (a set of all elements comes last), the
+// surfaces of whole sides, and the ELSETs "Surface7" that Gmsh gives to its surfaces. All other elements are the region
+// "rest".
 //
-// Boundaries are sides of elements. A set of nodes names the sides that have all of their nodes in it: those that belong
-// to one element, or, if there are none, those between elements. A surface names sides by labels, a set of line
-// elements the sides on which they lie. A set of nodes without a whole side is a set of points.
+// Boundaries are sides of elements. A set of nodes names the border sides that have all of their nodes in it. If no
+// border side has, it names the sides between elements that have. A surface names sides by labels. A set of line
+// elements names the sides on which the lines lie. A set of nodes that contains no side is a set of points.
 #include <plastron/fem/cell_sides.hpp>
+#include <plastron/fem/inp_cells.hpp>
 #include <plastron/fem/inp_lines.hpp>
-#include <plastron/fem/inp_sets.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,33 +24,6 @@ namespace plastron::fem {
 namespace {
 
 using Indices = InpMembers::Indices;
-
-/// The numbers of nodes or elements.
-template <class Numbered>
-Indices tags_of(const std::vector<Numbered>& all) {
-  Indices tags;
-  tags.reserve(all.size());
-  for (const Numbered& one : all) tags.push_back(one.tag);
-  return tags;
-}
-
-/// "3 elements of type S4, 1 of type MASS"
-std::string type_list(const InpDeck& deck, bool (*is_wanted)(InpKind)) {
-  std::string list;
-  for (const InpDeck::Type& type : deck.types)
-    if (type.count > 0 && is_wanted(type.type.kind) && list.size() < 200)
-      list += fmt::format("{}{} {}of type {}", list.empty() ? "" : ", ", type.count,
-                          !list.empty()     ? ""
-                          : type.count == 1 ? "element "
-                                            : "elements ",
-                          geometry::shown(type.name));
-  return list;
-}
-
-/// "1 node", "2 nodes"
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// Names in quotes, some of them if they are many.
 std::string name_list(const std::vector<std::string>& names) {
@@ -91,7 +65,7 @@ std::optional<Eigen::Vector3d> common_normal(std::span<const InpNodeNormal> give
 /// Converts a deck to a mesh.
 class InpMesh {
  public:
-  explicit InpMesh(InpDeck deck) : deck_(std::move(deck)) {}
+  explicit InpMesh(InpDeck deck) : deck_(std::move(deck)), cells_(inp_cells(deck_)), sides_(data_) {}
   MeshData data();
 
  private:
@@ -105,9 +79,6 @@ class InpMesh {
   void note(std::string text) { data_.notes.push_back(std::move(text)); }
 
   // In this order.
-  void check_content() const;
-  void add_cells();
-  void complete_quadrilaterals();
   void name_regions();
   void name_boundaries();
   void add_lines();
@@ -115,8 +86,6 @@ class InpMesh {
   void add_notes();
 
   std::vector<InpNodeNormal> given_normals();
-  void check_nodes_differ(const MeshElement& cell, int count) const;
-  Indices cells_of(const Indices& elements) const;
   std::string name_of(const InpSets& sets, const InpSet& set) const;
   int group(int dimension, const std::string& name);
   bool name_sections();
@@ -133,11 +102,10 @@ class InpMesh {
                   std::int64_t cell);
 
   InpDeck deck_;
-  MeshData data_{};
-  std::vector<std::int64_t> cell_of_{};  ///< index in MeshData::elements by index in InpDeck::elements; -1: no cell
-  std::size_t file_nodes_ = 0;           ///< nodes of the file; centres of cells follow
-  std::optional<InpMembers> nodes_{}, elements_{};
-  CellSides sides_{};
+  InpCells cells_;
+  MeshData& data_ = cells_.data;
+  InpMembers &nodes_ = cells_.nodes, &elements_ = cells_.elements;
+  CellSides sides_;
   std::vector<int> region_{};  ///< group by cell, 0 if none
   std::map<std::pair<int, std::string>, int> group_numbers_{};
   std::map<std::string, std::set<std::int64_t>> whole_surfaces_{};  ///< cells of surfaces of whole sides
@@ -147,10 +115,6 @@ class InpMesh {
 };
 
 MeshData InpMesh::data() {
-  check_content();
-  add_cells();
-  complete_quadrilaterals();
-  sides_ = CellSides(data_);
   // Surfaces first: they name regions and boundaries.
   for (const InpSurface& surface : deck_.surfaces) read_surface(surface);
   name_regions();
@@ -161,102 +125,9 @@ MeshData InpMesh::data() {
   return std::move(data_);
 }
 
-void InpMesh::check_content() const {
-  const auto has = [&](InpKind kind) {
-    return std::ranges::any_of(deck_.types, [&](const auto& t) { return t.type.kind == kind && t.count > 0; });
-  };
-  if (deck_.nodes.empty()) refuse("it has no nodes (*NODE)");
-  if (has(InpKind::cell)) return;
-  if (has(InpKind::volume))
-    refuse(fmt::format("it has {}, which are volumes; a shell needs its mid-surface meshed with S4, S8, S3 or S6",
-                       type_list(deck_, [](InpKind kind) { return kind == InpKind::volume; })));
-  const std::string others = type_list(deck_, [](InpKind) { return true; });
-  refuse(fmt::format("it has no shell elements (*ELEMENT of type S3, S4, S6, S8 and the like){}",
-                     others.empty() ? others : "; it has " + others));
-}
-
-void InpMesh::check_nodes_differ(const MeshElement& cell, int count) const {
-  const auto begin = data_.element_nodes.begin() + static_cast<std::ptrdiff_t>(cell.first_node);
-  std::vector<std::int64_t> nodes(begin, begin + count);
-  std::ranges::sort(nodes);
-  const auto twice = std::ranges::adjacent_find(nodes);
-  if (twice != nodes.end())
-    refuse(fmt::format("{} has the node {} twice; {}", place_of(cell), *twice,
-                       count == 4 ? "write a triangle as S3" : "the nodes of an element must differ"));
-}
-
-void InpMesh::add_cells() {
-  data_.source = deck_.path;
-  data_.nodes = deck_.nodes;
-  cell_of_.assign(deck_.elements.size(), -1);
-  for (const InpElement& element : deck_.elements) {  // in the order of the file
-    const InpElementType& type = deck_.types[element.type].type;
-    if (type.kind != InpKind::cell) continue;
-    data_.elements.push_back({element.tag, element.line, type.number, data_.element_nodes.size()});
-    const auto nodes = deck_.element_nodes.begin() + static_cast<std::ptrdiff_t>(element.first_node);
-    data_.element_nodes.insert(data_.element_nodes.end(), nodes, nodes + type.nodes);
-    check_nodes_differ(data_.elements.back(), type.nodes);
-  }
-  number_nodes(data_);
-  file_nodes_ = data_.nodes.size();
-
-  std::vector<std::size_t> order(deck_.elements.size());
-  std::int64_t next_cell = 0;
-  std::vector<std::int64_t> cells(order.size(), -1);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-    if (deck_.types[deck_.elements[i].type].type.kind == InpKind::cell) cells[i] = next_cell++;
-  }
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return deck_.elements[i].tag; });
-  std::vector<InpElement> sorted;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    sorted.push_back(deck_.elements[order[k]]);
-    cell_of_[k] = cells[order[k]];
-    if (k > 0 && sorted[k - 1].tag == sorted[k].tag)
-      refuse(fmt::format("element {} stands twice, in line {} and in line {}", sorted[k].tag, sorted[k - 1].line,
-                         sorted[k].line));
-  }
-  deck_.elements = std::move(sorted);
-  nodes_.emplace(deck_.node_sets, deck_.path, "node", tags_of(data_.nodes));
-  elements_.emplace(deck_.element_sets, deck_.path, "element", tags_of(deck_.elements));
-}
-
-/// Gives quadrilaterals of 8 nodes their centre: half the sum of the middles of the sides minus a quarter of that of the
-/// corners. It is the value of their eight polynomials there. These are of the nine of the complete element, so that the
-/// surface is the same.
-void InpMesh::complete_quadrilaterals() {
-  constexpr int of_eight_nodes = 16, complete = 10;
-  const std::int64_t first = data_.nodes.back().tag + 1;
-  std::vector<std::int64_t> nodes;
-  for (MeshElement& cell : data_.elements) {
-    const auto begin = data_.element_nodes.begin() + static_cast<std::ptrdiff_t>(cell.first_node);
-    const int count = element_type(cell.type)->nodes;
-    cell.first_node = nodes.size();
-    nodes.insert(nodes.end(), begin, begin + count);
-    if (cell.type != of_eight_nodes) continue;
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    for (int i = 0; i < count; ++i) centre += (i < 4 ? -0.25 : 0.5) * data_.nodes[begin[i]].position;
-    const std::int64_t tag = data_.nodes.back().tag + 1;
-    nodes.push_back(static_cast<std::int64_t>(data_.nodes.size()));
-    data_.nodes.push_back({tag, centre});
-    cell.type = complete;
-  }
-  data_.element_nodes = std::move(nodes);
-  if (data_.nodes.size() > file_nodes_)
-    note(fmt::format("{} of 8 nodes: their centres are new nodes from number {} on, and their surface stays the same",
-                     counted(data_.nodes.size() - file_nodes_, "quadrilateral"), first));
-}
-
 CellSide* InpMesh::side_of(std::size_t cell, int side) {
   const std::int64_t* nodes = data_.element_nodes.data() + data_.elements[cell].first_node;
   return sides_.between(nodes[side], nodes[(side + 1) % side_count(cell)]);
-}
-
-Indices InpMesh::cells_of(const Indices& elements) const {
-  Indices cells;
-  for (const std::int64_t element : elements)
-    if (cell_of_[element] >= 0) cells.push_back(cell_of_[element]);
-  return cells;
 }
 
 /// The name of a set. That of the part has the instance before it if the assembly has a set of the same name.
@@ -276,9 +147,9 @@ int InpMesh::group(int dimension, const std::string& name) {
 bool InpMesh::name_sections() {
   bool has_cells = false;
   for (const InpUse& use : deck_.sections) {
-    const InpSet& set = deck_.element_sets.all[elements_->find(use)];
+    const InpSet& set = deck_.element_sets.all[elements_.find(use)];
     const std::string name = name_of(deck_.element_sets, set);
-    for (const std::int64_t cell : cells_of(elements_->of(elements_->find(use)))) {
+    for (const std::int64_t cell : cells_.among(elements_.of(elements_.find(use)))) {
       has_cells = true;
       const int region = group(2, name);
       if (region_[cell] != 0 && region_[cell] != region)
@@ -295,7 +166,7 @@ std::vector<InpMesh::Candidate> InpMesh::candidates() {
   std::vector<Candidate> result;
   for (std::size_t i = 0; i < deck_.element_sets.all.size(); ++i) {
     const InpSet& set = deck_.element_sets.all[i];
-    Indices cells = cells_of(elements_->of(i));
+    Indices cells = cells_.among(elements_.of(i));
     if (cells.empty() || set.is_internal) continue;
     const bool is_all = cells.size() == data_.elements.size();
     const int rank = is_numbered_surface(set.name) ? 4 : !set.is_listed ? 0 : !is_all ? 1 : 2;
@@ -365,7 +236,7 @@ void InpMesh::name_lines(const std::string& name, const Indices& elements) {
     const auto count = static_cast<std::size_t>(deck_.types[line.type].type.nodes);
     for (std::size_t i = 0; i < std::min(line.nodes, count); ++i) {
       const std::int64_t tag = deck_.element_nodes[line.first_node + i];
-      const auto end = data_.nodes.begin() + static_cast<std::ptrdiff_t>(file_nodes_);
+      const auto end = data_.nodes.begin() + static_cast<std::ptrdiff_t>(cells_.file_nodes);
       const auto found = std::ranges::lower_bound(data_.nodes.begin(), end, tag, {}, &MeshNode::tag);
       if (found != end && found->tag == tag) nodes.push_back(found - data_.nodes.begin());
     }
@@ -382,13 +253,13 @@ void InpMesh::name_lines(const std::string& name, const Indices& elements) {
 void InpMesh::name_boundaries() {
   const auto& node_sets = deck_.node_sets.all;
   for (std::size_t i = 0; i < node_sets.size(); ++i) {
-    Indices nodes = nodes_->of(i);
+    Indices nodes = nodes_.of(i);
     for (const InpUse& use : node_sets[i].nodes_of)
-      for (const std::int64_t cell : cells_of(elements_->of(InpMember{0, use}))) {
+      for (const std::int64_t cell : cells_.among(elements_.of(InpMember{0, use}))) {
         const MeshElement& c = data_.elements[cell];
         for (int k = 0; k < element_type(c.type)->nodes; ++k) {
           const std::int64_t node = data_.element_nodes[c.first_node + k];
-          if (node < static_cast<std::int64_t>(file_nodes_)) nodes.push_back(node);
+          if (node < static_cast<std::int64_t>(cells_.file_nodes)) nodes.push_back(node);
         }
       }
     std::ranges::sort(nodes);
@@ -396,16 +267,16 @@ void InpMesh::name_boundaries() {
     name_sides(name_of(deck_.node_sets, node_sets[i]), nodes);
   }
   for (const InpSet& surface : deck_.node_surfaces.all)
-    name_sides(name_of(deck_.node_surfaces, surface), nodes_->of(surface));
+    name_sides(name_of(deck_.node_surfaces, surface), nodes_.of(surface));
   const auto& element_sets = deck_.element_sets.all;
   for (std::size_t i = 0; i < element_sets.size(); ++i)
-    name_lines(name_of(deck_.element_sets, element_sets[i]), elements_->of(i));
+    name_lines(name_of(deck_.element_sets, element_sets[i]), elements_.of(i));
 }
 
 void InpMesh::read_surface(const InpSurface& surface) {
   for (const InpSurface::Entry& entry : surface.entries)
-    for (const std::int64_t element : elements_->of(entry.elements))
-      if (cell_of_[element] >= 0) read_entry(surface, entry, deck_.elements[element], cell_of_[element]);
+    for (const std::int64_t element : elements_.of(entry.elements))
+      if (cells_.cell_of[element] >= 0) read_entry(surface, entry, deck_.elements[element], cells_.cell_of[element]);
 }
 
 /// Labels of Abaqus are SPOS, SNEG for whole sides and E1, E2, ... for edges. CalculiX has S1, S2 (NEG, POS) and S3, S4,
@@ -478,10 +349,10 @@ std::vector<InpNodeNormal> InpMesh::given_normals() {
   constexpr std::size_t most = 10'000'000;  // 400 MB
   std::vector<InpNodeNormal> given;
   for (const auto& [tag, direction] : deck_.node_normals)
-    given.push_back({nodes_->of(InpMember{tag})[0], -1, direction.stableNormalized()});
+    given.push_back({nodes_.of(InpMember{tag})[0], -1, direction.stableNormalized()});
   for (const InpNormal& normal : deck_.normals) {
-    const Indices nodes = nodes_->of(normal.nodes);
-    for (const std::int64_t cell : cells_of(elements_->of(normal.elements)))
+    const Indices nodes = nodes_.of(normal.nodes);
+    for (const std::int64_t cell : cells_.among(elements_.of(normal.elements)))
       for (int k = 0; k < element_type(data_.elements[cell].type)->nodes; ++k)
         if (const std::int64_t node = data_.element_nodes[data_.elements[cell].first_node + k];
             std::ranges::binary_search(nodes, node))
@@ -515,7 +386,7 @@ void InpMesh::add_notes() {
                      name_list(partial_sets_)));
   if (!foreign_sets_.empty())
     note(fmt::format("sets of nodes without a node of a shell: {}", name_list(foreign_sets_)));
-  for (const auto& [members, what] : {std::pair(&*nodes_, "node"), std::pair(&*elements_, "element")})
+  for (const auto& [members, what] : {std::pair(&nodes_, "node"), std::pair(&elements_, "element")})
     if (members->missing_count() > 0)
       note(fmt::format("sets name {} that the file does not have, first \"{}\"",
                        counted(static_cast<std::size_t>(members->missing_count()), what), members->first_missing()));

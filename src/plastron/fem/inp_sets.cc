@@ -1,5 +1,6 @@
-#include <plastron/fem/inp_lines.hpp>
 #include <plastron/fem/inp_sets.hpp>
+
+#include <plastron/fem/inp_lines.hpp>
 
 #include <fmt/format.h>
 

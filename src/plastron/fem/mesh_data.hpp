@@ -68,7 +68,7 @@ struct MeshData {
   /// Unit normals of the surface at nodes, given by the file: one entry for each node, or none at all.
   std::vector<std::optional<Eigen::Vector3d>> normals{};
   std::map<std::string, std::vector<std::int64_t>> point_sets{};  ///< named points: indices into `nodes`
-  std::vector<std::string> notes{};  ///< for the user: what the file contains and is not read, one sentence each
+  std::vector<std::string> notes{};  ///< for the user: contents of the file that are not read, one sentence each
 };
 
 /// Reads a .msh file of Gmsh, format 2.0 to 2.2 or 4.1 as text. Throws DomainError with the file, the line and the
