@@ -83,7 +83,7 @@ void report_upper(Findings& findings, const fem::FileSurface& surface) {
 void report_edges(Findings& findings, const fem::FileSurface& surface, const fem::SurfaceSummary& summary) {
   const auto& [border, smooth, fold, branch] = summary.edges;
   std::string text = fmt::format("edges: {} smooth (up to {:.3g} degrees; limit {:.3g})", smooth.number,
-                                 degrees(smooth.largest_angle), degrees(surface.smooth_angle));
+                                 degrees(smooth.largest_angle), degrees(surface.topology.smooth_angle));
   if (fold.number > 0)
     text += fmt::format(", {} folds ({:.3g} to {:.3g} degrees)", fold.number, degrees(fold.least_angle),
                         degrees(fold.largest_angle));
@@ -167,7 +167,7 @@ std::vector<Finding> surface_findings(const fem::FileSurface& surface) {
   report_orientation(findings, surface);
   report_upper(findings, surface);
   report_edges(findings, surface, summary);
-  report_doubtful_edges(findings, surface.topology, surface.smooth_angle);
+  report_doubtful_edges(findings, surface.topology, surface.topology.smooth_angle);
   report_directors(findings, surface);
   for (const std::string& note : surface.notes) add(findings, Severity::note, "{}", note);
   for (const std::string& warning : surface.warnings) add(findings, Severity::warning, "{}", warning);

@@ -1,5 +1,6 @@
-#include <plastron/fem/disjoint_sets.hpp>
 #include <plastron/fem/space_mesh.hpp>
+
+#include <plastron/fem/disjoint_sets.hpp>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
+#include <plastron/fem/surface_mesh.hpp>
+
 #include <plastron/fem/disjoint_sets.hpp>
 #include <plastron/fem/mesh_groups.hpp>
 #include <plastron/fem/surface_flaws.hpp>
-#include <plastron/fem/surface_mesh.hpp>
 #include <plastron/fem/surface_patches.hpp>
-
 #include <plastron/geometry/frame.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
@@ -18,7 +18,7 @@ namespace plastron::fem {
 
 namespace {
 
-/// The cells of a file and its named lines.
+/// The cells of a file and its groups.
 class SpaceCells {
  public:
   SpaceCells(const MeshData& data, std::optional<Shape> shape, double scale)
@@ -32,16 +32,6 @@ class SpaceCells {
 
   SpaceMesh take() { return std::move(mesh_); }
   const MeshGroups& groups() const { return groups_; }
-
-  /// Calls visit(line element, node at its start, node at its end, group) for each line in a group.
-  template <class Visit>
-  void for_each_line(const Visit& visit) const {
-    for (const MeshElement& element : data_.elements) {
-      if (element_type(element.type)->is_cell()) continue;
-      const auto node = [&](std::size_t i) { return static_cast<int>(data_.element_nodes[element.first_node + i]); };
-      for (const int group : data_.group_sets[element.groups]) visit(element, node(0), node(1), group);
-    }
-  }
 
  private:
   /// Triangles of a file stay triangles; quadrilaterals are cut later if triangles are wanted.
@@ -90,12 +80,6 @@ std::vector<std::string> messages_of(const std::vector<Flaw>& flaws) {
 }
 
 std::string text_of(const std::vector<Flaw>& flaws) { return fmt::format("{}", fmt::join(messages_of(flaws), "\n")); }
-
-double smooth_angle_of(const SpaceMesh& mesh) {
-  constexpr double degree = std::numbers::pi / 180;
-  const bool has_facets = std::ranges::any_of(mesh.cells, [](const SurfaceCell& cell) { return cell.order == 1; });
-  return (has_facets ? 30 : 10) * degree;
-}
 
 /// Returns the mesh whose nodes are moved along the directors by parts of the thickness. Throws DomainError where there
 /// are folds, or two thicknesses at a node.
@@ -175,6 +159,86 @@ class CurveInPlane {
   std::set<std::int32_t> nodes_{};
 };
 
+/// Makes the topology of a file's cells and finds its named edges.
+class SurfaceReader {
+ public:
+  SurfaceReader(const MeshData& data, const SpaceReading& reading, std::optional<Shape> shape)
+      : data_(data), reading_(reading), cells_(data, shape, reading.scale) {}
+
+  FileSurface operator()() {
+    check_folds();
+    SpaceMesh mesh = cells_.take();
+    const double tolerance = reading_.tolerance.value_or(merge_tolerance(mesh));
+    MergedMesh merged = merge_nodes(std::move(mesh), tolerance);
+    new_number_ = std::move(merged.new_number);
+    const SurfaceFlaws flaws = find_flaws(merged.mesh, reading_.has_slits ? FlawLimits{.gap = 0} : FlawLimits{});
+    if (!flaws.errors.empty()) throw DomainError(text_of(flaws.errors));
+    const SurfaceOptions options{
+        .smooth_angle = reading_.smooth_angle, .upper = reading_.upper, .folds = named_folds()};
+    SurfaceTopology topology = surface_topology(std::move(merged.mesh), options);
+    if (reading_.offset.part != 0)
+      topology = surface_topology(moved_by(reading_.offset, topology, cells_.groups().regions()), options);
+    FileSurface surface{.topology = std::move(topology),
+                        .regions = cells_.groups().regions(),
+                        .boundaries = boundaries(),
+                        .merged_nodes = merged.merged,
+                        .notes = data_.notes,
+                        .warnings = messages_of(flaws.warnings),
+                        .has_upper = reading_.upper.has_value()};
+    name_edges(surface);
+    for (const std::string& boundary : reading_.symmetric) put_into_plane(boundary, surface);
+    return surface;
+  }
+
+ private:
+  const std::vector<std::string>& boundaries() const { return cells_.groups().boundaries(); }
+  bool is_fold(const std::string& boundary) const {
+    return std::ranges::find(reading_.folds, boundary) != reading_.folds.end();
+  }
+
+  void check_folds() const {
+    for (const std::string& fold : reading_.folds)
+      if (std::ranges::find(boundaries(), fold) == boundaries().end())
+        throw DomainError(fmt::format("there is no curve \"{}\" that could be a fold; the file has: {}", fold,
+                                      fmt::join(boundaries(), ", ")));
+  }
+
+  /// Calls visit(line element, its ends after merging, group) for each line in a group.
+  template <class Visit>
+  void for_each_line(const Visit& visit) const {
+    for (const MeshElement& element : data_.elements) {
+      if (element_type(element.type)->is_cell()) continue;
+      const auto node = [&](std::size_t i) { return new_number_[data_.element_nodes[element.first_node + i]]; };
+      for (const int group : data_.group_sets[element.groups]) visit(element, std::array{node(0), node(1)}, group);
+    }
+  }
+
+  std::set<std::array<int, 2>> named_folds() const {
+    std::set<std::array<int, 2>> folds;
+    for_each_line([&](const MeshElement&, const std::array<int, 2>& ends, int group) {
+      if (is_fold(boundaries()[cells_.groups().boundary(group)])) folds.insert(ascending(ends[0], ends[1]));
+    });
+    return folds;
+  }
+
+  void name_edges(FileSurface& surface) const {
+    std::set<std::pair<std::size_t, int>> known;
+    for_each_line([&](const MeshElement& line, const std::array<int, 2>& ends, int group) {
+      const int boundary = cells_.groups().boundary(group);
+      const SurfaceEdge* edge = find_edge(surface.topology, ascending(ends[0], ends[1]));
+      if (!edge) refuse_line(data_, line, boundaries()[boundary]);
+      const auto index = static_cast<std::size_t>(edge - surface.topology.edges.data());
+      if (known.insert({index, boundary}).second)
+        surface.named_edges.push_back({index, boundary, (ends[0] < ends[1]) == (group > 0)});
+    });
+  }
+
+  const MeshData& data_;
+  const SpaceReading& reading_;
+  SpaceCells cells_;
+  std::vector<std::int32_t> new_number_{};  ///< of each node of the file
+};
+
 /// Makes the coarse mesh of a topology.
 class SurfaceMesher {
  public:
@@ -215,8 +279,8 @@ class SurfaceMesher {
   }
 
   ExactMap whole_reference_cell() const {
-    if (mesh_.shape == Shape::triangle) return TriangleLagrangeMap{1, {{0, 0}, {1, 0}, {0, 1}}};
-    return LagrangeMap{1, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
+    if (mesh_.shape == Shape::triangle) return TriangleLagrangeMap{1, lattice(mesh_.shape, 1)};
+    return LagrangeMap{1, lattice(mesh_.shape, 1)};
   }
 
   /// The vertices of a cell's side, from its lower node to its higher one.
@@ -284,50 +348,8 @@ void put_into_plane(const std::string& boundary, FileSurface& surface) {
 
 FileSurface read_surface(const MeshFile& file, std::optional<Shape> shape) {
   const MeshData data = file.path.ends_with(".inp") ? read_inp_file(file.path) : read_msh_file(file.path);
-  const SpaceReading& reading = *file.in_space;
-  SpaceCells cells(data, shape, reading.scale);
-  const std::vector<std::string>& boundaries = cells.groups().boundaries();
-  for (const std::string& fold : reading.folds)
-    if (std::ranges::find(boundaries, fold) == boundaries.end())
-      throw DomainError(fmt::format("{}: there is no curve \"{}\" that could be a fold; the file has: {}", data.source,
-                                    fold, fmt::join(boundaries, ", ")));
   try {
-    SpaceMesh mesh = cells.take();
-    const double tolerance = reading.tolerance.value_or(merge_tolerance(mesh));
-    MergedMesh merged = merge_nodes(std::move(mesh), tolerance);
-    const SurfaceFlaws flaws = find_flaws(merged.mesh, reading.has_slits ? FlawLimits{.gap = 0} : FlawLimits{});
-    if (!flaws.errors.empty()) throw DomainError(text_of(flaws.errors));
-    const auto ends = [&](int from, int to) { return std::array{merged.new_number[from], merged.new_number[to]}; };
-    const double smooth_angle = reading.smooth_angle.value_or(smooth_angle_of(merged.mesh));
-    SurfaceOptions options{.smooth_angle = smooth_angle, .upper = reading.upper};
-    cells.for_each_line([&](const MeshElement&, int from, int to, int group) {
-      const auto [a, b] = ends(from, to);
-      if (std::ranges::find(reading.folds, boundaries[cells.groups().boundary(group)]) != reading.folds.end())
-        options.folds.insert(ascending(a, b));
-    });
-    SurfaceTopology topology = surface_topology(std::move(merged.mesh), options);
-    if (reading.offset.part != 0)
-      topology = surface_topology(moved_by(reading.offset, topology, cells.groups().regions()), options);
-    FileSurface surface{.topology = std::move(topology),
-                        .regions = cells.groups().regions(),
-                        .boundaries = boundaries,
-                        .merged_nodes = merged.merged,
-                        .notes = data.notes,
-                        .warnings = messages_of(flaws.warnings),
-                        .has_upper = reading.upper.has_value(),
-                        .smooth_angle = smooth_angle};
-    std::set<std::pair<std::size_t, int>> known;
-    cells.for_each_line([&](const MeshElement& line, int from, int to, int group) {
-      const auto [a, b] = ends(from, to);
-      const int boundary = cells.groups().boundary(group);
-      const SurfaceEdge* edge = find_edge(surface.topology, ascending(a, b));
-      if (!edge) refuse_line(data, line, boundaries[boundary]);
-      const auto index = static_cast<std::size_t>(edge - surface.topology.edges.data());
-      if (known.insert({index, boundary}).second)
-        surface.named_edges.push_back({index, boundary, (a < b) == (group > 0)});
-    });
-    for (const std::string& boundary : reading.symmetric) put_into_plane(boundary, surface);
-    return surface;
+    return SurfaceReader(data, *file.in_space, shape)();
   } catch (const DomainError& error) {
     const std::string text = error.what();
     throw DomainError(text.starts_with(data.source) ? text : fmt::format("{}: {}", data.source, text));

@@ -21,11 +21,10 @@ struct FileSurface {
   std::vector<std::string> regions{}, boundaries{};
   std::vector<NamedEdge> named_edges{};
   std::size_t merged_nodes = 0;         ///< nodes that the file had twice at one place
-  std::vector<std::string> notes{};     ///< what the file has and is not read
+  std::vector<std::string> notes{};     ///< contents of the file that are not read
   std::vector<std::string> warnings{};  ///< flaws that can be computed with
   bool has_upper = false;               ///< whether the case names the side of a_3
   double symmetry_turn = 0;             ///< largest angle by which a director was put into a plane of symmetry [rad]
-  double smooth_angle = 0;              ///< largest angle of an edge that counts as smooth [rad]
 };
 
 /// Reads the file and finds the topology. Throws DomainError for files that cannot be read and for cells that are no

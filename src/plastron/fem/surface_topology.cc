@@ -1,5 +1,6 @@
-#include <plastron/fem/disjoint_sets.hpp>
 #include <plastron/fem/surface_topology.hpp>
+
+#include <plastron/fem/disjoint_sets.hpp>
 
 #include <fmt/format.h>
 
@@ -39,10 +40,16 @@ class SidePlaces {
   std::map<int, std::array<std::vector<int>, 4>> places_;
 };
 
+double default_smooth_angle(const SpaceMesh& mesh) {
+  const bool has_facets = std::ranges::any_of(mesh.cells, [](const SurfaceCell& cell) { return cell.order == 1; });
+  return (has_facets ? 30 : 10) * std::numbers::pi / 180;
+}
+
 class TopologyBuilder {
  public:
   TopologyBuilder(SpaceMesh mesh, const SurfaceOptions& options) : options_(options), places_(mesh.shape) {
     t_.mesh = std::move(mesh);
+    t_.smooth_angle = options.smooth_angle.value_or(default_smooth_angle(t_.mesh));
   }
 
   SurfaceTopology build() {
@@ -185,13 +192,6 @@ class TopologyBuilder {
     find_edges();
   }
 
-  double smooth_angle(const SurfaceEdge& edge) const {
-    if (options_.smooth_angle) return *options_.smooth_angle;
-    const bool is_linear =
-        std::ranges::any_of(sides(edge), [&](const MeshEdge& side) { return cell(side.cell).order == 1; });
-    return (is_linear ? 30 : 10) * std::numbers::pi / 180;
-  }
-
   void classify(SurfaceEdge& edge, const LatticeNormals& normals) {
     constexpr double rounding = 1e-6;  // facets of equal angles may all lie at the limit
     const auto same = sides(edge);
@@ -203,8 +203,8 @@ class TopologyBuilder {
     else if (same.size() > 2)
       edge.kind = EdgeKind::branch;
     else
-      edge.kind = options_.folds.contains(edge.ends) || edge.angle > smooth_angle(edge) + rounding ? EdgeKind::fold
-                                                                                                   : EdgeKind::smooth;
+      edge.kind = options_.folds.contains(edge.ends) || edge.angle > t_.smooth_angle + rounding ? EdgeKind::fold
+                                                                                                : EdgeKind::smooth;
   }
 
   /// The largest angle between the normals of two cells along their common side, if they had the same orientation.
@@ -227,9 +227,7 @@ class TopologyBuilder {
   }
 
   void find_edges_near_limit() {
-    const auto distance = [&](std::size_t e) {
-      return std::abs(std::log(t_.edges[e].angle / smooth_angle(t_.edges[e])));
-    };
+    const auto distance = [&](std::size_t e) { return std::abs(std::log(t_.edges[e].angle / t_.smooth_angle)); };
     for (std::size_t e = 0; e < t_.edges.size(); ++e)
       if (t_.edges[e].side_count == 2 && !options_.folds.contains(t_.edges[e].ends) && distance(e) <= std::log(2))
         t_.edges_near_limit.push_back(e);

@@ -17,7 +17,7 @@
 namespace plastron::fem {
 
 struct SurfaceOptions {
-  /// Largest angle of a smooth edge [rad]; default 30 degrees at cells of order 1, otherwise 10 degrees.
+  /// Largest angle of a smooth edge [rad]; default 30 degrees if there are cells of order 1, otherwise 10 degrees.
   std::optional<double> smooth_angle{};
   std::optional<Vector3d> upper{};       ///< direction of a_3, on average over each component
   std::set<std::array<int, 2>> folds{};  ///< ends (ascending nodes) of edges that are folds at any angle
@@ -30,7 +30,8 @@ struct SurfaceTopology {
   std::vector<SurfaceEdge> edges;  ///< in ascending order of their ends
   std::vector<int> component;      ///< of each cell: index of `components`
   std::vector<SurfaceComponent> components;
-  std::vector<int> sheet;  ///< of each cell; cells of a sheet are connected through smooth edges
+  std::vector<int> sheet;   ///< of each cell; cells of a sheet are connected through smooth edges
+  double smooth_angle = 0;  ///< largest angle of an edge that counts as smooth [rad]
   int sheet_count = 0;
   int part_count = 0;                                          ///< parts are connected through edges of any kind
   std::vector<DirectorNode> director_nodes;                    ///< in ascending order of nodes
