@@ -56,6 +56,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_joins(root, result.problem);
   read_rigid_bodies(root, result.problem);
   read_supports(root, result.problem);
+  complete_geometry(result.problem);
   read_loads(root, result.problem);
   read_gravity(root, result.problem);
   read_obstacles(root, result.problem);

@@ -184,4 +184,14 @@ void read_geometry(Table& root, problem::Problem& problem) {
   });
 }
 
+void complete_geometry(problem::Problem& problem) {
+  auto* file = std::get_if<fem::MeshFile>(&problem.domain);
+  if (!file || !file->in_space) return;
+  for (const assembly::Support& support : problem.shell.supports)
+    if (support.symmetry) file->in_space->symmetric.push_back(support.boundary);
+  file->in_space->offset.thickness = problem.shell.sections.common.thickness;
+  for (const auto& [region, section] : problem.shell.sections.regions)
+    file->in_space->offset.by_region.insert_or_assign(region, section.thickness);
+}
+
 }  // namespace plastron::config

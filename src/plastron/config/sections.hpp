@@ -34,6 +34,9 @@ void read_gravity(Table& root, problem::Problem& problem);
 std::vector<Section> geometry_sections();
 /// Reads the domain, which Reading::domain also holds, and its charts.
 void read_geometry(Table& root, problem::Problem& problem);
+/// Sets the planes of symmetry and the thickness, on which a mesh in space depends. Call it after shell, regions and
+/// supports.
+void complete_geometry(problem::Problem& problem);
 /// Returns the domain of [geometry] and its shapes.
 std::vector<Section> domain_sections();
 std::optional<fem::Domain> read_domain(Table& geometry);

@@ -204,14 +204,6 @@ std::vector<Section> support_sections() {
 void read_supports(Table& root, problem::Problem& problem) {
   FixedOn fixed_on;
   root.in_tables("support", [&](Table& support) { read_support(support, fixed_on, problem); });
-  auto* file = std::get_if<fem::MeshFile>(&problem.domain);
-  if (!file || !file->in_space) return;
-  // The mesh depends on the planes of symmetry and on the thickness.
-  for (const assembly::Support& support : problem.shell.supports)
-    if (support.symmetry) file->in_space->symmetric.push_back(support.boundary);
-  file->in_space->offset.thickness = problem.shell.sections.common.thickness;
-  for (const auto& [region, section] : problem.shell.sections.regions)
-    file->in_space->offset.by_region.insert_or_assign(region, section.thickness);
 }
 
 }  // namespace plastron::config
