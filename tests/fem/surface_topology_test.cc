@@ -38,7 +38,7 @@ Vector3d flat_normal(const SurfaceTopology& t, std::size_t c) {
   return (t.mesh.nodes[n[1]] - t.mesh.nodes[n[0]]).cross(t.mesh.nodes[n[2]] - t.mesh.nodes[n[0]]);
 }
 
-/// What p4est needs: cells have different vertices; an edge has one or two cells, which run along it in opposite
+/// Checks the conditions of p4est: cells have different vertices; an edge has one or two cells, which run along it in opposite
 /// directions; it has two cells if and only if they share their director nodes along it.
 void expect_manifold(const SurfaceTopology& t) {
   std::map<std::array<int, 2>, std::vector<MeshEdge>> cells_at;

@@ -58,12 +58,12 @@ struct Offset {
 
 /// How the cells of a file become a mid-surface in space.
 struct SpaceReading {
-  double scale = 1;                 ///< factor of the file's lengths to those of the case
+  double scale = 1;                 ///< factor from the lengths of the file to the lengths of the case
   std::optional<Vector3d> upper{};  ///< side to which a_3 points; else outwards, or as in the file
-  std::optional<double>
-      smooth_angle{};                 ///< largest angle of an edge that is no fold [rad]; default by order of the cells
-  std::vector<std::string> folds{};   ///< names of curves that are folds at any angle
-  std::optional<double> tolerance{};  ///< nodes nearer than this are one node [m]; default: rounding
+  /// Largest angle of an edge that is no fold [rad]; default by the order of the cells.
+  std::optional<double> smooth_angle{};
+  std::vector<std::string> folds{};      ///< names of curves that are folds at any angle
+  std::optional<double> tolerance{};     ///< nodes nearer than this are one node [m]; default: rounding
   std::vector<std::string> symmetric{};  ///< boundaries in planes of symmetry, in which their directors lie
   Offset offset{};
   bool has_slits = false;  ///< whether edges may run beside each other without being joined

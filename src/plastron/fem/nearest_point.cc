@@ -28,7 +28,8 @@ class Search {
   }
 
  private:
-  /// All cells of charts. On a mesh in space those whose nodes are nearer than the nearest node and the cell's extent.
+  /// Returns the cells that may hold the nearest point: with charts all cells; on a mesh in space each cell that has a
+  /// node nearer than the nearest node plus the cell's extent.
   std::vector<std::size_t> cells_in_reach() const {
     const auto& cells = surface_.coarse().cells;
     std::vector<std::size_t> all(cells.size());

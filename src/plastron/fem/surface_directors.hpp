@@ -32,12 +32,12 @@ struct DirectorAngle {
   Vector3d where = Vector3d::Zero();
 };
 
-/// Computes the directors of the copies, which are in ascending order of their nodes: the weighted mean of the normals
-/// of the fan's cells, corrected at the surface's end (below), or the normal that the file gives for the node, in the direction of the mean. At nodes with
-/// several fans the file's normal counts only for those whose mean is within 60 degrees of it. `cell_director_nodes`
-/// are the copies of each cell on its lattice. Returns the largest angle between a director and the normal of a cell.
-/// Throws DomainError if it exceeds 80 degrees, and if a normal of the file is more than 60 degrees off all fans of its
-/// node. `ends`: whether the smooth surface ends at a side, by cell and side.
+/// Computes the directors of the copies, which are in ascending order of their nodes. A director is the weighted mean of
+/// the normals of the fan's cells, corrected at the surface's end (below). If the file gives a normal for the node, that
+/// normal, in the direction of the mean, is the director of each fan whose mean is within 60 degrees of it.
+/// `cell_director_nodes` are the copies of each cell on its lattice. `ends`: whether the smooth surface ends at a side,
+/// by cell and side. Returns the largest angle between a director and the normal of a cell. Throws DomainError if this
+/// angle exceeds 80 degrees, and if a normal of the file is more than 60 degrees off all fans of its node.
 ///
 /// For an odd order the errors of the normals at both ends of a cell are opposite, so that they cancel in the mean of two
 /// cells. At an end of the surface there is no second cell. There a cell's normal is corrected by its error at the

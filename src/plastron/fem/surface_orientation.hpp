@@ -8,7 +8,7 @@
 
 namespace plastron::fem {
 
-/// What decides the side to which a_3 points.
+/// The rule that chose the side to which a_3 points.
 enum class SignRule { file, outward, upper };
 
 /// Cells connected through edges of two cells: they have one orientation.
