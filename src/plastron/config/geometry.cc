@@ -13,7 +13,7 @@ using fem::SpaceReading;
 using Formulas = std::array<std::string, 3>;
 
 std::optional<std::string> read_formula(Reading& reading, const Item& item) {
-  const auto field = read_field(reading, item);
+  const auto field = read_chart_formula(reading, item);
   return field ? std::optional(field->text()) : std::nullopt;
 }
 

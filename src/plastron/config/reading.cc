@@ -45,7 +45,8 @@ std::optional<double> plain_number(Reading& reading, const Item& item) {
   return {};
 }
 
-const std::vector<std::string> variables_of_fields{"x", "y", "X", "Y", "Z"};
+const std::vector<std::string> plane_variables{"x", "y"}, space_variables{"X", "Y", "Z"},
+    all_variables{"x", "y", "X", "Y", "Z"};
 
 bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool in_name(char c) { return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)); }
@@ -64,29 +65,6 @@ std::optional<std::size_t> unlisted_function(const std::string& text) {
   return {};
 }
 
-std::optional<geometry::Expression> expression(Reading& reading, const Item& item, bool may_vary) {
-  if (!check_expression_text(reading, item)) return {};
-  const std::string& text = item.value.as_string().str;
-  try {
-    if (const auto at = unlisted_function(text)) throw geometry::ExpressionError("unknown name", *at);
-    geometry::Expression parsed(text, reading.constants);
-    if (!parsed.is_constant()) {
-      if (!may_vary) [[maybe_unused]]
-        const double fails = geometry::evaluate_constant(text, reading.constants);
-      if (parsed.uses_parameters() && reading.has_mesh_in_space()) {
-        reading.report(item.value, fmt::format("{} uses x or y, which a mesh in space does not have", item.name),
-                       "X, Y, Z and the constants", "X, Y, Z is the place on the mid-surface before the shell deforms");
-        return {};
-      }
-      return parsed;
-    }
-    if (finite(reading, item, parsed({}))) return parsed;
-  } catch (const geometry::ExpressionError& error) {
-    report_expression(reading, item, error, may_vary ? variables_of_fields : std::vector<std::string>{});
-  }
-  return {};
-}
-
 bool in_range(Reading& reading, const Item& item, double value) {
   const bool is_tiny = item.range.low == 0 && item.range.low_open && value > 0 && value < smallest;
   if (is_tiny)
@@ -95,6 +73,58 @@ bool in_range(Reading& reading, const Item& item, double value) {
   if (item.range.contains(value)) return !is_tiny;
   report_range(reading, item, value);
   return false;
+}
+
+/// Returns whether the expression has none of the variables that are not allowed, and reports them.
+bool uses_only(Reading& reading, const Item& item, const geometry::Expression& parsed,
+               const std::vector<std::string>& variables) {
+  const bool has_plane = std::ranges::count(variables, "x") > 0, has_space = std::ranges::count(variables, "X") > 0;
+  if (parsed.uses_space() && !has_space) {
+    reading.report(item.value, fmt::format("{} uses X, Y or Z, the values of the chart itself", item.name),
+                   "x, y and the constants", "a chart is a function of x and y");
+    return false;
+  }
+  if (parsed.uses_parameters() && !has_plane) {
+    reading.report(item.value, fmt::format("{} uses x or y, which a mesh in space does not have", item.name),
+                   "X, Y, Z and the constants", "X, Y, Z is the place on the mid-surface before the shell deforms");
+    return false;
+  }
+  return true;
+}
+
+/// Reads text. Without variables, the expression must be constant.
+std::optional<geometry::Expression> expression(Reading& reading, const Item& item,
+                                               const std::vector<std::string>& variables) {
+  if (!check_expression_text(reading, item)) return {};
+  const std::string& text = item.value.as_string().str;
+  try {
+    if (const auto at = unlisted_function(text)) throw geometry::ExpressionError("unknown name", *at);
+    geometry::Expression parsed(text, reading.constants);
+    if (parsed.is_constant()) return finite(reading, item, parsed({})) ? std::optional(parsed) : std::nullopt;
+    if (variables.empty()) [[maybe_unused]]
+      const double fails = geometry::evaluate_constant(text, reading.constants);
+    if (uses_only(reading, item, parsed, variables)) return parsed;
+  } catch (const geometry::ExpressionError& error) {
+    report_expression(reading, item, error, variables);
+  }
+  return {};
+}
+
+/// Reads a number or an expression of the variables. A constant is finite and in the item's range.
+std::optional<geometry::Expression> read_function(Reading& reading, const Item& item,
+                                                  const std::vector<std::string>& variables) {
+  if (item.value.is_string()) {
+    auto read = expression(reading, item, variables);
+    if (!read || (read->is_constant() && !in_range(reading, item, (*read)(0, 0)))) return {};
+    return read;
+  }
+  if (!item.value.is_integer() && !item.value.is_floating()) {
+    report_kind(reading, item, Kind::field);
+    return {};
+  }
+  const auto value = plain_number(reading, item);
+  if (!value || !in_range(reading, item, *value)) return {};
+  return geometry::Expression(*value);
 }
 
 std::string identifier_at(const std::string& text, std::size_t begin) {
@@ -176,7 +206,7 @@ std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& read
     reading.report(item.value, fmt::format("{} cannot be differentiated twice: {}", item.name, error.reason),
                    fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
   } catch (const geometry::ExpressionError& error) {
-    report_expression(reading, item, error, {"X", "Y", "Z"});
+    report_expression(reading, item, error, space_variables);
   }
   return {};
 }
@@ -227,10 +257,10 @@ void report_expression(Reading& reading, const Item& item, const geometry::Expre
   }
   std::vector<std::string> known = variables;
   for (const std::string& name : expression_names())
-    if (std::ranges::count(variables_of_fields, name) == 0) known.push_back(name);
+    if (std::ranges::count(all_variables, name) == 0) known.push_back(name);
   for (const auto& [name, value] : reading.constants) known.push_back(name);
   std::string advice = did_you_mean(word, known);
-  if (std::ranges::count(variables_of_fields, word) > 0)
+  if (std::ranges::count(all_variables, word) > 0)
     advice = variables.empty() ? fmt::format("{} is not known here: the value must be constant", word)
                                : "the coordinates in space are X, Y, Z; x and y are the parameters of the mid-surface";
   if (std::ranges::count(reading.later_constants, word) > 0)
@@ -285,7 +315,7 @@ std::optional<std::string> read_name(Reading& reading, const Item& item) {
 std::optional<double> read_number(Reading& reading, const Item& item) {
   std::optional<double> value;
   if (item.value.is_string()) {
-    const auto constant = expression(reading, item, false);
+    const auto constant = expression(reading, item, {});
     if (constant) value = (*constant)(0, 0);
   } else if (item.value.is_integer() || item.value.is_floating()) {
     value = plain_number(reading, item);
@@ -305,18 +335,11 @@ std::optional<int> read_integer(Reading& reading, const Item& item) {
 }
 
 std::optional<geometry::Expression> read_field(Reading& reading, const Item& item) {
-  if (item.value.is_string()) {
-    auto field = expression(reading, item, true);
-    if (!field || (field->is_constant() && !in_range(reading, item, (*field)(0, 0)))) return {};
-    return field;
-  }
-  if (!item.value.is_integer() && !item.value.is_floating()) {
-    report_kind(reading, item, Kind::field);
-    return {};
-  }
-  const auto value = plain_number(reading, item);
-  if (!value || !in_range(reading, item, *value)) return {};
-  return geometry::Expression(*value);
+  return read_function(reading, item, reading.has_mesh_in_space() ? space_variables : all_variables);
+}
+
+std::optional<geometry::Expression> read_chart_formula(Reading& reading, const Item& item) {
+  return read_function(reading, item, plane_variables);
 }
 
 }  // namespace plastron::config

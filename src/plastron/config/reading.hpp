@@ -76,8 +76,10 @@ std::optional<std::string> read_name(Reading& reading, const Item& item);
 /// Reads a number or an expression of the constants, finite and in the item's range.
 std::optional<double> read_number(Reading& reading, const Item& item);
 std::optional<int> read_integer(Reading& reading, const Item& item);
-/// Reads a number or an expression that may use x and y. A constant one is finite and in the item's range.
+/// Reads a number or an expression of x, y (not on a mesh in space), X, Y, Z. A constant is finite and in the item's range.
 std::optional<geometry::Expression> read_field(Reading& reading, const Item& item);
+/// Reads one of the three formulas of a chart, a number or an expression of x and y.
+std::optional<geometry::Expression> read_chart_formula(Reading& reading, const Item& item);
 
 /// Reads an expression of X, Y, Z and the constants with two derivatives.
 std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& reading, const Item& item);
@@ -87,8 +89,8 @@ void report_range(Reading& reading, const Item& item, double value);
 /// Marks the wrong character of the string.
 void report_expression(Reading& reading, const Item& item, const geometry::ExpressionError& error,
                        const std::vector<std::string>& variables);
-/// Refuses text that the expressions' library would accept, but the manual does not describe. Returns true if there is
-/// none.
+/// Refuses text that the expressions' library would accept, but the manual does not describe. Returns whether the text is
+/// right.
 bool check_expression_text(Reading& reading, const Item& item);
 
 /// Returns the names that expressions know already: x, y, pi and the functions.
