@@ -172,6 +172,14 @@ void print_lifts(const computation::Result& result) {
         level.lift_rounds, result.summary.largest_lift, change);
 }
 
+constexpr double nearly_all = 0.95;  // of the area, judged
+
+/// Returns ", by the mesh of the file 0.2 %"; empty where this error is unknown.
+std::string geometry_text(const estimation::GoalEstimate& goal) {
+  const auto error = goal.geometry_error;
+  return error ? fmt::format(", by the mesh of the file {:.2g} %,", 100 * *error / std::abs(goal.value)) : "";
+}
+
 /// Prints estimated errors, relative to the numbers themselves. The reaction of obstacles that press against each other
 /// is a small difference of their forces.
 void print_estimates(const computation::Result& result) {
@@ -181,11 +189,15 @@ void print_estimates(const computation::Result& result) {
   for (const solution::ObstacleContact& obstacle : result.summary.obstacles) forces += obstacle.reaction.force.norm();
   for (const estimation::GoalEstimate& g : result.estimates->goals)
     if (std::abs(g.value) > (g.name == "reaction" ? rest * forces : 0))
-      print("estimated error   {} {:.2g} % of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value), g.value,
-            g.unit);
+      print("estimated error   {} {:.2g} %{} of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value),
+            geometry_text(g), g.value, g.unit);
   if (result.estimates->unjudged_cells > 0)
     print("                  too small in {} cells, which have no neighbours for comparison\n",
           result.estimates->unjudged_cells);
+  const auto& geometry = result.estimates->geometry;
+  if (geometry && geometry->judged_share < nearly_all)
+    print("                  the mesh of the file cannot be judged on {:.2g} % of the area: its cells are too coarse\n",
+          100 * (1 - geometry->judged_share));
 }
 
 /// Returns the value with the digits that the estimated error permits, at least two.

@@ -45,8 +45,9 @@ std::string quantities_table() {
          rows("contact.", contact_quantities()) + rows("contact.admissible.", admissible_quantities()) +
          rows("obstacles[].", obstacle_quantities()) + rows("obstacles[].zones[].", zone_quantities()) +
          rows("history[].", history_quantities()) + rows("estimates.", estimate_quantities()) +
-         rows("estimates.goals[].", goal_quantities()) + rows("certificate.", certificate_quantities()) +
-         rows("levels[].", level_quantities()) + rows("levels[].history[].", iteration_quantities());
+         rows("estimates.goals[].", goal_quantities()) + rows("estimates.geometry.", geometry_quantities()) +
+         rows("certificate.", certificate_quantities()) + rows("levels[].", level_quantities()) +
+         rows("levels[].history[].", iteration_quantities());
 }
 
 std::string fields_table() {

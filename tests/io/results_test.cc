@@ -44,6 +44,7 @@ computation::Result some_result(bool has_obstacle) {
   result.layers = {{.region = "web", .layer = 2, .angle = 45, .component = "12", .most = {.stress = 3}}};
   result.summary.body_reactions = {{.name = "plate", .rotation = {0, 0.5, 0}, .reaction = {.force = {0, 0, 3}}}};
   result.estimates = {.cells = {1e-6}, .energy_norm_squared = 1e-6};
+  result.estimates->geometry = {.largest = 1e-6, .judged_share = 1};
   result.estimates->goals = {{.name = "energy", .unit = "J", .value = 2, .estimate = -0.25, .contact_edge = 0.5}};
   result.probes = {{"a point", some_point()}};
   result.levels.push_back(

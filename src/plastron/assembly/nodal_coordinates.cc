@@ -29,11 +29,31 @@ std::vector<std::vector<obstacle::Gap>> all_gaps(const std::vector<NodalPoint>& 
   return gaps;
 }
 
+/// Marks the sides of folds that have the nearest face: 1 at their nodes, 0 at the nodes of other sides. `least`: the gaps
+/// after take_faces_at_folds() (collective).
+algebra::Vector nearest_faces(const fem::Space& space, const std::vector<std::vector<obstacle::Gap>>& own,
+                              const std::vector<std::vector<obstacle::Gap>>& least, double size) {
+  constexpr double equal = 1e-12;
+  const std::size_t obstacles = own.size();
+  algebra::Vector nearest(space.layout, static_cast<int>(std::max<std::size_t>(obstacles, 1)));
+  std::ranges::fill(nearest.local(), 1.0);
+  const auto compare = [&](std::size_t node, std::size_t decides) {
+    for (std::size_t k = 0; k < obstacles; ++k)
+      nearest.local()[node * obstacles + k] = own[k][node].initial <= least[k][decides].initial + equal * size ? 1 : 0;
+  };
+  for (const constraints::Row& row : space.kinks.rows()) {
+    const auto decides = static_cast<std::size_t>(row.terms.front().node);
+    compare(static_cast<std::size_t>(row.node), decides);
+    compare(decides, decides);
+  }
+  nearest.update_ghosts();
+  return nearest;
+}
+
 /// Lets the node that decides the displacement at a fold have the nearest face of all sides of the fold. A face of
 /// another side moves with u alone there: its rotation is normal to the obstacle's normal where that side touches
 /// (collective).
 void take_faces_at_folds(const fem::Space& space, std::vector<std::vector<obstacle::Gap>>& gaps) {
-  if (space.coarse->folds.empty()) return;
   constexpr std::size_t size = 10;  // node, obstacle, gap, normal, side, contact point
   std::vector<double> mine;
   for (algebra::LocalIndex i = 0; i < space.layout->owned; ++i) {
@@ -116,7 +136,11 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   algebra::Vector bases(space.layout, 36);
   std::vector<std::vector<obstacle::Gap>> gaps;
   algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { gaps = all_gaps(points, obstacles, state); });
-  take_faces_at_folds(space, gaps);
+  if (!space.coarse->folds.empty()) {
+    const auto own = gaps;
+    take_faces_at_folds(space, gaps);
+    coordinates.nearest_faces = nearest_faces(space, own, gaps, size);
+  }
   coordinates.gaps = std::move(gaps);
   algebra::in_agreement<SupportError, obstacle::ObstacleError>(comm, [&] {
     for (std::size_t i = 0; i < node_support.size(); ++i) {

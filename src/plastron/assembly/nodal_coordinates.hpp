@@ -25,7 +25,10 @@ struct NodalCoordinates {
   std::shared_ptr<const fem::Space> space{};
   algebra::Vector lower, upper;                    ///< bounds of z (block: width)
   std::vector<std::vector<obstacle::Gap>> gaps{};  ///< gaps by obstacle and local node
-  std::vector<ContactRow> rows{};                  ///< rows of owned nodes, node by node, one for each obstacle
+  /// 0 at nodes of a fold where another side is nearer to the obstacle, else 1 (block: obstacles); without layout where
+  /// there are no folds.
+  algebra::Vector nearest_faces{};
+  std::vector<ContactRow> rows{};  ///< rows of owned nodes, node by node, one for each obstacle
 
   static constexpr int normal_rotation = 5;  ///< the coordinate r . a_3
 

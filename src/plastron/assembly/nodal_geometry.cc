@@ -85,13 +85,16 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   weights.accumulate_ghosts();
   // A node whose displacement follows from other nodes is never in contact. These nodes take its share.
   space.continuity.apply_transposed(weights);
+  weights.update_ghosts();
+  const algebra::Vector side_weights = weights;
   space.kinks.apply_transposed(weights);
   weights.update_ghosts();
 
   std::vector<NodalPoint> points(done.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double* d = data.local().data() + i * block;
-    points[i] = {{d[0], d[1]}, {d[2], d[3], d[4]}, {d[5], d[6], d[7]}, d[8], d[9], weights.local()[i]};
+    points[i] = {{d[0], d[1]}, {d[2], d[3], d[4]}, {d[5], d[6], d[7]},     d[8],
+                 d[9],         weights.local()[i], side_weights.local()[i]};
     // The share that one hanging node gives to a master may be negative. The sum must not be negative.
     PLASTRON_ASSERT(points[i].weight >= 0, i, points[i].weight);
   }

@@ -15,12 +15,13 @@ namespace plastron::assembly {
 using geometry::Vector3d;
 
 struct NodalPoint {
-  Eigen::Vector2d x;  ///< parameters in Omega
-  Vector3d phi;       ///< position [m]
-  Vector3d a3;        ///< unit normal
-  double thickness;   ///< e, the largest of the cells that meet [m]
-  double young;       ///< E, the largest of the cells that meet [Pa]
-  double weight;      ///< nodal quadrature weight: mid-surface area of the node, or 0 [m^2]
+  Eigen::Vector2d x;       ///< parameters in Omega
+  Vector3d phi;            ///< position [m]
+  Vector3d a3;             ///< unit normal
+  double thickness;        ///< e, the largest of the cells that meet [m]
+  double young;            ///< E, the largest of the cells that meet [Pa]
+  double weight;           ///< nodal quadrature weight: mid-surface area of the node, or 0 [m^2]
+  double side_weight = 0;  ///< the same of the node's own side of a fold; elsewhere `weight` [m^2]
 };
 
 /// Returns the data of every local node, equal on all ranks that see the node (collective).

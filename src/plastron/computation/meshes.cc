@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -153,6 +154,37 @@ void Meshes::confirm(const problem::Instant& instant) {
   if (!higher.values.empty())
     estimates.edge_change = edge_change(solution, higher.solution, run_.result.summary.least_thickness);
   run_.result.levels.back().seconds.witness = watch.lap();
+}
+
+void Meshes::judge_geometry() {
+  constexpr double least_judged = 0.5;  // of the area
+  const auto* file = std::get_if<fem::MeshFile>(&run_.problem.domain);
+  if (!file || !file->in_space || !run_.result.solution || !run_.result.estimates) return;
+  Stopwatch watch;
+  const fem::SurfaceComparison second =
+      fem::compared_surface(fem::coarse_mesh(run_.problem.domain, surface_->coarse().shape), file->in_space->symmetric);
+  run_.result.estimates->geometry = {.largest = second.deviation,
+                                     .place = {second.place[0], second.place[1], second.place[2]},
+                                     .judged_share = second.judged_share};
+  if (second.judged_share > least_judged) compare_goals(second);
+  run_.result.levels.back().seconds.geometry = watch.lap();
+}
+
+void Meshes::compare_goals(const fem::SurfaceComparison& second) {
+  auto coarse = std::make_shared<fem::CoarseMesh>(surface_->coarse());
+  coarse->patches = second.patches;
+  const auto surface = std::make_shared<const fem::Surface>(std::move(coarse), run_.problem.charts);
+  const Solution& solution = run_.solution();
+  LevelTask task = run_.task_after_first_level(run_.last_level());
+  task.zone = interpolated_zone(solution.nodal.touching, continued_roots(*solution.discrete, solution.nodal));
+  task.valued = run_.goals();
+  const LevelResult other = solve_level(
+      task,
+      assembly::discretise(sequence_.space(), surface, run_.problem.shell, run_.continued_at(run_.instants.back())),
+      run_.observer);
+  auto& goals = run_.result.estimates->goals;
+  for (std::size_t g = 0; g < other.values.size(); ++g)
+    goals[g].geometry_error = second.decay * std::abs(other.values[g] - goals[g].value);
 }
 
 }  // namespace plastron::computation

@@ -4,6 +4,7 @@
 #include <plastron/computation/run.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
+#include <plastron/fem/surface_comparison.hpp>
 
 #include <memory>
 #include <vector>
@@ -20,6 +21,9 @@ class Meshes {
   /// Computes the goals at one degree more on the cells of the solution at hand, if that problem can be solved
   /// (collective).
   void confirm(const problem::Instant& instant);
+  /// Estimates the errors of the solution at hand by the mesh of the mid-surface, if this is a mesh in space and errors
+  /// are estimated (collective).
+  void judge_geometry();
 
   const fem::Space& space() const { return *sequence_.space(); }
   /// The instant that is solved on each mesh.
@@ -35,6 +39,9 @@ class Meshes {
   /// Solves the present instant on the next mesh. First guess and state come from the previous mesh.
   bool solve_next(int number);
   void refine(LevelTask& task, assembly::State& start);
+  /// Computes the goals at the last instant on another surface of the same cells. Their differences are the errors by
+  /// the mesh of the mid-surface.
+  void compare_goals(const fem::SurfaceComparison& second);
   /// The zone of the solution's contact, and its displacement if the state is deformed, on another mesh.
   std::vector<algebra::Vector> fields_to_transfer() const;
 

@@ -30,8 +30,10 @@ struct Seconds {
   double certificate = 0;
   double estimates = 0;  ///< estimates of errors, on the finest mesh
   double witness = 0;    ///< the whole solution at one degree more
+  double geometry = 0;   ///< the whole solution on a second surface, for meshes in space
   double total() const {
-    return mesh + discretisation + assembly + analysis + factorisation + iteration + certificate + estimates + witness;
+    return mesh + discretisation + assembly + analysis + factorisation + iteration + certificate + estimates + witness +
+           geometry;
   }
 };
 

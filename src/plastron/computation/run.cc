@@ -128,6 +128,7 @@ Result Run::finish() {
   if (result.solution) {
     if (problem.steps.empty()) judge_certificate(result);
     warn(linear_model_warnings(result));
+    warn(geometry_warnings(result));
     add_contact_zones(result);
     warn(contact_warnings(result, problem.contact));
     warn(sideways_warnings(result.summary));

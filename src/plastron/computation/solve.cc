@@ -86,6 +86,7 @@ Result solve(const problem::Problem& problem, MPI_Comm comm, const Observer& obs
     goes_on =
         run.has_time_for(next) && approach(run, before, next) && advance(run, meshes, next, run.continued_at(next));
   }
+  if (goes_on) meshes.judge_geometry();
   return run.finish();
 }
 

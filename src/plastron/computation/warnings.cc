@@ -25,6 +25,8 @@ constexpr double largest_strain = 0.02;
 constexpr double notable_depth = 0.05;
 /// Factor by which tolerances may be looser than requested without a warning.
 constexpr double notable_loosening = 1e3;
+/// Relative error by the mesh of the mid-surface that causes a warning where no accuracy is requested.
+constexpr double notable_geometry_error = 0.01;
 
 std::string linear_model_text(const HistoryEntry& instant) {
   const solution::Summary& s = instant.summary;
@@ -184,6 +186,25 @@ std::vector<std::string> strain_warnings(const Result& result) {
       "the largest strain is {:.2g} %{}: most metals yield at strains of 0.1 to 0.5 %, and the law is linear; compare "
       "stresses with the yield stress, use a smaller load or a program with plasticity",
       100 * strain, stress)};
+}
+
+std::vector<std::string> geometry_warnings(const Result& result) {
+  if (!result.estimates || !result.estimates->geometry) return {};
+  const auto excess = [](const estimation::GoalEstimate& goal) {
+    const double allowed = goal.tolerance.value_or(notable_geometry_error) * std::abs(goal.value);
+    return allowed > 0 ? goal.geometry_error.value_or(0) / allowed : 0;
+  };
+  const auto& goals = result.estimates->goals;
+  const auto worst = std::ranges::max_element(goals, {}, excess);
+  if (worst == goals.end() || !(excess(*worst) > 1)) return {};
+  const estimation::GeometryDeviation& mesh = *result.estimates->geometry;
+  return {fmt::format(
+      "the mesh of the file limits the accuracy: {} changes by {:.2g} % if the cells are fitted to their neighbours; "
+      "the "
+      "mesh deviates from the part by about {:.2g} m at ({:.4g}, {:.4g}, {:.4g}) m; export cells of a higher order, or "
+      "smaller ones",
+      worst->name, 100 * *worst->geometry_error / std::abs(worst->value), mesh.largest, mesh.place[0], mesh.place[1],
+      mesh.place[2])};
 }
 
 std::vector<std::string> body_warnings(const solution::Summary& summary) {

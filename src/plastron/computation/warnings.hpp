@@ -51,6 +51,9 @@ std::string percent(double part);
 /// Warns of strains beyond the range of the linear material law; needs the stress peak.
 std::vector<std::string> strain_warnings(const Result& result);
 
+/// Warns if the mesh of the file causes larger errors than asked for or than the discretisation.
+std::vector<std::string> geometry_warnings(const Result& result);
+
 /// Warns of nodes that were deep inside an obstacle and were pushed out along the shell instead of across it. Their
 /// nearest surface at the start may have been the wrong one.
 std::vector<std::string> sideways_warnings(const solution::Summary& summary);

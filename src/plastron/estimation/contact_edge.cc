@@ -4,6 +4,7 @@
 #include <plastron/fem/basis.hpp>
 #include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/solution/contact_faces.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
   const fem::Space& space = discrete.space();
   const std::size_t obstacles = discrete.obstacles.all.size();
   if (obstacles == 0) return;
+  touching_faces_ = solution::contact_faces(discrete, solved.nodal).touching;
   if (solution::edge_contact(discrete, solved.nodal).is_line()) find_rim();
   eta_ = densities(solved.z.multiplier);
   reaction_basis_ = element::reaction_basis_at(space.shape(), space.degree, discrete.shell.tables().quadrature.xi);
@@ -49,7 +51,8 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
       std::size_t touching = 0, bounded = 0, of_these = 0;
       for (const algebra::LocalIndex node : space.nodes(cell)) {
         const bool touches_it = touches(static_cast<std::size_t>(node), k);
-        const bool has_bound = discrete.points[static_cast<std::size_t>(node)].weight > 0;  // false for hanging nodes
+        const bool has_bound =
+            discrete.points[static_cast<std::size_t>(node)].side_weight > 0;  // false for hanging nodes
         touching += touches_it ? 1 : 0;
         bounded += has_bound ? 1 : 0;
         of_these += touches_it && has_bound ? 1 : 0;
@@ -192,7 +195,7 @@ std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const
     const obstacle::Gap gap = gaps(cell, at.obstacle, point).front().second;
     const geometry::Frame frame = discrete.shell.surface().frame(discrete.space().cells[cell], xi, false);
     const element::CellField z = discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, y));
-    const double weight = at.part * discrete.points[at.node].weight;
+    const double weight = at.part * discrete.points[at.node].side_weight;
     const double mu = weight * (reactions.mu[entry] + (derivative.weighs_gaps ? reactions.eta[entry] : 0));
     const double eta = weight * reactions.eta[entry];
     const double reach = opening(gap, z.row(0), frame.a3) - derivative.held_at(at.obstacle, gap);
@@ -252,7 +255,7 @@ int ContactEdge::direction_across(std::size_t cell, std::size_t obstacle) const 
 }
 
 bool ContactEdge::touches(std::size_t node, std::size_t obstacle) const {
-  const algebra::Vector& touching = solved_.nodal.touching;
+  const algebra::Vector& touching = touching_faces_;
   return touching.local()[node * static_cast<std::size_t>(touching.block()) + obstacle] > 0.5;
 }
 
@@ -264,11 +267,12 @@ std::vector<double> ContactEdge::densities(const algebra::Vector& multiplier) co
   algebra::Vector all(discrete.space().layout, static_cast<int>(obstacles));
   for (const assembly::ContactRow& row : coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
-    if (!row.binds || !touches(row.node, k)) continue;
+    if (!row.binds || solved_.nodal.touching.at(row.node)[k] == 0) continue;
     all.owned()[row.node * obstacles + k] =
         multiplier.owned()[coordinates.at(row.node, row.coordinate)] / (row.scale * discrete.points[row.node].weight);
   }
   all.update_ghosts();
+  solution::give_to_faces(discrete, all);
   return {all.local().begin(), all.local().end()};
 }
 

@@ -82,6 +82,7 @@ class ContactEdge {
 
   const Solved& solved_;
   std::vector<double> eta_{};
+  algebra::Vector touching_faces_{};
   std::vector<std::size_t> crossed_{}, touching_nodes_{};
   std::vector<int> across_{};
   /// 1 for local nodes on the rim; empty without a line reaction.

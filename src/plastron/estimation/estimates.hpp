@@ -25,6 +25,7 @@ struct GoalEstimate {
   /// Part of `estimate` for layers of free edges, which polynomials in a cell do not represent (free_edges.hpp).
   double free_edges = 0;
   std::optional<double> at_higher_degree{};  ///< the same goal's value on the same cells at one degree more
+  std::optional<double> geometry_error{};    ///< error by the mesh of the mid-surface, where it is known
   std::optional<double> tolerance{};         ///< relative tolerance of a goal with a required accuracy
   double dual_energy = 0;  ///< 1/2 a(z, z): grows without bound under refinement if the functional is not bounded
   bool has_dual = true;    ///< false if the dual problem could not be solved; then the estimate lacks its part
@@ -51,11 +52,19 @@ struct CrossedCell {
   int across = 0;  ///< direction of the cell that leads from the zone to free nodes
 };
 
+/// Distance of a mesh in space from the part that it describes, estimated (fem/surface_comparison.hpp).
+struct GeometryDeviation {
+  double largest = 0;             ///< [m]
+  std::array<double, 3> place{};  ///< where it is [m]
+  double judged_share = 0;        ///< share of the area where it could be estimated
+};
+
 struct Estimates {
   std::vector<double> cells{};           ///< squared error in the energy norm, a(e, e), of the owned cells [J]
   std::vector<ErrorProfile> profiles{};  ///< profiles of the same cells; empty for triangles
   double energy_norm_squared = 0;        ///< sum of `cells` over all ranks [J]
   std::vector<GoalEstimate> goals{};
+  std::optional<GeometryDeviation> geometry{};  ///< only for meshes in space
   /// Distance that the edges of contact zones move at one degree more, over the zones' size
   /// (solution::relative_distance), where it is known.
   std::optional<double> edge_change{};

@@ -137,25 +137,59 @@ void report_intersections(Examined& examined, const fem::FileSurface& surface) {
   for (const fem::Flaw& flaw : flaws.warnings) examined.add(Severity::warning, "{}", flaw.message);
 }
 
+/// Distance of a point of the case from the point of the mid-surface that stands for it.
+struct Distance {
+  Eigen::Vector3d wanted, found;
+  double length = 0, half_thickness = 0;
+
+  bool is_far() const { return length > half_thickness; }
+};
+
+std::optional<Distance> distance_of(const Examined& examined, const Eigen::Vector3d& wanted,
+                                    const Eigen::Vector2d& at) {
+  const auto location = fem::locate(examined.surface->coarse(), at);
+  if (!location) return {};
+  const fem::Cell cell{.coarse = location->coarse};
+  double e = 0;
+  examined.surface->evaluate(examined.problem.shell.sections.at(*examined.space->coarse, cell).thickness, cell,
+                             {&location->xi, 1}, {&e, 1});
+  const Eigen::Vector3d found = examined.surface->frame(cell, location->xi, false).phi;
+  return Distance{.wanted = wanted, .found = found, .length = (found - wanted).norm(), .half_thickness = e / 2};
+}
+
+/// Reports the distance of a point in space. `if_far`: the severity beyond half of the thickness.
+void report_distance(Examined& examined, const std::string& what, const std::optional<Distance>& distance,
+                     Severity if_far, const std::string& advice = "") {
+  if (!distance) return;
+  const bool is_far = distance->is_far();
+  examined.add(
+      is_far ? if_far : Severity::note, "{} {} stands for {}, {:.3g} m away{}", what, fem::place_of(distance->wanted),
+      fem::place_of(distance->found), distance->length,
+      is_far ? fmt::format(", more than half of the thickness, {:.3g} m{}", distance->half_thickness, advice) : "");
+}
+
+/// Reports the point of a line that is farthest from the mid-surface.
+void report_line(Examined& examined, const problem::Line& line) {
+  std::optional<Distance> worst;
+  for (std::size_t k = 0; k < line.in_space.size(); ++k) {
+    const auto distance = distance_of(examined, line.in_space[k], line.points[k]);
+    if (distance && (!worst || distance->length > worst->length)) worst = distance;
+  }
+  report_distance(examined, fmt::format("the line \"{}\" at", line.name), worst, Severity::warning);
+}
+
+/// A support takes a node of the mesh. A node elsewhere would hold another shell.
 void report_points(Examined& examined) {
-  const auto report = [&](const std::string& what, const Eigen::Vector3d& wanted, const Eigen::Vector2d& at) {
-    const auto location = fem::locate(examined.surface->coarse(), at);
-    if (!location) return;
-    const Eigen::Vector3d phi = examined.surface->frame({.coarse = location->coarse}, location->xi, false).phi;
-    const double distance = (phi - wanted).norm();
-    double e = 0;
-    examined.surface->evaluate(
-        examined.problem.shell.sections.at(*examined.space->coarse, {.coarse = location->coarse}).thickness,
-        {.coarse = location->coarse}, {&location->xi, 1}, {&e, 1});
-    examined.add(distance > e / 2 ? Severity::warning : Severity::note, "{} {} stands for {}, {:.3g} m away{}", what,
-                 fem::place_of(wanted), fem::place_of(phi), distance,
-                 distance > e / 2 ? ", more than half of the thickness" : "");
-  };
   for (const problem::Probe& probe : examined.problem.probes)
-    if (probe.in_space) report(fmt::format("the probe \"{}\" at", probe.name), *probe.in_space, probe.at);
+    if (probe.in_space)
+      report_distance(examined, fmt::format("the probe \"{}\" at", probe.name),
+                      distance_of(examined, *probe.in_space, probe.at), Severity::warning);
+  for (const problem::Line& line : examined.problem.lines) report_line(examined, line);
   for (const assembly::Support& support : examined.problem.shell.supports)
     if (support.point_in_space && support.point)
-      report("the support at the point", *support.point_in_space, *support.point);
+      report_distance(examined, "the support at the point",
+                      distance_of(examined, *support.point_in_space, *support.point), Severity::error,
+                      ": give the place of a corner of a cell, for even degrees also of the middle of a side or cell");
 }
 
 }  // namespace

@@ -285,6 +285,18 @@ std::span<const Quantity<Result>> estimate_quantities() {
   return all;
 }
 
+std::span<const Quantity<estimation::GeometryDeviation>> geometry_quantities() {
+  using estimation::GeometryDeviation;
+  static const std::vector<Quantity<GeometryDeviation>> all{
+      {"deviation", "m", "estimated largest distance of the mesh from the part",
+       [](const GeometryDeviation& g) { return number(g.largest); }},
+      {"place", "m", "where it is", [](const GeometryDeviation& g) { return Json(g.place); }, Form::triple},
+      {"judged_share", "1", "share of the area where the cells around tell the deviation",
+       [](const GeometryDeviation& g) { return number(g.judged_share); }},
+  };
+  return all;
+}
+
 std::span<const Quantity<estimation::GoalEstimate>> goal_quantities() {
   using estimation::GoalEstimate;
   static const std::vector<Quantity<GoalEstimate>> all{
@@ -306,6 +318,9 @@ std::span<const Quantity<estimation::GoalEstimate>> goal_quantities() {
        [](const GoalEstimate& g) { return number(g.contact_edge); }},
       {"error", "see unit", "estimate of |exact value - value|",
        [](const GoalEstimate& g) { return number(g.error()); }},
+      {"geometry_error", "see unit",
+       "estimated error by the mesh of the mid-surface; null on charts, and where it is unknown",
+       [](const GoalEstimate& g) { return known(g.geometry_error); }},
       {"has_dual", "-", "true if the dual problem was solved; otherwise its part of the difference is missing",
        [](const GoalEstimate& g) { return Json(g.has_dual); }, Form::flag},
       {"dual_energy", "J",
@@ -389,6 +404,8 @@ std::span<const Quantity<computation::Level>> level_quantities() {
        [](const Level& l) { return number(l.seconds.iteration); }},
       {"seconds/certificate", "s", "the certificate", [](const Level& l) { return number(l.seconds.certificate); }},
       {"seconds/estimates", "s", "estimates of errors", [](const Level& l) { return number(l.seconds.estimates); }},
+      {"seconds/geometry", "s", "solution on a second surface, for meshes in space",
+       [](const Level& l) { return number(l.seconds.geometry); }},
       {"seconds/witness", "s", "solution at degree k+1, if it was needed to confirm an accuracy",
        [](const Level& l) { return number(l.seconds.witness); }},
       {"seconds/total", "s", "sum of all times", [](const Level& l) { return number(l.seconds.total()); }},

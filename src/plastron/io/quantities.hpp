@@ -48,6 +48,7 @@ std::span<const Quantity<computation::Result>> admissible_quantities();
 std::span<const Quantity<computation::Result>> estimate_quantities();
 /// Paths inside "estimates.goals[]".
 std::span<const Quantity<estimation::GoalEstimate>> goal_quantities();
+std::span<const Quantity<estimation::GeometryDeviation>> geometry_quantities();
 /// Paths inside "obstacles[]".
 std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities();
 /// Paths inside "history[]".

@@ -70,7 +70,7 @@ std::string plain_words(const Json& value) {
   return "(" + list + ")";
 }
 
-HtmlTable::HtmlTable(std::initializer_list<std::string_view> columns) {
+HtmlTable::HtmlTable(const std::vector<std::string_view>& columns) {
   for (const std::string_view column : columns) {
     is_left_.push_back(column.starts_with('<'));
     head_ += fmt::format("<th{}>{}</th>", is_left_.back() ? " class=\"word\"" : "",

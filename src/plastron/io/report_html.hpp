@@ -3,7 +3,6 @@
 #include <plastron/io/quantities.hpp>
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,7 +26,7 @@ std::string plain_words(const Json& value);
 class HtmlTable {
  public:
   /// The first column of words is aligned left, numbers are aligned right. `columns` that begin with '<' are left.
-  explicit HtmlTable(std::initializer_list<std::string_view> columns);
+  explicit HtmlTable(const std::vector<std::string_view>& columns);
   void row(const std::vector<std::string>& cells, std::string_view css_class = "");
   std::string text() const;
 

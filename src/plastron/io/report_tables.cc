@@ -168,19 +168,25 @@ std::string key_numbers_html(const Json& results) {
 }
 
 std::string estimates_html(const Json& results) {
-  HtmlTable table({"<number", "value", "<unit", "estimated error", "relative", "asked for", "<"});
   const Json& goals = at_path(results, "estimates/goals");
+  const bool has_mesh =
+      std::any_of(goals.begin(), goals.end(), [](const Json& goal) { return goal["geometry_error"].is_number(); });
+  std::vector<std::string_view> head{"<number", "value", "<unit", "estimated error", "relative", "asked for", "<"};
+  if (has_mesh) head.insert(head.begin() + 5, "by the mesh of the file");
+  HtmlTable table(head);
   for (std::size_t k = 0; k < goals.size(); ++k) {
     const std::string path = fmt::format("estimates/goals/{}/", k);
     const Json &value = goals[k]["value"], &error = goals[k]["error"], &tolerance = goals[k]["tolerance"];
     const bool is_known = value.is_number() && error.is_number() && value.get<double>() != 0;
     const double relative = is_known ? error.get<double>() / std::abs(value.get<double>()) : std::nan("");
     const bool is_missed = tolerance.is_number() && !(relative <= tolerance.get<double>());
-    table.row({html_text(plain_words(goals[k]["name"])), html_number(value, path + "value"),
-               html_text(plain_words(goals[k]["unit"])), html_number(error, path + "error"),
-               html_number(number(relative)), tolerance.is_null() ? "" : html_number(tolerance, path + "tolerance"),
-               is_missed ? "<strong>missed</strong>" : ""},
-              is_missed ? "missed" : "");
+    std::vector<std::string> row{html_text(plain_words(goals[k]["name"])), html_number(value, path + "value"),
+                                 html_text(plain_words(goals[k]["unit"])), html_number(error, path + "error"),
+                                 html_number(number(relative))};
+    if (has_mesh) row.push_back(html_number(goals[k]["geometry_error"], path + "geometry_error"));
+    row.push_back(tolerance.is_null() ? "" : html_number(tolerance, path + "tolerance"));
+    row.emplace_back(is_missed ? "<strong>missed</strong>" : "");
+    table.row(row, is_missed ? "missed" : "");
   }
   return goals.empty() ? "" : table.text();
 }

@@ -65,6 +65,8 @@ Json estimates_json(const computation::Result& result) {
   if (!result.estimates) return nullptr;
   Json json = record_json(estimate_quantities(), result);
   json["goals"] = records_json(goal_quantities(), result.estimates->goals);
+  const auto& geometry = result.estimates->geometry;
+  json["geometry"] = geometry ? record_json(geometry_quantities(), *geometry) : Json(nullptr);
   return json;
 }
 

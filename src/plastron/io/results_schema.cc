@@ -51,6 +51,8 @@ const std::vector<Part>& parts() {
       part("estimates/", "estimated distance of the last solution from the exact one; null if it was not estimated",
            estimate_quantities()),
       part("estimates/goals/*/", "estimated error of each requested number", goal_quantities()),
+      part("estimates/geometry/", "estimated distance of a mesh in space from the part; null on charts",
+           geometry_quantities()),
       part("certificate/", "how well the result satisfies the equations", certificate_quantities()),
       part("levels/*/", "each mesh of the sequence", level_quantities()),
       part("levels/*/history/*/", "each active-set iteration on this mesh", iteration_quantities())};
@@ -183,7 +185,8 @@ Json results_schema() {
   }
   Json& contact = schema["properties"]["contact"];
   contact["type"] = contact["properties"]["admissible"]["type"] = Json::array({"object", "null"});
-  schema["properties"]["estimates"]["type"] = Json::array({"object", "null"});
+  Json& estimates = schema["properties"]["estimates"];
+  estimates["type"] = estimates["properties"]["geometry"]["type"] = Json::array({"object", "null"});
   add_others(schema);
   return schema;
 }

@@ -1,6 +1,6 @@
 #include <plastron/zones/contact_zones.hpp>
 
-#include <plastron/solution/nodal_solution.hpp>
+#include <plastron/solution/contact_faces.hpp>
 #include <plastron/solution/place_order.hpp>
 #include <plastron/zones/boundary_segments.hpp>
 
@@ -23,13 +23,13 @@ struct TouchingNode {
 
 /// Calls visit(TouchingNode) for the owned nodes that touch an obstacle.
 template <class Visit>
-void for_touching_nodes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+void for_touching_nodes(const assembly::DiscreteShell& discrete, const solution::ContactFaces& faces,
                         std::size_t obstacle, const ZoneLabels& labels, Visit&& visit) {
-  const auto block = static_cast<std::size_t>(solution.touching.block());
+  const auto block = static_cast<std::size_t>(faces.touching.block());
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    if (!discrete.space().continuity.constrains(i) && solution.touching.local()[i * block + obstacle] != 0)
+    if (!discrete.space().continuity.constrains(i) && faces.touching.local()[i * block + obstacle] != 0)
       visit(TouchingNode{labels.of_node[i], discrete.points[i], discrete.coordinates.gaps[obstacle][i],
-                         solution.pressure.local()[i * block + obstacle]});
+                         faces.pressure.local()[i * block + obstacle]});
 }
 
 using ZoneSums = Eigen::Matrix<double, 16, 1>;  // weight, nodes, force, moment, carried, carried x, weight x, peak
@@ -53,11 +53,11 @@ std::vector<ZoneSums> over_ranks(const std::vector<ZoneSums>& mine, MPI_Comm com
 
 /// Computes all members of the zones except the area, the place of the peak and the lines.
 std::vector<solution::ContactZone> zone_totals(const assembly::DiscreteShell& discrete,
-                                               const solution::NodalSolution& solution, std::size_t obstacle,
+                                               const solution::ContactFaces& faces, std::size_t obstacle,
                                                const ZoneLabels& labels) {
   std::vector<ZoneSums> sums(static_cast<std::size_t>(labels.count), ZoneSums::Zero());
-  for_touching_nodes(discrete, solution, obstacle, labels, [&](const TouchingNode& n) {
-    const double weight = n.point.weight, force = n.pressure * weight;
+  for_touching_nodes(discrete, faces, obstacle, labels, [&](const TouchingNode& n) {
+    const double weight = n.point.side_weight, force = n.pressure * weight;
     const Vector3d& place = n.gap.contact_point;
     ZoneSums& s = sums[static_cast<std::size_t>(n.zone)];
     s[0] += weight;
@@ -88,12 +88,12 @@ double extent_of(const assembly::DiscreteShell& discrete) {
 
 /// Finds the place of the peak. If several nodes share the peak up to rounding, takes the one whose place comes
 /// first.
-void find_peaks(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, std::size_t obstacle,
+void find_peaks(const assembly::DiscreteShell& discrete, const solution::ContactFaces& faces, std::size_t obstacle,
                 const ZoneLabels& labels, double size, std::vector<solution::ContactZone>& zones) {
   constexpr double same = 1 - 1e-9;
   constexpr std::size_t entries = 6;  // zone, x, place
   std::vector<double> mine;
-  for_touching_nodes(discrete, solution, obstacle, labels, [&](const TouchingNode& n) {
+  for_touching_nodes(discrete, faces, obstacle, labels, [&](const TouchingNode& n) {
     if (n.pressure < same * zones[static_cast<std::size_t>(n.zone)].peak_pressure) return;
     mine.push_back(n.zone);
     mine.insert(mine.end(), n.point.x.begin(), n.point.x.end());
@@ -116,8 +116,9 @@ std::vector<solution::ContactZone> zones_of(const assembly::DiscreteShell& discr
                                             double size) {
   const TouchingNodes touching(discrete, solution, obstacle);
   const ZoneLabels labels = zone_labels(discrete.space(), touching.inside());
-  std::vector<solution::ContactZone> zones = zone_totals(discrete, solution, obstacle, labels);
-  find_peaks(discrete, solution, obstacle, labels, size, zones);
+  const solution::ContactFaces faces = solution::contact_faces(discrete, solution);
+  std::vector<solution::ContactZone> zones = zone_totals(discrete, faces, obstacle, labels);
+  find_peaks(discrete, faces, obstacle, labels, size, zones);
   const ZoneBoundaries boundaries = zone_boundaries(discrete, solution, obstacle, touching, labels);
   std::vector<std::vector<Segment>> segments(zones.size());
   for (const Segment& s : boundaries.segments) segments[static_cast<std::size_t>(s.zone)].push_back(s);

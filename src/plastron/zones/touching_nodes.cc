@@ -2,7 +2,7 @@
 
 #include <plastron/constraints/map.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
-#include <plastron/solution/nodal_solution.hpp>
+#include <plastron/solution/contact_faces.hpp>
 #include <plastron/zones/sub_cells.hpp>
 
 #include <algorithm>
@@ -34,10 +34,11 @@ LocalIndex representative(const fem::Space& space, LocalIndex node) {
 
 TouchingNodes::TouchingNodes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                              std::size_t obstacle) {
-  const auto count = discrete.points.size(), block = static_cast<std::size_t>(solution.touching.block());
+  const algebra::Vector touching = solution::contact_faces(discrete, solution).touching;
+  const auto count = discrete.points.size(), block = static_cast<std::size_t>(touching.block());
   for (std::size_t i = 0; i < count; ++i) {
     const double gap = discrete.nodal_gap(obstacle, i, solution.y);
-    inside_.push_back(solution.touching.local()[i * block + obstacle] != 0 ? 1 : 0);
+    inside_.push_back(touching.local()[i * block + obstacle] != 0 ? 1 : 0);
     root_.push_back(std::sqrt(std::max(gap - discrete.state.lift(i, obstacle), 0.0)));
     place_.push_back(discrete.points[i].phi);
   }
@@ -53,7 +54,7 @@ void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& dis
   const fem::Space& space = discrete.space();
   if (space.shape() != fem::Shape::triangle || space.degree != 2) return;
   const auto has_bound = [&](LocalIndex node) {  // weights of constrained nodes were added to their masters
-    return discrete.points[static_cast<std::size_t>(representative(space, node))].weight > 0;
+    return discrete.points[static_cast<std::size_t>(representative(space, node))].side_weight > 0;
   };
   algebra::Vector sums(space.layout, block);
   for_neighbours(space, [&](LocalIndex a, LocalIndex b) {
