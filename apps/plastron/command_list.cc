@@ -31,14 +31,18 @@ std::vector<std::string> kinds_of_study() {
 
 void describe_values(const CLI::Option& option, Argument& argument) {
   const std::string& name = option.get_single_name();
-  const auto offer = [&](std::vector<std::string> words) {
-    argument.accepts = Accepts::words;
+  const auto offer = [&](std::vector<std::string> words, Accepts kind = Accepts::words) {
+    argument.accepts = kind;
     argument.words = std::move(words);
   };
   if (option.get_items_expected_max() == 0)
     argument.accepts = Accepts::nothing;
   else if (name == "CASE")
-    argument.accepts = Accepts::case_file;
+    offer({"toml"}, Accepts::file);
+  else if (name == "MESH")
+    offer({"msh", "inp"}, Accepts::file);
+  else if (name == "page")
+    offer({"html"}, Accepts::file);
   else if (name == "DIR" || name == "NAME" || name == "output" || name == "files")
     argument.accepts = Accepts::directory;
   else if (name == "KIND")
@@ -51,10 +55,9 @@ void describe_values(const CLI::Option& option, Argument& argument) {
     offer({"bash", "zsh", "fish"});
   else if (name == "template")
     offer(template_names());
-  else if (name == "set") {
-    offer(settable_keys());
-    argument.accepts = Accepts::setting;
-  } else
+  else if (name == "set")
+    offer(settable_keys(), Accepts::setting);
+  else
     argument.accepts = Accepts::number;
 }
 

@@ -8,13 +8,14 @@
 namespace plastron::app {
 
 /// Kinds of values of an argument.
-enum class Accepts { nothing, anything, number, case_file, directory, setting, words };
+enum class Accepts { nothing, anything, number, file, directory, setting, words };
 
 struct Argument {
   std::vector<std::string> names{};  ///< "-o", "--output"; for a positional argument "CASE"
   std::string meaning{}, fallback{};
   Accepts accepts = Accepts::nothing;
-  std::vector<std::string> words{};  ///< for Accepts::words and setting: known values; others may be possible
+  /// For Accepts::words and setting: known values; others may be possible. For Accepts::file: endings of its name.
+  std::vector<std::string> words{};
   bool is_required = false;
 };
 

@@ -35,8 +35,8 @@ std::string in_quotes(const std::string& text) {
 /// Returns the line that fills COMPREPLY.
 std::string bash_offer(const Argument& argument) {
   switch (argument.accepts) {
-    case Accepts::case_file:
-      return "_plastron_files";
+    case Accepts::file:
+      return fmt::format("_plastron_files {}", fmt::join(argument.words, " "));
     case Accepts::directory:
       return "_plastron_directories";
     case Accepts::setting:
@@ -54,7 +54,7 @@ _plastron_words() { mapfile -t COMPREPLY < <(compgen -W "$1" -- "$cur"); }
 _plastron_directories() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -d -- "$cur"); }
 _plastron_files() {
   compopt -o filenames 2>/dev/null
-  mapfile -t COMPREPLY < <(compgen -d -- "$cur"; compgen -f -X '!*.toml' -- "$cur")
+  mapfile -t COMPREPLY < <(compgen -d -- "$cur"; for ending in "$@"; do compgen -f -X "!*.$ending" -- "$cur"; done)
 }
 _plastron() {
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} command='' given=0 i
@@ -109,8 +109,8 @@ std::string zsh_text(const std::string& text) {
 
 std::string zsh_action(const Argument& argument) {
   switch (argument.accepts) {
-    case Accepts::case_file:
-      return "_files -g \"*.toml\"";
+    case Accepts::file:
+      return fmt::format("_files -g \"*.({})\"", fmt::join(argument.words, "|"));
     case Accepts::directory:
       return "_files -/";
     case Accepts::setting:
@@ -155,8 +155,12 @@ std::string zsh(const std::vector<Command>& commands) {
 
 std::string fish_values(const Argument& argument) {
   switch (argument.accepts) {
-    case Accepts::case_file:
-      return " -k -a '(__fish_complete_suffix .toml)'";
+    case Accepts::file: {
+      std::string suffixes;
+      for (const std::string& ending : argument.words)
+        suffixes += fmt::format("{}__fish_complete_suffix .{}", suffixes.empty() ? "" : "; ", ending);
+      return fmt::format(" -k -a '({})'", suffixes);
+    }
     case Accepts::directory:
       return " -x -a '(__fish_complete_directories)'";
     case Accepts::setting:
@@ -181,7 +185,8 @@ std::string fish(const std::vector<Command>& commands) {
       text += begin;
       for (const std::string& name : option.names)
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-      text += fmt::format("{} -d {}\n", fish_values(option), in_quotes(option.meaning));
+      text += fmt::format("{}{} -d {}\n", option.accepts == Accepts::file ? " -r" : "", fish_values(option),
+                          in_quotes(option.meaning));
     }
     for (const Argument& positional : c.positionals) {
       const std::string values = fish_values(positional);

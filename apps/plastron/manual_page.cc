@@ -32,6 +32,8 @@ std::string value_name(const Argument& option) {
       return "";
     case Accepts::directory:
       return "DIR";
+    case Accepts::file:
+      return "FILE";
     case Accepts::setting:
       return "KEY=VALUE";
     case Accepts::words:

@@ -226,6 +226,12 @@ TEST(BashCompletion, OffersCaseFilesWhereACaseIsWanted) {
   EXPECT_THAT(offered(scratch, "run a.toml ''"), IsEmpty());
 }
 
+TEST(BashCompletion, OffersMeshesWhereAMeshIsWanted) {
+  const Scratch scratch;
+  for (const char* name : {"a.msh", "b.inp", "c.toml", "d.html"}) scratch.write(name, "");
+  EXPECT_THAT(offered(scratch, "parts ''"), ElementsAre("a.msh", "b.inp"));
+}
+
 TEST(Completions, OfOtherShellsHaveEveryCommand) {
   for (const char* shell : {"zsh", "fish"}) {
     const std::string text = answer({"completion", shell});
