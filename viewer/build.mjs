@@ -41,7 +41,7 @@ const inside = Object.entries(Object.values(result.metafile.outputs)[0].inputs)
   .filter(([path, { bytesInOutput }]) => path.includes('node_modules/') && bytesInOutput > 0)
   .map(([path]) => packageOf(path));
 const licences = [...new Set(inside)].sort().map(licenceOf).join('\n\n---\n\n');
-const banner = `/*! Plastron's view of a deformed shell (GPL-3.0-or-later), with parts of:\n\n${licences}\n*/\n`;
+const banner = `/*! Plastron's three-dimensional view (GPL-3.0-or-later), with parts of:\n\n${licences}\n*/\n`;
 if (/<\/script|\*\/[^]*\*\//i.test(banner)) throw new Error('a licence cannot stand in a comment of a page');
 const script = (banner + result.outputFiles[0].text).replaceAll('\r\n', '\n'); // a page's parser does the same
 writeFileSync(output, script);

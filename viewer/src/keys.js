@@ -1,6 +1,7 @@
 // The view from the keyboard, once it has the focus.
 
-export const help = 'Drag: turn. Shift and drag: move. Wheel or pinch: closer. Click: values. Keys: arrows turn, + and - zoom, 0 resets, P shows the values in the middle.';
+/** `probed`: what a click shows. */
+export const help = (probed) => `Drag: turn. Shift and drag: move. Wheel or pinch: closer. Click: ${probed}. Keys: arrows turn, + and - zoom, 0 resets, P is a click in the middle.`;
 
 export function listenToKeys(stage, { view, reset, probe }) {
   const actions = {

@@ -35,3 +35,26 @@ export function pickedPoint(points, polys, origin, direction) {
   }
   return picked;
 }
+
+/** Whether a triangle lies between a point and the eye. A part `near` of the way is left out at the point. */
+export function isHidden(points, polys, eye, point, near = 0.004) {
+  const [dx, dy, dz] = minus(point, eye);
+  for (let k = 0; k < polys.length; k += 4) {
+    const [a, b, c] = [3 * polys[k + 1], 3 * polys[k + 2], 3 * polys[k + 3]];
+    // As in meeting(), without arrays: it runs for each name.
+    const [abx, aby, abz] = [points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2]];
+    const [acx, acy, acz] = [points[c] - points[a], points[c + 1] - points[a + 1], points[c + 2] - points[a + 2]];
+    const [px, py, pz] = [dy * acz - dz * acy, dz * acx - dx * acz, dx * acy - dy * acx];
+    const determinant = abx * px + aby * py + abz * pz;
+    if (determinant === 0) continue;
+    const [sx, sy, sz] = [eye[0] - points[a], eye[1] - points[a + 1], eye[2] - points[a + 2]];
+    const u = (sx * px + sy * py + sz * pz) / determinant;
+    if (u < 0 || u > 1) continue;
+    const [qx, qy, qz] = [sy * abz - sz * aby, sz * abx - sx * abz, sx * aby - sy * abx];
+    const v = (dx * qx + dy * qy + dz * qz) / determinant;
+    if (v < 0 || u + v > 1) continue;
+    const t = (acx * qx + acy * qy + acz * qz) / determinant;
+    if (t > 0 && t < 1 - near) return true;
+  }
+  return false;
+}

@@ -1,4 +1,5 @@
-// The picture: vtk.js actors of shell, mesh, undeformed mesh, obstacles, supports and contact boundaries, and the camera. Knows no buttons.
+// A picture of cells: the window, layers of vtk.js actors, and the camera. Knows no buttons. Pages add their layers (deformed_view.js,
+// parts_view.js).
 import '@kitware/vtk.js/Rendering/OpenGL/Actor';
 import '@kitware/vtk.js/Rendering/OpenGL/Camera';
 import '@kitware/vtk.js/Rendering/OpenGL/PolyDataMapper';
@@ -15,11 +16,13 @@ import vtkTrackball from '@kitware/vtk.js/Interaction/Style/InteractorStyleTrack
 
 import { cellArrays } from './cells.js';
 import { fitted } from './camera.js';
-import { pickedPoint } from './pick.js';
-import { boundsOf, diagonal, directors, linesOnSurface, moved, tubes } from './shapes.js';
+import { isHidden, pickedPoint } from './pick.js';
+import { boundsOf, diagonal, tubes } from './shapes.js';
+
+export const normalsArray = (values) => vtkDataArray.newInstance({ numberOfComponents: 3, values });
 
 /** A layer of the picture. `cells` sets polys or lines; `look` its property. */
-function layer(renderer, points, cells, look) {
+export function layer(renderer, points, cells, look) {
   const data = vtkPolyData.newInstance();
   data.getPoints().setData(points, 3);
   if (cells.polys) data.getPolys().setData(cells.polys);
@@ -85,84 +88,59 @@ export class View {
     this.container = container;
     this.scene = scene;
     Object.assign(this, openWindow(container));
-    this.points = new Float32Array(scene.position.length);
-    this.normals = new Float32Array(scene.position.length);
+    this.points = scene.position;
     this.cells = cellArrays(scene.shape, scene.subdivisions, scene.cells);
-    this.lines = linesOnSurface(scene);
     this.size = diagonal(boundsOf(scene.position)) || 1;
-    this.addLayers();
-    this.setScale(0);
-    this.resize();
   }
 
-  addLayers() {
-    const { renderer, scene, cells } = this;
-    const flat = { lighting: false };
-    this.obstacles = scene.obstacles.map((o) => {
-      const polys = new Uint32Array((o.triangles.length / 3) * 4);
-      for (let t = 0; 3 * t < o.triangles.length; ++t) polys.set([3, ...o.triangles.subarray(3 * t, 3 * t + 3)], 4 * t);
-      return layer(renderer, o.points, { polys }, { opacity: 0.26, ambient: 0.6, diffuse: 0.4 });
-    });
-    this.ghost = layer(renderer, scene.position, { lines: cells.lines }, { ...flat, opacity: 0.45 });
-    this.shell = layer(renderer, this.points, { polys: cells.polys }, { ambient: 0.5, diffuse: 0.5, specular: 0.08, specularPower: 20 });
-    this.edges = layer(renderer, this.points, { lines: cells.lines }, { ...flat, color: [1, 1, 1], opacity: 0.3 });
-    this.contact = layer(renderer, new Float32Array(0), { polys: new Uint32Array(0) }, { ...flat });
-    this.supports = layer(renderer, new Float32Array(0), { polys: new Uint32Array(0) }, { ...flat });
-    this.mark = sphere(renderer, [1, 1, 1]);
+  /** A layer of all cells, whose points have colours. */
+  addSurface(look) {
+    const surface = layer(this.renderer, this.points, { polys: this.cells.polys }, { ambient: 0.5, diffuse: 0.5, specular: 0.08, specularPower: 20, ...look });
+    surface.mapper.setColorModeToDirectScalars();
+    surface.mapper.setScalarVisibility(true);
+    return surface;
+  }
+
+  addMark() {
+    this.mark = sphere(this.renderer, [1, 1, 1]);
     this.mark.actor.setVisibility(false);
-    this.shell.mapper.setColorModeToDirectScalars();
-    this.shell.mapper.setScalarVisibility(true);
   }
 
-  /** Colours of the page: {background, line, obstacle, contact, support}, each [r, g, b] from 0 to 1. */
+  /** Colours of the page: {background, line, ...}, each [r, g, b] from 0 to 1. */
   setTheme(theme) {
     this.renderer.setBackground(...theme.background);
-    this.obstacles.forEach((o) => o.actor.getProperty().setColor(...theme.obstacle));
-    this.ghost.actor.getProperty().setColor(...theme.line);
-    this.contact.actor.getProperty().setColor(...theme.contact);
-    this.supports.actor.getProperty().setColor(...theme.support);
     this.mark.actor.getProperty().setColor(...theme.line);
     this.render();
   }
 
-  setColours(colours) {
-    this.shell.data.getPointData().setScalars(vtkDataArray.newInstance({ numberOfComponents: 3, values: colours }));
-    this.shell.data.modified();
-    this.render();
+  /** Three bytes for each point. */
+  setSurfaceColours(surface, colours) {
+    surface.data.getPointData().setScalars(vtkDataArray.newInstance({ numberOfComponents: 3, values: colours }));
+    surface.data.modified();
   }
 
-  setScale(scale) {
-    this.scale = scale;
-    const { scene } = this;
-    this.points = moved(scene.position, scale, scene.u, new Float32Array(scene.position.length));
-    this.normals = directors(scene, scale, new Float32Array(scene.position.length));
-    this.shell.data.getPointData().setNormals(vtkDataArray.newInstance({ numberOfComponents: 3, values: this.normals }));
-    this.shell.move(this.points);
-    this.edges.move(this.points);
-    this.drawLines(this.contact, this.lines);
-    this.drawLines(this.supports, scene.supports);
-    if (this.marked !== undefined) this.placeMark();
-    this.render();
-  }
-
-  drawLines(target, lines) {
-    const polylines = lines.map((l) => moved(l.points, this.scale, l.displacements, new Float32Array(l.points.length)));
-    const { points, polys } = tubes(polylines, 0.0022 * this.size);
+  drawTubes(target, polylines, radius) {
+    const { points, polys } = tubes(polylines, radius);
     target.data.getPolys().setData(polys);
     target.move(points);
   }
 
-  /** 'edges', 'ghost', 'obstacles', 'contact' or 'supports'. */
+  /** The name of a layer, or of a list of layers. */
   show(name, isVisible) {
     for (const { actor } of [this[name]].flat()) actor.setVisibility(isVisible);
     this.render();
+  }
+
+  /** Points that look() brings into the picture. */
+  outline() {
+    return this.points;
   }
 
   /** Looks at all of the shell along a direction of length 1; `up` points upwards. */
   look(direction, up) {
     const camera = this.renderer.getActiveCamera();
     const { width, height } = this.container.getBoundingClientRect();
-    const { centre, distance } = fitted(this.points, direction, up, width / height, camera.getViewAngle());
+    const { centre, distance } = fitted(this.outline(), direction, up, width / height, camera.getViewAngle());
     camera.setFocalPoint(...centre);
     camera.setPosition(...centre.map((c, d) => c - distance * direction[d]));
     camera.setViewUp(...up);
@@ -193,6 +171,23 @@ export class View {
     const near = this.glWindow.displayToWorld(px, py, 0, this.renderer);
     const far = this.glWindow.displayToWorld(px, py, 1, this.renderer);
     return pickedPoint(this.points, this.cells.polys, near, far.map((value, d) => value - near[d]));
+  }
+
+  /** The place of a point of space in the container [CSS px]. */
+  project(point) {
+    const [width, height] = this.glWindow.getSize();
+    const box = this.container.getBoundingClientRect();
+    const [x, y] = this.glWindow.worldToDisplay(...point, this.renderer);
+    return [(x / width) * box.width, (1 - y / height) * box.height];
+  }
+
+  /** Whether the surface hides a point. */
+  hides(point) {
+    return isHidden(this.points, this.cells.polys, this.renderer.getActiveCamera().getPosition(), point);
+  }
+
+  pointAt(number) {
+    return Array.from(this.points.subarray(3 * number, 3 * number + 3));
   }
 
   setMark(point) {

@@ -1,11 +1,13 @@
 // Bytes as text, by OpenSSL: SHA-256 to detect changes of files, and base64 to embed numbers in text files.
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace plastron::io {
 
@@ -23,5 +25,12 @@ Checksum checksum_of_file(const std::filesystem::path& path);
 /// Returns the bytes in the standard alphabet of base64, with padding.
 std::string base64(std::span<const std::byte> bytes);
 std::string base64(const std::string& bytes);
+
+static_assert(std::endian::native == std::endian::little, "pages hold little-endian numbers");
+/// Returns the numbers, each in its little-endian bytes, as base64.
+template <class Number>
+std::string base64_of_numbers(const std::vector<Number>& numbers) {
+  return base64(std::as_bytes(std::span(numbers.data(), numbers.size())));
+}
 
 }  // namespace plastron::io

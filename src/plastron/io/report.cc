@@ -1,6 +1,7 @@
 #include <plastron/io/report.hpp>
 
 #include <plastron/io/bytes.hpp>
+#include <plastron/io/embedded_page.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/report_html.hpp>
 #include <plastron/io/report_scene.hpp>
@@ -8,35 +9,9 @@
 
 #include <fmt/format.h>
 
-// Defined in embedded_page.S, which includes the files without change.
-extern "C" {
-extern const char plastron_page_begin[], plastron_page_end[];
-extern const char plastron_style_begin[], plastron_style_end[];
-extern const char plastron_script_begin[], plastron_script_end[];
-extern const char plastron_script_source_begin[], plastron_script_source_end[];
-}
-
 namespace plastron::io {
 
 namespace {
-
-/// The parts of the page that do not depend on the computation (cmake/PlastronViewer.cmake). Page and style are copied
-/// from viewer/src; the script is bundled from viewer/src with vtk.js.
-struct EmbeddedPage {
-  std::string_view page;    ///< HTML with places {{...}} that report_html() fills
-  std::string_view style;   ///< CSS
-  std::string_view script;  ///< the three-dimensional view; empty where Plastron was built with PLASTRON_VIEWER=OFF
-  std::string_view script_source;  ///< hash of the script, its name in the page's policy; 'none' without script
-};
-
-std::string_view between(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
-
-EmbeddedPage embedded_page() {
-  return {.page = between(plastron_page_begin, plastron_page_end),
-          .style = between(plastron_style_begin, plastron_style_end),
-          .script = between(plastron_script_begin, plastron_script_end),
-          .script_source = between(plastron_script_source_begin, plastron_script_source_end)};
-}
 
 /// Returns a text on the drawn instant, for a computation with steps.
 std::string instant_html(const Json& results) {
@@ -54,9 +29,7 @@ std::string view_html(const Json& results, const Json& scene, bool has_script) {
     return "<p class=\"note\">There is no surface to draw: nothing was solved, the solution is not finite, or the "
            "coarsest "
            "mesh has too many points for this page. In the last case open solution.pvd in ParaView.</p>\n";
-  return instant_html(results) +
-         "<div id=\"view\"><noscript><p class=\"note\">The three-dimensional view needs JavaScript. The other parts of "
-         "this page do not.</p></noscript></div>\n";
+  return instant_html(results) + view_place_html();
 }
 
 /// Returns the plots as pictures with separate styles and names.
@@ -93,18 +66,15 @@ std::string content_html(const Json& results, const Json& scene, const std::vect
 }  // namespace
 
 std::string report_html(const Json& results, const Json& scene, const std::vector<LineTable>& lines) {
-  const EmbeddedPage parts = embedded_page();
+  const bool has_script = !embedded_page().script.empty();
   const std::string given = plain_words(at_path(results, "title"));
-  const std::string title = html_text(given.empty() ? "A shell computed by Plastron" : given);
-  return filled(parts.page,
-                {{"title", title},
-                 {"style", std::string(parts.style)},
-                 {"version", html_text(plain_words(at_path(results, "versions/plastron")))},
-                 {"content", unit_names(results).renamed(content_html(results, scene, lines, !parts.script.empty()))},
-                 {"results", script_json(results)},
-                 {"scene", script_json(parts.script.empty() ? Json(nullptr) : scene)},
-                 {"script_source", std::string(parts.script_source)},
-                 {"script", std::string(parts.script)}});
+  return page_html({.title = html_text(given.empty() ? "A shell computed by Plastron" : given),
+                    .kind = "report",
+                    .version = html_text(plain_words(at_path(results, "versions/plastron"))),
+                    .content = unit_names(results).renamed(content_html(results, scene, lines, has_script)),
+                    .footer = "This page needs no network; all numbers are those of results.json, which it holds.",
+                    .results = script_json(results),
+                    .scene = script_json(has_script ? scene : Json(nullptr))});
 }
 
 void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,

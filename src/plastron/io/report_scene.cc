@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -184,16 +183,9 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the page holds little-endian numbers");
-
-template <class Number>
-std::string array_text(const std::vector<Number>& values) {
-  return base64(std::as_bytes(std::span(values.data(), values.size())));
-}
-
 Json row_json(const std::vector<float>& row) {
   const bool is_constant = !row.empty() && std::ranges::all_of(row, [&](float value) { return value == row.front(); });
-  return is_constant ? number(row.front()) : Json(array_text(row));
+  return is_constant ? number(row.front()) : Json(base64_of_numbers(row));
 }
 
 Json fields_json(const SampledSurface& surface, const problem::UnitNames& units) {
@@ -222,7 +214,7 @@ Json obstacle_json(const obstacle::TriangleMesh& mesh, const std::string& name) 
   std::vector<std::uint32_t> corners;
   for (const auto& triangle : mesh.triangles)
     for (const auto corner : triangle) corners.push_back(static_cast<std::uint32_t>(corner));
-  return {{"name", name}, {"points", array_text(points)}, {"triangles", array_text(corners)}};
+  return {{"name", name}, {"points", base64_of_numbers(points)}, {"triangles", base64_of_numbers(corners)}};
 }
 
 Json obstacles_json(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent,
@@ -248,8 +240,8 @@ Json lines_json(const solution::Summary& summary) {
         }
         list.push_back({{"obstacle", o},
                         {"rim", line.is_rim},
-                        {"points", array_text(points)},
-                        {"displacements", array_text(displacements)}});
+                        {"points", base64_of_numbers(points)},
+                        {"displacements", base64_of_numbers(displacements)}});
       }
   return list;
 }
@@ -290,8 +282,8 @@ Json supports_json(const assembly::DiscreteShell& discrete, const solution::Noda
         displacements.push_back(static_cast<float>(side[4 + 6 * k + d]));
       }
     list.push_back({{"boundary", names[static_cast<std::size_t>(side.front())]},
-                    {"points", array_text(points)},
-                    {"displacements", array_text(displacements)}});
+                    {"points", base64_of_numbers(points)},
+                    {"displacements", base64_of_numbers(displacements)}});
   }
   return list;
 }

@@ -1,0 +1,65 @@
+// report.html's three-dimensional view: the deformed shell and its controls.
+import { checkbox, choice, element } from './dom.js';
+import { colourMaps, coloured } from './colours.js';
+import { deformationSlider, scalesFor } from './deformation.js';
+import { DeformedView } from './deformed_view.js';
+import { Probe } from './probe.js';
+import { defaultQuantity, quantitiesOf, rangeOf } from './quantities.js';
+import { ScaleBar } from './scale_bar.js';
+import { Stage } from './stage.js';
+
+const variables = { background: '--stage', line: '--line3d', obstacle: '--obstacle', contact: '--contact', support: '--support' };
+
+function drawnNote(scene) {
+  const parts = [];
+  if (scene.merged > 1) parts.push(`Each drawn cell is a block of ${scene.merged} x ${scene.merged} cells of the mesh, of which there are ${scene.mesh_cells}: a page holds no more. All points are in solution.vtu.`);
+  else if (scene.subdivisions < scene.degree) parts.push(`Each cell, of degree ${scene.degree}, is drawn with ${scene.subdivisions + 1} points a side: a page holds no more. All points are in solution.vtu.`);
+  return parts.join(' ');
+}
+
+export function startReport(place, scene) {
+  const stage = new Stage('The deformed shell.', 'values');
+  const bar = new ScaleBar();
+  const probe = new Probe(scene);
+  const options = element('div', { class: 'options' });
+  stage.frame.append(bar.node);
+  place.replaceChildren(options, stage.frame, stage.actions, stage.help, probe.node);
+  const note = drawnNote(scene);
+  if (note) place.append(element('p', { class: 'note drawn' }, note));
+
+  const view = new DeformedView(stage.stage, scene);
+  const quantities = quantitiesOf(scene);
+  const state = { quantity: defaultQuantity(scene), map: 'viridis' };
+  const paint = () => {
+    const quantity = quantities.find((q) => q.id === state.quantity);
+    const values = quantity.values();
+    bar.set(quantity.label, rangeOf(values), colourMaps[state.map]);
+    view.setColours(coloured(values, bar.range, bar.map));
+  };
+  const showValues = (x, y) => {
+    const point = view.pick(x, y);
+    view.setMark(point);
+    probe.show(point);
+  };
+  const slider = deformationSlider(scalesFor(scene, view.size), (scale) => {
+    view.setScale(scale);
+    place.dataset.scale = String(scale);
+  });
+
+  options.append(
+    choice('Colours', quantities, state.quantity, (id) => paint((state.quantity = id))),
+    choice('Map', Object.keys(colourMaps).map((id) => ({ id, label: id })), state.map, (id) => paint((state.map = id))),
+    slider.node,
+  );
+  const layers = [['mesh', 'edges', true], ['undeformed', 'ghost', false]];
+  if (scene.obstacles.length > 0) layers.push(['obstacles', 'obstacles', true, '--obstacle']);
+  if (scene.lines.length > 0) layers.push(['contact boundary', 'contact', true, '--contact']);
+  if (scene.supports.length > 0) layers.push(['supports', 'supports', true, '--support']);
+  for (const [label, name, isVisible, sample] of layers) {
+    stage.actions.append(checkbox(label, isVisible, (is) => view.show(name, is), sample));
+    view.show(name, isVisible);
+  }
+  paint();
+  slider.reset();
+  stage.start(view, { variables, probe: showValues, key: bar });
+}
