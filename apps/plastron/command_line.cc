@@ -178,6 +178,7 @@ CLI::App* add_parts(CLI::App& program, PartsOptions& options) {
       ->capture_default_str();
   parts->add_option("--smooth", options.smooth, "Largest angle of smooth edges in degrees")
       ->check(CLI::Range(0.0, 170.0));
+  parts->add_option("--page", options.page, "File to write: the mesh to turn round, and these tables (.html)");
   return parts;
 }
 

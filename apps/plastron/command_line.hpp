@@ -66,6 +66,7 @@ struct PartsOptions {
   std::string file{};  ///< a mesh in space
   double scale = 1;    ///< factor of its lengths
   double smooth = 0;   ///< largest angle of smooth edges [degrees]; 0: the default of its order
+  std::string page{};  ///< HTML file to write; empty: none
 };
 
 /// The commands run, check, compare and verify, which share one Options.

@@ -230,6 +230,7 @@ TEST(BashCompletion, OffersMeshesWhereAMeshIsWanted) {
   const Scratch scratch;
   for (const char* name : {"a.msh", "b.inp", "c.toml", "d.html"}) scratch.write(name, "");
   EXPECT_THAT(offered(scratch, "parts ''"), ElementsAre("a.msh", "b.inp"));
+  EXPECT_THAT(offered(scratch, "parts a.msh --page ''"), ElementsAre("d.html"));
 }
 
 TEST(Completions, OfOtherShellsHaveEveryCommand) {

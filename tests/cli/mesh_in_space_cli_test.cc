@@ -61,6 +61,46 @@ TEST(MeshInSpace, IsListedByItsParts) {
   EXPECT_EQ(missing.exit_code, 2);
 }
 
+TEST(MeshInSpace, IsAPageToTurnRound) {
+  const Scratch scratch;
+  std::ofstream(scratch.path / "angle.msh") << msh;
+  std::ofstream(scratch.path / "page.html") << "an earlier page";
+  const Outcome parts = plastron({"parts", "angle.msh", "--page", "page.html"}, scratch.path);
+  EXPECT_EQ(parts.exit_code, 0) << parts.output;
+  EXPECT_THAT(parts.output, AllOf(HasSubstr("fold 1"), HasSubstr("page.html")));
+  EXPECT_THAT(files_below(scratch.path), testing::UnorderedElementsAre("angle.msh", "page.html"));
+  const std::string page = text_of(scratch.path / "page.html");
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  EXPECT_THAT(page, AllOf(HasSubstr("<td class=\"word\">wall</td>"), HasSubstr("\"name\":\"edge\""),
+                          HasSubstr("\"name\":\"fold 1\"")));
+  EXPECT_EQ(page.find(" src=\"http"), std::string::npos);
+}
+
+TEST(MeshInSpace, IsNoPageWhereItCannotBeOne) {
+  const Scratch scratch;
+  std::ofstream(scratch.path / "angle.msh") << msh;
+  std::ofstream(scratch.path / "flat.msh") << msh.substr(0, msh.find("$Elements"));
+  std::ofstream(scratch.path / "kept.html") << "kept";
+  fs::create_directory(scratch.path / "folder.html");
+  fs::create_symlink("angle.msh", scratch.path / "mesh.html");
+  const auto expect = [&](const std::string& mesh, const std::string& page, const std::string& message) {
+    const Outcome outcome = plastron({"parts", mesh, "--page", page}, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 2) << mesh << " " << page;
+    EXPECT_THAT(outcome.output, HasSubstr(message));
+  };
+  expect("angle.msh", "angle.msh", "must end in .html");
+  expect("angle.msh", "mesh.html", "would replace the mesh");
+  expect("angle.msh", "nowhere/page.html", "choose another place with --page");
+  expect("angle.msh", "folder.html", "choose another place with --page");
+  expect("flat.msh", "kept.html", "flat.msh");
+  const Outcome full = shell("trap '' XFSZ; ulimit -f 300; $PLASTRON parts angle.msh --page kept.html", scratch.path);
+  EXPECT_EQ(full.exit_code, 2) << full.output;
+  EXPECT_EQ(text_of(scratch.path / "kept.html"), "kept");
+  EXPECT_EQ(text_of(scratch.path / "angle.msh"), msh);
+  fs::remove(scratch.path / "mesh.html");
+  EXPECT_THAT(files_below(scratch.path), testing::UnorderedElementsAre("angle.msh", "flat.msh", "kept.html"));
+}
+
 TEST(MeshInSpace, IsExaminedWithThePlacesOfItsPoints) {
   const Scratch scratch;
   std::ofstream(scratch.path / "angle.msh") << msh;

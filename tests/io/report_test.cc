@@ -8,12 +8,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <io/decoded_base64.hpp>
 #include <io/pressed_plate.hpp>
 #include <io/scratch_directory.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace plastron::io {
 
@@ -35,20 +35,6 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
   return n;
 }
 
-std::string decoded(const std::string& text) {
-  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t word = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    word = (word << 6U) | static_cast<std::uint32_t>(letters.find(c));
-    bits += 6;
-    if (bits >= 8) bytes += static_cast<char>((word >> static_cast<unsigned>(bits -= 8)) & 255U);
-  }
-  return bytes;
-}
-
 /// A row of a field; a single number stands for all.
 std::vector<float> row_of(const Json& scene, const std::string& key, std::size_t component) {
   const auto points = scene["points"].get<std::size_t>();
@@ -56,10 +42,7 @@ std::vector<float> row_of(const Json& scene, const std::string& key, std::size_t
     if (field["key"] == Json(key)) {
       const Json& values = field["values"][component];
       if (values.is_number()) return std::vector<float>(points, values.get<float>());
-      const std::string bytes = decoded(values.get<std::string>());
-      std::vector<float> row(bytes.size() / sizeof(float));
-      std::memcpy(row.data(), bytes.data(), bytes.size());
-      return row;
+      return decoded_numbers<float>(values.get<std::string>());
     }
   ADD_FAILURE() << "no field " << key;
   return {};

@@ -40,3 +40,22 @@ export function cellArrays(shape, n, cells) {
   }
   return { polys, lines };
 }
+
+/** Number of points of a cell. */
+export const pointsPerCell = (shape, n) => pattern(shape, n).points;
+
+/** The middle of a cell as it is drawn: [[point, weight], ...] with numbers of its points. */
+export function middleOf(shape, n) {
+  if (shape === 'triangle') {
+    const start = (j) => j * (n + 1) - (j * (j - 1)) / 2;
+    const at = (i, j) => start(j) + i;
+    const k = Math.floor(n / 3);
+    const rest = n / 3 - k; // in the small triangle at (k, k), or in the turned one beside it
+    return 2 * rest <= 1
+      ? [[at(k, k), 1 - 2 * rest], [at(k + 1, k), rest], [at(k, k + 1), rest]].filter(([, weight]) => weight > 1e-9)
+      : [[at(k + 1, k + 1), 2 * rest - 1], [at(k + 1, k), 1 - rest], [at(k, k + 1), 1 - rest]];
+  }
+  const at = (i, j) => (n + 1) * j + i;
+  const k = Math.floor(n / 2);
+  return n % 2 === 0 ? [[at(k, k), 1]] : [[at(k + 1, k), 0.5], [at(k, k + 1), 0.5]];
+}

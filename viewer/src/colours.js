@@ -37,3 +37,24 @@ export function coloured(values, [low, high], map) {
   }
   return colours;
 }
+
+// Light colours that can be told apart with any colour vision (Paul Tol's "light"), so that edges show on them.
+const light = ['77aadd', 'ee8866', 'bbcc33', 'ffaabb', '44bb99', 'eedd88', '99ddff', 'aaaa00'];
+
+const channels = (hex) => [0, 2, 4].map((k) => parseInt(hex.slice(k, k + 2), 16));
+
+/** Hue in degrees, saturation and lightness from 0 to 1, as three numbers from 0 to 255. */
+function fromHue(hue, saturation, lightness) {
+  const a = saturation * Math.min(lightness, 1 - lightness);
+  return [0, 8, 4].map((k) => {
+    const t = (k + hue / 30) % 12;
+    return Math.round(255 * (lightness - a * Math.max(-1, Math.min(t - 3, 9 - t, 1))));
+  });
+}
+
+/** `count` colours; after the first ones hues that are far from the hues before. */
+export const distinctColours = (count) =>
+  Array.from({ length: count }, (_, k) => (k < light.length ? channels(light[k]) : fromHue((k * 137.508) % 360, 0.55, k % 2 ? 0.72 : 0.58)));
+
+/** A colour with a part of another. */
+export const mixed = (colour, other, part) => colour.map((c, k) => Math.round((1 - part) * c + part * other[k]));

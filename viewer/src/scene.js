@@ -1,4 +1,4 @@
-// The scene of report.html as typed arrays: what io/report_scene.cc writes.
+// The scenes of the pages as typed arrays: what io/report_scene.cc and io/surface_scene.cc write.
 
 function bytesOf(text) {
   const letters = atob(text);
@@ -8,6 +8,7 @@ function bytesOf(text) {
 }
 
 const floats = (text) => new Float32Array(bytesOf(text));
+const numbers = (text) => new Uint32Array(bytesOf(text));
 
 /** A row of `points` values; one number stands for all. */
 function row(values, points) {
@@ -42,9 +43,32 @@ export function readScene(json) {
     obstacles: json.obstacles.map((o) => ({
       name: o.name,
       points: floats(o.points),
-      triangles: new Uint32Array(bytesOf(o.triangles)),
+      triangles: numbers(o.triangles),
     })),
     lines: json.lines.map(polyline),
     supports: json.supports.map(polyline),
+  };
+}
+
+/** A mesh in space. Its points are relative to `origin`; `edges` and `curves` as in io/surface_scene.hpp. */
+export function readParts(json) {
+  const { edges } = json;
+  return {
+    ...json,
+    position: floats(json.positions),
+    normal: floats(json.normals),
+    region: numbers(json.region),
+    line: numbers(json.line),
+    turned: numbers(json.turned),
+    number: new Float64Array(bytesOf(json.number)),
+    edges: {
+      kinds: edges.kinds,
+      kind: numbers(edges.kind),
+      angle: floats(edges.angle),
+      doubtful: numbers(edges.doubtful),
+      places: numbers(edges.places),
+      sides: numbers(edges.sides),
+    },
+    curves: json.curves.map((curve) => ({ ...curve, edges: numbers(curve.edges), marks: numbers(curve.marks) })),
   };
 }

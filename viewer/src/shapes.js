@@ -66,14 +66,16 @@ function crossed(a, b) {
   return c.map((value) => value / size);
 }
 
-/** Tubes round polylines, as screens draw lines of one pixel only: {points, polys}. */
+/** Tubes round polylines, as screens draw lines of one pixel only: {points, polys}. `radius` is one number, or one for each line. */
 export function tubes(polylines, radius) {
+  const radiusOf = typeof radius === 'number' ? () => radius : (k) => radius[k];
   const count = polylines.reduce((sum, line) => sum + line.length / 3, 0);
   const points = new Float32Array(3 * sides * count);
   const polys = [];
   let first = 0;
-  for (const line of polylines) {
+  for (const [number, line] of polylines.entries()) {
     const n = line.length / 3;
+    const thick = radiusOf(number);
     for (let k = 0; k < n; ++k) {
       const before = 3 * Math.max(k - 1, 0);
       const after = 3 * Math.min(k + 1, n - 1);
@@ -82,8 +84,8 @@ export function tubes(polylines, radius) {
       const e1 = crossed(along, [0, 1, 2].map((d) => (d === least ? 1 : 0)));
       const e2 = crossed(along, e1);
       for (let s = 0; s < sides; ++s) {
-        const c = radius * Math.cos((2 * Math.PI * s) / sides);
-        const z = radius * Math.sin((2 * Math.PI * s) / sides);
+        const c = thick * Math.cos((2 * Math.PI * s) / sides);
+        const z = thick * Math.sin((2 * Math.PI * s) / sides);
         for (let d = 0; d < 3; ++d) points[3 * (first + sides * k + s) + d] = line[3 * k + d] + c * e1[d] + z * e2[d];
       }
       for (let s = 0; k > 0 && s < sides; ++s) {
@@ -94,4 +96,52 @@ export function tubes(polylines, radius) {
     first += sides * n;
   }
   return { points, polys: Uint32Array.from(polys) };
+}
+
+/** Two unit vectors at right angles to a unit vector and to each other. */
+function across(n) {
+  const least = n.map(Math.abs).indexOf(Math.min(...n.map(Math.abs)));
+  const e1 = crossed(n, [0, 1, 2].map((d) => (d === least ? 1 : 0)));
+  return [e1, crossed(n, e1)];
+}
+
+const ring = (n, place, radius) => {
+  const [e1, e2] = across(n);
+  return Array.from({ length: sides }, (_, s) => {
+    const [c, z] = [radius * Math.cos((2 * Math.PI * s) / sides), radius * Math.sin((2 * Math.PI * s) / sides)];
+    return place.map((x, d) => x + c * e1[d] + z * e2[d]);
+  }).flat();
+};
+
+/** Arrows of a length that begin at places, along unit vectors: {points, polys}. */
+export function arrows(places, directions, length) {
+  const points = [];
+  const polys = [];
+  places.forEach((place, k) => {
+    const n = directions[k];
+    const along = (t) => place.map((x, d) => x + t * length * n[d]);
+    const first = points.length / 3;
+    points.push(...ring(n, place, 0.03 * length), ...ring(n, along(0.68), 0.03 * length), ...ring(n, along(0.68), 0.11 * length), ...along(1));
+    for (let s = 0; s < sides; ++s) {
+      const next = (s + 1) % sides;
+      polys.push(4, first + s, first + next, first + sides + next, first + sides + s);
+      polys.push(3, first + 2 * sides + s, first + 2 * sides + next, first + 3 * sides);
+    }
+    polys.push(sides, ...Array.from({ length: sides }, (_, s) => first + 2 * sides + s));
+  });
+  return { points: Float32Array.from(points), polys: Uint32Array.from(polys) };
+}
+
+/** Discs on both sides of a surface, `lift` above it: {points, polys}. */
+export function discs(places, normals, radii, lift) {
+  const points = [];
+  const polys = [];
+  places.forEach((place, k) => {
+    for (const side of [1, -1]) {
+      const first = points.length / 3;
+      points.push(...ring(normals[k], place.map((x, d) => x + side * lift * normals[k][d]), radii[k]));
+      polys.push(sides, ...Array.from({ length: sides }, (_, s) => first + s));
+    }
+  });
+  return { points: Float32Array.from(points), polys: Uint32Array.from(polys) };
 }
