@@ -2,20 +2,14 @@
 // node report_test.mjs PROGRAM PACKAGES OUTPUT [PICTURES]; ends with 77 if there is no Chromium.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
+import { existsSync, mkdirSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { fileURLToPath } from 'node:url';
+
+import { openPage, runTests } from './browser.mjs';
 
 const [program, packages, output, pictures] = process.argv.slice(2).map((path) => resolve(path));
 const here = dirname(fileURLToPath(import.meta.url));
-const chromiumPath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
-if (!chromiumPath) {
-  console.log('skipped: Chromium is not installed (scripts/test-report installs it)');
-  process.exit(77);
-}
-const { chromium } = createRequire(join(packages, 'package.json'))('playwright-core');
 
 const run = (...more) => execFileSync(program, ['run', join(here, 'case.toml'), '--quiet', '--output', output, ...more], { stdio: 'inherit' });
 rmSync(output, { recursive: true, force: true });
@@ -26,45 +20,7 @@ assert.ok(!existsSync(join(output, 'report.html')), 'a refused report is not wri
 run();
 const results = JSON.parse(readFileSync(join(output, 'results.json'), 'utf8'));
 
-const profile = mkdtempSync(join(tmpdir(), 'plastron-browser-'));
-const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync'];
-const browser = await chromium.launchPersistentContext(profile, {
-  executablePath: chromiumPath, headless: true, args: flags, viewport: { width: 1280, height: 1000 }, colorScheme: 'light', offline: true,
-});
-
-const page = browser.pages()[0];
-const complaints = [];
-const requests = [];
-page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()));
-page.on('pageerror', (error) => complaints.push(error.message));
-page.on('request', (request) => /^(data|blob):/.test(request.url()) || requests.push(request.url()));
-
-const address = pathToFileURL(join(output, 'report.html')).href;
-const stage = page.locator('.stage');
-
-/** How many colours a PNG has, and at how many places two PNGs differ. Decoded by the browser. */
-const pixels = (...pngs) =>
-  page.evaluate(async (texts) => {
-    const images = await Promise.all(texts.map(async (text) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${text}`;
-      await image.decode();
-      const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
-      const context = canvas.getContext('2d');
-      context.drawImage(image, 0, 0);
-      return new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
-    }));
-    const differences = images.length > 1 ? images[0].reduce((sum, value, i) => sum + (value !== images[1][i] ? 1 : 0), 0) : 0;
-    return { colours: new Set(images[0]).size, differences };
-  }, pngs.map((png) => png.toString('base64')));
-
-/** The stage twice, before and after something was done: at how many pixels they differ. */
-async function changeBy(action) {
-  const before = await stage.screenshot();
-  await action();
-  return (await pixels(before, await stage.screenshot())).differences;
-}
+const { page, stage, address, complaints, requests, pixels, changeBy, close } = await openPage(packages, join(output, 'report.html'));
 
 const tests = {
   async 'asks for nothing but itself'() {
@@ -179,22 +135,7 @@ async function takePictures() {
     }
 }
 
-let failed = 0;
-try {
-  await page.goto(address);
-  await page.waitForSelector('#view[data-ready]', { timeout: 60000 });
-  for (const [name, test] of Object.entries(tests)) {
-    try {
-      await test();
-      console.log(`ok      ${name}`);
-    } catch (error) {
-      ++failed;
-      console.log(`FAILED  ${name}\n${error.message}`);
-    }
-  }
-  if (pictures) await takePictures();
-} finally {
-  await browser.close();
-  rmSync(profile, { recursive: true, force: true });
-}
+const failed = await runTests(tests);
+if (pictures) await takePictures();
+await close();
 process.exit(failed ? 1 : 0);
