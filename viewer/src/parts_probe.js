@@ -28,7 +28,7 @@ export class PartsProbe {
       row('region', 'region', element('strong', {}, region.name), ...(region.is_name ? [' in a case: ', element('code', {}, `region = ${JSON.stringify(region.name)}`)] : [])),
       row('cell', 'cell', `element ${scene.number[cell]}${line}${scene.turned[cell] ? '; turned round: in the file its normal is the opposite' : ''}`),
       row('normal', 'normal a3 in its middle', places(view.middleOfCell(cell).normal)),
-      row('place', 'nearest drawn point [m]', places(view.pointAt(point).map((x, d) => x + scene.origin[d]))),
+      row('place', `nearest drawn point [${scene.length}]`, places(view.pointAt(point).map((x, d) => x + scene.origin[d]))),
       ...this.edgeRows(cell),
     ];
     this.node.append(element('table', {}, element('tbody', {}, ...rows)));

@@ -216,6 +216,7 @@ Json surface_scene_json(const fem::FileSurface& surface, const std::vector<Regio
   Json scene{{"kind", "parts"},
              {"shape", mesh.shape == fem::Shape::triangle ? "triangle" : "quadrilateral"},
              {"subdivisions", n},
+             {"length", "m"},
              {"degree", largest_order(mesh)},
              {"cells", mesh.cells.size()}};
   Json list = Json::array();

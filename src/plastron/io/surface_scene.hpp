@@ -21,6 +21,7 @@ int parts_subdivisions(const fem::SpaceMesh& mesh, std::size_t most_points = mos
 ///   edges: "kind" (index of "kinds"), "angle" [degrees], "doubtful", "places": subdivisions + 1 numbers of points for
 ///   each, "sides": for each side of each cell 1 + its edge, or 0
 ///   curves: name, "edges", "marks": numbers of points at which the name stands
+///   "length": the name of the unit of lengths
 Json surface_scene_json(const fem::FileSurface& surface, const std::vector<RegionPart>& regions,
                         const std::vector<CurvePart>& curves, std::size_t most_points = most_parts_points);
 
