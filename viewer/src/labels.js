@@ -6,14 +6,14 @@ const rest = 150; // ms without a turn, after which hidden places are found
 const mostTests = 3e7; // triangles times places
 
 export class Labels {
-  /** `items`: [{text, place, colour, owner}], the important ones first. */
+  /** `items`: [{text, kind, places, colour, owner}], the important ones first. A name stands at the first of its places that is not hidden. */
   constructor(view, items) {
     this.view = view;
     this.node = element('div', { class: 'labels', 'aria-hidden': 'true' });
     this.items = items.map((item) => {
       const node = element('span', { class: 'label3d' }, element('span', { class: 'swatch', style: `background: ${item.colour}` }), ` ${item.text}`);
       this.node.append(node);
-      return { ...item, node, isHidden: false };
+      return { ...item, node, place: item.places[0], isHidden: false };
     });
     this.isShown = { region: true, curve: true };
     this.first = null;
@@ -63,9 +63,13 @@ export class Labels {
   }
 
   findHidden() {
-    if (this.items.length * (this.view.cells.polys.length / 4) > mostTests) return;
+    const places = this.items.reduce((sum, item) => sum + item.places.length, 0);
+    if (places * (this.view.cells.polys.length / 4) > mostTests) return;
     for (const item of this.items) {
-      item.isHidden = this.view.hides(item.place);
+      // A name stays where it is while it can be seen.
+      const seen = [item.place, ...item.places].find((place) => !this.view.hides(place));
+      item.isHidden = !seen;
+      item.place = seen ?? item.places[0];
       item.node.classList.toggle('hidden3d', item.isHidden);
     }
     this.place();

@@ -13,19 +13,28 @@ const variables = {
 const css = (colour) => `rgb(${colour.join(' ')})`;
 const mostRegionNames = 12; // more names than these would hide the part
 
-/** The names to write: curves at the middles of their pieces, regions at the cell nearest to their middle. */
+/**
+ * Places for the name of a region: the cell that is nearest to its middle, and the nearest ones that face each direction of the
+ * axes, as a closed region may hide the first one.
+ */
+function placesIn(middles) {
+  const mean = [0, 1, 2].map((d) => middles.reduce((sum, { place }) => sum + place[d], 0) / middles.length);
+  const away = ({ place }) => Math.hypot(...place.map((x, d) => x - mean[d]));
+  const nearest = (some) => some.reduce((best, other) => (away(other) < away(best) ? other : best)).place;
+  const facing = [0, 1, 2].flatMap((d) => [1, -1].map((side) => middles.filter(({ normal }) => side * normal[d] > 0.7)));
+  return [middles, ...facing].filter((some) => some.length > 0).map(nearest);
+}
+
+/** The names to write: curves at the middles of their pieces, and regions. */
 function labelsOf(scene, view) {
   const curves = scene.curves.flatMap((curve, k) =>
-    [...curve.marks].map((mark) => ({ text: curve.name, kind: 'curve', owner: `curve ${k}`, place: view.pointAt(mark), colour: `var(${kindVariable(firstKind(scene, curve))})` })),
+    [...curve.marks].map((mark) => ({ text: curve.name, kind: 'curve', owner: `curve ${k}`, places: [view.pointAt(mark)], colour: `var(${kindVariable(firstKind(scene, curve))})` })),
   );
   const cells = scene.regions.map(() => []);
-  scene.region.forEach((region, cell) => cells[region].push(view.middleOfCell(cell).place));
+  scene.region.forEach((region, cell) => cells[region].push(view.middleOfCell(cell)));
   const regions = scene.regions.flatMap((region, k) => {
     if (cells[k].length === 0 || !region.is_name) return [];
-    const mean = [0, 1, 2].map((d) => cells[k].reduce((sum, place) => sum + place[d], 0) / cells[k].length);
-    const away = (place) => Math.hypot(...place.map((x, d) => x - mean[d]));
-    const place = cells[k].reduce((best, other) => (away(other) < away(best) ? other : best));
-    return [{ text: region.name, kind: 'region', owner: `region ${k}`, place, colour: css(view.colours[k]) }];
+    return [{ text: region.name, kind: 'region', owner: `region ${k}`, places: placesIn(cells[k]), colour: css(view.colours[k]) }];
   });
   return [...curves, ...regions];
 }
