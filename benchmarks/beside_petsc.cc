@@ -3,6 +3,7 @@
 // docs/decisions/0009.
 #include <plastron/algebra/matrix.hpp>
 #include <plastron/algebra/session.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 
 #include <fmt/format.h>
@@ -46,7 +47,7 @@ void compare(const char* what, int rounds, const std::function<void()>& ours, co
 }
 
 std::shared_ptr<const fem::Space> finest_mesh(int refinements) {
-  fem::MeshSequence meshes(fem::coarse_mesh(fem::Disk{.radius = std::sin(0.5)}, fem::Shape::quadrilateral), 2,
+  fem::MeshSequence meshes(domain::coarse_mesh(domain::Disk{.radius = std::sin(0.5)}, mesh::Shape::quadrilateral), 2,
                            MPI_COMM_WORLD);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   return meshes.space();

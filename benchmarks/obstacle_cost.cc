@@ -5,6 +5,7 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/algebra/session.hpp>
 #include <plastron/assembly/box_problem.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/obstacle/surface_mesh.hpp>
 
@@ -62,7 +63,7 @@ obstacle::TriangleMesh sphere(int rows) {
 
 double factorisation(int refinements, std::int64_t& nodes) {
   const problem::Problem problem = cap(0.02, 2, refinements);
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, problem.discretisation.cells), 2, MPI_COMM_WORLD);
+  fem::MeshSequence meshes(domain::coarse_mesh(problem.domain, problem.discretisation.cells), 2, MPI_COMM_WORLD);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   nodes = meshes.space()->layout->global_size;

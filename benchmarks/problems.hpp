@@ -35,7 +35,7 @@ inline problem::Problem pressed(double load) {
 inline problem::Problem cap(double e, int degree, int refinements) {
   const double load = 0.02 * std::pow(e / 0.1, std::log(10.0) / std::log(5.0));
   problem::Problem problem = pressed(load);
-  problem.domain = fem::Disk{.radius = std::sin(0.5)};
+  problem.domain = domain::Disk{.radius = std::sin(0.5)};
   const geometry::Constants constants{{"z0", 1 + e / 2 + 0.01}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0 - sqrt(1 - x^2 - y^2)"}, constants));
   problem.shell.sections.common.thickness = geometry::Expression(e);
@@ -54,7 +54,7 @@ inline assembly::Support mirrored(const std::string& boundary, assembly::Directi
 inline problem::Problem barrel(int degree, int refinements) {
   constexpr double e = 0.02;
   problem::Problem problem = pressed(8e-4);
-  problem.domain = fem::Rectangle{.to = {0.5, 0.5}, .cells = {9, 9}};
+  problem.domain = domain::Rectangle{.to = {0.5, 0.5}, .cells = {9, 9}};
   problem.charts.emplace("", geometry::Chart({"sin(x)", "y", "z0 - cos(x)"}, {{"z0", 1 + e / 2 + 0.01}}));
   problem.shell.sections.common.thickness = geometry::Expression(e);
   problem.shell.supports = {mirrored("left", assembly::Direction::x), mirrored("bottom", assembly::Direction::y),
@@ -66,7 +66,7 @@ inline problem::Problem barrel(int degree, int refinements) {
 /// Length 1, both ends clamped, 0.01 above the table; load 3 e^3 as in the references R1.
 inline problem::Problem strip(double e, int degree, int refinements, std::array<int, 2> cells = {4, 1}) {
   problem::Problem problem = pressed(3 * e * e * e);
-  problem.domain = fem::Rectangle{.to = {1, 0.25}, .cells = cells};
+  problem.domain = domain::Rectangle{.to = {1, 0.25}, .cells = cells};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", e / 2 + 0.01}}));
   problem.shell.sections.common.thickness = geometry::Expression(e);
   problem.shell.supports = {clamped("left"), clamped("right")};

@@ -3,8 +3,9 @@
 // the best of several.
 #include <plastron/algebra/session.hpp>
 #include <plastron/assembly/discrete_shell.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
-#include <plastron/fem/surface_patches.hpp>
+#include <plastron/mesh/surface_patches.hpp>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -41,12 +42,12 @@ double seconds(const std::function<void()>& call) {
 geometry::Chart chart() { return {{"x", "y", "x*x - 0.3*x*y"}, {}}; }
 
 /// The same surface as a mesh in space with cells of order 2.
-fem::CoarseMesh in_space(fem::CoarseMesh mesh) {
-  auto patches = std::make_shared<fem::SurfacePatches>();
+mesh::CoarseMesh in_space(mesh::CoarseMesh mesh) {
+  auto patches = std::make_shared<mesh::SurfacePatches>();
   const geometry::Chart phi = chart();
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    fem::SurfacePatches::Patch patch{.order = 2};
-    for (const Eigen::Vector2d& xi : fem::lattice(fem::Shape::quadrilateral, 2)) {
+    mesh::SurfacePatches::Patch patch{.order = 2};
+    for (const Eigen::Vector2d& xi : mesh::lattice(mesh::Shape::quadrilateral, 2)) {
       const Eigen::Vector2d x = mesh.cells[c].map(xi).value;
       const geometry::SurfaceJet jet = phi(x[0], x[1]);
       patch.nodes.push_back(static_cast<std::int32_t>(patches->positions.size()));
@@ -55,7 +56,7 @@ fem::CoarseMesh in_space(fem::CoarseMesh mesh) {
     }
     patches->patches.push_back(std::move(patch));
     mesh.cells[c].patch = static_cast<int>(c);
-    mesh.cells[c].map = {fem::LagrangeMap{1, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}}};
+    mesh.cells[c].map = {mesh::LagrangeMap{1, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}}};
   }
   mesh.patches = std::move(patches);
   return mesh;
@@ -66,9 +67,9 @@ std::shared_ptr<const fem::Space> mesh_of(int degree, double unknowns, bool is_i
   const double cells = std::sqrt(unknowns / 5) / degree;
   int coarse = std::max(1, static_cast<int>(std::lround(cells))), refinements = 0;
   for (; coarse > 16; ++refinements) coarse = (coarse + 1) / 2;
-  fem::Rectangle square;
+  domain::Rectangle square;
   square.cells = {coarse, coarse};
-  fem::CoarseMesh mesh = fem::coarse_mesh(square, fem::Shape::quadrilateral);
+  mesh::CoarseMesh mesh = domain::coarse_mesh(square, mesh::Shape::quadrilateral);
   if (is_in_space) mesh = in_space(std::move(mesh));
   fem::MeshSequence meshes(std::move(mesh), degree, MPI_COMM_WORLD);
   for (int i = 0; i < refinements; ++i) meshes.refine({});

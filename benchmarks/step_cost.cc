@@ -7,6 +7,7 @@
 #include <plastron/algebra/session.hpp>
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/contact/subproblem.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ double time(int calls, const std::function<void()>& call) {
 
 void report(int degree, int refinements) {
   const problem::Problem problem = cap(0.02, degree, refinements);
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, problem.discretisation.cells), degree, MPI_COMM_WORLD);
+  fem::MeshSequence meshes(domain::coarse_mesh(problem.domain, problem.discretisation.cells), degree, MPI_COMM_WORLD);
   const auto surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   const auto discrete = assembly::discretise(meshes.space(), surface, problem.shell);

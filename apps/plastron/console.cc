@@ -2,7 +2,7 @@
 #include "terminal.hpp"
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/output.hpp>
@@ -29,10 +29,11 @@ config::Case read_together(const std::function<config::Case()>& read) {
     }
   });
   set_unit_names(c.problem.output.units);
-  c.problem.domain = fem::with_shared_mesh(std::move(c.problem.domain), c.problem.discretisation.cells, MPI_COMM_WORLD);
+  c.problem.domain =
+      domain::with_shared_mesh(std::move(c.problem.domain), c.problem.discretisation.cells, MPI_COMM_WORLD);
   try {
     problem::locate_points(c.problem);
-  } catch (const fem::DomainError&) {  // the examination and the solution report what is wrong with the mesh
+  } catch (const mesh::DomainError&) {  // the examination and the solution report what is wrong with the mesh
   }
   return c;
 }
@@ -70,7 +71,7 @@ config::Case read_case(const std::filesystem::path& path, const std::filesystem:
 
 std::vector<examination::Finding> examine_together(
     const std::function<std::vector<examination::Finding>()>& examination) {
-  const auto mine = algebra::in_agreement<fem::DomainError, obstacle::ObstacleError>(
+  const auto mine = algebra::in_agreement<mesh::DomainError, obstacle::ObstacleError>(
       MPI_COMM_WORLD, [&] { return is_first_rank() ? examination() : std::vector<examination::Finding>{}; });
   return from_one_text(algebra::first_words(in_one_text(mine), MPI_COMM_WORLD));
 }

@@ -8,7 +8,7 @@
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/config/mistakes.hpp>
-#include <plastron/fem/domain.hpp>
+#include <plastron/domain/domain.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/results.hpp>
 #include <plastron/obstacle/error.hpp>
@@ -29,7 +29,7 @@ ExitCode guarded(const std::function<ExitCode()>& command) {
   } catch (const RefusedCase& refused) {
     if (is_first_rank()) print_text(stderr, refused.what());
     return bad_input;
-  } catch (const fem::DomainError& error) {
+  } catch (const mesh::DomainError& error) {
     print_error("error: {}\n", error.what());
     return bad_input;
   } catch (const assembly::SupportError& error) {

@@ -20,7 +20,7 @@ void print_regions(const std::vector<io::RegionPart>& regions) {
         "mean normal a3");
   for (const io::RegionPart& region : regions)
     print("  {:<24} {:>7} {:>7} {:>13.6g}  {:<34} {}\n", io::name_text(region), region.cells, region.turned,
-          region.area, fem::place_of(region.middle), io::normal_text(region));
+          region.area, topology::place_of(region.middle), io::normal_text(region));
 }
 
 void print_curves(const std::vector<io::CurvePart>& curves) {
@@ -31,8 +31,8 @@ void print_curves(const std::vector<io::CurvePart>& curves) {
       print("  {:<24} {:>12} {:>8}  {}\n", curve.name, "", "", "none: points");
     else
       print("  {:<24} {:>12.6g} {:>7.3g}°  {:<22} {}, {}\n", curve.name, curve.length,
-            curve.largest_angle * 180 / std::numbers::pi, io::kinds_text(curve), fem::place_of(curve.low),
-            fem::place_of(curve.high));
+            curve.largest_angle * 180 / std::numbers::pi, io::kinds_text(curve), topology::place_of(curve.low),
+            topology::place_of(curve.high));
 }
 
 std::vector<io::PageFinding> on_page(const std::vector<examination::Finding>& findings) {
@@ -66,9 +66,9 @@ ExitCode parts(const PartsOptions& options) {
       return bad_input;
     }
   }
-  fem::SpaceReading reading{.scale = options.scale};
+  domain::SpaceReading reading{.scale = options.scale};
   if (options.smooth > 0) reading.smooth_angle = options.smooth * std::numbers::pi / 180;
-  const fem::FileSurface surface = fem::read_surface({.path = options.file, .in_space = reading}, {});
+  const domain::FileSurface surface = domain::read_surface({.path = options.file, .in_space = reading}, {});
   const auto findings = examination::surface_findings(surface);
   const auto regions = io::region_parts(surface);
   const auto curves = io::curve_parts(surface);

@@ -4,11 +4,11 @@
 #include "terminal.hpp"
 
 #include <plastron/computation/warnings.hpp>
-#include <plastron/fem/space_mesh.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/problem/goal_names.hpp>
 #include <plastron/problem/instants.hpp>
+#include <plastron/topology/space_mesh.hpp>
 
 #include <algorithm>
 #include <cmath>

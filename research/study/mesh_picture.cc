@@ -1,6 +1,6 @@
 #include <research/study/report.hpp>
 
-#include <plastron/fem/reference_cell.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 #include <plastron/zones/sub_cells.hpp>
 #include <plastron/zones/touching_nodes.hpp>
 
@@ -17,12 +17,12 @@ namespace {
 constexpr int parts_of_side = 8;  // even: one of the points is the middle
 
 /// The sides of a cell anticlockwise, each without its end.
-Outline cell_outline(const fem::Surface& surface, fem::Shape shape, const fem::Cell& cell) {
+Outline cell_outline(const fem::Surface& surface, mesh::Shape shape, const fem::Cell& cell) {
   std::vector<Eigen::Vector2d> xi;
-  Eigen::Vector2d from = fem::corner(shape, 0);
-  const std::vector<int> round = shape == fem::Shape::quadrilateral ? std::vector{1, 3, 2, 0} : std::vector{1, 2, 0};
+  Eigen::Vector2d from = mesh::corner(shape, 0);
+  const std::vector<int> round = shape == mesh::Shape::quadrilateral ? std::vector{1, 3, 2, 0} : std::vector{1, 2, 0};
   for (const int k : round) {
-    const Eigen::Vector2d to = fem::corner(shape, k);
+    const Eigen::Vector2d to = mesh::corner(shape, k);
     for (int i = 0; i < parts_of_side; ++i) xi.emplace_back(from + i * (to - from) / parts_of_side);
     from = to;
   }
@@ -111,7 +111,7 @@ Eigen::AlignedBox2d box(const std::vector<Outline>& outlines) {
 MeshPicture mesh_picture(const computation::Solution& solution) {
   const assembly::ShellOperator& shell = solution.discrete->shell;
   const fem::Space& space = shell.space();
-  const auto corners = static_cast<std::size_t>(fem::corner_count(space.shape()));
+  const auto corners = static_cast<std::size_t>(mesh::corner_count(space.shape()));
   std::vector<Outline> mine;
   for (std::size_t c = 0; c < space.owned_cells; ++c)
     mine.push_back(cell_outline(shell.surface(), space.shape(), space.cells[c]));

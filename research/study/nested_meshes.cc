@@ -48,7 +48,7 @@ GatheredCells gathered_cells(const fem::Space& space) {
 class HoldingCells {
  public:
   /// Searches the first `count` cells. `cells` must outlive this object.
-  HoldingCells(fem::Shape shape, const std::vector<fem::Cell>& cells, std::size_t count)
+  HoldingCells(mesh::Shape shape, const std::vector<fem::Cell>& cells, std::size_t count)
       : shape_(shape), cells_(cells) {
     for (std::size_t c = 0; c < count; ++c) {
       const auto coarse = static_cast<std::size_t>(cells[c].coarse);
@@ -68,7 +68,7 @@ class HoldingCells {
   }
 
  private:
-  fem::Shape shape_;
+  mesh::Shape shape_;
   const std::vector<fem::Cell>& cells_;
   std::vector<std::vector<std::size_t>> by_coarse_;  // numbers of the cells in each cell of the coarsest mesh
 };
@@ -83,7 +83,7 @@ struct NodesInside {
   std::vector<Eigen::Vector2d> xi;
 };
 
-NodesInside nodes_inside(fem::Shape shape, const fem::Cell& coarse, const fem::Cell& fine,
+NodesInside nodes_inside(mesh::Shape shape, const fem::Cell& coarse, const fem::Cell& fine,
                          const std::vector<Eigen::Vector2d>& nodes) {
   NodesInside inside;
   for (std::size_t j = 0; j < nodes.size(); ++j)

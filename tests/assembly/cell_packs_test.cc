@@ -3,6 +3,7 @@
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/domain/domain.hpp>
 #include <plastron/shell/strain.hpp>
 
 #include <gtest/gtest.h>
@@ -30,9 +31,9 @@ double relative_difference(const algebra::Vector& a, const algebra::Vector& b) {
 }
 
 /// 17 or 68 cells: no pack of 2, 4 or 8 divides these numbers. Distributed over ranks they give odd numbers too.
-test::MeshedSurface strip_of(fem::Shape shape, int degree) {
+test::MeshedSurface strip_of(mesh::Shape shape, int degree) {
   const int refinements = degree <= 2 ? 1 : 0;
-  const fem::Rectangle strip{.from = {0, 0}, .to = {2, 0.3}, .cells = {17, 1}};
+  const domain::Rectangle strip{.from = {0, 0}, .to = {2, 0.3}, .cells = {17, 1}};
   return test::meshed(strip, test::saddle, degree, refinements, shape);
 }
 

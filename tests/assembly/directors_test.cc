@@ -1,7 +1,7 @@
 // Meshes in space: rigid motions have no strain on facets, curved cells, folds and branches, and the two forms of the
 // strains agree.
 #include "assembly/sample_shells.hpp"
-#include "fem/space_surface.hpp"
+#include "domain/space_surface.hpp"
 
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/fem/constraints.hpp>
@@ -14,12 +14,13 @@
 namespace plastron::assembly {
 namespace {
 
-using fem::Shape;
-using namespace fem::space_meshes;  // NOLINT: builders of meshes
+using mesh::Shape;
+using namespace topology::space_meshes;  // NOLINT: builders of meshes
+using namespace domain::space_meshes;    // NOLINT: builders of meshes
 
 struct Part {
   std::string name;
-  fem::SpaceMesh mesh;
+  topology::SpaceMesh mesh;
   int degree;
 };
 
@@ -45,8 +46,8 @@ struct Shell {
   std::unique_ptr<DiscreteShell> discrete;
 };
 
-Shell shell_on(const fem::SpaceMesh& mesh, int degree, element::Formulation formulation, bool tying = true) {
-  const fem::MeshSequence meshes(fem::surface_mesh(surface_of(mesh), mesh.shape), degree, MPI_COMM_WORLD,
+Shell shell_on(const topology::SpaceMesh& mesh, int degree, element::Formulation formulation, bool tying = true) {
+  const fem::MeshSequence meshes(domain::surface_mesh(surface_of(mesh), mesh.shape), degree, MPI_COMM_WORLD,
                                  [](std::shared_ptr<const fem::Space> space) {
                                    const fem::Surface surface(space->coarse, {});
                                    return fem::joined(std::move(space), surface, {});

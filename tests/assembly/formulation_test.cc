@@ -52,7 +52,7 @@ double interpolation_error(int refinements) {
   const auto discrete = shell_of(m, {.formulation = element::Formulation::classical});
   const Vector3d c(0.3, -0.2, 0.5), w(0.1, 0.7, -0.4);
   const algebra::Vector y = test::rigid_motion(*m.space, discrete->points, c, w);
-  const element::BasisAt at = element::basis_at(fem::Shape::quadrilateral, 2, {{0.3, 0.6}});
+  const element::BasisAt at = element::basis_at(mesh::Shape::quadrilateral, 2, {{0.3, 0.6}});
   double worst = 0;
   for (std::size_t cell = 0; cell < m.space->owned_cells; ++cell) {
     const geometry::Frame frame = m.surface->frame(m.space->cells[cell], at.xi[0], false);

@@ -4,7 +4,8 @@
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/constraints/map.hpp>
-#include <plastron/fem/basis.hpp>
+#include <plastron/domain/domain_mesh.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <cmath>
 #include <map>
@@ -19,8 +20,8 @@ using Eigen::Vector3d;
 
 /// The rectangle [0, 2] x [0, 1]: the left cell is whole, the right one is cut in four.
 test::MeshedSurface with_hanging_nodes(int degree, const std::array<std::string, 3>& chart) {
-  auto coarse = std::make_shared<fem::CoarseMesh>(
-      fem::coarse_mesh(fem::Rectangle{.to = {2, 1}, .cells = {2, 1}}, fem::Shape::quadrilateral));
+  auto coarse = std::make_shared<mesh::CoarseMesh>(
+      domain::coarse_mesh(domain::Rectangle{.to = {2, 1}, .cells = {2, 1}}, mesh::Shape::quadrilateral));
   std::map<std::string, geometry::Chart> charts;
   charts.emplace("", geometry::Chart(chart, {}));
   auto surface = std::make_shared<const fem::Surface>(coarse, charts);
@@ -33,7 +34,7 @@ test::MeshedSurface with_hanging_nodes(int degree, const std::array<std::string,
   space->owned_cells = space->cells.size();
   space->global_cells = static_cast<std::int64_t>(space->cells.size());
 
-  const auto line = fem::gauss_lobatto(degree + 1).points;
+  const auto line = mesh::gauss_lobatto(degree + 1).points;
   std::vector<Vector2d> xi;
   for (const double b : line)
     for (const double a : line) xi.emplace_back(a, b);
@@ -54,7 +55,7 @@ test::MeshedSurface with_hanging_nodes(int degree, const std::array<std::string,
   space->layout = std::make_shared<const algebra::Layout>(algebra::Distribution{.owned = nodes, .global_size = nodes});
 
   // On x = 1 the nodes of the large cell's side are masters; all other nodes hang.
-  const auto on_side = fem::side_nodes(fem::Shape::quadrilateral, degree, 1);
+  const auto on_side = mesh::side_nodes(mesh::Shape::quadrilateral, degree, 1);
   std::vector<algebra::LocalIndex> masters;
   for (const int i : on_side) masters.push_back(space->connectivity.nodes[static_cast<std::size_t>(i)]);
   std::vector<constraints::Row> rows;

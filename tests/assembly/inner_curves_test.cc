@@ -4,6 +4,7 @@
 #include "supported.hpp"
 
 #include <plastron/assembly/load_vector.hpp>
+#include <plastron/domain/domain.hpp>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ using std::numbers::pi;
 
 struct Case {
   std::string file;
-  fem::Shape shape;
+  mesh::Shape shape;
 };
 
 /// The quarter annulus 1 < |x| < 2. "rim" is its whole boundary, "south" the part with y = 0, "mid" the inner
@@ -33,7 +34,7 @@ void for_every_mesh(const std::function<void(const test::MeshedSurface&)>& check
     for (int refinements = 0; refinements < 3; ++refinements) {
       SCOPED_TRACE(file + (shape == test::triangle ? ", triangles, " : ", ") + std::to_string(refinements) +
                    " refinements");
-      const fem::MeshFile mesh{std::string(PLASTRON_TESTS_DIR "/fem/data/") + file};
+      const domain::MeshFile mesh{std::string(PLASTRON_TESTS_DIR "/domain/data/") + file};
       check(test::meshed(mesh, {"x", "y", "0.3"}, 2, refinements, shape));
     }
 }
@@ -123,7 +124,7 @@ TEST(InnerCurve, HasItsConormalOnTheRightOfItsDirection) {
 }
 
 TEST(EdgeLoads, OnABoundaryThatIsNotThereAreRefused) {
-  const auto m = test::meshed(fem::Disk{}, test::flat, 2, 0);
+  const auto m = test::meshed(domain::Disk{}, test::flat, 2, 0);
   EXPECT_THROW(total_of_load_on(m, "no such"), LoadError);
 }
 

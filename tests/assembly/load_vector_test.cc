@@ -1,6 +1,7 @@
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/assembly/load_vector.hpp>
+#include <plastron/domain/domain.hpp>
 
 #include <gtest/gtest.h>
 
@@ -16,8 +17,8 @@ Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {
   return sum;
 }
 
-ShellOperator cap_on_disk(int degree, int refinements, fem::Shape shape = test::quadrilateral) {
-  const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, degree, refinements, shape);
+ShellOperator cap_on_disk(int degree, int refinements, mesh::Shape shape = test::quadrilateral) {
+  const auto m = test::meshed(domain::Disk{.radius = 0.8}, test::cap, degree, refinements, shape);
   return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false};
 }
 
@@ -75,8 +76,8 @@ TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
 
 // ---- loads made of pieces ------------------------------------------------------------------------------------------
 
-ShellOperator plate(int degree, fem::Shape shape, int refinements = 1) {
-  const auto m = test::meshed(fem::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, degree, refinements, shape);
+ShellOperator plate(int degree, mesh::Shape shape, int refinements = 1) {
+  const auto m = test::meshed(domain::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, degree, refinements, shape);
   return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false};
 }
 
@@ -85,7 +86,7 @@ TEST(PiecewiseLoad, SumsToItsIntegralThoughItJumpsInsideOfCells) {
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   load.pressure = geometry::Expression("sign(x + y - 0.7)", {});
   load.couple[0] = geometry::Expression("abs(x - 0.3)", {});
-  for (const fem::Shape shape : {test::quadrilateral, test::triangle})
+  for (const mesh::Shape shape : {test::quadrilateral, test::triangle})
     for (const int degree : {1, 2}) {
       const auto sum = total(load_vector(plate(degree, shape), {.on_areas = {load}}));
       EXPECT_NEAR(sum[2], 1.0 / 3 + (1 - 0.49), 1e-3);
@@ -97,7 +98,7 @@ TEST(PiecewiseLoad, OnAnEdgeSumsToItsIntegral) {
   EdgeLoad load{.boundary = "bottom"};
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   load.couple[1] = geometry::Expression("max(x - 0.3, 0)", {});
-  for (const fem::Shape shape : {test::quadrilateral, test::triangle}) {
+  for (const mesh::Shape shape : {test::quadrilateral, test::triangle}) {
     const auto sum = total(load_vector(plate(2, shape), {.on_edges = {load}}));
     EXPECT_NEAR(sum[2], 1.0 / 3, 2e-6);
     EXPECT_NEAR(sum[4], 0.49 / 2, 1e-6);
@@ -118,7 +119,7 @@ TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
 }
 
 /// The total force of a pressure on the plate of 16 cells.
-double pressed(const std::string& pressure, fem::Shape shape = test::quadrilateral) {
+double pressed(const std::string& pressure, mesh::Shape shape = test::quadrilateral) {
   AreaLoad load;
   load.pressure = geometry::Expression(pressure, {{"a", 0.3141592653}, {"b", 0.6180339887}});
   return total(load_vector(plate(2, shape), {.on_areas = {load}}))[2];
@@ -152,7 +153,7 @@ TEST(PiecewiseLoad, OnAShortPartOfAnEdgeSumsToItsIntegral) {
 }
 
 TEST(PiecewiseLoad, IsIntegratedAlikeWithCovariantInterpolation) {
-  const auto m = test::meshed(fem::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, 2, 1);
+  const auto m = test::meshed(domain::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, 2, 1);
   const ShellOperator covariant(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, true);
   AreaLoad load;
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});

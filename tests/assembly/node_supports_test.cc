@@ -2,6 +2,7 @@
 #include "assembly/sample_shells.hpp"
 
 #include <gtest/gtest.h>
+#include <plastron/domain/domain.hpp>
 
 #include <cmath>
 
@@ -11,14 +12,14 @@ namespace {
 /// Two cells side by side above y = 0. Their lower sides meet at (1, 0) times scale, where the boundary turns left by
 /// `angle`. The first side is called "a", the second "a" or "b".
 test::MeshedSurface bent(double angle, const std::string& second, double scale = 1) {
-  fem::CoarseMesh mesh;
+  mesh::CoarseMesh mesh;
   for (const auto& [x, y] :
        {std::pair(0.0, 0.0), {1.0, 0.0}, {1 + std::cos(angle), std::sin(angle)}, {0.0, 1.0}, {1.0, 1.0}, {2.0, 1.5}})
     mesh.vertices.emplace_back(scale * x, scale * y);
   for (const auto& v : {std::array{0, 1, 3, 4}, std::array{1, 2, 4, 5}}) {
     std::vector<Eigen::Vector2d> nodes;
     for (const int k : v) nodes.push_back(mesh.vertices[static_cast<std::size_t>(k)]);
-    mesh.cells.push_back({v, 0, {fem::LagrangeMap{1, nodes}}});
+    mesh.cells.push_back({v, 0, {mesh::LagrangeMap{1, nodes}}});
   }
   mesh.regions = {""};
   mesh.boundaries = {"a", "b", "top", "left"};
@@ -93,7 +94,7 @@ TEST(BoundariesThatMeetSmoothly, PrescribeTheirConormalOnce) {
 
 /// The unit square times scale.
 test::MeshedSurface square(double scale) {
-  return test::meshed(fem::Rectangle{.to = {scale, scale}, .cells = {2, 2}}, {"x", "y", "0"}, 2, 1);
+  return test::meshed(domain::Rectangle{.to = {scale, scale}, .cells = {2, 2}}, {"x", "y", "0"}, 2, 1);
 }
 
 geometry::Expression sine(double amplitude, double scale) {

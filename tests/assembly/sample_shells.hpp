@@ -1,6 +1,7 @@
 // Small shells for the tests of assembly/.
 #pragma once
 #include <plastron/assembly/box_problem.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 
 #include <map>
@@ -15,8 +16,8 @@ inline const std::array<std::string, 3> saddle{"x", "y", "0.5 + 0.3*(x^2 - y^2) 
 inline const std::array<std::string, 3> cap{"x", "y", "2 - sqrt(4 - x^2 - y^2)"};
 
 /// An element: shape, degree, tying.
-using Element = std::tuple<fem::Shape, int, bool>;
-constexpr auto quadrilateral = fem::Shape::quadrilateral, triangle = fem::Shape::triangle;
+using Element = std::tuple<mesh::Shape, int, bool>;
+constexpr auto quadrilateral = mesh::Shape::quadrilateral, triangle = mesh::Shape::triangle;
 
 struct MeshedSurface {
   std::shared_ptr<const fem::Space> space;
@@ -24,11 +25,11 @@ struct MeshedSurface {
 };
 
 /// A skew quadrilateral, so that nothing is aligned with the axes.
-inline fem::Polygon skew() { return {{{0, 0}, {1, 0.1}, {0.9, 1.1}, {-0.1, 0.8}}}; }
+inline domain::Polygon skew() { return {{{0, 0}, {1, 0.1}, {0.9, 1.1}, {-0.1, 0.8}}}; }
 
-inline MeshedSurface meshed(const fem::Domain& domain, const std::array<std::string, 3>& chart, int degree,
-                            int refinements, fem::Shape shape = fem::Shape::quadrilateral) {
-  fem::MeshSequence meshes(fem::coarse_mesh(domain, shape), degree, MPI_COMM_WORLD);
+inline MeshedSurface meshed(const domain::Domain& domain, const std::array<std::string, 3>& chart, int degree,
+                            int refinements, mesh::Shape shape = mesh::Shape::quadrilateral) {
+  fem::MeshSequence meshes(domain::coarse_mesh(domain, shape), degree, MPI_COMM_WORLD);
   for (int i = 0; i < refinements; ++i) meshes.refine({});
   std::map<std::string, geometry::Chart> charts;
   charts.emplace("", geometry::Chart(chart, {}));

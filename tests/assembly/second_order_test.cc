@@ -1,5 +1,6 @@
 // The second-order strain that linear strains leave out, against integrals done by hand.
 #include <plastron/assembly/second_order.hpp>
+#include <plastron/domain/domain.hpp>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ constexpr double nu = 0.3;  // of test::steel_like(), E = 1
 
 ShellOperator make(const test::Element& element, const std::array<std::string, 3>& chart, bool is_covariant = false) {
   const auto [shape, degree, tying] = element;
-  const auto m = test::meshed(fem::Rectangle{.cells = {2, 1}}, chart, degree, 1, shape);
+  const auto m = test::meshed(domain::Rectangle{.cells = {2, 1}}, chart, degree, 1, shape);
   return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), tying, is_covariant};
 }
 

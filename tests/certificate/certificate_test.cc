@@ -7,6 +7,7 @@
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/certificate/certificate_limits.hpp>
 #include <plastron/contact/solve.hpp>
+#include <plastron/domain/domain.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,20 +31,20 @@ constexpr double clear = 1000 * rounding;
 
 struct Sample {
   std::string name;
-  fem::Domain domain;
+  domain::Domain domain;
   std::array<std::string, 3> chart;
   double table;
   std::string clamped;
-  fem::Shape shape;
+  mesh::Shape shape;
   int degree, refinements;
   element::Formulation formulation = element::Formulation::tangent;
   bool is_flat() const { return chart == test::flat; }
 };
 void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.name; }
 
-Sample plate(fem::Shape shape, int degree, int refinements) {
+Sample plate(mesh::Shape shape, int degree, int refinements) {
   return {.name = (shape == test::triangle ? "plate_triangles_" : "plate_quadrilaterals_") + std::to_string(degree),
-          .domain = fem::Rectangle{},
+          .domain = domain::Rectangle{},
           .chart = test::flat,
           .table = 0.3 - 0.05 - 0.002,
           .clamped = "left",
@@ -54,7 +55,7 @@ Sample plate(fem::Shape shape, int degree, int refinements) {
 
 Sample bowl(element::Formulation formulation) {
   return {.name = "bowl_" + std::string(to_string(formulation)),
-          .domain = fem::Disk{.radius = 0.8},
+          .domain = domain::Disk{.radius = 0.8},
           .chart = test::cap,
           .table = -0.05 - 0.001,
           .clamped = "rim",

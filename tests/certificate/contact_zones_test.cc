@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/certificate/certificate.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/zones/contact_zones.hpp>
 #include <plastron/zones/gap_opening.hpp>
@@ -66,7 +67,7 @@ TEST(RelativeDistance, IsThatOfEdgesOverTheRadiusOrHalfTheWidth) {
 }
 
 struct Scene {
-  fem::Domain domain = fem::Rectangle{.to = {2, 1}, .cells = {16, 8}};
+  domain::Domain domain = domain::Rectangle{.to = {2, 1}, .cells = {16, 8}};
   int refinements = 0;
   std::map<std::string, double> shear_corrections{};  ///< of regions; zones then open differently in each
   std::array<std::string, 3> chart{"x", "y", "0.3"};
@@ -78,11 +79,11 @@ struct Scene {
 };
 
 struct Element {
-  fem::Shape shape;
+  mesh::Shape shape;
   int degree;
 };
 void PrintTo(const Element& e, std::ostream* out) {
-  *out << fem::corner_count(e.shape) << " corners, degree " << e.degree;
+  *out << mesh::corner_count(e.shape) << " corners, degree " << e.degree;
 }
 
 /// A shell, and the solution that the scene defines on it.
@@ -106,7 +107,7 @@ assembly::CrossSections sections_of(const Scene& scene) {
 }
 
 std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, const Element& element, MPI_Comm comm) {
-  const auto coarse = fem::coarse_mesh(scene.domain, element.shape);
+  const auto coarse = domain::coarse_mesh(scene.domain, element.shape);
   std::map<std::string, geometry::Chart> charts;
   for (const std::string& region : coarse.regions) charts.emplace(region, geometry::Chart(scene.chart, {}));
   std::shared_ptr<const fem::Surface> surface;
@@ -121,7 +122,7 @@ std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, const Elem
 
 /// Value of the region that contains a place.
 const shell::Material& material_at(const Scene& scene, const assembly::CrossSections& sections, const Vector3d& phi) {
-  const auto* rectangle = std::get_if<fem::Rectangle>(&scene.domain);
+  const auto* rectangle = std::get_if<domain::Rectangle>(&scene.domain);
   if (!rectangle || rectangle->regions.empty()) return sections.common.material;
   const auto right = std::ranges::upper_bound(rectangle->breaks, phi[0]) - rectangle->breaks.begin();
   return sections.regions.at(rectangle->regions[static_cast<std::size_t>(right)]).material;
@@ -240,9 +241,9 @@ double distance_from(const Pattern& pattern, const solution::ContactLine& line) 
 
 class ContactZones : public testing::TestWithParam<Element> {};
 INSTANTIATE_TEST_SUITE_P(Each, ContactZones,
-                         testing::Values(Element{fem::Shape::quadrilateral, 1}, Element{fem::Shape::quadrilateral, 2},
-                                         Element{fem::Shape::quadrilateral, 4}, Element{fem::Shape::triangle, 1},
-                                         Element{fem::Shape::triangle, 2}));
+                         testing::Values(Element{mesh::Shape::quadrilateral, 1}, Element{mesh::Shape::quadrilateral, 2},
+                                         Element{mesh::Shape::quadrilateral, 4}, Element{mesh::Shape::triangle, 1},
+                                         Element{mesh::Shape::triangle, 2}));
 
 TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
   const std::array discs{disc(0.5, 0.5, 0.31), disc(1.5, 0.5, 0.21)};
@@ -271,7 +272,7 @@ TEST_P(ContactZones, OfTwoDiscsAreTwoWithARoundBoundaryEach) {
 TEST_P(ContactZones, OfARingIsOneBetweenTwoClosedLines) {
   const Pattern ring = [](const Vector3d& phi) { return std::abs(std::hypot(phi[0] - 1, phi[1] - 0.5) - 0.34) - 0.09; };
   Scene fine;
-  fine.domain = fem::Rectangle{.to = {2, 1}, .cells = {32, 16}};
+  fine.domain = domain::Rectangle{.to = {2, 1}, .cells = {32, 16}};
   fine.patterns = {ring};
   const auto zones = zones_of(fine, GetParam()).front();
   ASSERT_EQ(zones.size(), 1U);
@@ -359,7 +360,7 @@ TEST_P(ContactZones, OfSeveralObstaclesAreApart) {
 /// A tube of radius 1. A ceiling touches it at its seam.
 Scene tube(const Pattern& pattern) {
   Scene scene;
-  scene.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 2}, .cells = {40, 16}};
+  scene.domain = domain::Rectangle{.to = {2 * std::numbers::pi, 2}, .cells = {40, 16}};
   scene.chart = {"sin(x)", "y", "cos(x)"};
   scene.obstacles = {{.name = "ceiling",
                       .shape = obstacle::HalfSpace{.point = {0, 0, 1.05}, .normal = {0, 0, -1}},
@@ -392,7 +393,7 @@ TEST_P(ContactZones, GoOnAcrossAJoinedEdge) {
 TEST_P(ContactZones, MeetACurvedRimOnIt) {
   const double edge = 0.3;
   Scene scene;
-  scene.domain = fem::Disk{};
+  scene.domain = domain::Disk{};
   scene.refinements = 3;
   scene.patterns = {[=](const Vector3d& phi) { return phi[0] - edge; }};
   const auto zones = zones_of(scene, GetParam()).front();
@@ -403,7 +404,7 @@ TEST_P(ContactZones, MeetACurvedRimOnIt) {
   EXPECT_TRUE(rim.is_rim);
   EXPECT_LT(distance_from(scene.patterns[0], across), 0.003 * node_distance(GetParam()));
   EXPECT_NEAR(across.length, 2 * std::sqrt(1 - edge * edge), 1e-3);
-  const double rounding = fem::corner_count(GetParam().shape) == 4 ? 1e-12 : 1e-9;
+  const double rounding = mesh::corner_count(GetParam().shape) == 4 ? 1e-12 : 1e-9;
   for (const solution::ContactLine& line : zones[0].lines)
     for (const solution::BoundaryPoint& p : {line.points.front(), line.points.back()})
       EXPECT_NEAR(p.x.norm(), 1, rounding);
@@ -414,7 +415,7 @@ TEST_P(ContactZones, MeetACurvedRimOnIt) {
 TEST_P(ContactZones, GoOnAcrossTheBorderOfTwoMaterials) {
   const double edge = 0.46;
   Scene scene;
-  scene.domain = fem::Rectangle{.to = {2, 1}, .cells = {16, 8}, .breaks = {1}, .regions = {"stiff", "soft"}};
+  scene.domain = domain::Rectangle{.to = {2, 1}, .cells = {16, 8}, .breaks = {1}, .regions = {"stiff", "soft"}};
   scene.shear_corrections = {{"stiff", 5.0 / 6}, {"soft", 0.2}};
   scene.patterns = {[=](const Vector3d& phi) { return phi[1] - edge; }};
   const auto zones = zones_of(scene, GetParam()).front();
@@ -429,7 +430,7 @@ TEST_P(ContactZones, GoOnAcrossTheBorderOfTwoMaterials) {
 }
 
 TEST(ContactZone, OfNothingIsNone) {
-  EXPECT_THAT(zones_of([](const Vector3d&) { return 1.0; }, {fem::Shape::quadrilateral, 2}), testing::IsEmpty());
+  EXPECT_THAT(zones_of([](const Vector3d&) { return 1.0; }, {mesh::Shape::quadrilateral, 2}), testing::IsEmpty());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "assembly/sample_shells.hpp"
 
 #include <plastron/certificate/gap_between.hpp>
+#include <plastron/domain/domain.hpp>
 
 #include <gtest/gtest.h>
 
@@ -21,8 +22,9 @@ struct Shell {
   std::unique_ptr<assembly::DiscreteShell> discrete;
 };
 
-Shell shell_over(const obstacle::HalfSpace& table, const fem::Domain& domain, const std::array<std::string, 3>& chart,
-                 fem::Shape shape, int degree, element::Formulation formulation = element::Formulation::tangent) {
+Shell shell_over(const obstacle::HalfSpace& table, const domain::Domain& domain,
+                 const std::array<std::string, 3>& chart, mesh::Shape shape, int degree,
+                 element::Formulation formulation = element::Formulation::tangent) {
   Shell s{test::meshed(domain, chart, degree, 0, shape), nullptr};
   s.discrete = assembly::discretise(s.mesh.space, s.mesh.surface,
                                     {.sections = test::steel_of(geometry::Expression(thickness)),
@@ -61,7 +63,7 @@ double least_gap(const assembly::DiscreteShell& discrete, const algebra::Vector&
 }
 
 /// All elements that a plane table permits.
-std::vector<std::pair<fem::Shape, int>> elements() {
+std::vector<std::pair<mesh::Shape, int>> elements() {
   return {{test::quadrilateral, 1},
           {test::quadrilateral, 2},
           {test::quadrilateral, 4},
@@ -102,7 +104,7 @@ TEST(GapBetween, OfElementsOfDegreeOneIsNeverLowerThanTheirNodesOnAPlaneTable) {
 TEST(GapBetween, SeesADipOfTheSurfaceThatNoNodeHas) {
   const std::array<std::string, 3> dip{"x", "y", "0.3 - x*(1 - x)"};
   for (const auto& [shape, degree] : {std::pair{test::quadrilateral, 1}, std::pair{test::triangle, 1}}) {
-    const Shell s = shell_over({}, fem::Rectangle{}, dip, shape, degree);
+    const Shell s = shell_over({}, domain::Rectangle{}, dip, shape, degree);
     EXPECT_NEAR(least_gap(*s.discrete, at_rest(s)), 0.3 - 0.25 - thickness / 2, 1e-14);
   }
 }
@@ -111,7 +113,7 @@ TEST(GapBetween, SeesADipOfTheSurfaceThatNoNodeHas) {
 TEST(GapBetween, FeelsTheRotationOfTheFaceWithoutItsPartAlongTheNormal) {
   const obstacle::HalfSpace inclined{.point = {2, 0, 0}, .normal = {-0.6, 0, 0.8}};
   for (const auto& [shape, degree] : elements()) {
-    const Shell s = shell_over(inclined, fem::Rectangle{}, test::flat, shape, degree);
+    const Shell s = shell_over(inclined, domain::Rectangle{}, test::flat, shape, degree);
     const double at_edge = 0.6 * (2 - 1) + 0.8 * flat_gap;  // x = 1
     const auto y = nodal(s, [](const assembly::NodalPoint&) {
       return (Eigen::Matrix<double, 6, 1>() << 0.1, 0, -0.2, -0.5, 0.3, 7).finished();
@@ -124,7 +126,7 @@ TEST(GapBetween, FeelsTheRotationOfTheFaceWithoutItsPartAlongTheNormal) {
 // u = c a_3 has constant covariant components. (M15) keeps it exact between the nodes; Cartesian components do not.
 TEST(GapBetween, InterpolatesAsTheFormulationDoes) {
   const std::array<std::string, 3> cylinder{"x", "y", "1 - sqrt(1 - x^2)"};
-  const fem::Rectangle domain{.from = {-0.3, 0}, .to = {0.5, 1}};
+  const domain::Rectangle domain{.from = {-0.3, 0}, .to = {0.5, 1}};
   constexpr double c = 0.06, middle = 0.1;  // the middle of the cell is the lowest point of the lattice
   const double expected = 1 + (c - thickness / 2 - 1) * std::sqrt(1 - middle * middle);
   const auto lowest = [&](element::Formulation formulation) {
@@ -141,7 +143,7 @@ TEST(GapBetween, InterpolatesAsTheFormulationDoes) {
 TEST(GapBetween, IsSearchedForBodiesSmallerThanACell) {
   const obstacle::Ball ball{.centre = {0.4375, 0.4375, 0.3 - thickness / 2 + 0.002}, .radius = 0.005};
   for (const auto& [shape, degree] : elements()) {
-    Shell s = shell_over({}, fem::Rectangle{}, test::flat, shape, degree);
+    Shell s = shell_over({}, domain::Rectangle{}, test::flat, shape, degree);
     s.discrete->obstacles.all = s.discrete->obstacles_at_start.all = {{.name = "ball", .shape = ball}};
     const std::vector<CellGap> cells = searched_gaps(*s.discrete, at_rest(s));
     const auto deepest = std::ranges::min_element(cells, {}, &CellGap::gap);
@@ -150,13 +152,13 @@ TEST(GapBetween, IsSearchedForBodiesSmallerThanACell) {
     EXPECT_NEAR(deepest->gap, -0.007, 1e-3) << "degree " << degree;
     EXPECT_LT((deepest->x - ball.centre.head<2>()).norm(), 0.005);
   }
-  const Shell s = shell_over({}, fem::Rectangle{}, test::flat, test::quadrilateral, 2);
+  const Shell s = shell_over({}, domain::Rectangle{}, test::flat, test::quadrilateral, 2);
   s.discrete->obstacles.all = s.discrete->obstacles_at_start.all = {{.name = "ball", .shape = ball}};
   EXPECT_NEAR(least_gap(*s.discrete, at_rest(s)), -0.007, 1e-3);
 }
 
 TEST(GapBetween, IsTheThicknessWhereTheShellHasGoneThroughABody) {
-  const Shell s = shell_over({}, fem::Rectangle{}, test::flat, test::quadrilateral, 2);
+  const Shell s = shell_over({}, domain::Rectangle{}, test::flat, test::quadrilateral, 2);
   const obstacle::Ball ball{.centre = {0.4375, 0.4375, 0.1}, .radius = 0.005};
   s.discrete->obstacles.all = s.discrete->obstacles_at_start.all = {{.name = "ball", .shape = ball}};
   EXPECT_GT(least_gap(*s.discrete, at_rest(s)), 0);

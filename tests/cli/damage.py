@@ -118,7 +118,7 @@ def input_cases(source):
     cases["square.msh"] = square, case_text('{ mesh = "square.msh" }', "edge")
     sector = case_text('{ mesh = "sector.msh" }', "flat sides").replace("at = [0.5, 0.5]", "at = [1, 1]").replace(
         "[[0, 0.5], [1, 0.5]]", "[[1, 0.5], [1, 1.2]]")
-    cases["sector.msh"] = (source / "tests/fem/data/quarter-annulus-4.1.msh").read_bytes(), sector
+    cases["sector.msh"] = (source / "tests/domain/data/quarter-annulus-4.1.msh").read_bytes(), sector
     return cases
 
 

@@ -5,6 +5,7 @@
 #include <plastron/computation/resources.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/verify.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/meshing/chord_cuts.hpp>
 #include <plastron/meshing/marks.hpp>
 #include <plastron/meshing/sequence.hpp>
@@ -89,7 +90,7 @@ TEST(Accuracy, IsConfirmedByOneDegreeMore) {
   const auto& space = result.solution->discrete->space();
   higher.accuracy.reset();
   higher.discretisation.degree += 1;
-  fem::MeshSequence meshes(fem::CoarseMesh(*space.coarse), higher.discretisation.degree, MPI_COMM_SELF);
+  fem::MeshSequence meshes(mesh::CoarseMesh(*space.coarse), higher.discretisation.degree, MPI_COMM_SELF);
   std::set<fem::CellPlace> places;
   for (const fem::Cell& cell : space.cells) places.insert(fem::place_of(cell));
   while (meshes.space()->global_cells < space.global_cells) {
@@ -163,7 +164,7 @@ TEST(Accuracy, OfALineOfContactBetweenNodesIsEstimated) {
   problem::Problem p = pressed_strip();
   p.charts.clear();
   p.charts.emplace("", Chart({"x", "y", "0"}, {}));
-  p.domain = fem::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
+  p.domain = domain::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
   p.shell.sections.common.thickness = Expression(0.1);
   p.shell.loads.on_areas.clear();
   p.shell.obstacles.all = {{.shape = obstacle::Cylinder{.point = {0.13, 0, 0.1}, .axis = {0, 1, 0}, .radius = 0.1},
@@ -220,7 +221,7 @@ TEST(Accuracy, OfALineReactionOnTheRimIsEstimatedAsThatOfTheEnergy) {
 /// Floor and ceiling: the disk touches the ceiling along a circle, in a ring much narrower than the layer at its edges.
 TEST(Accuracy, AsksForNoEdgesOfZonesThatAreLines) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0"});
-  p.domain = fem::Disk{.radius = 1};
+  p.domain = domain::Disk{.radius = 1};
   p.shell.sections.common.thickness = Expression(0.02);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.shell.supports = {clamped("rim")};
@@ -283,8 +284,8 @@ TEST(Memory, OfTheNextMeshIsForeseen) {
 /// A result that misses its accuracy says where: nearly all of the error is in the cells at the corner.
 TEST(Accuracy, TellsWhereTheErrorIsThatStays) {
   problem::Problem p = cantilever_plate();
-  p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
-  p.shell.supports = {clamped(fem::boundary_names(p.domain).front())};
+  p.domain = domain::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  p.shell.supports = {clamped(domain::boundary_names(p.domain).front())};
   p.discretisation = {.degree = 3, .refinements = 1};
   p.probes = {{"corner", {1, 1}}};
   p.accuracy = problem::Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}, .max_unknowns = 6000};
@@ -297,8 +298,8 @@ TEST(Accuracy, TellsWhereTheErrorIsThatStays) {
 /// The moment at a re-entrant corner grows with each division of the cells there.
 TEST(Accuracy, IsGivenUpForWhatHasNoLimit) {
   problem::Problem p = cantilever_plate();
-  p.domain = fem::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
-  p.shell.supports = {clamped(fem::boundary_names(p.domain).front())};
+  p.domain = domain::Polygon{.corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  p.shell.supports = {clamped(domain::boundary_names(p.domain).front())};
   p.discretisation = {.degree = 3, .refinements = 0};
   p.probes = {{"corner", {1, 1}}};
   p.accuracy = problem::Accuracy{.goals = {{"probe.corner.M.11", 1e-3}}};
@@ -345,7 +346,7 @@ TEST(Accuracy, MeansTheNumbersOfTheResults) {
 
 TEST(Accuracy, HoldsForTrianglesAndJoinedEdgesOnEvenMeshes) {
   problem::Problem p = pressed_bowl();
-  p.discretisation = {.cells = fem::Shape::triangle, .degree = 2, .refinements = 0};
+  p.discretisation = {.cells = mesh::Shape::triangle, .degree = 2, .refinements = 0};
   p.shell.tying = false;
   p.shell.sections.common.thickness = Expression(0.1);
   p.charts.clear();
@@ -377,7 +378,7 @@ TEST(Accuracy, IsReachedAtTheLastInstant) {
 TEST(Accuracy, OfReactionsThatCancelIsMeasuredByEachOfThem) {
   const double pi = 3.141592653589793, width = 0.25, pressing = 0.01;
   problem::Problem p = with_chart(free_plate(), {"sin(x)", "y", "1.01 - cos(x)"});
-  p.domain = fem::Rectangle{.from = {-pi, 0}, .to = {pi, width}, .cells = {16, 1}};
+  p.domain = domain::Rectangle{.from = {-pi, 0}, .to = {pi, width}, .cells = {16, 1}};
   p.joins = {{{"left", "right"}}};
   p.shell.sections.common.thickness = Expression(0.02);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1e6, 0.3, 1);
@@ -448,10 +449,10 @@ TEST(FinestMesh, IsMadeFromItsCuts) {
 
 TEST(FinestMesh, RefusesCutsOfAnotherMesh) {
   const problem::Problem p = accurate_bowl(1e-3);
-  EXPECT_THROW(finest_mesh(p, MPI_COMM_WORLD, {.cuts = std::vector<fem::Cuts>(1), .places = {}}), fem::DomainError);
-  std::vector<fem::Cuts> torn(meshing::mesh_sequence(p, MPI_COMM_SELF).space()->coarse->cells.size());
+  EXPECT_THROW(finest_mesh(p, MPI_COMM_WORLD, {.cuts = std::vector<mesh::Cuts>(1), .places = {}}), mesh::DomainError);
+  std::vector<mesh::Cuts> torn(meshing::mesh_sequence(p, MPI_COMM_SELF).space()->coarse->cells.size());
   torn.front()[0] = {0.5};
-  EXPECT_THROW(finest_mesh(p, MPI_COMM_WORLD, {.cuts = torn, .places = {}}), fem::DomainError);
+  EXPECT_THROW(finest_mesh(p, MPI_COMM_WORLD, {.cuts = torn, .places = {}}), mesh::DomainError);
 }
 
 /// Edges of the bowl's contact zone run along rings of cells.
@@ -477,7 +478,7 @@ TEST(ChordCuts, AreInTheMiddleWherePointsAreHeld) {
     const auto cuts = meshing::chord_cuts(
         space, surface, {.shares = shares, .estimates = estimates, .share = 0.5, .halves_only = halves});
     ASSERT_EQ(cuts.size(), space.owned_cells);
-    for (const fem::Cuts& of_cell : cuts) {
+    for (const mesh::Cuts& of_cell : cuts) {
       ASSERT_EQ(of_cell[0].size(), 1U);
       EXPECT_EQ(of_cell[0][0], halves ? 0.5 : 0.2);
       EXPECT_TRUE(of_cell[1].empty());
@@ -503,7 +504,7 @@ TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
   const auto cuts = meshing::chord_cuts(
       space, surface, {.shares = shares, .estimates = estimates, .share = 0.8, .per_cell = 10, .at_edges = true});
   ASSERT_EQ(cuts.size(), space.owned_cells);
-  for (const fem::Cuts& of_cell : cuts) {
+  for (const mesh::Cuts& of_cell : cuts) {
     EXPECT_TRUE(of_cell[0].empty());
     EXPECT_EQ(of_cell[1].size(), 1U);
   }
@@ -513,7 +514,7 @@ TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
 TEST(ChordCuts, LeaveNoCellsThatAreLongAndBentAtOnce) {
   std::map<std::string, geometry::Chart> charts;
   charts.emplace("", geometry::Chart(std::array<std::string, 3>{"x", "y", "0"}, {}));
-  fem::MeshSequence meshes(fem::coarse_mesh(fem::Disk{}, fem::Shape::quadrilateral), 4, MPI_COMM_SELF);
+  fem::MeshSequence meshes(domain::coarse_mesh(domain::Disk{}, mesh::Shape::quadrilateral), 4, MPI_COMM_SELF);
   for (int cuts_made = 0;; ++cuts_made) {
     const fem::Space& space = *meshes.space();
     const auto slices = static_cast<std::size_t>(space.degree) + 1;
@@ -522,7 +523,7 @@ TEST(ChordCuts, LeaveNoCellsThatAreLongAndBentAtOnce) {
     estimates.profiles.assign(space.owned_cells, {none, none});
     std::vector<double> shares(space.owned_cells, 0);
     for (std::size_t c = 0; c < space.owned_cells; ++c) {
-      const fem::CellMap& map = space.coarse->cells[static_cast<std::size_t>(space.cells[c].coarse)].map;
+      const mesh::CellMap& map = space.coarse->cells[static_cast<std::size_t>(space.cells[c].coarse)].map;
       for (std::size_t d = 0; d < 2; ++d)
         for (const double end : {0.0, 1.0}) {
           const Eigen::Vector2d middle = d == 0 ? Eigen::Vector2d(end, 0.5) : Eigen::Vector2d(0.5, end);

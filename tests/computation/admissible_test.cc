@@ -26,7 +26,7 @@ obstacle::Obstacle waves(const std::string& height) {
   return {.shape = obstacle::HeightField(std::make_shared<const geometry::SpaceFunction>(height, Constants()))};
 }
 
-problem::Problem with(problem::Problem p, int degree, int refinements, fem::Shape shape = fem::Shape::quadrilateral) {
+problem::Problem with(problem::Problem p, int degree, int refinements, mesh::Shape shape = mesh::Shape::quadrilateral) {
   p.discretisation.degree = degree;
   p.discretisation.refinements = refinements;
   p.discretisation.cells = shape;
@@ -89,7 +89,7 @@ struct Named {
 
 std::vector<Named> problems() {
   using element::Formulation;
-  constexpr auto triangle = fem::Shape::triangle;
+  constexpr auto triangle = mesh::Shape::triangle;
   return {{"bowl, degree 1", with(pressed_bowl(), 1, 2)},
           {"bowl, degree 2", with(pressed_bowl(), 2, 1)},
           {"bowl, degree 4", with(pressed_bowl(), 4, 1)},
@@ -181,7 +181,7 @@ TEST(AdmissibleSolution, CostsNoMoreThanTheLiftWorkSays) {
 }
 
 /// Rates of the cost from mesh to mesh.
-std::vector<double> rates(int degree, fem::Shape shape) {
+std::vector<double> rates(int degree, mesh::Shape shape) {
   std::vector<double> costs, all;
   for (const int refinements : {1, 2, 3}) {
     const problem::Problem p = with(pressed_bowl(), degree, refinements, shape);
@@ -196,7 +196,7 @@ std::vector<double> rates(int degree, fem::Shape shape) {
 }
 
 TEST(AdmissibleSolution, CostsOfTheOrderOfTheElements) {
-  for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+  for (const auto shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
     EXPECT_THAT(rates(1, shape), testing::Each(testing::Gt(1.8)));
     EXPECT_THAT(rates(2, shape), testing::Each(testing::Gt(2.4)));
   }

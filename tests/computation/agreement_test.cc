@@ -47,9 +47,9 @@ void expect_error(const Problem& problem, const std::string& words) {
 
 TEST(MeshFile, ThatOneRankCannotReadIsAnErrorOfAll) {
   Problem problem = plate();
-  const std::string file = PLASTRON_TESTS_DIR "/fem/data/quarter-annulus-2.2.msh";
-  problem.domain = fem::MeshFile{is_last() ? "/no/such.msh" : file};
-  expect_error<fem::DomainError>(problem, "/no/such.msh");
+  const std::string file = PLASTRON_TESTS_DIR "/domain/data/quarter-annulus-2.2.msh";
+  problem.domain = domain::MeshFile{is_last() ? "/no/such.msh" : file};
+  expect_error<mesh::DomainError>(problem, "/no/such.msh");
 }
 
 TEST(MeshFile, ThatIsAnotherOneOnOneRankIsAnErrorOfAll) {
@@ -57,9 +57,9 @@ TEST(MeshFile, ThatIsAnotherOneOnOneRankIsAnErrorOfAll) {
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   if (ranks == 1) GTEST_SKIP() << "there is no other rank";
   Problem problem = plate();
-  const std::string folder = PLASTRON_TESTS_DIR "/fem/data";
-  problem.domain = fem::MeshFile{folder + (is_last() ? "/quarter-annulus-2.2.msh" : "/two-regions-4.1.msh")};
-  expect_error<fem::DomainError>(problem, "different meshes");
+  const std::string folder = PLASTRON_TESTS_DIR "/domain/data";
+  problem.domain = domain::MeshFile{folder + (is_last() ? "/quarter-annulus-2.2.msh" : "/two-regions-4.1.msh")};
+  expect_error<mesh::DomainError>(problem, "different meshes");
 }
 
 TEST(Load, ThatThrowsInOneCellIsAnErrorOfAllRanks) {

@@ -5,6 +5,7 @@
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/solve.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/recovery/recovery.hpp>
 #include <plastron/zones/contact_zones.hpp>
@@ -103,14 +104,14 @@ INSTANTIATE_TEST_SUITE_P(Formulations, GradedShell,
 /// The inner curve of the file has cells of both regions at its sides. Whichever region is divided, all nodes of the curve are fixed.
 TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
   problem::Problem p = free_plate();
-  p.domain = fem::MeshFile{PLASTRON_TESTS_DIR "/fem/data/two-regions-4.1.msh"};
-  const fem::CoarseMesh coarse = fem::coarse_mesh(p.domain, fem::Shape::quadrilateral);
+  p.domain = domain::MeshFile{PLASTRON_TESTS_DIR "/domain/data/two-regions-4.1.msh"};
+  const mesh::CoarseMesh coarse = domain::coarse_mesh(p.domain, mesh::Shape::quadrilateral);
   p.charts.clear();
   for (const std::string& region : coarse.regions) p.charts.emplace(region, Chart({"x", "y", "0"}, {}));
   p.shell.supports = {clamped("junction")};
   p.shell.loads.on_areas = {force(0, 0, -1)};
   double at_curve = 0;  // x of the junction
-  for (const fem::BoundaryEdge& edge : coarse.edges)
+  for (const mesh::BoundaryEdge& edge : coarse.edges)
     if (coarse.boundaries[static_cast<std::size_t>(edge.boundary)] == "junction")
       at_curve = coarse.vertices[static_cast<std::size_t>(edge.vertices[0])][0];
   for (const int degree : {1, 2, 3})

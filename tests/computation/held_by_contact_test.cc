@@ -19,7 +19,7 @@ constexpr double e = 0.05, side = 1, weight = 1e-5;
 /// A square panel whose lower face is z = 0 in the middle. Point supports prevent only sliding and spinning.
 problem::Problem panel(const std::string& height) {
   problem::Problem p;
-  p.domain = fem::Rectangle{.from = {-side / 2, -side / 2}, .to = {side / 2, side / 2}, .cells = {4, 4}};
+  p.domain = domain::Rectangle{.from = {-side / 2, -side / 2}, .to = {side / 2, side / 2}, .cells = {4, 4}};
   p.charts = {{"", Chart({"x", "y", height}, {})}};
   p.shell.sections.common.thickness = Expression(e);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
@@ -77,7 +77,8 @@ TEST(APanelOnTwoBallsAndOneFarAway, TipsOff) {
 }
 
 /// A strip in plane strain. Its middle is at the height of the mid-surface there.
-problem::Problem strip_pressed_by(double force, const fem::Rectangle& domain, const std::array<std::string, 3>& chart) {
+problem::Problem strip_pressed_by(double force, const domain::Rectangle& domain,
+                                  const std::array<std::string, 3>& chart) {
   problem::Problem p;
   p.domain = domain;
   p.charts = {{"", Chart(chart, {})}};

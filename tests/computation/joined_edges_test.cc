@@ -24,9 +24,9 @@ problem::Problem of_chart(const std::string& x) {
   return p;
 }
 
-problem::Problem in_one_piece(fem::Shape cells, int degree, Formulation formulation) {
+problem::Problem in_one_piece(mesh::Shape cells, int degree, Formulation formulation) {
   problem::Problem p = of_chart("x");
-  p.domain = fem::Rectangle{.to = {2, 1}, .cells = {4, 2}};
+  p.domain = domain::Rectangle{.to = {2, 1}, .cells = {4, 2}};
   p.shell.supports = {clamped("left"), clamped("right")};
   p.discretisation = {.cells = cells, .degree = degree, .refinements = 1};
   p.shell.tangency = {.formulation = formulation};
@@ -34,9 +34,9 @@ problem::Problem in_one_piece(fem::Shape cells, int degree, Formulation formulat
   return p;
 }
 
-problem::Problem in_two_pieces(fem::Shape cells, int degree, Formulation formulation) {
+problem::Problem in_two_pieces(mesh::Shape cells, int degree, Formulation formulation) {
   problem::Problem p = of_chart("x");
-  p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/two-squares.msh"};
+  p.domain = domain::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/two-squares.msh"};
   p.charts = {{"first", p.charts.at("")}, {"second", of_chart("(x - 1)").charts.at("")}};
   p.joins = {{{"seam_a", "seam_b"}}};
   p.shell.supports = {clamped("west"), clamped("east")};
@@ -47,7 +47,7 @@ problem::Problem in_two_pieces(fem::Shape cells, int degree, Formulation formula
 }
 
 struct Element {
-  fem::Shape cells;
+  mesh::Shape cells;
   int degree;
   Formulation formulation;
 };
@@ -79,12 +79,12 @@ TEST_P(JoinedEdges, OfTwoRectanglesGiveTheNumbersOfOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, JoinedEdges,
-                         testing::Values(Element{fem::Shape::quadrilateral, 2, Formulation::tangent},
-                                         Element{fem::Shape::quadrilateral, 3, Formulation::penalised},
-                                         Element{fem::Shape::quadrilateral, 2, Formulation::mixed},
-                                         Element{fem::Shape::quadrilateral, 2, Formulation::classical},
-                                         Element{fem::Shape::triangle, 1, Formulation::tangent},
-                                         Element{fem::Shape::triangle, 2, Formulation::tangent}));
+                         testing::Values(Element{mesh::Shape::quadrilateral, 2, Formulation::tangent},
+                                         Element{mesh::Shape::quadrilateral, 3, Formulation::penalised},
+                                         Element{mesh::Shape::quadrilateral, 2, Formulation::mixed},
+                                         Element{mesh::Shape::quadrilateral, 2, Formulation::classical},
+                                         Element{mesh::Shape::triangle, 1, Formulation::tangent},
+                                         Element{mesh::Shape::triangle, 2, Formulation::tangent}));
 
 struct Sizes {
   double least, most;
@@ -105,8 +105,8 @@ Sizes sizes_of_cells(const fem::Space& space, const std::string& boundary = "") 
 }
 
 TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
-  problem::Problem one = in_one_piece(fem::Shape::quadrilateral, 3, Formulation::tangent),
-                   two = in_two_pieces(fem::Shape::quadrilateral, 3, Formulation::tangent);
+  problem::Problem one = in_one_piece(mesh::Shape::quadrilateral, 3, Formulation::tangent),
+                   two = in_two_pieces(mesh::Shape::quadrilateral, 3, Formulation::tangent);
   for (problem::Problem* p : {&one, &two}) {
     p->shell.obstacles.all.clear();
     p->discretisation.refinements = 0;
@@ -127,7 +127,7 @@ TEST(JoinedEdges, AreDividedAlikeOnMeshesThatAreGraded) {
 /// A tube of radius 1 around the y axis under inner pressure. Its ends slide radially.
 problem::Problem tube() {
   problem::Problem p;
-  p.domain = fem::Rectangle{.to = {2 * std::numbers::pi, 1}, .cells = {8, 2}};
+  p.domain = domain::Rectangle{.to = {2 * std::numbers::pi, 1}, .cells = {8, 2}};
   p.charts = {{"", Chart({"sin(x)", "y", "cos(x)"}, {})}};
   p.shell.sections.common.thickness = Expression("0.01", {});
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0, 1);
@@ -164,10 +164,10 @@ TEST(JoinedEdges, MakeATubeThatCarriesPressureAsAMembrane) {
 TEST(JoinedEdges, ThatDoNotMeetAreRefused) {
   problem::Problem p = tube();
   p.charts = {{"", Chart({"sin(0.9*x)", "y", "cos(0.9*x)"}, {})}};
-  EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
+  EXPECT_THROW(solve(p, MPI_COMM_WORLD), mesh::DomainError);
   p = tube();
   p.joins = {{{"left", "middle"}}};
-  EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
+  EXPECT_THROW(solve(p, MPI_COMM_WORLD), mesh::DomainError);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr double young = 1e4, thickness = 0.05, bending_stiffness = young * thic
 /// Unit squares with x = 2k + s, y = t each.
 problem::Problem of_squares(const std::string& mesh, const std::map<std::string, std::array<std::string, 3>>& charts) {
   problem::Problem p;
-  p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/" + mesh};
+  p.domain = domain::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/" + mesh};
   for (const auto& [region, chart] : charts) p.charts.emplace(region, Chart(chart, {}));
   p.shell.sections.common.thickness = Expression(thickness);
   p.shell.sections.common.material = shell::Material::from_young_poisson(young, 0, 1);
@@ -74,7 +74,7 @@ TEST(KinkedJoins, LeaveSixMotionsFreeOfStrain) {
   EXPECT_EQ(motions_without_strain(star({{{"a_west", "b_west"}}, {{"b_west", "c_west"}}})), 6);
   EXPECT_EQ(motions_without_strain(box_corner()), 6);
   problem::Problem triangles = box_corner();
-  triangles.discretisation.cells = fem::Shape::triangle;
+  triangles.discretisation.cells = mesh::Shape::triangle;
   triangles.shell.tying = false;
   EXPECT_EQ(motions_without_strain(triangles), 6);
 }
@@ -171,7 +171,7 @@ TEST(KinkedJoins, OfOppositeNormalsAreRefused) {
   try {
     solve(p, MPI_COMM_WORLD);
     FAIL();
-  } catch (const fem::DomainError& error) {
+  } catch (const mesh::DomainError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("points to opposite sides"));
   }
 }

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A cantilever of side 1 with 2^(refinements + 1) cells along it.
-problem::Problem cantilever(fem::Shape cells, int degree, double thickness, int refinements, bool tying = false) {
+problem::Problem cantilever(mesh::Shape cells, int degree, double thickness, int refinements, bool tying = false) {
   problem::Problem p = cantilever_plate();
   p.shell.sections.common.thickness = Expression(thickness);
   p.discretisation = {.cells = cells, .degree = degree, .refinements = refinements};
@@ -25,7 +25,7 @@ problem::Problem cantilever(fem::Shape cells, int degree, double thickness, int 
   return p;
 }
 
-constexpr auto triangle = fem::Shape::triangle, quadrilateral = fem::Shape::quadrilateral;
+constexpr auto triangle = mesh::Shape::triangle, quadrilateral = mesh::Shape::quadrilateral;
 
 TEST(LockingWarning, names_the_sides_in_thicknesses_and_the_remedy) {
   EXPECT_THAT(locking_warnings(cantilever(triangle, 1, 0.01, 3)),

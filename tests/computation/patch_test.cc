@@ -44,14 +44,14 @@ Support prescribed(const std::string& boundary, const State& state) {
   return s;
 }
 
-problem::Problem patch(const fem::Domain& domain, const State& state, int degree, bool tying, int refinements = 1) {
+problem::Problem patch(const domain::Domain& domain, const State& state, int degree, bool tying, int refinements = 1) {
   problem::Problem p = free_plate();
   p.domain = domain;
   p.discretisation = {.degree = degree, .refinements = refinements};
   p.shell.tying = tying;
   p.shell.loads.on_areas.resize(1);
   p.shell.loads.on_areas[0].couple = vector(state.couple[0], state.couple[1], state.couple[2]);
-  for (const std::string& boundary : fem::boundary_names(domain))
+  for (const std::string& boundary : domain::boundary_names(domain))
     p.shell.supports.push_back(prescribed(boundary, state));
   return p;
 }
@@ -71,10 +71,10 @@ double nodal_error(const problem::Problem& problem, const State& state) {
   return most;
 }
 
-const fem::Domain parallelogram = fem::Polygon{{{0, 0}, {2, 0.5}, {2.5, 1.7}, {0.5, 1.2}}};
-const fem::Domain rectangle =
-    fem::Rectangle{.to = {2, 1}, .cells = {3, 2}, .breaks = {0.7, 1.1}, .regions = {"", "", ""}};
-const fem::Domain pentagon = fem::Polygon{{{0, 0}, {2, 0}, {2.4, 1}, {1, 1.8}, {-0.3, 0.9}}};
+const domain::Domain parallelogram = domain::Polygon{{{0, 0}, {2, 0.5}, {2.5, 1.7}, {0.5, 1.2}}};
+const domain::Domain rectangle =
+    domain::Rectangle{.to = {2, 1}, .cells = {3, 2}, .breaks = {0.7, 1.1}, .regions = {"", "", ""}};
+const domain::Domain pentagon = domain::Polygon{{{0, 0}, {2, 0}, {2.4, 1}, {1, 1.8}, {-0.3, 0.9}}};
 
 class Patch : public testing::TestWithParam<std::tuple<int, bool>> {
  protected:
@@ -83,7 +83,7 @@ class Patch : public testing::TestWithParam<std::tuple<int, bool>> {
 };
 
 TEST_P(Patch, of_parallelograms_keeps_every_constant_state) {
-  for (const fem::Domain& domain : {parallelogram, rectangle})
+  for (const domain::Domain& domain : {parallelogram, rectangle})
     for (const State& state : {rigid(), stretched(), sheared(), bent()}) {
       SCOPED_TRACE(state.name);
       // A bilinear element cannot bend without shear unless tied.
@@ -143,13 +143,13 @@ INSTANTIATE_TEST_SUITE_P(Elements, Patch, testing::Combine(testing::Values(1, 2,
 
 // Straight triangles have every constant strain in their space, and no tying that removes it.
 TEST(TrianglePatch, keeps_every_constant_state_of_its_degree) {
-  for (const fem::Domain& domain : {parallelogram, rectangle, pentagon})
+  for (const domain::Domain& domain : {parallelogram, rectangle, pentagon})
     for (int k = 1; k <= 2; ++k)
       for (const State& state : {rigid(), stretched(), sheared(), bent()}) {
         if (k == 1 && state.name == "bent") continue;
         SCOPED_TRACE(state.name);
         problem::Problem p = patch(domain, state, k, false);
-        p.discretisation.cells = fem::Shape::triangle;
+        p.discretisation.cells = mesh::Shape::triangle;
         EXPECT_LT(nodal_error(p, state), 1e-12) << "degree " << k;
       }
 }

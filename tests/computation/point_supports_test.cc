@@ -63,11 +63,11 @@ void expect_no_reaction(const Result& result, double tolerance = 1e-10) {
 }
 
 TEST(FreePanel, under_loads_in_equilibrium_needs_no_reaction) {
-  for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle})
+  for (const auto shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle})
     for (const auto formulation : {element::Formulation::tangent, element::Formulation::classical}) {
       problem::Problem p = free_panel();
       p.discretisation = {.cells = shape, .degree = 2, .refinements = 2};
-      p.shell.tying = shape == fem::Shape::quadrilateral;
+      p.shell.tying = shape == mesh::Shape::quadrilateral;
       p.shell.tangency.formulation = formulation;
       const Result result = solve(p, MPI_COMM_WORLD);
       expect_no_reaction(result);

@@ -61,7 +61,7 @@ inline assembly::AreaLoad force(double x, double y, double z) {
 /// A flat square of side 1 in the plane z = 0, without supports and loads.
 inline Problem free_plate() {
   Problem p;
-  p.domain = fem::Rectangle{.cells = {2, 2}};
+  p.domain = domain::Rectangle{.cells = {2, 2}};
   p.charts.emplace("", Chart({"x", "y", "0"}, {}));
   p.shell.sections.common.thickness = Expression(0.1);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1e4, 0.3, 1);
@@ -86,7 +86,7 @@ inline Problem cantilever_plate() {
 /// A strip 0.01 above the table z = 0, clamped at both ends and pressed on it.
 inline Problem pressed_strip() {
   Problem p = with_chart(free_plate(), {"x", "y", "0.01 + e/2"}, {{"e", 0.05}});
-  p.domain = fem::Rectangle{.to = {1, 0.125}, .cells = {8, 1}};
+  p.domain = domain::Rectangle{.to = {1, 0.125}, .cells = {8, 1}};
   p.shell.sections.common.thickness = Expression(0.05);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.shell.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
@@ -99,7 +99,7 @@ inline Problem pressed_strip() {
 inline Problem pressed_bowl() {
   Problem p = with_chart(free_plate(), {"x", "y", "clearance + e/2 + R - sqrt(R^2 - x^2 - y^2)"},
                          {{"R", 1}, {"e", 0.02}, {"clearance", 0.01}});
-  p.domain = fem::Disk{.radius = 0.479425538604203};
+  p.domain = domain::Disk{.radius = 0.479425538604203};
   p.shell.sections.common.thickness = Expression(0.02);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.shell.supports = {clamped("rim")};

@@ -63,7 +63,7 @@ TEST(Ranks, do_not_change_a_pressed_bowl) {
 TEST(Ranks, do_not_change_a_pressed_bowl_of_triangles) {
   for (int k = 1; k <= 2; ++k) {
     problem::Problem p = pressed_bowl();
-    p.discretisation.cells = fem::Shape::triangle;
+    p.discretisation.cells = mesh::Shape::triangle;
     p.discretisation.degree = k;
     p.probes = {{.name = "middle", .at = {0, 0}}, {.name = "flank", .at = {0.2, 0.1}}};
     expect_same_alone_and_together(p);
@@ -84,7 +84,7 @@ TEST(Ranks, may_outnumber_the_cells) {
   for (const int cells : {1, 2})
     for (const int degree : {1, 2}) {
       problem::Problem p = pressed_strip();
-      std::get<fem::Rectangle>(p.domain).cells = {cells, 1};
+      std::get<domain::Rectangle>(p.domain).cells = {cells, 1};
       p.discretisation.degree = degree;
       expect_same_alone_and_together(p);
     }
@@ -141,7 +141,7 @@ TEST(Ranks, all_stop_when_one_is_asked_to) {
 TEST(Ranks, all_throw_for_a_probe_outside) {
   problem::Problem p = cantilever_plate();
   p.probes = {{.name = "out", .at = {2, 0}}};
-  EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
+  EXPECT_THROW(solve(p, MPI_COMM_WORLD), mesh::DomainError);
 }
 
 TEST(Ranks, all_throw_for_a_load_that_is_not_finite_on_one) {

@@ -28,8 +28,8 @@ constexpr Span stiff{2e4, 0.12}, soft{5e3, 0.1};
 
 problem::Problem two_spans() {
   problem::Problem p = free_plate();
-  p.domain =
-      fem::Rectangle{.to = {first + second, width}, .cells = {5, 1}, .breaks = {first}, .regions = {"stiff", "soft"}};
+  p.domain = domain::Rectangle{
+      .to = {first + second, width}, .cells = {5, 1}, .breaks = {first}, .regions = {"stiff", "soft"}};
   p.shell.sections.common = soft.section();
   p.shell.sections.regions["stiff"] = stiff.section();
   p.shell.supports = {clamped("left")};
@@ -89,7 +89,7 @@ TEST(TwoSpans, under_a_load_on_one_of_them_bend_as_a_beam) {
 
 TEST(TwoSpans, of_triangles_converge_to_the_beam) {
   problem::Problem p = with_end_force();
-  p.discretisation = {.cells = fem::Shape::triangle, .degree = 2};
+  p.discretisation = {.cells = mesh::Shape::triangle, .degree = 2};
   p.shell.tying = false;
   const auto error = [&](int refinements) {
     p.discretisation.refinements = refinements;
@@ -122,7 +122,7 @@ TEST(TwoSpans, that_a_region_makes_one_are_one) {
 
 /// The largest thickness at nodes of the joint; elsewhere the thickness of the region.
 TEST(NodalThickness, is_the_largest_where_regions_meet) {
-  for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+  for (const auto shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
     problem::Problem p = two_spans();
     p.discretisation = {.cells = shape, .degree = 2, .refinements = 1};
     p.shell.tying = false;
@@ -186,7 +186,7 @@ TEST(Examination, sees_the_thickness_and_loads_of_each_region) {
   p = with_end_force();
   p.shell.sections.regions["wing"] = soft.section();
   EXPECT_NE(texts(p).find("the region \"wing\", which the mesh does not have; it has: stiff, soft"), std::string::npos);
-  EXPECT_THROW(solve(p, MPI_COMM_WORLD), fem::DomainError);
+  EXPECT_THROW(solve(p, MPI_COMM_WORLD), mesh::DomainError);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ constexpr double bending_stiffness = young * width * thickness * thickness * thi
 /// A strip along x without lateral contraction, clamped at x = 0. Its other end is on a body with the reference point at its middle.
 problem::Problem beam(const fem::RigidBody& body) {
   problem::Problem p = free_plate();
-  p.domain = fem::Rectangle{.to = {length, width}, .cells = {4, 1}};
+  p.domain = domain::Rectangle{.to = {length, width}, .cells = {4, 1}};
   p.shell.sections.common.thickness = Expression(thickness);
   p.shell.sections.common.material = shell::Material::from_young_poisson(young, 0, 1);
   p.shell.supports = {clamped("left")};
@@ -57,7 +57,7 @@ void expect_sound(const Result& result) {
 }
 
 struct Element {
-  fem::Shape cells;
+  mesh::Shape cells;
   int degree;
   Formulation formulation;
 };
@@ -69,17 +69,17 @@ class RigidBody : public testing::TestWithParam<Element> {
     p.discretisation.cells = cells;
     p.discretisation.degree = degree;
     p.shell.tangency.formulation = formulation;
-    if (cells == fem::Shape::triangle) p.shell.tying = false;
+    if (cells == mesh::Shape::triangle) p.shell.tying = false;
     return p;
   }
 };
 
 INSTANTIATE_TEST_SUITE_P(Each, RigidBody,
-                         testing::Values(Element{fem::Shape::quadrilateral, 2, Formulation::tangent},
-                                         Element{fem::Shape::quadrilateral, 3, Formulation::penalised},
-                                         Element{fem::Shape::quadrilateral, 2, Formulation::mixed},
-                                         Element{fem::Shape::quadrilateral, 2, Formulation::classical},
-                                         Element{fem::Shape::triangle, 2, Formulation::tangent}));
+                         testing::Values(Element{mesh::Shape::quadrilateral, 2, Formulation::tangent},
+                                         Element{mesh::Shape::quadrilateral, 3, Formulation::penalised},
+                                         Element{mesh::Shape::quadrilateral, 2, Formulation::mixed},
+                                         Element{mesh::Shape::quadrilateral, 2, Formulation::classical},
+                                         Element{mesh::Shape::triangle, 2, Formulation::tangent}));
 
 TEST_P(RigidBody, TurnsTheTipOfACantileverByMLOverEI) {
   fem::RigidBody body = end_plate();
@@ -174,7 +174,7 @@ TEST_P(RigidBody, LeavesTheFormSymmetricAndPositiveAndTheMatrixTheOperator) {
                             .turns_normals = false,
                             .fixed = {0.0, 0.0, 0.0, open, open, 0.01}});
   p.shell.supports.clear();
-  p.domain = fem::Rectangle{.to = {length, width}, .cells = {4, 2}};
+  p.domain = domain::Rectangle{.to = {length, width}, .cells = {4, 2}};
   p.rigid_bodies[0].boundaries = {"bottom"};
   const auto shell = discretised(p);
   const algebra::Matrix A = stiffness_matrix(*shell);
@@ -230,7 +230,7 @@ TEST(RigidBodies, MayBeHingesThatTakeNoMoment) {
 TEST(RigidBodies, TwistATubeWhoseSeamIsJoined) {
   constexpr double wall = 0.05, pi = std::numbers::pi, moment = 1e-4;
   problem::Problem p;
-  p.domain = fem::Rectangle{.to = {2 * pi, 2}, .cells = {8, 2}};
+  p.domain = domain::Rectangle{.to = {2 * pi, 2}, .cells = {8, 2}};
   p.charts = {{"", Chart({"sin(x)", "y", "cos(x)"}, {})}};
   p.shell.sections.common.thickness = Expression(wall);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
@@ -298,7 +298,7 @@ TEST(RigidBodies, MayBeHeldBySymmetryWhereTheyAreFixedAlike) {
   body.reference[1] = 0;
   body.fixed = {open, 0.0, open, 0.0, open, 0.0};
   problem::Problem p = beam(body);
-  p.domain = fem::Rectangle{.to = {length, width / 2}, .cells = {4, 1}};
+  p.domain = domain::Rectangle{.to = {length, width / 2}, .cells = {4, 1}};
   p.shell.supports.push_back(symmetry("bottom"));
   const Result half = solve(p, MPI_COMM_WORLD);
   expect_sound(half);

@@ -22,7 +22,7 @@ using obstacle::Face;
 /// A clamped shallow bowl pressed on bodies below it. Chart, loads and bodies are turned by R.
 problem::Problem bowl(const Matrix3d& R, const std::vector<obstacle::Obstacle>& bodies) {
   problem::Problem p;
-  p.domain = fem::Disk{.radius = std::sin(0.5)};
+  p.domain = domain::Disk{.radius = std::sin(0.5)};
   const std::array<std::string, 3> own{"x", "y", "(1.03 - sqrt(1 - x^2 - y^2))"};
   std::array<std::string, 3> turned;
   for (int i = 0; i < 3; ++i)
@@ -179,7 +179,7 @@ TEST(AMomentPoint, IsAsGoodAsMovingTheScene) {
 
 TEST(APanelSqueezedBetweenTwoPlates, HasMirrorEqualReactions) {
   problem::Problem p;
-  p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
+  p.domain = domain::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
   p.charts = {{"", Chart({"x", "y", "0.02*cos(2*pi*x)"}, {})}};
   p.shell.sections.common.thickness = Expression(0.04);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);

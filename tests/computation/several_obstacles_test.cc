@@ -14,7 +14,7 @@ constexpr double width = 0.125, thick = 0.1;
 /// A strip of length 1 in plane strain, clamped at both ends, between the floor z = 0 and a ceiling. The load acts along z.
 problem::Problem strip(const std::string& height, const std::string& load, double ceiling) {
   problem::Problem p;
-  p.domain = fem::Rectangle{.to = {1, width}, .cells = {8, 1}};
+  p.domain = domain::Rectangle{.to = {1, width}, .cells = {8, 1}};
   p.charts = {{"", Chart({"x", "y", height}, {})}};
   p.shell.sections.common.thickness = Expression(thick);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
@@ -79,7 +79,7 @@ TEST(Between, PlatesThatAreMirrorImagesTheReactionsAreToo) {
 /// A plate on rollers along y; its load presses it on them.
 problem::Problem plate_on_rollers(const std::vector<double>& places, double radius) {
   problem::Problem p;
-  p.domain = fem::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
+  p.domain = domain::Rectangle{.from = {-1, 0}, .to = {1, 0.25}, .cells = {8, 1}};
   p.charts = {{"", Chart({"x", "y", "0"}, {})}};
   p.shell.sections.common.thickness = Expression(thick);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
@@ -119,7 +119,7 @@ TEST(AFarRoller, ChangesNothing) {
 TEST(ATubeBetweenPlates, GetsShorterAsARingDoes) {
   const double pi = 3.141592653589793, length = 0.25, thickness = 0.02, force = 0.01;
   problem::Problem p;
-  p.domain = fem::Rectangle{.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}};
+  p.domain = domain::Rectangle{.from = {-pi, 0}, .to = {pi, length}, .cells = {16, 1}};
   p.joins = {{{"left", "right"}}};
   p.charts = {{"", Chart({"sin(x)", "y", "1.01 - cos(x)"}, {})}};
   p.shell.sections.common.thickness = Expression(thickness);

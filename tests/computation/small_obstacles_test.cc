@@ -27,7 +27,7 @@ constexpr double e = 0.05;
 /// A strip along x in the plane z = 0, clamped at both ends, in plane strain, without load.
 problem::Problem strip(double length = 1, double modulus = 1) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0"}, {});
-  p.domain = fem::Rectangle{.to = {length, 0.125 * length}, .cells = {8, 1}};
+  p.domain = domain::Rectangle{.to = {length, 0.125 * length}, .cells = {8, 1}};
   p.shell.sections.common.thickness = Expression(e * length);
   p.shell.sections.common.material = shell::Material::from_young_poisson(modulus, 0.3, 1);
   p.shell.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
@@ -80,7 +80,7 @@ TEST(ABlade, NarrowerThanTheShellIsMetAtItsTip) { expect_like_a_roller(solved(st
 /// Its nodes are closer together than the blade is wide. For nodes near a wall the shortest way out leads through that wall.
 problem::Problem fine_strip() {
   problem::Problem p = strip();
-  p.domain = fem::Rectangle{.to = {1, 0.125}, .cells = {32, 1}};
+  p.domain = domain::Rectangle{.to = {1, 0.125}, .cells = {32, 1}};
   return p;
 }
 
@@ -109,7 +109,7 @@ TEST(AWire, FromAboveIsTheMirrorImage) {
 
 TEST(AWire, IsMetOnTrianglesToo) {
   problem::Problem p = strip();
-  p.discretisation.cells = fem::Shape::triangle;
+  p.discretisation.cells = mesh::Shape::triangle;
   p.shell.tying = false;
   const Result r = solved(p, wire(0.01, 0.015)), thick = solved(p, wire(0.2, 0.015));
   ASSERT_EQ(r.status, Status::solved) << status_text(r);
@@ -137,7 +137,7 @@ TEST(AWire, IsMetByACurvedShellThatIsTurnedInSpace) {
     p = with_chart(p,
                    is_turned ? std::array<std::string, 3>{x, "R - R*cos(x)", y} : std::array<std::string, 3>{x, y, z},
                    {{"R", 1}});
-    p.domain = fem::Rectangle{.from = {-0.5, 0}, .to = {0.5, 0.125}, .cells = {8, 1}};
+    p.domain = domain::Rectangle{.from = {-0.5, 0}, .to = {0.5, 0.125}, .cells = {8, 1}};
     p.shell.supports = {clamped("left"), clamped("right")};
     p.discretisation.refinements = 1;
     return p;

@@ -24,7 +24,7 @@ constexpr double shear_stiffness = E / 2 * thickness;  // k_s e mu with nu = 0, 
 /// A cantilever without Poisson's effect, so that it is a beam.
 problem::Problem beam() {
   problem::Problem p = free_plate();
-  p.domain = fem::Rectangle{.to = {length, width}, .cells = {3, 1}};
+  p.domain = domain::Rectangle{.to = {length, width}, .cells = {3, 1}};
   p.shell.sections.common.material = shell::Material::from_young_poisson(E, 0, 1);
   p.shell.supports = {clamped("left")};
   p.probes = {{.name = "tip", .at = {length, width / 2}},
@@ -219,10 +219,10 @@ TEST(Outcome, of_wrong_input_is_an_exception) {
   EXPECT_THROW(solve(p, MPI_COMM_SELF), assembly::SupportError);
   p = cantilever_plate();
   p.charts.clear();
-  EXPECT_THROW(solve(p, MPI_COMM_SELF), fem::DomainError);
+  EXPECT_THROW(solve(p, MPI_COMM_SELF), mesh::DomainError);
   p = cantilever_plate();
   p.probes = {{.name = "out", .at = {2, 0}}};
-  EXPECT_THROW(solve(p, MPI_COMM_SELF), fem::DomainError);
+  EXPECT_THROW(solve(p, MPI_COMM_SELF), mesh::DomainError);
 }
 
 // ---- probes and observers ------------------------------------------------------------------------------------------

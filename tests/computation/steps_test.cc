@@ -13,7 +13,7 @@ using namespace test;
 /// A clamped square plate 0.007 above a table; its load presses it on the table. Beside its middle is a ball, 0.005 above it.
 problem::Problem plate() {
   problem::Problem p;
-  p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
+  p.domain = domain::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}, .cells = {2, 2}};
   p.charts = {{"", Chart({"x", "y", "0"}, {})}};
   p.shell.sections.common.thickness = Expression(0.05);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 /// A plate of thickness 0.02 under its weight of 1 per area, simply supported (only u.z) on all edges in this order. Its in-plane supports are
 /// in the middle and carry nothing.
-problem::Problem supported_plate(const fem::Domain& domain, const std::vector<std::string>& edges,
+problem::Problem supported_plate(const domain::Domain& domain, const std::vector<std::string>& edges,
                                  int refinements = 1) {
   problem::Problem p = free_plate();
   p.domain = domain;
@@ -57,7 +57,8 @@ void expect_sum(const Result& result) {
 // Kirchhoff: each corner is pulled down by 0.0650 q a^2 (Timoshenko and Woinowsky-Krieger, table 8), and the edges carry 1.26 q a^2.
 TEST(SupportReactions, of_a_square_are_equal_with_the_corner_forces_of_plate_theory) {
   for (const int refinements : {1, 2}) {
-    const Result result = solve(supported_plate(fem::Rectangle{.cells = {2, 2}}, sides, refinements), MPI_COMM_WORLD);
+    const Result result =
+        solve(supported_plate(domain::Rectangle{.cells = {2, 2}}, sides, refinements), MPI_COMM_WORLD);
     expect_sum(result);
     ASSERT_EQ(result.summary.corner_reactions.size(), 4u);
     for (const auto& corner : result.summary.corner_reactions)
@@ -69,7 +70,7 @@ TEST(SupportReactions, of_a_square_are_equal_with_the_corner_forces_of_plate_the
 }
 
 TEST(SupportReactions, of_equal_edges_are_equal_whatever_their_order_and_angle) {
-  const fem::Polygon rhombus{{{0, 0}, {1, 0}, {1.5, 0.8660254037844386}, {0.5, 0.8660254037844386}}};
+  const domain::Polygon rhombus{{{0, 0}, {1, 0}, {1.5, 0.8660254037844386}, {0.5, 0.8660254037844386}}};
   for (const auto& order :
        {std::vector<std::string>{"edge1", "edge2", "edge3", "edge4"}, {"edge3", "edge1", "edge4", "edge2"}}) {
     const Result result = solve(supported_plate(rhombus, order), MPI_COMM_WORLD);
@@ -77,7 +78,7 @@ TEST(SupportReactions, of_equal_edges_are_equal_whatever_their_order_and_angle) 
     const auto forces = edge_forces(result);
     for (const auto& [name, force] : forces) EXPECT_NEAR(force[2], forces.at("edge1")[2], 1e-9) << name;
   }
-  const fem::Polygon ell{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  const domain::Polygon ell{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
   const Result result =
       solve(supported_plate(ell, {"edge1", "edge2", "edge3", "edge4", "edge5", "edge6"}), MPI_COMM_WORLD);
   expect_sum(result);
@@ -111,7 +112,7 @@ TEST(SupportReactions, share_at_a_corner_what_both_edges_fix) {
 }
 
 TEST(SupportReactions, leave_a_point_on_an_edge_what_the_edge_does_not_hold) {
-  problem::Problem p = supported_plate(fem::Rectangle{.cells = {2, 2}}, sides);
+  problem::Problem p = supported_plate(domain::Rectangle{.cells = {2, 2}}, sides);
   p.shell.supports.pop_back();
   Support pin = held("", {Direction::x, Direction::y, Direction::z}), guide = held("", {Direction::y});
   pin.point = Eigen::Vector2d(0, 0.5);
@@ -126,7 +127,7 @@ TEST(SupportReactions, leave_a_point_on_an_edge_what_the_edge_does_not_hold) {
 }
 
 TEST(SupportReactions, as_goals_are_those_that_are_reported) {
-  problem::Problem p = supported_plate(fem::Rectangle{.cells = {2, 2}}, sides);
+  problem::Problem p = supported_plate(domain::Rectangle{.cells = {2, 2}}, sides);
   p.accuracy = problem::Accuracy{.goals = {{"support.left.force.z", 0.5}, {"support.top.force.z", 0.5}}};
   const Result result = solve(p, MPI_COMM_WORLD);
   const auto forces = edge_forces(result);

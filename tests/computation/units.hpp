@@ -14,7 +14,7 @@ struct Units {
 inline Problem panel(const Units& units) {
   const double L = units.length, F = units.force, pressure = F / (L * L);
   Problem p = with_chart(free_plate(), {"x", "y", "0.02*L + e/2 + 0.2*x^2/L"}, {{"L", L}, {"e", 0.1 * L}});
-  p.domain = fem::Rectangle{.to = {L, L}, .cells = {2, 2}};
+  p.domain = domain::Rectangle{.to = {L, L}, .cells = {2, 2}};
   p.shell.sections.common.thickness = Expression(0.1 * L);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1e4 * pressure, 0.3, 1);
   p.shell.supports = {clamped("left"), held("right", {Direction::x, Direction::y, Direction::z})};

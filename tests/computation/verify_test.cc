@@ -76,7 +76,7 @@ TEST(Verification, PassesWhatWasSolved) {
 
 TEST(Verification, PassesTrianglesCovariantComponentsTwoFacesAndCurvedObstacles) {
   problem::Problem triangles = pressed_strip(), covariant = pressed_strip(), between = pressed_strip();
-  triangles.discretisation.cells = fem::Shape::triangle;
+  triangles.discretisation.cells = mesh::Shape::triangle;
   covariant.shell.tangency.formulation = element::Formulation::classical;
   between.shell.obstacles.all = {
       obstacle::Obstacle{.name = "lower", .face = obstacle::Face::lower},

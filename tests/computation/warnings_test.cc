@@ -27,7 +27,7 @@ using testing::Not;
 /// A plate with a bump `depth` deep in its middle. Its edge lies 0.02 above the table.
 problem::Problem bumpy_plate(int cells, double depth) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0.07 - depth*(sin(pi*x)*sin(pi*y))^2"}, {{"depth", depth}});
-  p.domain = fem::Rectangle{.cells = {cells, cells}};
+  p.domain = domain::Rectangle{.cells = {cells, cells}};
   for (const char* side : {"left", "right", "bottom", "top"}) p.shell.supports.push_back(clamped(side));
   p.shell.loads.on_areas = {force(0, 0, -1e-6)};
   p.shell.obstacles.all = {obstacle::Obstacle{}};
@@ -36,13 +36,13 @@ problem::Problem bumpy_plate(int cells, double depth) {
 }
 
 TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
-  for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+  for (const auto shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
     // Cut crosswise, the square has a vertex in its middle, with the bumps around it.
-    const double bumps = shape == fem::Shape::triangle ? 2 : 1;
+    const double bumps = shape == mesh::Shape::triangle ? 2 : 1;
     problem::Problem p =
         with_chart(bumpy_plate(1, 0), {"x", "y", "0.07 - 0.06*(sin(n*pi*x)*sin(n*pi*y))^2"}, {{"n", bumps}});
     p.discretisation.cells = shape;
-    p.shell.tying = shape == fem::Shape::quadrilateral;
+    p.shell.tying = shape == mesh::Shape::quadrilateral;
     const Result missed = solve(p, MPI_COMM_SELF);
     EXPECT_EQ(missed.summary.touching_nodes, 0);
     EXPECT_EQ(missed.status, Status::inaccurate);
@@ -58,7 +58,7 @@ TEST(Contact, that_all_nodes_miss_makes_the_result_inaccurate) {
 /// A dome under a box with sharp edges. The lowest side of the box lies `depth` below the apex.
 problem::Problem dome_under_box(double depth) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "-1.025 + sqrt(1 - x^2 - y^2)"}, {});
-  p.domain = fem::Disk{.radius = std::sin(0.5)};
+  p.domain = domain::Disk{.radius = std::sin(0.5)};
   p.shell.sections.common.thickness = Expression(0.05);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.shell.supports = {clamped("rim")};
@@ -120,7 +120,7 @@ TEST(LinearModel, of_a_plate_that_bends_freely_is_left_with_its_rotations_and_no
 problem::Problem bent_disk(double thicknesses) {
   problem::Problem p = free_plate();
   const double e = 0.02, stiffness = e * e * e / (12 * (1 - 0.09));
-  p.domain = fem::Disk{.radius = 1};
+  p.domain = domain::Disk{.radius = 1};
   p.shell.sections.common.thickness = Expression(e);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.shell.supports = {clamped("rim")};
@@ -146,7 +146,7 @@ TEST(LinearModel, does_not_depend_on_units_or_on_the_turn_of_the_scene) {
   EXPECT_GT(metres.work, 0.05);
   for (const double s : {1e-6, 1e3}) {
     problem::Problem p = with_chart(pressed_bowl(), {"y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)", "x"}, {{"s", s}});
-    p.domain = fem::Disk{.radius = 0.479425538604203 * s};
+    p.domain = domain::Disk{.radius = 0.479425538604203 * s};
     p.shell.sections.common.thickness = Expression(0.02 * s);
     p.shell.loads.on_areas = {force(0, -2e-3, 0)};
     p.shell.obstacles.all[0].placement.rotation =
@@ -212,7 +212,7 @@ TEST(Strain, beyond_what_a_linear_law_knows_is_told_with_its_stress) {
 problem::Problem standing_dome(int refinements) {
   problem::Problem p =
       with_chart(free_plate(), {"x", "y", "sqrt(1 - x^2 - y^2) - cos(a) + e/2*cos(a)"}, {{"a", 0.5}, {"e", 0.05}});
-  p.domain = fem::Disk{.radius = std::sin(0.5)};
+  p.domain = domain::Disk{.radius = std::sin(0.5)};
   p.shell.sections.common.thickness = Expression(0.05);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.shell.supports = {held("rim", {Direction::tangent})};
@@ -250,7 +250,7 @@ TEST(ContactSet, does_not_depend_on_the_unit_of_length) {
   const Result metres = solve(pressed_bowl(), MPI_COMM_SELF);
   for (const double s : {1e-12, 1e-9, 1e-6, 1e6}) {
     problem::Problem p = with_chart(pressed_bowl(), {"x", "y", "0.02*s + s - sqrt(s^2 - x^2 - y^2)"}, {{"s", s}});
-    p.domain = fem::Disk{.radius = 0.479425538604203 * s};
+    p.domain = domain::Disk{.radius = 0.479425538604203 * s};
     p.shell.sections.common.thickness = Expression(0.02 * s);
     const Result r = solve(p, MPI_COMM_SELF);
     EXPECT_EQ(r.status, Status::solved) << s << ": " << status_text(r);
@@ -317,7 +317,7 @@ TEST(TheLargestStress, leaves_out_places_where_stresses_have_no_limit_and_names_
   problem::Problem cantilever = cantilever_plate(), square = free_plate(), ell = free_plate();
   square.shell.loads.on_areas = ell.shell.loads.on_areas = cantilever.shell.loads.on_areas;
   for (const char* side : {"left", "right", "bottom", "top"}) square.shell.supports.push_back(clamped(side));
-  ell.domain = fem::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  ell.domain = domain::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
   for (int k = 1; k <= 6; ++k) ell.shell.supports.push_back(clamped(fmt::format("edge{}", k)));
   const Result a = solve(cantilever, MPI_COMM_SELF), b = solve(square, MPI_COMM_SELF), c = solve(ell, MPI_COMM_SELF);
   ASSERT_EQ(a.singular_places.size(), 2u);

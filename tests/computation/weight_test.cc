@@ -14,21 +14,21 @@ using namespace test;
 using Eigen::Vector3d;
 
 /// A saddle of two regions, one of varying thickness, clamped at one side.
-problem::Problem saddle(fem::Shape shape) {
+problem::Problem saddle(mesh::Shape shape) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0.3*x*y"});
-  p.domain = fem::Rectangle{.to = {1, 1}, .cells = {2, 2}, .breaks = {0.5}, .regions = {"heavy", "light"}};
+  p.domain = domain::Rectangle{.to = {1, 1}, .cells = {2, 2}, .breaks = {0.5}, .regions = {"heavy", "light"}};
   p.shell.sections.common.density = 20;
   p.shell.sections.regions["heavy"] = {.thickness = Expression("0.1 + 0.05*y", {}),
                                        .material = shell::Material::from_young_poisson(2e4, 0.2, 1),
                                        .density = 70};
   p.shell.supports = {clamped("left")};
   p.discretisation = {.cells = shape, .degree = 2, .refinements = 1};
-  p.shell.tying = shape == fem::Shape::quadrilateral;
+  p.shell.tying = shape == mesh::Shape::quadrilateral;
   return p;
 }
 
 TEST(Weight, is_the_load_that_one_writes_by_hand) {
-  for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle})
+  for (const auto shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle})
     for (const auto formulation : {element::Formulation::tangent, element::Formulation::penalised,
                                    element::Formulation::mixed, element::Formulation::classical}) {
       problem::Problem p = saddle(shape), by_hand = p;
@@ -57,7 +57,7 @@ TEST(Weight, of_a_flat_plate_is_its_mass_times_gravity) {
 }
 
 TEST(Weight, without_gravity_is_nothing) {
-  problem::Problem p = saddle(fem::Shape::quadrilateral);
+  problem::Problem p = saddle(mesh::Shape::quadrilateral);
   EXPECT_EQ(solve(p, MPI_COMM_WORLD).summary.loads.force, Vector3d(0, 0, 0));
 }
 

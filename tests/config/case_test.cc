@@ -53,7 +53,7 @@ TEST(Constants, StandInChartsLoadsAndThickness) {
       "case.toml");
   EXPECT_DOUBLE_EQ(c.problem.shell.sections.common.thickness(0, 0), 0.02);
   EXPECT_TRUE(c.problem.shell.sections.common.thickness.is_constant());
-  EXPECT_EQ(std::get<fem::Disk>(c.problem.domain).radius, 1);
+  EXPECT_EQ(std::get<domain::Disk>(c.problem.domain).radius, 1);
   const auto jet = c.problem.charts.at("")(0, 0);
   EXPECT_NEAR(jet.dd[0][2], 0.5, 1e-15);
   EXPECT_DOUBLE_EQ(c.problem.shell.loads.on_areas[0].force[2](0, 3), -6);
@@ -198,12 +198,12 @@ TEST(MeshAndSolver, TakeWhatTheyAreGiven) {
 TEST(Triangles, AreNotTied) {
   for (const char* mesh : {"cells = \"triangle\"\n", "tying = false\ndegree = 1\ncells = \"triangle\"\n"}) {
     const Case c = parsed(std::string("[mesh]\n") + mesh);
-    EXPECT_EQ(c.problem.discretisation.cells, fem::Shape::triangle);
+    EXPECT_EQ(c.problem.discretisation.cells, mesh::Shape::triangle);
     EXPECT_FALSE(c.problem.shell.tying);
     EXPECT_EQ(c.effective["mesh"]["tying"], false);
     EXPECT_EQ(c.effective["mesh"]["cells"], "triangle");
   }
-  EXPECT_EQ(parsed().problem.discretisation.cells, fem::Shape::quadrilateral);
+  EXPECT_EQ(parsed().problem.discretisation.cells, mesh::Shape::quadrilateral);
 }
 
 TEST(Case, WantsAReportUnlessItRefusesIt) {

@@ -17,7 +17,7 @@ problem::Problem with_domain(const std::string& domain, const std::string& chart
 }
 
 TEST(DomainOfTheCase, IsARectangle) {
-  const auto r = std::get<fem::Rectangle>(
+  const auto r = std::get<domain::Rectangle>(
       with_domain("{ rectangle = { from = [-1, 0], to = [2, \"1/2\"], cells = [6, 1] } }").domain);
   EXPECT_EQ(r.from, Eigen::Vector2d(-1, 0));
   EXPECT_EQ(r.to, Eigen::Vector2d(2, 0.5));
@@ -29,8 +29,8 @@ TEST(DomainOfTheCase, IsARectangleOfRegionsWithAChartEach) {
   const std::string domain = "{ rectangle = { to = [3, 1], breaks = [1, 2], regions = [\"a\", \"b\", \"c\"] } }";
   const auto problem =
       with_domain(domain, "{ a = [\"x\", \"y\", 0], b = [\"x\", \"y\", 1], c = [\"x\", \"y\", \"x\"] }");
-  EXPECT_EQ(std::get<fem::Rectangle>(problem.domain).breaks, (std::vector<double>{1, 2}));
-  EXPECT_EQ(std::get<fem::Rectangle>(problem.domain).cells, (std::array{0, 0}));
+  EXPECT_EQ(std::get<domain::Rectangle>(problem.domain).breaks, (std::vector<double>{1, 2}));
+  EXPECT_EQ(std::get<domain::Rectangle>(problem.domain).cells, (std::array{0, 0}));
   EXPECT_EQ(problem.charts.size(), 3u);
   EXPECT_EQ(problem.charts.at("b")(0, 0).value[2], 1);
   EXPECT_EQ(problem.charts.at("c")(5, 0).value[2], 5);
@@ -43,10 +43,10 @@ TEST(ChartOfTheCase, HoldsForAllRegionsWhenThereIsOne) {
 }
 
 TEST(DomainOfTheCase, IsADiskOrAnAnnulus) {
-  const auto disk = std::get<fem::Disk>(with_domain("{ disk = { centre = [1, 2], radius = 3 } }").domain);
+  const auto disk = std::get<domain::Disk>(with_domain("{ disk = { centre = [1, 2], radius = 3 } }").domain);
   EXPECT_EQ(disk.centre, Eigen::Vector2d(1, 2));
   EXPECT_EQ(disk.radius, 3);
-  const auto annulus = std::get<fem::Annulus>(with_domain("{ annulus = { inner = 1, outer = 2.5 } }").domain);
+  const auto annulus = std::get<domain::Annulus>(with_domain("{ annulus = { inner = 1, outer = 2.5 } }").domain);
   EXPECT_EQ(annulus.centre, Eigen::Vector2d(0, 0));
   EXPECT_EQ(annulus.inner, 1);
   EXPECT_EQ(annulus.outer, 2.5);
@@ -55,7 +55,7 @@ TEST(DomainOfTheCase, IsADiskOrAnAnnulus) {
 TEST(DomainOfTheCase, IsAPolygonWrittenEitherWay) {
   for (const char* text :
        {"{ polygon = [[0, 0], [1, 0], [1, 1]] }", "{ polygon = { corners = [[0, 0], [1, 0], [1, 1]] } }"}) {
-    const auto polygon = std::get<fem::Polygon>(with_domain(text).domain);
+    const auto polygon = std::get<domain::Polygon>(with_domain(text).domain);
     ASSERT_EQ(polygon.corners.size(), 3u);
     EXPECT_EQ(polygon.corners[2], Eigen::Vector2d(1, 1));
   }
@@ -72,7 +72,7 @@ TEST(DomainOfTheCase, IsAMeshFileBesideTheCaseFile) {
   std::ofstream(folder / "plate.msh") << "$MeshFormat\n";
   const auto problem =
       with_domain("{ mesh = \"plate.msh\" }", "{ wing = [\"x\", \"y\", 0] }", (folder / "case.toml").string());
-  EXPECT_EQ(std::get<fem::MeshFile>(problem.domain).path, (folder / "plate.msh").string());
+  EXPECT_EQ(std::get<domain::MeshFile>(problem.domain).path, (folder / "plate.msh").string());
   EXPECT_EQ(problem.charts.count("wing"), 1u);
   EXPECT_EQ(
       with_domain("{ mesh = \"plate.msh\" }", "[\"x\", \"y\", 0]", (folder / "case.toml").string()).charts.count(""),
@@ -85,19 +85,19 @@ TEST(DomainOfTheCase, MayBeWrittenAsSections) {
       "[shell]\nE = 1\nnu = 0\nthickness = 1\n[geometry]\nchart = [\"x\", \"y\", 0]\n"
       "[geometry.domain.disk]\nradius = 2\n",
       "case.toml");
-  EXPECT_EQ(std::get<fem::Disk>(c.problem.domain).radius, 2);
+  EXPECT_EQ(std::get<domain::Disk>(c.problem.domain).radius, 2);
 }
 
 TEST(DomainNames, AreThoseOfTheManual) {
   using Names = std::vector<std::string>;
-  EXPECT_EQ(fem::boundary_names(fem::Rectangle{}), (Names{"left", "right", "bottom", "top"}));
-  EXPECT_EQ(fem::boundary_names(fem::Disk{}), Names{"rim"});
-  EXPECT_EQ(fem::boundary_names(fem::Annulus{}), (Names{"inner", "outer"}));
-  EXPECT_EQ(fem::boundary_names(fem::Polygon{{{0, 0}, {1, 0}, {0, 1}}}), (Names{"edge1", "edge2", "edge3"}));
-  EXPECT_TRUE(fem::boundary_names(fem::MeshFile{}).empty());
-  EXPECT_EQ(fem::region_names(fem::Rectangle{}), Names{""});
-  EXPECT_EQ(fem::region_names(fem::Rectangle{.breaks = {0.5}, .regions = {"a", "b"}}), (Names{"a", "b"}));
-  EXPECT_TRUE(fem::region_names(fem::MeshFile{}).empty());
+  EXPECT_EQ(domain::boundary_names(domain::Rectangle{}), (Names{"left", "right", "bottom", "top"}));
+  EXPECT_EQ(domain::boundary_names(domain::Disk{}), Names{"rim"});
+  EXPECT_EQ(domain::boundary_names(domain::Annulus{}), (Names{"inner", "outer"}));
+  EXPECT_EQ(domain::boundary_names(domain::Polygon{{{0, 0}, {1, 0}, {0, 1}}}), (Names{"edge1", "edge2", "edge3"}));
+  EXPECT_TRUE(domain::boundary_names(domain::MeshFile{}).empty());
+  EXPECT_EQ(domain::region_names(domain::Rectangle{}), Names{""});
+  EXPECT_EQ(domain::region_names(domain::Rectangle{.breaks = {0.5}, .regions = {"a", "b"}}), (Names{"a", "b"}));
+  EXPECT_TRUE(domain::region_names(domain::MeshFile{}).empty());
 }
 
 }  // namespace

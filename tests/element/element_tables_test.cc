@@ -1,5 +1,5 @@
 #include <plastron/element/element_tables.hpp>
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace plastron::element {
 namespace {
 
-using fem::Shape;
+using mesh::Shape;
 
 TEST(ElementTables, TheWeightsSumToTheUnitSquare) {
   for (int degree = 1; degree <= 8; ++degree) {
@@ -116,7 +116,7 @@ TEST(TriangleTables, TheNodalQuadratureIsExactToTheDegree) {
 }
 
 TEST(TriangleTables, TheReactionBetweenNodesHasTheIntegralOfTheNodalQuadrature) {
-  const auto rule = fem::triangle_rule(4);
+  const auto rule = mesh::triangle_rule(4);
   for (int k = 1; k <= 2; ++k) {
     const ElementTables t = element_tables(Shape::triangle, k, false);
     const MatrixXd basis = reaction_basis_at(Shape::triangle, k, rule.points);

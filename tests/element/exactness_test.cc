@@ -1,8 +1,8 @@
 // The polynomials that each table of the element reproduces, for all degrees: of the basis, the rules, tying (M22), the continuation of
 // resultants and the reaction.
 #include <plastron/element/element_tables.hpp>
-#include <plastron/fem/basis.hpp>
-#include <plastron/fem/reference_cell.hpp>
+#include <plastron/mesh/basis.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 
 #include <gtest/gtest.h>
 
@@ -17,14 +17,14 @@
 namespace plastron::element::exactness_test {
 namespace {
 
-using fem::Shape;
+using mesh::Shape;
 
 struct Element {
   Shape shape;
   int degree;
 };
 void PrintTo(const Element& e, std::ostream* out) {
-  *out << fem::corner_count(e.shape) << " corners, degree " << e.degree;
+  *out << mesh::corner_count(e.shape) << " corners, degree " << e.degree;
 }
 
 std::vector<Element> elements() {
@@ -54,11 +54,11 @@ std::vector<Monomial> monomials(Shape shape, int p_most, int q_most) {
 std::vector<Vector2d> probes(Shape shape) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> coordinate(0, 1);
-  std::vector<Vector2d> all{fem::centre(shape)};
-  for (int k = 0; k < fem::corner_count(shape); ++k) all.push_back(fem::corner(shape, k));
+  std::vector<Vector2d> all{mesh::centre(shape)};
+  for (int k = 0; k < mesh::corner_count(shape); ++k) all.push_back(mesh::corner(shape, k));
   while (all.size() < 12) {
     const Vector2d xi(coordinate(random), coordinate(random));
-    if (fem::holds(shape, xi, 0)) all.push_back(xi);
+    if (mesh::holds(shape, xi, 0)) all.push_back(xi);
   }
   return all;
 }
@@ -83,7 +83,7 @@ double integral(const std::vector<double>& weights, const std::vector<Vector2d>&
 /// The integral over the reference cell, with a rule of more points than any table.
 double exact_integral(Shape shape, const Monomial& f) {
   if (shape == Shape::triangle) {
-    const fem::TriangleRule rule = fem::triangle_rule(9);
+    const mesh::TriangleRule rule = mesh::triangle_rule(9);
     return integral(rule.weights, rule.points, f);
   }
   const auto antiderivative = [](double x, int n) { return std::pow(x, n + 1) / (n + 1); };

@@ -1,9 +1,9 @@
 // Rules between the borders of pieces: areas and moments that are known, on both shapes and on sides.
 #include <plastron/element/piece_rules.hpp>
-#include <plastron/fem/basis.hpp>
-#include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/expression.hpp>
 #include <plastron/geometry/pieces.hpp>
+#include <plastron/mesh/basis.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@
 namespace plastron::element::piece_rules_test {
 namespace {
 
-using fem::Shape;
+using mesh::Shape;
 
 /// The parameters are the reference coordinates.
 std::vector<geometry::Place> unchanged(std::span<const Vector2d> xi) {
@@ -76,7 +76,7 @@ TEST_P(PieceRules, HaveTheIntegralOfTheirFunctionAndOfTheWholeCell) {
   EXPECT_NEAR(integral(*rule, "1 + 0*x"), is_triangle ? 0.5 : 1, 1e-10);
   EXPECT_NEAR(integral(*rule, "x^2*y"), is_triangle ? 1.0 / 60 : 1.0 / 6, 1e-10);
   for (std::size_t i = 0; i < rule->xi.size(); ++i) {
-    EXPECT_TRUE(fem::holds(shape, rule->xi[i], 1e-12));
+    EXPECT_TRUE(mesh::holds(shape, rule->xi[i], 1e-12));
     EXPECT_GE(rule->weights[i], 0);
   }
 }
@@ -118,19 +118,19 @@ TEST(PieceRules, FindNoBorderWhereAFunctionIsSmooth) {
 TEST(PieceRules, OfSidesHaveTheLengthsOfTheirPieces) {
   const geometry::Pieces pieces(geometry::Expression("x + 2*y < 0.9", {}));
   for (const Shape shape : {Shape::quadrilateral, Shape::triangle})
-    for (int side = 0; side < fem::corner_count(shape); ++side) {
+    for (int side = 0; side < mesh::corner_count(shape); ++side) {
       const auto rule = rule_between_borders({&pieces}, shape, side, 2, unchanged);
       ASSERT_TRUE(rule);
-      const auto ends = fem::side_corners(shape, side);
+      const auto ends = mesh::side_corners(shape, side);
       const auto level = [&](int end) {
-        const Vector2d xi = fem::corner(shape, ends[static_cast<std::size_t>(end)]);
+        const Vector2d xi = mesh::corner(shape, ends[static_cast<std::size_t>(end)]);
         return xi[0] + 2 * xi[1] - 0.9;
       };
       const double a = level(0), b = level(1);
       const double part = a * b < 0 ? std::abs(std::min(a, b)) / std::abs(b - a) : (a < 0 ? 1 : 0);
-      EXPECT_NEAR(integral(*rule, "x + 2*y < 0.9"), part, 1e-10) << fem::corner_count(shape) << ' ' << side;
+      EXPECT_NEAR(integral(*rule, "x + 2*y < 0.9"), part, 1e-10) << mesh::corner_count(shape) << ' ' << side;
       EXPECT_NEAR(std::accumulate(rule->weights.begin(), rule->weights.end(), 0.0), 1, 1e-12);
-      const Vector2d from = fem::corner(shape, ends[0]), along = fem::corner(shape, ends[1]) - from;
+      const Vector2d from = mesh::corner(shape, ends[0]), along = mesh::corner(shape, ends[1]) - from;
       for (const Vector2d& xi : rule->xi)
         EXPECT_NEAR(along[0] * (xi - from)[1] - along[1] * (xi - from)[0], 0, 1e-12);  // on the side
     }
@@ -143,9 +143,9 @@ TEST(PieceRules, GiveUpWhereBordersAreTooManyAndPartsDivideTheCellThen) {
   const geometry::Pieces few(geometry::Expression("x + 2*y < 0.9", {}));
   for (const Shape shape : {Shape::quadrilateral, Shape::triangle}) {
     PieceRule of_cell;
-    const fem::TriangleRule triangle = fem::triangle_rule(4);
+    const mesh::TriangleRule triangle = mesh::triangle_rule(4);
     if (shape == Shape::triangle) of_cell = {triangle.points, triangle.weights};
-    const fem::Rule line = fem::gauss(3);
+    const mesh::Rule line = mesh::gauss(3);
     for (std::size_t j = 0; j < 3 && shape == Shape::quadrilateral; ++j)
       for (std::size_t i = 0; i < 3; ++i) {
         of_cell.xi.emplace_back(line.points[i], line.points[j]);

@@ -1,9 +1,10 @@
 // Shares of the cells at a straight edge of contact. A plate is clamped above a table at one end and lies on it at the other. Nothing
 // depends on y, so the shares follow from integrals along x.
 #include <gtest/gtest.h>
+#include <plastron/domain/domain.hpp>
 #include <plastron/element/element_tables.hpp>
 #include <plastron/estimation/contact_edge.hpp>
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ SolvedShell lying_plate(int degree, int rows, bool is_turned) {
   obstacle::Obstacle table{};
   table.placement.translation = {0, 0, height - thickness / 2 - sag};
   shell.obstacles.all = {table};
-  const fem::Rectangle along_x{.to = {1, 0.25}, .cells = {columns, rows}},
+  const domain::Rectangle along_x{.to = {1, 0.25}, .cells = {columns, rows}},
       along_y{.to = {0.25, 1}, .cells = {rows, columns}};
   return {plastron::test::meshed(is_turned ? along_y : along_x, plastron::test::flat, degree, 0), shell};
 }
@@ -58,7 +59,7 @@ struct Integrals {
 };
 Integrals integrals(const SolvedShell& plate, std::size_t cell) {
   const fem::Space& space = plate.discrete().space();
-  const fem::Rule rule = fem::gauss(space.degree + 3);
+  const mesh::Rule rule = mesh::gauss(space.degree + 3);
   const double area = space.cells[cell].size * space.cells[cell].size * 0.25 / static_cast<double>(space.global_cells);
   Integrals sum;
   for (std::size_t j = 0; j < rule.points.size(); ++j)
@@ -177,7 +178,8 @@ TEST_P(AStraightEdge, HasTheSameSumOfSharesWithMoreCellsAlongIt) {
 TEST(AnEdge, CrossesNoCellWithoutObstacle) {
   const assembly::ShellDescription shell{.sections = plastron::test::steel_of(geometry::Expression(thickness)),
                                          .supports = {plastron::test::clamp("left")}};
-  const SolvedShell plate(plastron::test::meshed(fem::Rectangle{.cells = {2, 2}}, plastron::test::flat, 2, 0), shell);
+  const SolvedShell plate(plastron::test::meshed(domain::Rectangle{.cells = {2, 2}}, plastron::test::flat, 2, 0),
+                          shell);
   const Solved solved = plate.solved();
   EXPECT_TRUE(ContactEdge(solved).crossed().empty());
 }

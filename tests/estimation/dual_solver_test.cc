@@ -1,6 +1,7 @@
 // Dual solutions are derivatives of goals. They are compared with differences of goals of shells whose load, or whose obstacle's height, is a
 // little larger and smaller, with the same active set.
 #include <gtest/gtest.h>
+#include <plastron/domain/domain.hpp>
 #include <plastron/estimation/functionals.hpp>
 
 #include <algorithm>
@@ -22,11 +23,11 @@ using plastron::test::SolvedShell;
 struct Scene {
   std::array<std::string, 3> chart = plastron::test::saddle;
   int degree = 2;
-  fem::Shape shape = fem::Shape::quadrilateral;
+  mesh::Shape shape = mesh::Shape::quadrilateral;
   bool has_table = false;
 };
 void PrintTo(const Scene& scene, std::ostream* out) {
-  *out << fem::corner_count(scene.shape) << " corners, degree " << scene.degree << (scene.has_table ? ", table" : "");
+  *out << mesh::corner_count(scene.shape) << " corners, degree " << scene.degree << (scene.has_table ? ", table" : "");
 }
 
 /// A change of the scene.
@@ -50,7 +51,7 @@ SolvedShell solved(const Scene& scene, const Change& change) {
     table.placement.translation = {0, 0, 0.3 + change.table};
     shell.obstacles.all = {table};
   }
-  return {plastron::test::meshed(fem::Rectangle{.cells = {4, 4}}, scene.chart, scene.degree, 0, scene.shape), shell};
+  return {plastron::test::meshed(domain::Rectangle{.cells = {4, 4}}, scene.chart, scene.degree, 0, scene.shape), shell};
 }
 
 /// Goals whose derivative does not contain the load itself.
@@ -76,11 +77,11 @@ class DualSolutionsOnATable : public DualSolutions {};
 const std::vector<Scene> without_contact{{.chart = plastron::test::flat},
                                          {},
                                          {.degree = 3},
-                                         {.degree = 1, .shape = fem::Shape::triangle},
-                                         {.degree = 2, .shape = fem::Shape::triangle}},
+                                         {.degree = 1, .shape = mesh::Shape::triangle},
+                                         {.degree = 2, .shape = mesh::Shape::triangle}},
     on_a_table{{.has_table = true},
                {.degree = 3, .has_table = true},
-               {.degree = 2, .shape = fem::Shape::triangle, .has_table = true}};
+               {.degree = 2, .shape = mesh::Shape::triangle, .has_table = true}};
 
 INSTANTIATE_TEST_SUITE_P(WithoutContact, DualSolutions, testing::ValuesIn(without_contact));
 INSTANTIATE_TEST_SUITE_P(OnATable, DualSolutions, testing::ValuesIn(on_a_table));

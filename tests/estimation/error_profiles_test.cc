@@ -1,6 +1,7 @@
 // The direction of a cell that an error is assigned to, and its place there.
 #include "assembly/sample_shells.hpp"
 
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/estimation/strain_errors.hpp>
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 /// The profile of an error on a flat square cell that a single bending strain makes.
 ErrorProfile profile_of(const std::function<double(const Eigen::Vector2d&)>& strain) {
-  const fem::MeshSequence meshes(fem::coarse_mesh(fem::Rectangle{.cells = {1, 1}}, fem::Shape::quadrilateral), 4,
+  const fem::MeshSequence meshes(domain::coarse_mesh(domain::Rectangle{.cells = {1, 1}}, mesh::Shape::quadrilateral), 4,
                                  MPI_COMM_SELF);
   std::map<std::string, geometry::Chart> charts;
   charts.emplace("", geometry::Chart(test::flat, {}));

@@ -3,6 +3,7 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/solve.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/functionals.hpp>
 #include <plastron/estimation/kept_factorisation.hpp>
@@ -18,7 +19,7 @@ namespace {
 
 struct Choice {
   int degree = 2, refinements = 2;
-  fem::Shape shape = fem::Shape::quadrilateral;
+  mesh::Shape shape = mesh::Shape::quadrilateral;
   bool tying = true, has_obstacle = false;
   MPI_Comm comm = MPI_COMM_WORLD;
 };
@@ -27,8 +28,8 @@ struct Choice {
 class SolvedSaddle {
  public:
   explicit SolvedSaddle(const Choice& choice) {
-    const fem::Rectangle square{.cells = {2, 2}};
-    fem::MeshSequence meshes(fem::coarse_mesh(square, choice.shape), choice.degree, choice.comm);
+    const domain::Rectangle square{.cells = {2, 2}};
+    fem::MeshSequence meshes(domain::coarse_mesh(square, choice.shape), choice.degree, choice.comm);
     for (int i = 0; i < choice.refinements; ++i) meshes.refine({});
     std::map<std::string, geometry::Chart> charts;
     charts.emplace("", geometry::Chart(test::saddle, {}));
@@ -82,8 +83,8 @@ class SolvedSaddle {
 const std::vector<Choice> elements{{.degree = 2},
                                    {.degree = 3, .refinements = 1},
                                    {.degree = 2, .tying = false},
-                                   {.degree = 1, .refinements = 3, .shape = fem::Shape::triangle},
-                                   {.degree = 2, .shape = fem::Shape::triangle}};
+                                   {.degree = 1, .refinements = 3, .shape = mesh::Shape::triangle},
+                                   {.degree = 2, .shape = mesh::Shape::triangle}};
 
 TEST(Estimates, SeeTwiceTheErrorOfTheEnergyInTheWorkOfTheLoads) {
   for (const Choice& choice : elements) {
@@ -185,7 +186,7 @@ TEST(AGoalsError, HasAPartOfFreeEdges) {
 // The derivative of a cell's own value, which other components continue to the point, is right to a thousandth.
 TEST(Functionals, OfStressesAreTheirOwnDerivatives) {
   for (const Choice& choice : {Choice{.degree = 2}, Choice{.degree = 4, .refinements = 1},
-                               Choice{.degree = 2, .shape = fem::Shape::triangle, .tying = false}}) {
+                               Choice{.degree = 2, .shape = mesh::Shape::triangle, .tying = false}}) {
     SolvedSaddle saddle(choice);
     for (const bool is_smooth : {true, false})
       for (const Functional& f : std::vector<Functional>{

@@ -20,7 +20,7 @@ using testing::SizeIs;
 
 problem::Problem two_regions(const std::array<std::string, 3>& second) {
   problem::Problem p = cantilever_plate();
-  p.domain = fem::Rectangle{.to = {2, 1}, .cells = {2, 1}, .breaks = {1}, .regions = {"flat", "other"}};
+  p.domain = domain::Rectangle{.to = {2, 1}, .cells = {2, 1}, .breaks = {1}, .regions = {"flat", "other"}};
   p.charts.clear();
   p.charts.emplace("flat", Chart({"x", "y", "0"}, {}));
   p.charts.emplace("other", Chart(second, {}));
@@ -44,7 +44,7 @@ std::vector<problem::Problem> good_problems() {
   probed.probes = {{.name = "corner", .at = {1, 1}}, {.name = "middle", .at = {0.5, 0.5}}};
   all.push_back(probed);
   problem::Problem polygon = cantilever_plate();
-  polygon.domain = fem::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  polygon.domain = domain::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
   polygon.shell.supports = {clamped("edge6")};
   all.push_back(polygon);
   return all;
@@ -181,7 +181,7 @@ TEST(Examination, finds_probes_outside_of_the_domain) {
 
 TEST(Examination, finds_a_mesh_file_that_is_not_there) {
   problem::Problem p = cantilever_plate();
-  p.domain = fem::MeshFile{"/no/such.msh"};
+  p.domain = domain::MeshFile{"/no/such.msh"};
   EXPECT_THAT(errors(p), ElementsAre(HasSubstr("/no/such.msh")));
 }
 
@@ -343,7 +343,7 @@ TEST(LooseShell, is_refused_where_the_loads_lift_it) {
 // The limit: the moment of -1e-3 (1 + k x) about the rim, I k = A R.
 TEST(LooseShell, is_judged_up_to_the_load_that_just_tips_it) {
   problem::Problem flat = with_chart(free_plate(), {"x", "y", "0.1"});
-  flat.domain = fem::Rectangle{.from = {-1, -1}, .to = {1, 1}, .cells = {2, 2}};
+  flat.domain = domain::Rectangle{.from = {-1, -1}, .to = {1, 1}, .cells = {2, 2}};
   flat.shell.supports = {held("left", {Direction::x, Direction::y})};
   flat.shell.obstacles.all = {obstacle::Obstacle{}};
   flat.shell.loads.on_areas = {force(0, 0, 0)};
@@ -383,7 +383,7 @@ TEST(LooseShell, is_judged_alike_in_every_formulation_and_on_triangles) {
       p.shell.supports[0].components.push_back(fixed(Unknown::rotation, Direction::normal));
       p.shell.tangency.formulation = formulation;
       EXPECT_THAT(errors(p), SizeIs(load == std::string("-1e-3") ? 0 : 1));
-      p.discretisation.cells = fem::Shape::triangle;
+      p.discretisation.cells = mesh::Shape::triangle;
       EXPECT_THAT(errors(p), SizeIs(load == std::string("-1e-3") ? 0 : 1));
     }
 }
@@ -423,7 +423,7 @@ TEST(Face, that_is_near_is_described) {
 
 TEST(Face, is_judged_only_where_the_obstacle_is_near) {  // the upper half of a tube is farther away than its thickness
   problem::Problem tube = with_chart(free_plate(), {"sin(x)", "-y", "1.1 - cos(x)"});
-  tube.domain = fem::Rectangle{.from = {-3, 0}, .to = {3, 1}, .cells = {12, 2}};
+  tube.domain = domain::Rectangle{.from = {-3, 0}, .to = {3, 1}, .cells = {12, 2}};
   tube.shell.supports = {clamped("left"), clamped("right")};
   tube.shell.obstacles.all = {obstacle::Obstacle{.face = obstacle::Face::upper}};
   EXPECT_THAT(errors(tube), IsEmpty());
@@ -543,7 +543,7 @@ TEST(Units, of_length_hide_no_support_inside_of_the_obstacle) {
 /// A part of a tube of radius 1 on a floor under its weight, supported along its axis and at its lowest point. `half` = 3.14159... is the whole tube.
 problem::Problem tube_on_floor(double half) {
   problem::Problem p = with_chart(cantilever_plate(), {"sin(x)", "y", "1 + e/2 - cos(x)"}, {{"e", 0.02}});
-  p.domain = fem::Rectangle{.from = {-half, 0}, .to = {half, 1}, .cells = {8, 2}};
+  p.domain = domain::Rectangle{.from = {-half, 0}, .to = {half, 1}, .cells = {8, 2}};
   p.shell.sections.common.thickness = Expression(0.02);
   if (half > 3) p.joins = {{{"left", "right"}}};
   p.shell.supports = {held("bottom", {assembly::Direction::y}),

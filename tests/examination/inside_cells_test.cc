@@ -16,11 +16,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-problem::Problem on(fem::Shape shape, problem::Problem p) {
+problem::Problem on(mesh::Shape shape, problem::Problem p) {
   p.discretisation.cells = shape;
   return p;
 }
-constexpr auto both_shapes = {fem::Shape::quadrilateral, fem::Shape::triangle};
+constexpr auto both_shapes = {mesh::Shape::quadrilateral, mesh::Shape::triangle};
 
 problem::Problem with_thickness(const std::string& e) {
   problem::Problem p = cantilever_plate();
@@ -36,7 +36,7 @@ problem::Problem with_pressure(const std::string& pressure) {
 // ---- chart ---------------------------------------------------------------------------------------------------------
 
 TEST(InsideACell, a_kink_of_the_chart_is_an_error) {
-  for (const fem::Shape shape : both_shapes)
+  for (const mesh::Shape shape : both_shapes)
     for (const char* z : {"abs(x - 0.3)", "0.001*abs(x - 0.3)", "x^2 + 0.01*abs(x + 2*y - 0.9)", "abs(y - 0.77)"})
       EXPECT_THAT(
           errors(on(shape, with_chart(cantilever_plate(), {"x", "y", z}))),
@@ -58,7 +58,7 @@ TEST(InsideACell, a_kink_on_a_line_of_meshes_finer_than_the_sample_is_an_error_t
 }
 
 TEST(InsideACell, a_jump_of_the_curvature_is_a_warning_with_a_remedy) {
-  for (const fem::Shape shape : both_shapes) {
+  for (const mesh::Shape shape : both_shapes) {
     const problem::Problem p = on(shape, with_chart(cantilever_plate(), {"x", "y", "(x - 0.3)*abs(x - 0.3)/2"}));
     EXPECT_THAT(errors(p), IsEmpty());
     EXPECT_THAT(warnings(p), ElementsAre(AllOf(HasSubstr("curvature"), HasSubstr("near x = 0.3, "),
@@ -68,7 +68,7 @@ TEST(InsideACell, a_jump_of_the_curvature_is_a_warning_with_a_remedy) {
 
 TEST(InsideACell, a_jump_of_the_curvature_on_a_mesh_line_is_nothing) {
   problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "(x - 0.3)*abs(x - 0.3)/2"});
-  p.domain = fem::Rectangle{.cells = {2, 2}, .breaks = {0.3}, .regions = {"left", "right"}};
+  p.domain = domain::Rectangle{.cells = {2, 2}, .breaks = {0.3}, .regions = {"left", "right"}};
   p.charts = {{"left", p.charts.at("")}, {"right", p.charts.at("")}};
   EXPECT_THAT(errors(p), IsEmpty());
   EXPECT_THAT(warnings(p), IsEmpty());
@@ -87,14 +87,14 @@ TEST(InsideACell, a_fold_that_is_rounded_off_is_no_kink) {
 // ---- thickness -----------------------------------------------------------------------------------------------------
 
 TEST(InsideACell, a_jump_of_the_thickness_is_an_error) {
-  for (const fem::Shape shape : both_shapes)
+  for (const mesh::Shape shape : both_shapes)
     EXPECT_THAT(errors(on(shape, with_thickness("x < 0.3 ? 0.1 : 0.12"))),
                 ElementsAre(AllOf(HasSubstr("the thickness \"x < 0.3"), HasSubstr("near x = 0.3, "),
                                   HasSubstr("by 0.02 m"), HasSubstr("breaks"))));
 }
 
 TEST(InsideACell, a_slit_of_another_thickness_is_an_error_however_narrow_beside_the_cells) {
-  for (const fem::Shape shape : both_shapes)
+  for (const mesh::Shape shape : both_shapes)
     EXPECT_THAT(errors(on(shape, with_thickness("abs(x - 0.3115) < 0.0015 ? 0.05 : 0.1"))),
                 ElementsAre(AllOf(HasSubstr("jumps inside of a cell near x = 0.31"), HasSubstr("by 0.05 m"))));
 }

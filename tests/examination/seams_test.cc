@@ -24,10 +24,10 @@ std::vector<std::string> seams(const problem::Problem& problem) {
 }
 
 /// A sheet of `turns` turns of a cylinder of radius `radius`; its lower end is clamped.
-problem::Problem rolled(double turns, double radius, fem::Shape cells = fem::Shape::quadrilateral) {
+problem::Problem rolled(double turns, double radius, mesh::Shape cells = mesh::Shape::quadrilateral) {
   const Constants constants{{"R", radius}, {"w", 2 * 3.14159265358979323846}};
   problem::Problem p = cantilever_plate();
-  p.domain = fem::Rectangle{.to = {turns, 1}};
+  p.domain = domain::Rectangle{.to = {turns, 1}};
   p.charts.clear();
   p.charts.emplace("", Chart({"R*sin(w*x)", "R*y", "R*cos(w*x)"}, constants));
   p.shell.sections.common.thickness = Expression(0.01 * radius);
@@ -38,7 +38,7 @@ problem::Problem rolled(double turns, double radius, fem::Shape cells = fem::Sha
 
 TEST(Seams, of_a_slit_tube_are_named_in_every_unit_of_length) {
   for (const double radius : {1e-9, 1e-3, 1.0, 1e6})
-    for (const auto cells : {fem::Shape::quadrilateral, fem::Shape::triangle})
+    for (const auto cells : {mesh::Shape::quadrilateral, mesh::Shape::triangle})
       EXPECT_THAT(seams(rolled(1, radius, cells)),
                   ElementsAre(AllOf(HasSubstr("\"left\" at x = 0"), HasSubstr("\"right\" at x = 1"))))
           << radius;

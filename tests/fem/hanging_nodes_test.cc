@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/constraints/map.hpp>
-#include <plastron/fem/basis.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ std::vector<signed char> scattered_marks(const Space& space, std::uint64_t seed)
 
 /// Parameters of the nodes (block 2), the same for all cells that share a node.
 algebra::Vector positions(const Space& space) {
-  const auto line = gauss_lobatto(space.degree + 1).points;
+  const auto line = mesh::gauss_lobatto(space.degree + 1).points;
   algebra::Vector x(space.layout, 2);
   for (std::size_t c = 0; c < space.cells.size(); ++c)
     for (std::size_t i = 0; i < space.nodes(c).size(); ++i) {
@@ -67,7 +68,8 @@ double largest_difference(const algebra::Vector& a, const algebra::Vector& b) {
 }
 
 MeshSequence square(int degree, MPI_Comm comm = MPI_COMM_WORLD) {
-  return {coarse_mesh(Rectangle{.to = {1.5, 1}, .cells = {3, 2}}, Shape::quadrilateral), degree, comm};
+  return {domain::coarse_mesh(domain::Rectangle{.to = {1.5, 1}, .cells = {3, 2}}, mesh::Shape::quadrilateral), degree,
+          comm};
 }
 
 constexpr int rounds = 5;
@@ -115,7 +117,7 @@ TEST_P(GradedMesh, HasTheSameCellsAndFieldsAtOneDegreeMore) {
 }
 
 TEST(MeshesOfTriangles, HaveNoHigherDegree) {
-  MeshSequence meshes(coarse_mesh(Rectangle{}, Shape::triangle), 2, MPI_COMM_WORLD);
+  MeshSequence meshes(domain::coarse_mesh(domain::Rectangle{}, mesh::Shape::triangle), 2, MPI_COMM_WORLD);
   EXPECT_EQ(meshes.raised({}), nullptr);
 }
 
@@ -128,10 +130,10 @@ TEST_P(GradedMesh, HasContinuousFields) {
   for (algebra::LocalIndex i = 0; i < space.layout->local_size(); ++i)
     v.local()[static_cast<std::size_t>(i)] = std::sin(7.0 * static_cast<double>(space.layout->global(i)));
   space.continuity.apply(v);
-  const auto line = gauss_lobatto(space.degree + 1).points;
+  const auto line = mesh::gauss_lobatto(space.degree + 1).points;
   const auto value = [&](std::size_t c, const Vector2d& coarse_place) {
     const Vector2d xi = (coarse_place - space.cells[c].corner) / space.cells[c].size;
-    const auto a = lagrange(line, xi[0]).value, b = lagrange(line, xi[1]).value;
+    const auto a = mesh::lagrange(line, xi[0]).value, b = mesh::lagrange(line, xi[1]).value;
     double sum = 0;
     for (Eigen::Index j = 0; j < b.size(); ++j)
       for (Eigen::Index i = 0; i < a.size(); ++i)
@@ -192,7 +194,7 @@ TEST_P(GradedMesh, IsTheSameOnAnyNumberOfRanks) {
 INSTANTIATE_TEST_SUITE_P(Degrees, GradedMesh, testing::Values(1, 2, 3, 4, 7));
 
 TEST(GradedTriangles, AreDividedTogether) {
-  MeshSequence meshes(coarse_mesh(Disk{}, Shape::triangle), 2, MPI_COMM_WORLD);
+  MeshSequence meshes(domain::coarse_mesh(domain::Disk{}, mesh::Shape::triangle), 2, MPI_COMM_WORLD);
   EXPECT_FALSE(meshes.is_graded());
   const auto cells = meshes.space()->global_cells;
   std::vector<signed char> marks(meshes.space()->owned_cells, 0);

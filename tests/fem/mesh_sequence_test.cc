@@ -1,9 +1,10 @@
 // The nested meshes on 1, 2 and 3 ranks: counts and measures must not depend on their distribution.
 #include <gtest/gtest.h>
-#include <plastron/fem/basis.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/fem/triangle_sequence.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,40 +22,42 @@ using std::numbers::pi;
 
 struct Sample {
   std::string name;
-  Domain domain;
+  domain::Domain domain;
   double area;
   std::map<std::string, double> lengths;
-  Shape shape = Shape::quadrilateral;
+  mesh::Shape shape = mesh::Shape::quadrilateral;
 
-  CoarseMesh coarse() const { return coarse_mesh(domain, shape); }
+  mesh::CoarseMesh coarse() const { return domain::coarse_mesh(domain, shape); }
   MeshSequence meshes(int degree) const { return {coarse(), degree, MPI_COMM_WORLD}; }
-  std::vector<int> degrees() const { return shape == Shape::triangle ? std::vector{1, 2} : std::vector{1, 2, 3, 4, 5}; }
+  std::vector<int> degrees() const {
+    return shape == mesh::Shape::triangle ? std::vector{1, 2} : std::vector{1, 2, 3, 4, 5};
+  }
   int highest_degree() const { return degrees().back(); }
 };
 
 std::vector<Sample> samples() {
-  return {{"one cell", Rectangle{}, 1, {{"left", 1}, {"right", 1}, {"bottom", 1}, {"top", 1}}},
+  return {{"one cell", domain::Rectangle{}, 1, {{"left", 1}, {"right", 1}, {"bottom", 1}, {"top", 1}}},
           {"rectangle",
-           Rectangle{.from = {-1, 0}, .to = {2, 1}, .cells = {3, 2}},
+           domain::Rectangle{.from = {-1, 0}, .to = {2, 1}, .cells = {3, 2}},
            3,
            {{"left", 1}, {"right", 1}, {"bottom", 3}, {"top", 3}}},
-          {"disk", Disk{.centre = {1, 2}, .radius = 0.5}, pi / 4, {{"rim", pi}}},
-          {"annulus", Annulus{.inner = 0.5, .outer = 1}, 0.75 * pi, {{"inner", pi}, {"outer", 2 * pi}}},
+          {"disk", domain::Disk{.centre = {1, 2}, .radius = 0.5}, pi / 4, {{"rim", pi}}},
+          {"annulus", domain::Annulus{.inner = 0.5, .outer = 1}, 0.75 * pi, {{"inner", pi}, {"outer", 2 * pi}}},
           {"quadrilateral",
-           Polygon{{{0, 0}, {0, 1}, {2, 2}, {1, 0}}},
+           domain::Polygon{{{0, 0}, {0, 1}, {2, 2}, {1, 0}}},
            2,
            {{"edge1", 1}, {"edge2", std::sqrt(5.0)}, {"edge3", std::sqrt(5.0)}, {"edge4", 1}}},
           {"L",
-           Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}},
+           domain::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}},
            3,
            {{"edge1", 2}, {"edge2", 1}, {"edge3", 1}, {"edge4", 1}, {"edge5", 1}, {"edge6", 2}}},
           {"clockwise cells",
-           MeshFile{PLASTRON_TESTS_DIR "/fem/data/clockwise-2.2.msh"},
+           domain::MeshFile{PLASTRON_TESTS_DIR "/domain/data/clockwise-2.2.msh"},
            2.75,
            {{"edge", 3.5 + std::sqrt(1.25) + std::sqrt(0.8125) + std::sqrt(1.8125)}}},
           // "junction" lies inside, where two cells meet, and counts once.
           {"two regions",
-           MeshFile{PLASTRON_TESTS_DIR "/fem/data/two-regions-4.1.msh"},
+           domain::MeshFile{PLASTRON_TESTS_DIR "/domain/data/two-regions-4.1.msh"},
            3,
            {{"clamped", 1}, {"junction", 1}, {"free", 1}, {"", 6}}}};
 }
@@ -62,8 +65,8 @@ std::vector<Sample> samples() {
 template <class Check>
 void for_every_sample(const Check& check) {
   for (Sample& s : samples())
-    for (const Shape shape : {Shape::quadrilateral, Shape::triangle}) {
-      SCOPED_TRACE(s.name + (shape == Shape::triangle ? " of triangles" : ""));
+    for (const mesh::Shape shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
+      SCOPED_TRACE(s.name + (shape == mesh::Shape::triangle ? " of triangles" : ""));
       s.shape = shape;
       check(s);
     }
@@ -73,36 +76,36 @@ double over_ranks(double value) { return algebra::sum_over_ranks(value, MPI_COMM
 std::int64_t over_ranks(std::int64_t value) { return algebra::sum_over_ranks(value, MPI_COMM_WORLD); }
 
 struct Counts {
-  Shape shape;
+  mesh::Shape shape;
   std::int64_t vertices, edges, cells;
   Counts refined() const {
-    if (shape == Shape::triangle) return {shape, vertices + edges, 2 * edges + 3 * cells, 4 * cells};
+    if (shape == mesh::Shape::triangle) return {shape, vertices + edges, 2 * edges + 3 * cells, 4 * cells};
     return {shape, vertices + edges + cells, 2 * edges + 4 * cells, 4 * cells};
   }
   std::int64_t nodes(int k) const {
-    const int inside = shape == Shape::triangle ? (k - 1) * (k - 2) / 2 : (k - 1) * (k - 1);
+    const int inside = shape == mesh::Shape::triangle ? (k - 1) * (k - 2) / 2 : (k - 1) * (k - 1);
     return vertices + (k - 1) * edges + inside * cells;
   }
 };
 
-Counts counts_of(const CoarseMesh& mesh) {
+Counts counts_of(const mesh::CoarseMesh& mesh) {
   std::set<std::pair<int, int>> edges;
-  const int sides = corner_count(mesh.shape);
-  for (const CoarseCell& cell : mesh.cells)
+  const int sides = mesh::corner_count(mesh.shape);
+  for (const mesh::CoarseCell& cell : mesh.cells)
     for (int s = 0; s < sides; ++s) {
-      const auto e = side_corners(mesh.shape, s);
+      const auto e = mesh::side_corners(mesh.shape, s);
       edges.insert(std::minmax(cell.vertices[e[0]], cell.vertices[e[1]]));
     }
   std::set<int> used;
-  for (const CoarseCell& cell : mesh.cells) used.insert(cell.vertices.begin(), cell.vertices.begin() + sides);
+  for (const mesh::CoarseCell& cell : mesh.cells) used.insert(cell.vertices.begin(), cell.vertices.begin() + sides);
   return {mesh.shape, static_cast<std::int64_t>(used.size()), static_cast<std::int64_t>(edges.size()),
           static_cast<std::int64_t>(mesh.cells.size())};
 }
 
-std::vector<Vector2d> nodes_of_cell(Shape shape, int degree) {
-  if (shape == Shape::triangle) return lattice(shape, degree);
+std::vector<Vector2d> nodes_of_cell(mesh::Shape shape, int degree) {
+  if (shape == mesh::Shape::triangle) return mesh::lattice(shape, degree);
   std::vector<Vector2d> xi;
-  const auto line = gauss_lobatto(degree + 1).points;
+  const auto line = mesh::gauss_lobatto(degree + 1).points;
   for (const double t : line)
     for (const double s : line) xi.emplace_back(s, t);
   return xi;
@@ -132,7 +135,7 @@ algebra::Vector node_positions(const Space& space) {
 
 TEST(MeshSequence, has_as_many_cells_and_nodes_as_euler_counts) {
   for_every_sample([](const Sample& s) {
-    const CoarseMesh coarse = s.coarse();
+    const mesh::CoarseMesh coarse = s.coarse();
     for (const int k : {1, 2, s.highest_degree()}) {
       MeshSequence meshes(coarse, k, MPI_COMM_WORLD);
       Counts counts = counts_of(coarse);
@@ -205,8 +208,8 @@ TEST(MeshSequence, lists_owned_cells_first_and_orients_all_cells_alike) {
     ASSERT_EQ(space.connectivity.elements(), space.cells.size());
     for (const Cell& cell : space.cells) {
       EXPECT_EQ(std::abs(cell.size), 0.5);
-      const PlaneJet f =
-          space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map(cell.corner + cell.size * centre(s.shape));
+      const geometry::PlaneJet f = space.coarse->cells[static_cast<std::size_t>(cell.coarse)].map(
+          cell.corner + cell.size * mesh::centre(s.shape));
       EXPECT_NE(f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0], 0);
       EXPECT_GT(f.d[0][0] * f.d[1][1] - f.d[0][1] * f.d[1][0], 0);  // every a_3 on the same side
     }
@@ -214,13 +217,13 @@ TEST(MeshSequence, lists_owned_cells_first_and_orients_all_cells_alike) {
 }
 
 /// A polynomial of degree k in x and in y, and of degree k altogether for triangles.
-double polynomial(Shape shape, int k, double x, double y) {
-  if (shape == Shape::triangle) return std::pow(x - 0.3, k) + std::pow(y + 0.2 * x, k) - 2 * x - y + 1;
+double polynomial(mesh::Shape shape, int k, double x, double y) {
+  if (shape == mesh::Shape::triangle) return std::pow(x - 0.3, k) + std::pow(y + 0.2 * x, k) - 2 * x - y + 1;
   return std::pow(x - 0.3, k) * (1 + std::pow(y + 0.2, k)) - 2 * x * y + 1;
 }
 
-void expect_polynomials_carried_exactly(const CoarseMesh& coarse, int k) {
-  const Shape shape = coarse.shape;
+void expect_polynomials_carried_exactly(const mesh::CoarseMesh& coarse, int k) {
+  const mesh::Shape shape = coarse.shape;
   MeshSequence meshes(coarse, k, MPI_COMM_WORLD);
   std::vector<algebra::Vector> fields;
   fields.emplace_back(meshes.space()->layout, 1);
@@ -244,17 +247,19 @@ void expect_polynomials_carried_exactly(const CoarseMesh& coarse, int k) {
 }
 
 TEST(Refinement, carries_polynomials_of_the_elements_degree_exactly) {
-  const Rectangle domain{.to = {1.5, 1}, .cells = {3, 2}};
-  for (int k = 1; k <= 5; ++k) expect_polynomials_carried_exactly(coarse_mesh(domain, Shape::quadrilateral), k);
-  for (int k = 1; k <= 2; ++k) expect_polynomials_carried_exactly(coarse_mesh(domain, Shape::triangle), k);
+  const domain::Rectangle domain{.to = {1.5, 1}, .cells = {3, 2}};
+  for (int k = 1; k <= 5; ++k)
+    expect_polynomials_carried_exactly(domain::coarse_mesh(domain, mesh::Shape::quadrilateral), k);
+  for (int k = 1; k <= 2; ++k)
+    expect_polynomials_carried_exactly(domain::coarse_mesh(domain, mesh::Shape::triangle), k);
 }
 
 // Then ranks have no cell first and later receive some whose parents belong to another rank.
 TEST(Refinement, carries_fields_to_ranks_that_had_no_triangle) {
-  CoarseMesh one = coarse_mesh(Rectangle{}, Shape::triangle);
+  mesh::CoarseMesh one = domain::coarse_mesh(domain::Rectangle{}, mesh::Shape::triangle);
   one.cells.resize(1);
   const auto& of_cell = one.cells[0].vertices;  // three and an unused one
-  std::erase_if(one.edges, [&](const BoundaryEdge& edge) {
+  std::erase_if(one.edges, [&](const mesh::BoundaryEdge& edge) {
     return std::ranges::any_of(edge.vertices, [&](int v) {
       return std::find(of_cell.begin(), of_cell.begin() + 3, v) == of_cell.begin() + 3;
     });
@@ -265,7 +270,7 @@ TEST(Refinement, carries_fields_to_ranks_that_had_no_triangle) {
 // Any field, not only a polynomial: the coarse function itself is in the finer space.
 TEST(Refinement, of_triangles_keeps_the_function) {
   for (const int k : {1, 2}) {
-    MeshSequence meshes(coarse_mesh(Disk{}, Shape::triangle), k, MPI_COMM_WORLD);
+    MeshSequence meshes(domain::coarse_mesh(domain::Disk{}, mesh::Shape::triangle), k, MPI_COMM_WORLD);
     const auto coarse = meshes.space();
     std::vector<algebra::Vector> fields;
     fields.emplace_back(coarse->layout, 1);
@@ -282,7 +287,7 @@ TEST(Refinement, of_triangles_keeps_the_function) {
       if (parent == coarse->cells.end()) continue;  // on another rank
       ++compared;
       const auto value = [&](const Space& space, const algebra::Vector& field, std::size_t cell, const Vector2d& at) {
-        const auto basis = lattice_values(Shape::triangle, k, at).value;
+        const auto basis = mesh::lattice_values(mesh::Shape::triangle, k, at).value;
         double sum = 0;
         for (std::size_t i = 0; i < space.nodes(cell).size(); ++i)
           sum += basis[static_cast<Eigen::Index>(i)] * field.local()[static_cast<std::size_t>(space.nodes(cell)[i])];
@@ -309,7 +314,7 @@ std::map<std::array<std::int64_t, 4>, std::vector<std::int64_t>> nodes_by_place(
 
 TEST(Triangles, are_numbered_the_same_on_any_number_of_ranks) {
   for (const int k : {1, 2}) {
-    const CoarseMesh coarse = coarse_mesh(Disk{}, Shape::triangle);
+    const mesh::CoarseMesh coarse = domain::coarse_mesh(domain::Disk{}, mesh::Shape::triangle);
     MeshSequence together(coarse, k, MPI_COMM_WORLD), alone(coarse, k, MPI_COMM_SELF);
     for (int level = 0; level < 3; ++level) {
       const auto whole = nodes_by_place(*alone.space()), here = nodes_by_place(*together.space());
@@ -323,7 +328,7 @@ TEST(Triangles, are_numbered_the_same_on_any_number_of_ranks) {
 // The supports of a node need every boundary face at it, the matrix needs every element.
 TEST(Triangles, round_an_owned_node_are_all_local) {
   for_every_sample([](const Sample& s) {
-    if (s.shape == Shape::quadrilateral) return;
+    if (s.shape == mesh::Shape::quadrilateral) return;
     MeshSequence together = s.meshes(2), alone(s.coarse(), 2, MPI_COMM_SELF);
     together.refine({});
     alone.refine({});
@@ -342,15 +347,16 @@ TEST(Triangles, round_an_owned_node_are_all_local) {
 TEST(Triangles, beyond_32_bit_numbers_are_refused) {
   constexpr std::int64_t cells = std::int64_t{1} << 28, vertices = cells / 2, edges = cells + cells / 2;
   EXPECT_NO_THROW(check_refinable(vertices, edges, cells));
-  EXPECT_THROW(check_refinable(2 * vertices, 2 * edges, 2 * cells), DomainError);
+  EXPECT_THROW(check_refinable(2 * vertices, 2 * edges, 2 * cells), mesh::DomainError);
 }
 
 TEST(Triangles, of_degree_three_are_refused) {
-  EXPECT_THROW(MeshSequence(coarse_mesh(Disk{}, Shape::triangle), 3, MPI_COMM_WORLD), DomainError);
+  EXPECT_THROW(MeshSequence(domain::coarse_mesh(domain::Disk{}, mesh::Shape::triangle), 3, MPI_COMM_WORLD),
+               mesh::DomainError);
 }
 
 TEST(Refinement, leaves_spaces_that_are_still_held_alone) {
-  MeshSequence meshes(coarse_mesh(Disk{}, Shape::quadrilateral), 2, MPI_COMM_WORLD);
+  MeshSequence meshes(domain::coarse_mesh(domain::Disk{}, mesh::Shape::quadrilateral), 2, MPI_COMM_WORLD);
   const auto before = meshes.space();
   const auto cells = before->cells.size();
   meshes.refine({});
@@ -364,11 +370,11 @@ TEST(Point, is_found_in_the_cell_that_holds_it) {
     meshes.refine({});
     meshes.refine({});
     const Space& space = *meshes.space();
-    const CoarseMesh& coarse = *space.coarse;
-    for (const CoarseCell& cell : coarse.cells)
+    const mesh::CoarseMesh& coarse = *space.coarse;
+    for (const mesh::CoarseCell& cell : coarse.cells)
       for (const Vector2d& xi :
            {Vector2d(0.3, 0.6), Vector2d(0.5, 0.5), Vector2d(0, 0), Vector2d(1, 0.25), Vector2d(0.9, 1)}) {
-        if (!holds(s.shape, xi, 0)) continue;
+        if (!mesh::holds(s.shape, xi, 0)) continue;
         const Vector2d point = cell.map(xi).value;
         const auto location = locate(coarse, point);
         ASSERT_TRUE(location) << point.transpose();
@@ -386,25 +392,26 @@ TEST(Point, is_found_in_the_cell_that_holds_it) {
 }
 
 TEST(Point, outside_of_the_domain_is_nowhere) {
-  EXPECT_FALSE(locate(coarse_mesh(Rectangle{}, Shape::quadrilateral), {1.001, 0.5}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {0.8, 0.8}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {0, 1.00001}));
-  EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), {0, 0}));
-  EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), {0.49, 0}));
-  EXPECT_FALSE(
-      locate(coarse_mesh(Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, Shape::quadrilateral), {1.5, 1.5}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), {1e6, -1e6}));
-  EXPECT_FALSE(locate(coarse_mesh(Disk{}, Shape::triangle), {0.8, 0.8}));
-  EXPECT_FALSE(locate(coarse_mesh(Annulus{}, Shape::triangle), {0, 0}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Rectangle{}, mesh::Shape::quadrilateral), {1.001, 0.5}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Disk{}, mesh::Shape::quadrilateral), {0.8, 0.8}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Disk{}, mesh::Shape::quadrilateral), {0, 1.00001}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Annulus{}, mesh::Shape::quadrilateral), {0, 0}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Annulus{}, mesh::Shape::quadrilateral), {0.49, 0}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}},
+                                          mesh::Shape::quadrilateral),
+                      {1.5, 1.5}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Disk{}, mesh::Shape::quadrilateral), {1e6, -1e6}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Disk{}, mesh::Shape::triangle), {0.8, 0.8}));
+  EXPECT_FALSE(locate(domain::coarse_mesh(domain::Annulus{}, mesh::Shape::triangle), {0, 0}));
 }
 
 TEST(Point, on_the_boundary_is_inside) {
   for (int k = 0; k < 16; ++k) {
     const Vector2d direction(std::cos(k * pi / 8 + 0.1), std::sin(k * pi / 8 + 0.1));
-    EXPECT_TRUE(locate(coarse_mesh(Disk{}, Shape::quadrilateral), direction));
-    EXPECT_TRUE(locate(coarse_mesh(Disk{}, Shape::triangle), direction));
-    EXPECT_TRUE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), direction));
-    EXPECT_TRUE(locate(coarse_mesh(Annulus{}, Shape::quadrilateral), direction / 2));
+    EXPECT_TRUE(locate(domain::coarse_mesh(domain::Disk{}, mesh::Shape::quadrilateral), direction));
+    EXPECT_TRUE(locate(domain::coarse_mesh(domain::Disk{}, mesh::Shape::triangle), direction));
+    EXPECT_TRUE(locate(domain::coarse_mesh(domain::Annulus{}, mesh::Shape::quadrilateral), direction));
+    EXPECT_TRUE(locate(domain::coarse_mesh(domain::Annulus{}, mesh::Shape::quadrilateral), direction / 2));
   }
 }
 

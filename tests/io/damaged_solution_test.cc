@@ -1,7 +1,7 @@
 // Randomly damaged solutions, the same ones in every run. Each is refused with a message or judged. The sanitizers find every value that is used
 // without a check.
 #include <plastron/computation/verify.hpp>
-#include <plastron/fem/domain.hpp>
+#include <plastron/domain/domain.hpp>
 #include <plastron/io/claims.hpp>
 #include <plastron/io/solution_file.hpp>
 #include <plastron/obstacle/error.hpp>
@@ -86,7 +86,7 @@ bool is_judged(const std::filesystem::path& path, const Problem& problem, const 
     return true;
   } catch (const UnusableResults&) {
   } catch (const obstacle::ObstacleError&) {
-  } catch (const fem::DomainError&) {
+  } catch (const mesh::DomainError&) {
   }
   return false;
 }

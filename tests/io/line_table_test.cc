@@ -75,7 +75,8 @@ TEST(LineTable, is_plotted_in_the_report_and_has_the_names_of_units_of_the_case)
 
 TEST(LineTable, of_points_outside_of_the_domain_is_refused_by_name) {
   const computation::Result result = computation::solve(pressed_plate({.refinements = 1}), MPI_COMM_WORLD);
-  EXPECT_THROW(computation::values_at(*result.solution, {{0.5, 0.5}, {3, 0}}, "the line \"across\""), fem::DomainError);
+  EXPECT_THROW(computation::values_at(*result.solution, {{0.5, 0.5}, {3, 0}}, "the line \"across\""),
+               mesh::DomainError);
 }
 
 }  // namespace

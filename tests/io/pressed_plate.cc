@@ -1,4 +1,5 @@
 #include <io/pressed_plate.hpp>
+#include <plastron/domain/domain.hpp>
 
 namespace plastron::io {
 
@@ -6,7 +7,7 @@ problem::Problem pressed_plate(const PressedPlate& options) {
   using assembly::Direction;
   using assembly::Unknown;
   problem::Problem problem;
-  problem.domain = fem::Rectangle{.cells = {options.cells, options.cells}};
+  problem.domain = domain::Rectangle{.cells = {options.cells, options.cells}};
   problem.charts.emplace("", geometry::Chart({"2 * x", "y", "0.012"}, {}));
   problem.shell.sections.common.thickness = geometry::Expression(0.02);
   problem.shell.sections.common.material = shell::Material::from_young_poisson(1e9, 0.3, 1);

@@ -9,7 +9,7 @@ struct PressedPlate {
   int cells = 2;  ///< along a side of the coarsest mesh
   int refinements = 1;
   bool obstacle = true;
-  fem::Shape shape = fem::Shape::quadrilateral;
+  mesh::Shape shape = mesh::Shape::quadrilateral;
 };
 
 /// phi = (2x, y, 0.012) on the unit square, thickness 0.02: the lower face hangs 0.002 over the plane z = 0.

@@ -123,9 +123,9 @@ TEST(Report, sets_estimated_errors_beside_those_that_were_asked_for) {
 }
 
 TEST(Report, merges_cells_to_blocks_where_there_are_too_many_points) {
-  for (const fem::Shape shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+  for (const mesh::Shape shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
     const computation::Result result = solved({.degree = 2, .refinements = 2, .shape = shape});
-    const std::int64_t cells = result.levels.back().cells, corners = fem::corner_count(shape);
+    const std::int64_t cells = result.levels.back().cells, corners = mesh::corner_count(shape);
     const Json scene = scene_json(*result.solution, result.summary, {}, cells * corners / 4);
     const Json all = scene_json(*result.solution, result.summary, {}, cells * corners);
     if (world_rank() != 0) continue;
@@ -157,19 +157,19 @@ std::vector<std::int64_t> uniform(std::int64_t cells, std::size_t levels) {
 
 TEST(Report, merges_the_smallest_cells_of_a_graded_mesh_only) {
   const std::vector<std::int64_t> cells{3, 4, 0, 64};  // 64 of an eighth, in a coarse cell of their own
-  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, cells, 4 * 71).merged_levels, 0);
-  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, cells, 4 * 70).count, 3 + 4 + 16);
-  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, cells, 4 * 20).count, 3 + 4 + 4);
-  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, cells, 4 * 5).count, 3 + 1 + 1);
+  EXPECT_EQ(drawn_cells(mesh::Shape::quadrilateral, 1, cells, 4 * 71).merged_levels, 0);
+  EXPECT_EQ(drawn_cells(mesh::Shape::quadrilateral, 1, cells, 4 * 70).count, 3 + 4 + 16);
+  EXPECT_EQ(drawn_cells(mesh::Shape::quadrilateral, 1, cells, 4 * 20).count, 3 + 4 + 4);
+  EXPECT_EQ(drawn_cells(mesh::Shape::quadrilateral, 1, cells, 4 * 5).count, 3 + 1 + 1);
 }
 
 TEST(Report, stays_below_twelve_megabytes_for_a_hundred_thousand_points) {
-  const DrawnCells drawn = drawn_cells(fem::Shape::quadrilateral, 3, uniform(6400, 5), most_report_points);
+  const DrawnCells drawn = drawn_cells(mesh::Shape::quadrilateral, 3, uniform(6400, 5), most_report_points);
   EXPECT_EQ(drawn.subdivisions, 1);  // a cell keeps four of 102 400 points
   EXPECT_EQ(drawn.merged_levels, 0);
   EXPECT_LE(drawn.count * 4, most_report_points);
-  EXPECT_EQ(drawn_cells(fem::Shape::quadrilateral, 1, uniform(1 << 20, 10), most_report_points).merged_levels, 4);
-  EXPECT_EQ(drawn_cells(fem::Shape::triangle, 2, uniform(100'000, 0), most_report_points).count, 0);
+  EXPECT_EQ(drawn_cells(mesh::Shape::quadrilateral, 1, uniform(1 << 20, 10), most_report_points).merged_levels, 4);
+  EXPECT_EQ(drawn_cells(mesh::Shape::triangle, 2, uniform(100'000, 0), most_report_points).count, 0);
   // The largest possible page: all components of all fields at all points, and the rest of the page.
   std::size_t components = 0;
   for (const Field& field : report_fields(true, true)) components += static_cast<std::size_t>(field.components);

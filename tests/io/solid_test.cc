@@ -46,10 +46,10 @@ double prism_volume(const Solid& s, std::size_t cell, std::size_t corners) {
 }
 
 TEST(SolidVtu, FillsTheVolumeBetweenTheFaces) {
-  for (const fem::Shape shape : {fem::Shape::quadrilateral, fem::Shape::triangle})
+  for (const mesh::Shape shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle})
     for (const int degree : {1, 2}) {
       const Solid s = written({.degree = degree, .shape = shape});
-      const std::size_t corners = shape == fem::Shape::triangle ? 3 : 4;
+      const std::size_t corners = shape == mesh::Shape::triangle ? 3 : 4;
       EXPECT_EQ(s.solid.cells, s.surface.cells * static_cast<std::size_t>(degree * degree * layers));
       for (const int type : s.solid.types) ASSERT_EQ(type, corners == 3 ? 13 : 12);
       double volume = 0;

@@ -40,7 +40,7 @@ void write(const Solution& solution, const std::filesystem::path& path, MPI_Comm
 }
 
 /// A plate over a plane, or over a ball, for which its gaps are linearised again.
-Problem plate(element::Formulation formulation, fem::Shape shape, bool over_ball = false) {
+Problem plate(element::Formulation formulation, mesh::Shape shape, bool over_ball = false) {
   Problem p = pressed_plate({.shape = shape});
   p.shell.tangency.formulation = formulation;
   if (over_ball)
@@ -52,9 +52,9 @@ std::vector<Problem> problems() {
   using element::Formulation;
   std::vector<Problem> all;
   for (const Formulation f : {Formulation::tangent, Formulation::penalised, Formulation::mixed, Formulation::classical})
-    all.push_back(plate(f, fem::Shape::quadrilateral));
-  all.push_back(plate(Formulation::tangent, fem::Shape::triangle));
-  all.push_back(plate(Formulation::tangent, fem::Shape::quadrilateral, true));
+    all.push_back(plate(f, mesh::Shape::quadrilateral));
+  all.push_back(plate(Formulation::tangent, mesh::Shape::triangle));
+  all.push_back(plate(Formulation::tangent, mesh::Shape::quadrilateral, true));
   all.push_back(all.back());
   all.back().admissible = true;
   all.push_back(pressed_plate({.obstacle = false}));
@@ -137,7 +137,7 @@ void put(std::string& text, std::size_t at, Number number) {
 TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
   const ScratchDirectory scratch("damaged");
   const auto path = scratch.path / "solution.plastron";
-  const Problem problem = plate(element::Formulation::tangent, fem::Shape::quadrilateral);
+  const Problem problem = plate(element::Formulation::tangent, mesh::Shape::quadrilateral);
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   write(*result.solution, path, MPI_COMM_WORLD);
   const std::string good = text_of(path);
@@ -190,11 +190,11 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
 }
 
 TEST(SolutionFile, KeepsCutsOfTheCoarseMesh) {
-  const std::vector<fem::Cuts> cuts{{std::vector{0.25, 0.5}, {}}, {}, {std::vector{0.1}, std::vector{0.2, 0.7, 0.9}}};
+  const std::vector<mesh::Cuts> cuts{{std::vector{0.25, 0.5}, {}}, {}, {std::vector{0.1}, std::vector{0.2, 0.7, 0.9}}};
   const std::vector<double> list = flat_cuts(cuts);
   EXPECT_EQ(list.size(), 12U);
   EXPECT_EQ(cuts_of_list(list), cuts);
-  EXPECT_EQ(cuts_of_list({}), std::vector<fem::Cuts>());
+  EXPECT_EQ(cuts_of_list({}), std::vector<mesh::Cuts>());
   using List = std::vector<double>;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const List& wrong :
@@ -221,7 +221,7 @@ TEST(SolutionFile, WithCutsForMoreCellsThanItHasIsRefused) {
 TEST(SolutionFile, WithTwoValuesAtANodeIsRefused) {
   const ScratchDirectory scratch("torn");
   const auto path = scratch.path / "solution.plastron";
-  const Problem problem = plate(element::Formulation::tangent, fem::Shape::quadrilateral);
+  const Problem problem = plate(element::Formulation::tangent, mesh::Shape::quadrilateral);
   const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   write(*result.solution, path, MPI_COMM_WORLD);
   const std::string good = text_of(path);

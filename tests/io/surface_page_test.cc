@@ -1,5 +1,5 @@
 // The page of a mesh in space: its scene is the mesh, its tables are the parts, names remain texts.
-#include "fem/space_surface.hpp"
+#include "domain/space_surface.hpp"
 
 #include <plastron/io/embedded_page.hpp>
 #include <plastron/io/surface_page.hpp>
@@ -16,19 +16,20 @@ namespace plastron::io::surface_page_tests {
 
 namespace {
 
-using namespace fem::space_meshes;  // NOLINT: builders of meshes
+using namespace topology::space_meshes;  // NOLINT: builders of meshes
+using namespace domain::space_meshes;    // NOLINT: builders of meshes
 using Eigen::Vector3d;
-using fem::Shape;
+using mesh::Shape;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-Json scene_of(const fem::FileSurface& surface, std::size_t most_points = most_parts_points) {
+Json scene_of(const domain::FileSurface& surface, std::size_t most_points = most_parts_points) {
   return surface_scene_json(surface, region_parts(surface), curve_parts(surface), most_points);
 }
 
-std::string page_of(const fem::FileSurface& surface, const std::vector<PageFinding>& findings = {}) {
+std::string page_of(const domain::FileSurface& surface, const std::vector<PageFinding>& findings = {}) {
   const auto regions = region_parts(surface);
   const auto curves = curve_parts(surface);
   return surface_page_html({"folder/part.msh", surface, regions, curves, findings});
@@ -47,7 +48,7 @@ TEST(SurfaceScene, has_curved_cells_and_their_normals) {
   for (const Shape shape : shapes) {
     const Json scene = scene_of(surface_of(sphere(shape, 3, 4)));
     const auto points = numbers<float>(scene["positions"]), normals = numbers<float>(scene["normals"]);
-    const auto per_cell = static_cast<std::size_t>(fem::nodes_per_cell(shape, scene["subdivisions"]));
+    const auto per_cell = static_cast<std::size_t>(mesh::nodes_per_cell(shape, scene["subdivisions"]));
     EXPECT_GE(scene["subdivisions"], 4);
     ASSERT_EQ(points.size(), 3 * per_cell * scene["cells"].get<std::size_t>());
     ASSERT_EQ(normals.size(), points.size());
@@ -61,7 +62,7 @@ TEST(SurfaceScene, has_curved_cells_and_their_normals) {
 }
 
 TEST(SurfaceScene, is_exact_far_from_the_origin) {
-  fem::SpaceMesh mesh = sphere(Shape::quadrilateral, 2, 2), far = mesh;
+  topology::SpaceMesh mesh = sphere(Shape::quadrilateral, 2, 2), far = mesh;
   for (Vector3d& node : far.nodes) node += Vector3d(1e6, 0, -3e6);
   const auto near_points = numbers<float>(scene_of(surface_of(std::move(mesh)))["positions"]);
   const auto far_points = numbers<float>(scene_of(surface_of(std::move(far)))["positions"]);
@@ -103,10 +104,10 @@ TEST(SurfaceScene, has_kinds_and_names_of_edges) {
 }
 
 TEST(SurfaceScene, marks_turned_cells_and_doubtful_edges) {
-  fem::SpaceMesh mesh = star(Shape::quadrilateral, 3, 1, {0, pi - 0.5});  // 29 degrees; the limit is 30
-  mesh.cells[4] = fem::turned(mesh.shape, mesh.cells[4]);
-  for (std::size_t c = 9; c < 18; ++c) mesh.cells[c] = fem::turned(mesh.shape, mesh.cells[c]);
-  const fem::FileSurface surface = surface_of(std::move(mesh));
+  topology::SpaceMesh mesh = star(Shape::quadrilateral, 3, 1, {0, pi - 0.5});  // 29 degrees; the limit is 30
+  mesh.cells[4] = topology::turned(mesh.shape, mesh.cells[4]);
+  for (std::size_t c = 9; c < 18; ++c) mesh.cells[c] = topology::turned(mesh.shape, mesh.cells[c]);
+  const domain::FileSurface surface = surface_of(std::move(mesh));
   const Json scene = scene_of(surface);
   const auto turned = numbers<std::uint32_t>(scene["turned"]),
              doubtful = numbers<std::uint32_t>(scene["edges"]["doubtful"]);
@@ -118,18 +119,18 @@ TEST(SurfaceScene, marks_turned_cells_and_doubtful_edges) {
 }
 
 TEST(SurfaceScene, has_fewer_facets_on_large_meshes_and_none_on_huge_ones) {
-  const fem::SpaceMesh mesh = sphere(Shape::quadrilateral, 4, 3);  // 96 cells
+  const topology::SpaceMesh mesh = sphere(Shape::quadrilateral, 4, 3);  // 96 cells
   EXPECT_EQ(parts_subdivisions(mesh), 4);
   EXPECT_EQ(parts_subdivisions(mesh, 96 * 16), 3);
   EXPECT_EQ(parts_subdivisions(mesh, 96 * 9, 10), 1);
   EXPECT_EQ(parts_subdivisions(mesh, 96 * 4 - 1), 0);
   EXPECT_EQ(parts_subdivisions(sphere(Shape::triangle, 4, 1)), 1);
-  const fem::FileSurface surface = surface_of(sphere(Shape::quadrilateral, 4, 3));
+  const domain::FileSurface surface = surface_of(sphere(Shape::quadrilateral, 4, 3));
   EXPECT_TRUE(scene_of(surface, 96).is_null());
 }
 
 TEST(SurfaceParts, are_the_areas_and_lengths_of_a_cube) {
-  const fem::FileSurface surface = surface_of(cube(Shape::quadrilateral, 3));
+  const domain::FileSurface surface = surface_of(cube(Shape::quadrilateral, 3));
   const auto regions = region_parts(surface);
   ASSERT_EQ(regions.size(), 1U);
   EXPECT_NEAR(regions[0].area, 6, 1e-12);
@@ -160,7 +161,7 @@ TEST(SurfacePage, of_names_that_look_like_markup_shows_them_as_text) {
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
     return n;
   };
-  fem::FileSurface surface = surface_of(star(Shape::quadrilateral, 2, 1, {0, 2}), {{"end", is_end}});
+  domain::FileSurface surface = surface_of(star(Shape::quadrilateral, 2, 1, {0, 2}), {{"end", is_end}});
   const std::string plain = page_of(surface);
   surface.regions.front() = evil;
   surface.boundaries.front() = evil;

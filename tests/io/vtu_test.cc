@@ -1,6 +1,6 @@
-#include <plastron/fem/basis.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/vtu.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -130,7 +130,7 @@ TEST(Vtu, lists_the_points_of_a_cell_in_the_order_of_a_lagrange_quadrilateral) {
 // Corners around the cell, then the middles of its sides 0-1, 1-2, 2-0.
 TEST(Vtu, lists_the_points_of_a_triangle_in_the_order_of_a_lagrange_triangle) {
   for (const int degree : {1, 2}) {
-    const Written w = written({.degree = degree, .refinements = 1, .shape = fem::Shape::triangle});
+    const Written w = written({.degree = degree, .refinements = 1, .shape = mesh::Shape::triangle});
     const std::size_t per_cell = degree == 1 ? 3 : 6;
     ASSERT_EQ(w.file.cells, 64U);
     ASSERT_EQ(w.file.points, 64U * per_cell);
@@ -159,7 +159,7 @@ TEST(Vtu, lists_the_points_of_a_triangle_in_the_order_of_a_lagrange_triangle) {
 // middles of the sides (degree 2), so its integral is the area times the mean of three values.
 TEST(Vtu, of_triangles_has_a_pressure_whose_integral_is_the_reaction) {
   for (const int degree : {1, 2}) {
-    const Written w = written({.degree = degree, .refinements = 2, .shape = fem::Shape::triangle});
+    const Written w = written({.degree = degree, .refinements = 2, .shape = mesh::Shape::triangle});
     const std::size_t per_cell = degree == 1 ? 3 : 6;
     const VtuArray &phi = w.file.arrays.at("reference position"), &eta = w.file.arrays.at("eta");
     double sum = 0;
@@ -178,7 +178,7 @@ TEST(Vtu, of_triangles_has_a_pressure_whose_integral_is_the_reaction) {
 
 /// Sum over the cells of the nodal quadrature of eta, with equidistant points that are nodes: degrees 1 and 2.
 double integral_of_eta(const VtuFile& file, int degree) {
-  const auto weights = fem::gauss_lobatto(degree + 1).weights;
+  const auto weights = mesh::gauss_lobatto(degree + 1).weights;
   const auto order = lagrange_order(degree);
   double sum = 0;
   for (std::size_t cell = 0; cell < file.cells; ++cell) {

@@ -1,7 +1,7 @@
 // Chords of coarse meshes, and meshes that are cut along them.
 #include <gtest/gtest.h>
 #include <plastron/algebra/vector.hpp>
-#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/meshing/chord_cuts.hpp>
@@ -12,18 +12,18 @@
 namespace plastron::fem::cut_mesh_test {
 namespace {
 
-CoarseMesh grid(std::size_t columns, std::size_t rows) {
+mesh::CoarseMesh grid(std::size_t columns, std::size_t rows) {
   std::vector<Vector2d> vertices;
   for (std::size_t j = 0; j <= rows; ++j)
     for (std::size_t i = 0; i <= columns; ++i) vertices.emplace_back(static_cast<double>(i), static_cast<double>(j));
-  CoarseMesh mesh = grid_mesh(std::move(vertices), columns);
+  mesh::CoarseMesh mesh = domain::grid_mesh(std::move(vertices), columns);
   mesh.boundaries = {"left", "right", "bottom", "top"};
   return mesh;
 }
 
-double area_of(const CoarseMesh& mesh) {
+double area_of(const mesh::CoarseMesh& mesh) {
   double sum = 0;
-  for (const CoarseCell& cell : mesh.cells) {
+  for (const mesh::CoarseCell& cell : mesh.cells) {
     const auto at = [&](int k) {
       return mesh.vertices[static_cast<std::size_t>(cell.vertices[static_cast<std::size_t>(k)])];
     };
@@ -45,7 +45,7 @@ TEST(Chords, OfAGridAreItsRowsAndColumns) {
 
 /// One ring around the square in the middle, and one chord from rim to rim through it in each direction.
 TEST(Chords, OfADiskAreARingAndACross) {
-  const meshing::Chords all = meshing::chords(disk_mesh({{0, 0}, 1}));
+  const meshing::Chords all = meshing::chords(domain::disk_mesh({{0, 0}, 1}));
   EXPECT_EQ(all.count, 3);
   for (std::size_t c = 1; c < 5; ++c) EXPECT_EQ(all.of_cell[c][0], all.of_cell[1][0]);
   EXPECT_EQ(all.of_cell[1][1], all.of_cell[3][1]);
@@ -54,9 +54,9 @@ TEST(Chords, OfADiskAreARingAndACross) {
 
 TEST(CutMesh, CoversTheSameWithMoreCells) {
   MeshSequence meshes(grid(3, 2), 2, MPI_COMM_WORLD);
-  std::vector<Cuts> cuts(6);
+  std::vector<mesh::Cuts> cuts(6);
   // The first column and the second row, in whatever way the cells were turned: all cells of a chord.
-  const CoarseMesh& coarse = *meshes.space()->coarse;
+  const mesh::CoarseMesh& coarse = *meshes.space()->coarse;
   const meshing::Chords all = meshing::chords(coarse);
   for (std::size_t c = 0; c < 6; ++c)
     for (std::size_t d = 0; d < 2; ++d)
@@ -71,12 +71,13 @@ TEST(CutMesh, CoversTheSameWithMoreCells) {
 
 /// Drawn down and drawn up: the conormal of a curve inside points to its right, and that side stays the right one.
 TEST(CutMesh, KeepsTheDirectionOfCurves) {
-  CoarseMesh mesh = grid(2, 1);
+  mesh::CoarseMesh mesh = grid(2, 1);
   mesh.boundaries = {"down", "up"};
   mesh.edges = {{{4, 1}, 0}, {{1, 4}, 1}};
-  const CoarseMesh cut = cut_mesh(mesh, std::vector<Cuts>(2, Cuts{std::vector<double>{}, std::vector{0.3, 0.8}}));
+  const mesh::CoarseMesh cut =
+      cut_mesh(mesh, std::vector<mesh::Cuts>(2, mesh::Cuts{std::vector<double>{}, std::vector{0.3, 0.8}}));
   ASSERT_EQ(cut.edges.size(), 6U);
-  for (const BoundaryEdge& edge : cut.edges) {
+  for (const mesh::BoundaryEdge& edge : cut.edges) {
     const double step = cut.vertices[static_cast<std::size_t>(edge.vertices[1])][1] -
                         cut.vertices[static_cast<std::size_t>(edge.vertices[0])][1];
     EXPECT_GT(edge.boundary == 0 ? -step : step, 0);
@@ -84,15 +85,15 @@ TEST(CutMesh, KeepsTheDirectionOfCurves) {
 }
 
 TEST(CutMesh, KnowsCutsThatDoNotMeet) {
-  const CoarseMesh mesh = grid(2, 1);
-  std::vector<Cuts> cuts(2);
+  const mesh::CoarseMesh mesh = grid(2, 1);
+  std::vector<mesh::Cuts> cuts(2);
   cuts[0][1] = {0.3};
   EXPECT_FALSE(are_conforming(mesh, cuts));
   cuts[1][1] = {0.4};
   EXPECT_FALSE(are_conforming(mesh, cuts));
   cuts[1][1] = {0.3};
   EXPECT_TRUE(are_conforming(mesh, cuts));
-  EXPECT_FALSE(are_conforming(mesh, std::vector<Cuts>(3)));
+  EXPECT_FALSE(are_conforming(mesh, std::vector<mesh::Cuts>(3)));
 }
 
 Vector2d position(const Space& space, std::size_t cell, const Vector2d& xi) {
@@ -123,9 +124,9 @@ TEST(CutMesh, KeepsPolynomials) {
   MeshSequence meshes(grid(3, 2), 4, MPI_COMM_WORLD);
   std::vector<algebra::Vector> fields{sampled(*meshes.space(), quartic)};
   for (const double at : {0.2, 0.7, 0.4}) {
-    const CoarseMesh& coarse = *meshes.space()->coarse;
+    const mesh::CoarseMesh& coarse = *meshes.space()->coarse;
     const meshing::Chords all = meshing::chords(coarse);
-    std::vector<Cuts> cuts(coarse.cells.size());
+    std::vector<mesh::Cuts> cuts(coarse.cells.size());
     const std::set<int> cut{all.of_cell[1][0], all.of_cell[coarse.cells.size() - 1][1]};
     for (std::size_t c = 0; c < cuts.size(); ++c)
       for (std::size_t d = 0; d < 2; ++d)
@@ -145,7 +146,7 @@ TEST(CutMesh, KeepsPolynomials) {
 
 /// A polynomial in the own coordinates of cells stays one, also in bent cells and in cells that were turned for the sequence.
 TEST(CutMesh, KeepsFieldsOnBentCells) {
-  MeshSequence meshes(disk_mesh({{0.3, 0.2}, 1}), 4, MPI_COMM_WORLD);
+  MeshSequence meshes(domain::disk_mesh({{0.3, 0.2}, 1}), 4, MPI_COMM_WORLD);
   const auto at_nodes = [&](double power) {
     algebra::Vector field(meshes.space()->layout, 1);
     const Space& space = *meshes.space();
@@ -168,7 +169,7 @@ TEST(CutMesh, KeepsFieldsOnBentCells) {
   std::vector<algebra::Vector> fields{at_nodes(1), at_nodes(2)};
   for (const double at : {0.3, 0.6}) {
     const meshing::Chords all = meshing::chords(*meshes.space()->coarse);
-    std::vector<Cuts> cuts(meshes.space()->coarse->cells.size());
+    std::vector<mesh::Cuts> cuts(meshes.space()->coarse->cells.size());
     for (std::size_t c = 0; c < cuts.size(); ++c)
       for (std::size_t d = 0; d < 2; ++d)
         if (all.of_cell[c][d] != all.of_cell[0][0]) cuts[c][d] = {at};
@@ -182,9 +183,9 @@ TEST(CutMesh, KeepsFieldsOnBentCells) {
 }
 
 TEST(CutMesh, DividesAfterwardsAsAnyOther) {
-  MeshSequence meshes(disk_mesh({{0, 0}, 1}), 2, MPI_COMM_WORLD);
+  MeshSequence meshes(domain::disk_mesh({{0, 0}, 1}), 2, MPI_COMM_WORLD);
   const meshing::Chords all = meshing::chords(*meshes.space()->coarse);
-  std::vector<Cuts> cuts(5);
+  std::vector<mesh::Cuts> cuts(5);
   for (std::size_t c = 0; c < 5; ++c)
     for (std::size_t d = 0; d < 2; ++d)
       if (all.of_cell[c][d] != all.of_cell[0][0] && all.of_cell[c][d] != all.of_cell[0][1]) cuts[c][d] = {0.5};

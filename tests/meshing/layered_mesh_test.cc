@@ -1,5 +1,5 @@
 // Rows of thin cells along boundaries: they are as wide as asked for, and the mesh still is one of the whole domain.
-#include <plastron/fem/domain.hpp>
+#include <plastron/domain/domain.hpp>
 #include <plastron/meshing/layered_mesh.hpp>
 
 #include <gtest/gtest.h>
@@ -21,9 +21,9 @@ using Distances = std::vector<std::vector<std::vector<double>>>;
 double cross(const Vector2d& a, const Vector2d& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// The edges of each boundary: how many, and their length.
-std::map<std::string, std::pair<int, double>> edges_by_name(const CoarseMesh& mesh) {
+std::map<std::string, std::pair<int, double>> edges_by_name(const mesh::CoarseMesh& mesh) {
   std::map<std::string, std::pair<int, double>> result;
-  for (const BoundaryEdge& e : mesh.edges) {
+  for (const mesh::BoundaryEdge& e : mesh.edges) {
     const auto at = [&](int k) {
       return mesh.vertices[static_cast<std::size_t>(e.vertices[static_cast<std::size_t>(k)])];
     };
@@ -35,9 +35,9 @@ std::map<std::string, std::pair<int, double>> edges_by_name(const CoarseMesh& me
 }
 
 TEST(LayeredRectangle, HasLinesAtTheDistancesOfItsRowsFromEverySide) {
-  const Rectangle r{.from = {-1, 2}, .to = {2, 4}};
+  const domain::Rectangle r{.from = {-1, 2}, .to = {2, 4}};
   const meshing::Rows rows{.distances = Distances{{{0.1, 0.3}}, {{0.2}}, {{0.05}}, {{}}}, .inner = {3, 2}};
-  const CoarseMesh mesh = meshing::layered_mesh(r, Shape::quadrilateral, rows);
+  const mesh::CoarseMesh mesh = meshing::layered_mesh(r, mesh::Shape::quadrilateral, rows);
   expect_cells_fit(mesh);
   EXPECT_NEAR(area(mesh), 6, 1e-13);
   EXPECT_EQ(mesh.cells.size(), static_cast<std::size_t>((2 + 3 + 1) * (1 + 2)));
@@ -56,9 +56,9 @@ TEST(LayeredRectangle, HasLinesAtTheDistancesOfItsRowsFromEverySide) {
 }
 
 TEST(LayeredRectangle, HasRowsOfTheirOwnWidthInEveryRegion) {
-  const Rectangle r{.to = {3, 1}, .breaks = {1}, .regions = {"thin", "thick"}};
+  const domain::Rectangle r{.to = {3, 1}, .breaks = {1}, .regions = {"thin", "thick"}};
   const meshing::Rows rows{.distances = Distances{{{0.1}}, {{0.2}}, {{0.1}, {0.2}}, {{0.1}, {0.2}}}, .inner = {6, 1}};
-  const CoarseMesh mesh = meshing::layered_mesh(r, Shape::quadrilateral, rows);
+  const mesh::CoarseMesh mesh = meshing::layered_mesh(r, mesh::Shape::quadrilateral, rows);
   expect_cells_fit(mesh);
   EXPECT_NEAR(area(mesh), 3, 1e-13);
   bool has_thin = false, has_thick = false;
@@ -67,7 +67,7 @@ TEST(LayeredRectangle, HasRowsOfTheirOwnWidthInEveryRegion) {
     has_thick = has_thick || (v - Vector2d(3, 0.2)).norm() < 1e-12;
   }
   EXPECT_TRUE(has_thin && has_thick);
-  for (const CoarseCell& cell : mesh.cells) {
+  for (const mesh::CoarseCell& cell : mesh.cells) {
     const Vector2d middle = cell.map({0.5, 0.5}).value;
     EXPECT_EQ(mesh.regions[static_cast<std::size_t>(cell.region)], middle[0] < 1 ? "thin" : "thick");
   }
@@ -75,14 +75,14 @@ TEST(LayeredRectangle, HasRowsOfTheirOwnWidthInEveryRegion) {
 
 TEST(LayeredRectangle, RefusesRowsThatMeet) {
   const meshing::Rows rows{.distances = Distances{{{0.6}}, {{0.5}}, {{}}, {{}}}};
-  EXPECT_THROW(meshing::layered_mesh(Rectangle{}, Shape::quadrilateral, rows), DomainError);
+  EXPECT_THROW(meshing::layered_mesh(domain::Rectangle{}, mesh::Shape::quadrilateral, rows), mesh::DomainError);
 }
 
 TEST(LayeredDisk, HasRingsAlongTheRim) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
-    const Disk disk{.centre = {3 * scale, 0}, .radius = 2 * scale};
+    const domain::Disk disk{.centre = {3 * scale, 0}, .radius = 2 * scale};
     const meshing::Rows rows{.distances = Distances{{{0.1 * scale, 0.4 * scale}}}, .inner = {2, 3}};
-    const CoarseMesh mesh = meshing::layered_mesh(disk, Shape::quadrilateral, rows);
+    const mesh::CoarseMesh mesh = meshing::layered_mesh(disk, mesh::Shape::quadrilateral, rows);
     expect_cells_fit(mesh);
     EXPECT_NEAR(area(mesh) / (scale * scale), 4 * pi, 1e-6);
     EXPECT_EQ(mesh.cells.size(), 4u + 4 * 2 * 3 + 2 * 8);
@@ -97,9 +97,9 @@ TEST(LayeredDisk, HasRingsAlongTheRim) {
 }
 
 TEST(LayeredAnnulus, HasRingsAlongBothRims) {
-  const Annulus annulus{.centre = {1, 1}, .inner = 0.5, .outer = 2};
+  const domain::Annulus annulus{.centre = {1, 1}, .inner = 0.5, .outer = 2};
   const meshing::Rows rows{.distances = Distances{{{0.1}}, {{0.2, 0.3}}}, .inner = {6, 2}};
-  const CoarseMesh mesh = meshing::layered_mesh(annulus, Shape::quadrilateral, rows);
+  const mesh::CoarseMesh mesh = meshing::layered_mesh(annulus, mesh::Shape::quadrilateral, rows);
   expect_cells_fit(mesh);
   EXPECT_NEAR(area(mesh), pi * 3.75, 1e-6);
   EXPECT_EQ(mesh.cells.size(), 6u * (1 + 2 + 2));
@@ -129,12 +129,12 @@ TEST(LayeredPolygon, CoversItWithRowsOfTheirDepthAlongEverySide) {
         std::vector<Vector2d> scaled;
         for (const Vector2d& c : corners) scaled.emplace_back(scale * c);
         if (reversed) std::ranges::reverse(scaled);
-        const Polygon polygon{scaled};
+        const domain::Polygon polygon{scaled};
         const std::size_t n = scaled.size();
         const meshing::Rows rows{.distances = Distances(n, {{depth * scale}}), .inner = {6, 6}};
-        const CoarseMesh mesh = meshing::layered_mesh(polygon, Shape::quadrilateral, rows);
+        const mesh::CoarseMesh mesh = meshing::layered_mesh(polygon, mesh::Shape::quadrilateral, rows);
         expect_cells_fit(mesh);
-        EXPECT_NEAR(area(mesh) / std::abs(signed_area(polygon)), 1, 1e-9);
+        EXPECT_NEAR(area(mesh) / std::abs(domain::signed_area(polygon)), 1, 1e-9);
         auto edges = edges_by_name(mesh);
         for (std::size_t i = 0; i < n; ++i) {
           const Vector2d from = scaled[i], to = scaled[(i + 1) % n];
@@ -149,14 +149,15 @@ TEST(LayeredPolygon, CoversItWithRowsOfTheirDepthAlongEverySide) {
 }
 
 TEST(LayeredPolygon, RefusesRowsThatMeet) {
-  const Polygon bar{{{0, 0}, {1, 0}, {2, 0}, {2, 0.1}, {0, 0.1}}};
-  EXPECT_THROW(meshing::layered_mesh(bar, Shape::quadrilateral, meshing::Rows{.distances = Distances(5, {{0.06}})}),
-               DomainError);
+  const domain::Polygon bar{{{0, 0}, {1, 0}, {2, 0}, {2, 0.1}, {0, 0.1}}};
+  EXPECT_THROW(
+      meshing::layered_mesh(bar, mesh::Shape::quadrilateral, meshing::Rows{.distances = Distances(5, {{0.06}})}),
+      mesh::DomainError);
 }
 
 TEST(LayeredMesh, OfTrianglesIsItsQuadrilateralsCutCrosswise) {
   const meshing::Rows rows{.distances = Distances{{{0.1}}, {{0.1}}, {{}}, {{}}}, .inner = {2, 2}};
-  const CoarseMesh mesh = meshing::layered_mesh(Rectangle{}, Shape::triangle, rows);
+  const mesh::CoarseMesh mesh = meshing::layered_mesh(domain::Rectangle{}, mesh::Shape::triangle, rows);
   expect_cells_fit(mesh);
   EXPECT_EQ(mesh.cells.size(), 4u * 8);
   EXPECT_NEAR(area(mesh), 1, 1e-13);

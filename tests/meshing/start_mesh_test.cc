@@ -15,7 +15,7 @@ using test::clamped;
 using test::symmetry;
 using test::with_chart;
 
-problem::Problem layered(const fem::Domain& domain, const std::array<std::string, 3>& chart, double thickness,
+problem::Problem layered(const domain::Domain& domain, const std::array<std::string, 3>& chart, double thickness,
                          double unit = 1) {
   problem::Problem p = with_chart(test::free_plate(), chart, {{"L", unit}});
   p.domain = domain;
@@ -25,7 +25,7 @@ problem::Problem layered(const fem::Domain& domain, const std::array<std::string
 }
 
 problem::Problem saddle(double e, double unit = 1) {
-  const fem::Rectangle square{.from = {-0.5 * unit, -0.5 * unit}, .to = {0.5 * unit, 0.5 * unit}};
+  const domain::Rectangle square{.from = {-0.5 * unit, -0.5 * unit}, .to = {0.5 * unit, 0.5 * unit}};
   return layered(square, {"x", "y", "(x^2 - y^2)/L"}, e * unit, unit);
 }
 
@@ -40,7 +40,7 @@ TEST(LayerWidth, IsTheRootThirdRootOrFourthRootOfTheThickness) {
 TEST(EdgeLayers, OfACylinderAreThoseOfItsRingsAndOfItsGenerators) {
   const double e = 1e-4, R = 1, length = 2, angle = 0.8;
   const auto layers =
-      meshing::edge_layers(layered(fem::Rectangle{.to = {angle, length}}, {"sin(x)", "y", "cos(x)"}, e));
+      meshing::edge_layers(layered(domain::Rectangle{.to = {angle, length}}, {"sin(x)", "y", "cos(x)"}, e));
   ASSERT_EQ(layers.size(), 4u);
   for (const meshing::EdgeLayer& layer : layers) {
     const bool is_ring = layer.boundary >= 2;
@@ -51,7 +51,8 @@ TEST(EdgeLayers, OfACylinderAreThoseOfItsRingsAndOfItsGenerators) {
 
 TEST(EdgeLayers, AreMeasuredAcrossTheEdgeInOmega) {
   // x is stretched by 5, so a step in x is five times as long on the shell.
-  const auto layers = meshing::edge_layers(layered(fem::Rectangle{.to = {0.2, 1}}, {"5*x", "sin(y)", "cos(y)"}, 1e-4));
+  const auto layers =
+      meshing::edge_layers(layered(domain::Rectangle{.to = {0.2, 1}}, {"5*x", "sin(y)", "cos(y)"}, 1e-4));
   ASSERT_EQ(layers.size(), 4u);
   EXPECT_NEAR(layers[0].width, 0.01, 1e-8);
   EXPECT_NEAR(layers[0].width_in_omega, 0.002, 1e-9);
@@ -75,7 +76,7 @@ TEST(StartMesh, HasNarrowRowsWhereMoreIsAskedForThanCornersWithOneRowGive) {
 
 TEST(StartMesh, HasRowsAlongEveryEdgeOfAThinShellAndNoneOfAPlate) {
   EXPECT_EQ(meshing::start_mesh(saddle(1e-3)).rows.size(), 4u);
-  EXPECT_TRUE(meshing::start_mesh(layered(fem::Rectangle{}, {"x", "y", "0"}, 1e-3)).rows.empty());
+  EXPECT_TRUE(meshing::start_mesh(layered(domain::Rectangle{}, {"x", "y", "0"}, 1e-3)).rows.empty());
   EXPECT_TRUE(meshing::start_mesh(saddle(0.1)).rows.empty()) << "rows would take more than a quarter of the shell";
 }
 
@@ -88,7 +89,7 @@ TEST(StartMesh, HasNoRowsWhereTheShellGoesOn) {
 }
 
 TEST(StartMesh, OfRegionsHasRowsThatFollowTheirThickness) {
-  problem::Problem p = layered(fem::Rectangle{.to = {2, 1}, .breaks = {1}, .regions = {"thin", "thick"}},
+  problem::Problem p = layered(domain::Rectangle{.to = {2, 1}, .breaks = {1}, .regions = {"thin", "thick"}},
                                {"x", "sin(y)", "cos(y)"}, 1e-4);
   const auto chart = p.charts.begin()->second;
   p.charts.clear();
@@ -129,7 +130,7 @@ TEST(StartMesh, KeepsPointsThatAreHeldAmongItsNodes) {
 }
 
 TEST(StartMesh, CountsTheNodesThatTheSequenceHas) {
-  for (const fem::Shape shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+  for (const mesh::Shape shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
     problem::Problem p = saddle(1e-2);
     p.discretisation.cells = shape;
     p.discretisation.degree = 2;

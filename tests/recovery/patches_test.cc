@@ -1,6 +1,7 @@
 // Resultants smoothed over patches are exact for polynomials, one order better than those of a cell, and keep jumps.
 #include "assembly/sample_shells.hpp"
 
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/recovery/recovery.hpp>
 
 #include <gtest/gtest.h>
@@ -117,7 +118,7 @@ FieldJet smooth_field(const Eigen::Vector2d& x) {
 // Parallelograms ten times as long as wide, with angles of 45 degrees, as in rows along the edges of a saddle.
 TEST(Patches, JudgeEveryCellOfLongThinObliqueOnes) {
   for (const int degree : {3, 4, 6}) {
-    const auto m = test::meshed(fem::Rectangle{.to = {1, 0.1}}, {"x", "x + y", "0"}, degree, 2);
+    const auto m = test::meshed(domain::Rectangle{.to = {1, 0.1}}, {"x", "x + y", "0"}, degree, 2);
     const Interpolated plate(m, nothing, test::steel_of(geometry::Expression(0.01)));
     const ResultantPatches patches(*plate.discrete, plate.solution, degree + degree / 2);
     for (std::size_t c = 0; c < plate.discrete->space().owned_cells; ++c)
@@ -130,7 +131,7 @@ TEST(Patches, JudgeEveryCellOfLongThinObliqueOnes) {
 TEST(Patches, AreExactForFieldsOfOneDegreeMoreThanTheElements) {
   const geometry::Chart chart(test::flat, {});
   for (int degree = 1; degree <= 4; ++degree) {
-    const auto m = test::meshed(fem::Rectangle{}, test::flat, degree, 2);
+    const auto m = test::meshed(domain::Rectangle{}, test::flat, degree, 2);
     const Field whole = polynomial(degree + 1);
     const Field field = [&](const Eigen::Vector2d& x) {
       FieldJet y = whole(x);
@@ -159,7 +160,7 @@ TEST(Patches, OfOneRowOfCellsAreExactAlongIt) {
   const geometry::Chart chart(test::flat, {});
   for (int degree = 2; degree <= 4; ++degree)
     for (const bool is_tall : {false, true}) {
-      fem::Rectangle strip{.to = {1, 0.25}, .cells = {6, 1}};
+      domain::Rectangle strip{.to = {1, 0.25}, .cells = {6, 1}};
       if (is_tall) strip = {.to = {0.25, 1}, .cells = {1, 6}};
       const auto m = test::meshed(strip, test::flat, degree, 0);
       const int along = is_tall ? 1 : 0;
@@ -184,11 +185,11 @@ TEST(Patches, OfOneRowOfCellsAreExactAlongIt) {
     }
 }
 
-double rate(fem::Shape shape, int degree, bool smooth, int coarse) {
+double rate(mesh::Shape shape, int degree, bool smooth, int coarse) {
   const geometry::Chart chart(test::saddle, {});
   std::array<double, 2> errors{};
   for (int level = 0; level < 2; ++level) {
-    const auto m = test::meshed(fem::Rectangle{}, test::saddle, degree, coarse + level, shape);
+    const auto m = test::meshed(domain::Rectangle{}, test::saddle, degree, coarse + level, shape);
     const Interpolated shell(m, smooth_field, test::steel_of(geometry::Expression("0.1 + 0.02*x", {})));
     errors[static_cast<std::size_t>(level)] = error(shell.values(smooth), chart, smooth_field);
   }
@@ -203,7 +204,7 @@ TEST(Patches, GainAnOrderOverTheResultantsOfACell) {
 }
 
 TEST(Patches, OfOneFieldServeAnother) {
-  const auto m = test::meshed(fem::Rectangle{}, {"x", "y", "x*y + x^2/2"}, 3, 2);
+  const auto m = test::meshed(domain::Rectangle{}, {"x", "y", "x*y + x^2/2"}, 3, 2);
   const Interpolated still(m, nothing, test::steel_of(geometry::Expression(0.1)));
   const Interpolated moved(m, smooth_field, test::steel_of(geometry::Expression(0.1)));
   const ResultantPatches of_still(*still.discrete, still.solution);
@@ -222,7 +223,7 @@ TEST(Patches, OfOneFieldServeAnother) {
 TEST(Patches, WorkOnTriangles) {
   for (int degree = 1; degree <= 2; ++degree) {
     const geometry::Chart chart(test::saddle, {});
-    const auto m = test::meshed(fem::Rectangle{}, test::saddle, degree, 4, test::triangle);
+    const auto m = test::meshed(domain::Rectangle{}, test::saddle, degree, 4, test::triangle);
     const Interpolated shell(m, smooth_field, test::steel_of(geometry::Expression(0.1)));
     EXPECT_LT(error(shell.values(true), chart, smooth_field), 0.4 * error(shell.values(false), chart, smooth_field))
         << degree;
@@ -230,7 +231,7 @@ TEST(Patches, WorkOnTriangles) {
 }
 
 TEST(Patches, TheInvariantsOfTensorsDoNotDependOnTheFrame) {
-  const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, 2, 2);
+  const auto m = test::meshed(domain::Disk{.radius = 0.8}, test::cap, 2, 2);
   const Interpolated shell(m, smooth_field, test::steel_of(geometry::Expression(0.1)));
   for (const bool smooth : {true, false}) {
     const auto reference = shell.values(smooth);
@@ -255,7 +256,7 @@ TEST(Patches, TheInvariantsOfTensorsDoNotDependOnTheFrame) {
 // One strain, two thicknesses: forces jump from 1 to 2 where the regions meet, without values in between.
 TEST(Patches, DoNotSmearAJumpOfTheThickness) {
   fem::MeshSequence meshes(
-      fem::coarse_mesh(fem::Rectangle{.breaks = {0.5}, .regions = {"thin", "thick"}}, test::quadrilateral), 2,
+      domain::coarse_mesh(domain::Rectangle{.breaks = {0.5}, .regions = {"thin", "thick"}}, test::quadrilateral), 2,
       MPI_COMM_WORLD);
   for (int i = 0; i < 2; ++i) meshes.refine({});
   std::map<std::string, geometry::Chart> charts;

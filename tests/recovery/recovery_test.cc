@@ -1,5 +1,6 @@
 #include "assembly/sample_shells.hpp"
 
+#include <plastron/domain/domain.hpp>
 #include <plastron/recovery/recovery.hpp>
 
 #include <gtest/gtest.h>
@@ -13,10 +14,10 @@ const std::vector<Eigen::Vector2d> somewhere{{0.2, 0.3}, {0.9, 0.6}, {0, 1}};
 
 /// A flat plate with nodal values that are given functions of x and y.
 template <class Field>
-std::vector<PointValues> recovered(int degree, const Field& field, fem::Shape shape = test::quadrilateral) {
+std::vector<PointValues> recovered(int degree, const Field& field, mesh::Shape shape = test::quadrilateral) {
   // Tied bilinear elements have constant states only as parallelograms (docs/methods/tying.md).
   const bool is_bilinear = degree == 1 && shape == test::quadrilateral;
-  const fem::Domain domain = is_bilinear ? fem::Domain(fem::Rectangle{}) : fem::Domain(test::skew());
+  const domain::Domain domain = is_bilinear ? domain::Domain(domain::Rectangle{}) : domain::Domain(test::skew());
   const auto m = test::meshed(domain, test::flat, degree, 1, shape);
   const auto discrete =
       assembly::discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1))});
@@ -80,7 +81,7 @@ TEST(Recovery, AConstantShearStateHasItsShearForce) {
 }
 
 TEST(Recovery, TheFrameIsOrthonormalAndFollowsTheFirstParameter) {
-  const auto m = test::meshed(fem::Disk{.radius = 0.8}, test::cap, 3, 1);
+  const auto m = test::meshed(domain::Disk{.radius = 0.8}, test::cap, 3, 1);
   const auto discrete =
       assembly::discretise(m.space, m.surface, {.sections = test::steel_of(geometry::Expression(0.1))});
   const NodalSolution zero{algebra::Vector(m.space->layout, 6), algebra::Vector(m.space->layout, 1),

@@ -54,8 +54,8 @@ double largest_difference(const algebra::Vector& a, const algebra::Vector& b) {
 
 TEST(ValuesAtNodes, bring_back_a_field_that_was_carried_to_a_finer_mesh) {
   for (const int degree : {1, 2, 3, 5})  // nodes of degree 3 and more are no nodes of the finer mesh
-    for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
-      if (shape == fem::Shape::triangle && degree > 2) continue;
+    for (const auto shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
+      if (shape == mesh::Shape::triangle && degree > 2) continue;
       Problem p = pressed_bowl();
       p.discretisation = {.cells = shape, .degree = degree};
       const TwoMeshes meshes(p);

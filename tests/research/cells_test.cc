@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 
 using element::Formulation;
-using fem::Shape;
+using mesh::Shape;
 
 struct Element {
   Shape cells;
@@ -28,7 +28,7 @@ Problem small_panel(const Element& element) {
   p.shell.supports = {clamped("left"), clamped("right")};
   p.shell.loads.on_areas = {force(0, 0, -100)};
   p.shell.obstacles.all = {obstacle::Obstacle{}};
-  p.domain = fem::Rectangle{.cells = {2, 2}};
+  p.domain = domain::Rectangle{.cells = {2, 2}};
   p.discretisation = {.cells = element.cells, .degree = element.degree, .refinements = 1};
   return p;
 }
@@ -69,7 +69,7 @@ TEST(EveryStudy, TakesTheFormulationOfTheCase) {
 TEST(EveryStudy, TakesAMeshFile) {
   for (const Shape cells : {Shape::triangle, Shape::quadrilateral}) {
     Problem p = small_panel({cells, 2});
-    p.domain = fem::MeshFile{PLASTRON_TESTS_DIR "/verification/meshes/distorted-square.msh"};
+    p.domain = domain::MeshFile{PLASTRON_TESTS_DIR "/verification/meshes/distorted-square.msh"};
     p.charts.emplace("square", p.charts.at(""));
     p.charts.erase("");
     p.discretisation.refinements = 0;
@@ -104,7 +104,7 @@ TEST(SoftModesStudy, IsThatOfTheCellsOfTheCase) {
 
 TEST(SoftModesStudy, LeavesTheClassicalFormulationOutWhereCurvatureJumps) {
   Problem p = small_panel({Shape::quadrilateral, 2});
-  p.domain = fem::Rectangle{.to = {2, 1}, .cells = {2, 1}, .breaks = {1}, .regions = {"flat", "round"}};
+  p.domain = domain::Rectangle{.to = {2, 1}, .cells = {2, 1}, .breaks = {1}, .regions = {"flat", "round"}};
   p.charts.clear();
   p.charts.emplace("flat", Chart({"x", "y", "0.06"}, {}));
   p.charts.emplace("round", Chart({"1 + sin(x - 1)", "y", "1.06 - cos(x - 1)"}, {}));

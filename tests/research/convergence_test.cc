@@ -147,9 +147,9 @@ TEST(FalksEstimate, holds_for_every_element_and_says_where_it_cannot_be_evaluate
     return claim_on(convergence(p, {}, MPI_COMM_SELF, {}).table, "Falk's estimate, both sides");
   };
   EXPECT_EQ(falk().verdict, Verdict::holds) << falk().measured << falk().reason;
-  p.discretisation.cells = fem::Shape::triangle;
+  p.discretisation.cells = mesh::Shape::triangle;
   EXPECT_EQ(falk().verdict, Verdict::holds) << falk().measured << falk().reason;
-  p.discretisation.cells = fem::Shape::quadrilateral;
+  p.discretisation.cells = mesh::Shape::quadrilateral;
   p.shell.tangency.formulation = element::Formulation::classical;
   EXPECT_EQ(falk().verdict, Verdict::holds) << falk().measured << falk().reason;
   p.shell.tangency.formulation = element::Formulation::penalised;

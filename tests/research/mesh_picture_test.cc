@@ -26,7 +26,7 @@ double area_of(const std::vector<Outline>& outlines) {
 }
 
 TEST(MeshPicture, OfAUniformMeshCoversTheDomainAndHasTheContactZone) {
-  for (const auto shape : {fem::Shape::quadrilateral, fem::Shape::triangle}) {
+  for (const auto shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
     Problem p = pressed_strip();
     p.discretisation = {.cells = shape, .degree = 2, .refinements = 1};
     const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
@@ -43,7 +43,7 @@ TEST(MeshPicture, OfAUniformMeshCoversTheDomainAndHasTheContactZone) {
 /// The corners of the clamped side need small cells.
 Problem with_singular_corners() {
   Problem p = cantilever_plate();
-  p.domain = fem::Rectangle{.cells = {4, 4}};
+  p.domain = domain::Rectangle{.cells = {4, 4}};
   p.discretisation = {.degree = 2, .refinements = 0};
   p.accuracy = problem::Accuracy{.goals = {{"energy", 3e-4}}, .max_unknowns = 8000};
   return p;

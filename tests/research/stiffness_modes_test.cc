@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
+#include <plastron/domain/domain.hpp>
 
 #include <cmath>
 
@@ -10,7 +11,7 @@ namespace plastron::spectra {
 namespace {
 
 /// Ascending eigenvalues of the stiffness in nodal coordinates without supports, relative to the largest.
-Eigen::VectorXd spectrum(const fem::Domain& domain, const std::array<std::string, 3>& chart,
+Eigen::VectorXd spectrum(const domain::Domain& domain, const std::array<std::string, 3>& chart,
                          const test::Element& element, int refinements) {
   const auto [shape, degree, tying] = element;
   const auto m = test::meshed(domain, chart, degree, refinements, shape);

@@ -90,7 +90,7 @@ TEST_P(EveryStudy, FindsTheSameInAllUnits) {
 // A cap 5 mm in radius, in metres.
 TEST(ASmallCap, InMetresHasItsSoftModes) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "R - sqrt(R^2 - x^2 - y^2)"}, {{"R", 0.005}});
-  p.domain = fem::Disk{.radius = 0.0024};
+  p.domain = domain::Disk{.radius = 0.0024};
   p.shell.sections.common.thickness = Expression(2.5e-4);
   p.shell.sections.common.material = shell::Material::from_young_poisson(2.1e11, 0.3, 1);
   p.discretisation = {.degree = 2, .refinements = 3};

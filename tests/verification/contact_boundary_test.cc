@@ -19,7 +19,7 @@ namespace {
 
 struct Mesh {
   std::string name;
-  fem::Shape shape;
+  mesh::Shape shape;
   int degree, strip_refinements, disk_refinements;
 };
 void PrintTo(const Mesh& mesh, std::ostream* out) { *out << mesh.name; }
@@ -30,9 +30,9 @@ struct BoundaryError {
 };
 
 /// Length of a cell's side on the coarsest mesh, in the coordinate of the boundaries.
-double coarse_size(const fem::Domain& domain) {
-  if (const auto* disk = std::get_if<fem::Disk>(&domain)) return 0.7 * disk->radius;
-  const auto& strip = std::get<fem::Rectangle>(domain);
+double coarse_size(const domain::Domain& domain) {
+  if (const auto* disk = std::get_if<domain::Disk>(&domain)) return 0.7 * disk->radius;
+  const auto& strip = std::get<domain::Rectangle>(domain);
   return (strip.to[0] - strip.from[0]) / strip.cells[0];
 }
 
@@ -65,9 +65,9 @@ BoundaryError boundary_error(const std::string& name, const Mesh& mesh) {
 
 class ContactBoundary : public testing::TestWithParam<Mesh> {};
 INSTANTIATE_TEST_SUITE_P(All, ContactBoundary,
-                         testing::Values(Mesh{"quadrilaterals_2", fem::Shape::quadrilateral, 2, 3, 4},
-                                         Mesh{"quadrilaterals_3", fem::Shape::quadrilateral, 3, 2, 3},
-                                         Mesh{"triangles_2", fem::Shape::triangle, 2, 3, 3}),
+                         testing::Values(Mesh{"quadrilaterals_2", mesh::Shape::quadrilateral, 2, 3, 4},
+                                         Mesh{"quadrilaterals_3", mesh::Shape::quadrilateral, 3, 2, 3},
+                                         Mesh{"triangles_2", mesh::Shape::triangle, 2, 3, 3}),
                          [](const auto& mesh) { return mesh.param.name; });
 
 // Halfway between the last touching and the first free node, the error would be a quarter of the node distance in the mean, and at most a half

@@ -28,8 +28,8 @@ Computation run(const std::string& name, int degree, int strip_refinements, int 
   const int refinements = reference.axisymmetric ? disk_refinements : strip_refinements;
   reference.problem.discretisation.refinements = refinements;
   double coarse = 0;
-  if (const auto* disk = std::get_if<fem::Disk>(&reference.problem.domain)) coarse = 0.7 * disk->radius;
-  if (const auto* strip = std::get_if<fem::Rectangle>(&reference.problem.domain))
+  if (const auto* disk = std::get_if<domain::Disk>(&reference.problem.domain)) coarse = 0.7 * disk->radius;
+  if (const auto* strip = std::get_if<domain::Rectangle>(&reference.problem.domain))
     coarse = (strip->to[0] - strip->from[0]) / strip->cells[0];
   computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   return {std::move(reference), std::move(result), coarse / (1 << refinements)};
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(All, TriangleContactReferences,
 TEST_P(TriangleContactReferences, HaveTheEnergyAndTheReactionThatTheirElementsAllow) {
   const auto& [name, degree, refinements] = GetParam();
   ContactReference reference = contact_reference(name, degree, refinements);
-  reference.problem.discretisation.cells = fem::Shape::triangle;
+  reference.problem.discretisation.cells = mesh::Shape::triangle;
   const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   const std::string table = fmt::format("contact, triangles of degree {}", degree);
@@ -157,7 +157,7 @@ TEST_P(TriangleContactReferences, HaveTheEnergyAndTheReactionThatTheirElementsAl
 
 TEST(TriangleContactReference, OfDegreeTwoHasTheEnergyAndTheReactionOfTheCap) {
   ContactReference reference = contact_reference("R4cap_e0.1_p0.02", 2, 4);
-  reference.problem.discretisation.cells = fem::Shape::triangle;
+  reference.problem.discretisation.cells = mesh::Shape::triangle;
   const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved);
   EXPECT_LE(result.levels.back().unknowns, most_unknowns);

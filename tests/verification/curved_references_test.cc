@@ -53,7 +53,7 @@ struct Indented {
 problem::Problem problem_of(const Indented& p) {
   problem::Problem problem;
   const Constants constants{{"e", p.thickness}};
-  problem.domain = fem::Disk{.radius = p.dome ? std::sin(0.5) : 1.0};
+  problem.domain = domain::Disk{.radius = p.dome ? std::sin(0.5) : 1.0};
   problem.charts.emplace("", p.dome ? geometry::Chart({"x", "y", "-1 - e/2 + sqrt(1 - x^2 - y^2)"}, constants)
                                     : geometry::Chart({"x", "y", "-e/2"}, constants));
   problem.shell.sections.common.thickness = Expression(p.thickness);
@@ -173,7 +173,7 @@ TEST_P(PlaneProblem, HasTheEnergyAndTheReactionOfTheReference) {
   const Strip& p = GetParam();
   problem::Problem problem;
   const double width = 0.1;
-  problem.domain = fem::Rectangle{.from = {p.from, 0}, .to = {1, width}, .cells = {32, 1}};
+  problem.domain = domain::Rectangle{.from = {p.from, 0}, .to = {1, width}, .cells = {32, 1}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", p.height}}));
   problem.shell.sections.common.thickness = Expression(p.thickness);
   problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
@@ -267,7 +267,7 @@ assembly::Support at_point(const Eigen::Vector2d& x, std::vector<assembly::Direc
 /// Supports prevent only sliding and spinning.
 problem::Problem resting(const std::string& height, double load) {
   problem::Problem problem;
-  problem.domain = fem::Disk{.radius = std::sin(0.5)};
+  problem.domain = domain::Disk{.radius = std::sin(0.5)};
   problem.charts.emplace("", geometry::Chart({"x", "y", height}, {}));
   problem.shell.sections.common.thickness = Expression(0.05);
   problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);

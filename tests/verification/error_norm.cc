@@ -1,6 +1,6 @@
 #include "verification/error_norm.hpp"
 
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,12 @@ struct FinePoints {
   std::vector<double> weights;
 };
 
-FinePoints fine_points(fem::Shape shape, int degree) {
-  if (shape == fem::Shape::triangle) {
-    const fem::TriangleRule rule = fem::triangle_rule(2 * degree + 5);
+FinePoints fine_points(mesh::Shape shape, int degree) {
+  if (shape == mesh::Shape::triangle) {
+    const mesh::TriangleRule rule = mesh::triangle_rule(2 * degree + 5);
     return {rule.points, rule.weights};
   }
-  const fem::Rule rule = fem::gauss(degree + 3);
+  const mesh::Rule rule = mesh::gauss(degree + 3);
   FinePoints points;
   for (std::size_t j = 0; j < rule.points.size(); ++j)
     for (std::size_t i = 0; i < rule.points.size(); ++i) {

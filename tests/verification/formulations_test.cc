@@ -31,15 +31,15 @@ INSTANTIATE_TEST_SUITE_P(All, InEachFormulation, testing::ValuesIn(formulations)
                          [](const auto& parameters) { return std::string(element::to_string(parameters.param)); });
 
 /// Energy errors on successive refinements of four distorted cells, or of the triangles that they are cut into.
-std::vector<double> energy_errors(const Manufactured& exact, Formulation formulation, fem::Shape shape, int degree,
+std::vector<double> energy_errors(const Manufactured& exact, Formulation formulation, mesh::Shape shape, int degree,
                                   int first, int last) {
   std::vector<double> errors;
   for (int refinements = first; refinements <= last; ++refinements) {
     problem::Problem problem = manufactured_problem(exact, degree, refinements);
-    problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
+    problem.domain = domain::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
     problem.shell.tangency.formulation = formulation;
     problem.discretisation.cells = shape;
-    if (shape == fem::Shape::triangle) problem.shell.tying = false;
+    if (shape == mesh::Shape::triangle) problem.shell.tying = false;
     const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
     EXPECT_TRUE(is_solved_at_nodes(result)) << result.missed_limits;
     errors.push_back(energy_error(*result.solution, exact));
@@ -52,7 +52,7 @@ TEST_P(InEachFormulation, TheManufacturedSolutionsAreReachedAtTheRateOfTheDegree
     for (int degree = 1; degree <= 3; ++degree) {
       const Manufactured exact(solution, {.thickness = 0.1});
       const int last = degree == 1 ? 5 : degree == 2 ? 4 : 3;
-      const auto errors = energy_errors(exact, GetParam(), fem::Shape::quadrilateral, degree, last - 2, last);
+      const auto errors = energy_errors(exact, GetParam(), mesh::Shape::quadrilateral, degree, last - 2, last);
       const double mean = std::log2(errors.front() / errors.back()) / 2;
       fmt::print("{} ms{} degree {}: energy errors {:.3e}, rates {:.2f}\n", element::to_string(GetParam()),
                  solution == ManufacturedSolution::clamped ? 1 : 3, degree, fmt::join(errors, " "),
@@ -67,7 +67,7 @@ TEST_P(InEachFormulation, TheManufacturedSolutionsAreReachedOnTriangles) {
     for (int degree = 1; degree <= 2; ++degree) {
       const Manufactured exact(solution, {.thickness = 0.3});  // thick: triangles are not tied against locking
       const int last = degree == 1 ? 5 : 4;
-      const auto errors = energy_errors(exact, GetParam(), fem::Shape::triangle, degree, last - 2, last);
+      const auto errors = energy_errors(exact, GetParam(), mesh::Shape::triangle, degree, last - 2, last);
       fmt::print("{} ms{} triangles degree {}: energy errors {:.3e}, rates {:.2f}\n", element::to_string(GetParam()),
                  solution == ManufacturedSolution::clamped ? 1 : 3, degree, fmt::join(errors, " "),
                  fmt::join(rates(errors), " "));

@@ -16,7 +16,7 @@ problem::Problem saddle(double thickness) {
   problem::Problem p = hyperbolic_paraboloid(1e-3, ShearCorrection::one, false, 8, 0).problem;
   p.shell.sections.common.thickness = geometry::Expression(thickness);
   p.shell.loads.on_areas.front().force[2] = geometry::Expression(-8000 * thickness);
-  p.domain = fem::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}};
+  p.domain = domain::Rectangle{.from = {-0.5, -0.5}, .to = {0.5, 0.5}};
   p.discretisation.layers = problem::Layers::automatic;
   p.discretisation.degree = meshing::recommended_degree(p);
   return p;

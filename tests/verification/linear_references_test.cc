@@ -79,7 +79,7 @@ TEST(Locking, TrianglesOfEitherDegreeLockAndAreWarnedAbout) {
   for (const Mesh m : {Mesh{1, 1e-2, 5}, Mesh{2, 1e-2, 2}, Mesh{2, 1e-2, 4}, Mesh{2, 1e-3, 3}, Mesh{2, 1e-3, 5}}) {
     LinearReference reference =
         hyperbolic_paraboloid(m.thickness, ShearCorrection::one, false, m.degree, m.refinements);
-    reference.problem.discretisation.cells = fem::Shape::triangle;
+    reference.problem.discretisation.cells = mesh::Shape::triangle;
     const computation::Result result = computation::solve(reference.problem, MPI_COMM_WORLD);
     ASSERT_EQ(result.status, contact::Status::solved);
     const double error = result.probes.front().values.u.dot(reference.direction) / reference.displacement - 1;

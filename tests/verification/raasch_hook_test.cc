@@ -1,7 +1,7 @@
 // Raasch's hook: a thick strip of two arcs that bend to opposite sides, clamped at one end and sheared along its width
 // at the other. The arcs meet smoothly, where the curvature jumps. The strip bends and twists at once, which many shell
 // elements get wrong. Lengths in inches.
-#include "fem/space_surface.hpp"
+#include "domain/space_surface.hpp"
 
 #include <plastron/computation/solve.hpp>
 
@@ -13,7 +13,8 @@ namespace {
 
 using assembly::Direction, assembly::Unknown;
 using Eigen::Vector3d;
-using namespace fem::space_meshes;  // NOLINT: builders of meshes
+using namespace topology::space_meshes;  // NOLINT: builders of meshes
+using namespace domain::space_meshes;    // NOLINT: builders of meshes
 using std::numbers::pi;
 
 constexpr double width = 20, small = 14, large = 46, small_angle = pi / 3, large_angle = 5 * pi / 6;
@@ -36,8 +37,8 @@ struct Cells {
   int small = 3, large = 25, across = 2;
 };
 
-fem::FileSurface hook(const Cells& cells, int order) {
-  fem::SpaceMesh mesh{.shape = fem::Shape::quadrilateral, .nodes = {}, .cells = {}};
+domain::FileSurface hook(const Cells& cells, int order) {
+  topology::SpaceMesh mesh{.shape = mesh::Shape::quadrilateral, .nodes = {}, .cells = {}};
   add_grid(
       {cells.small, cells.across, order}, [](double s, double t) { return on_small(s * small_angle, width * t); },
       mesh);
@@ -88,7 +89,7 @@ std::array<double, 3> by_charts() {
   const geometry::Constants constants{{"s", join}, {"a", small_angle}};
   problem::Problem problem;
   problem.domain =
-      fem::Rectangle{.to = {end, width}, .cells = {28, 2}, .breaks = {join}, .regions = {"small", "large"}};
+      domain::Rectangle{.to = {end, width}, .cells = {28, 2}, .breaks = {join}, .regions = {"small", "large"}};
   problem.charts.emplace("small", geometry::Chart({"14*(1 - cos(x/14))", "y", "14*sin(x/14)"}, constants));
   problem.charts.emplace("large", geometry::Chart({"14*(1 - cos(a)) + 46*(cos(a - (x - s)/46) - cos(a))", "y",
                                                    "14*sin(a) + 46*(sin(a) - sin(a - (x - s)/46))"},
@@ -102,8 +103,8 @@ std::array<double, 3> by_charts() {
 
 TEST(RaaschHook, IsSmoothWhereItsCurvatureJumps) {
   for (const int order : {1, 2, 4})
-    for (const fem::SurfaceEdge& edge : hook({}, order).topology.edges)
-      EXPECT_TRUE(edge.kind == fem::EdgeKind::smooth || edge.kind == fem::EdgeKind::border) << order;
+    for (const topology::SurfaceEdge& edge : hook({}, order).topology.edges)
+      EXPECT_TRUE(edge.kind == topology::EdgeKind::smooth || edge.kind == topology::EdgeKind::border) << order;
 }
 
 TEST(RaaschHook, HasTheDeflectionOfItsChartsAndOfSolids) {

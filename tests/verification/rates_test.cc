@@ -21,13 +21,13 @@ struct Errors {
 /// Errors on successive refinements of four distorted cells. (On squares the exact solution lies in the space of
 /// degree 4.)
 Errors errors(const Manufactured& exact, int degree, bool tying, int first, int last,
-              fem::Shape cells = fem::Shape::quadrilateral) {
+              mesh::Shape cells = mesh::Shape::quadrilateral) {
   Errors e;
   for (int refinements = first; refinements <= last; ++refinements) {
     problem::Problem problem = manufactured_problem(exact, degree, refinements);
     problem.shell.tying = tying;
     problem.discretisation.cells = cells;
-    problem.domain = fem::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
+    problem.domain = domain::MeshFile{PLASTRON_MESH_DIR "/distorted-square.msh"};
     const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
     EXPECT_TRUE(is_solved_at_nodes(result)) << result.missed_limits;
     e.energy.push_back(energy_error(*result.solution, exact));
@@ -68,7 +68,7 @@ TEST(TriangleRate, TheEnergyErrorOfTheClampedSolutionFallsWithTheDegree) {
     for (int degree = 1; degree <= 2; ++degree) {
       const Manufactured exact(ManufacturedSolution::clamped, {.thickness = thickness});
       const int last = degree == 1 ? 5 : 4;
-      const Errors e = errors(exact, degree, false, last - 1, last, fem::Shape::triangle);
+      const Errors e = errors(exact, degree, false, last - 1, last, mesh::Shape::triangle);
       expect_figure("rates, triangles", fmt::format("clamped, e = {:g}", thickness), fmt::format("degree {}", degree),
                     rates(e.energy));
       EXPECT_NEAR(rates(e.energy).back(), degree, 0.15)
@@ -82,7 +82,7 @@ TEST(TriangleContactRate, TheSolutionWithAKnownFreeBoundaryConvergesWithTheDegre
   for (int degree = 1; degree <= 2; ++degree) {
     const Manufactured exact(ManufacturedSolution::contact, {.thickness = 0.1});
     const int last = degree == 1 ? 5 : 4;
-    const Errors e = errors(exact, degree, false, last - 2, last, fem::Shape::triangle);
+    const Errors e = errors(exact, degree, false, last - 2, last, mesh::Shape::triangle);
     expect_figure("rates, triangles", "contact, e = 0.1", fmt::format("degree {}", degree), rates(e.energy));
     EXPECT_GT(std::log2(e.energy.front() / e.energy.back()) / 2, degree - 0.2);
   }

@@ -98,7 +98,7 @@ void make_strip(const ordered_json& entry, ContactReference& reference) {
   const double from = params["t0"], to = params["t1"];
   const double width = (to - from) / 8;
   problem::Problem& problem = reference.problem;
-  problem.domain = fem::Rectangle{.from = {from, 0}, .to = {to, width}, .cells = {8, 1}};
+  problem.domain = domain::Rectangle{.from = {from, 0}, .to = {to, width}, .cells = {8, 1}};
   problem.charts.emplace("", strip_chart(entry["profile"], constants_of(params["geometry"])));
   problem.shell.supports = {params["bc0"] == "sym" ? symmetry("left") : clamped("left"), clamped("right"),
                             in_plane("bottom"), in_plane("top")};
@@ -107,7 +107,7 @@ void make_strip(const ordered_json& entry, ContactReference& reference) {
 
 void make_disk(const ordered_json& entry, ContactReference& reference) {
   problem::Problem& problem = reference.problem;
-  problem.domain = fem::Disk{.radius = radius_at(entry, entry["params"]["t1"])};
+  problem.domain = domain::Disk{.radius = radius_at(entry, entry["params"]["t1"])};
   problem.charts.emplace("", disk_chart(entry["profile"], constants_of(entry["params"]["geometry"])));
   problem.shell.supports = {clamped("rim")};
 }
@@ -239,8 +239,8 @@ ContactReference contact_reference(const std::string& name, int degree, int refi
 }
 
 double contact_area(const ContactReference& reference) {
-  const auto* disk = std::get_if<fem::Disk>(&reference.problem.domain);
-  const auto* strip = std::get_if<fem::Rectangle>(&reference.problem.domain);
+  const auto* disk = std::get_if<domain::Disk>(&reference.problem.domain);
+  const auto* strip = std::get_if<domain::Rectangle>(&reference.problem.domain);
   std::vector<double> ends{disk ? 0.0 : strip->from[0]};
   ends.insert(ends.end(), reference.boundaries.begin(), reference.boundaries.end());
   ends.push_back(disk ? disk->radius : strip->to[0]);
@@ -289,7 +289,7 @@ ContactReference pressed_strip(double thickness, int degree, int refinements) {
 problem::Problem manufactured_problem(const Manufactured& exact, int degree, int refinements) {
   const auto& [E, nu, e, k_s] = exact.shell();
   problem::Problem problem;
-  problem.domain = fem::Rectangle{.cells = {2, 2}};
+  problem.domain = domain::Rectangle{.cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart(Manufactured::chart(), {}));
   problem.shell.sections.common.thickness = Expression(e);
   problem.shell.sections.common.material = shell::Material::from_young_poisson(E, nu, k_s);
@@ -308,7 +308,7 @@ LinearReference hyperbolic_paraboloid(double thickness, ShearCorrection k, bool 
                             .problem = free_shell(2e11, 0.3, k, thickness, degree, refinements),
                             .direction = -Eigen::Vector3d::UnitZ()};
   problem::Problem& problem = reference.problem;
-  problem.domain = fem::Rectangle{.from = {-0.5, half ? 0 : -0.5}, .to = {0.5, 0.5}, .cells = {2, half ? 1 : 2}};
+  problem.domain = domain::Rectangle{.from = {-0.5, half ? 0 : -0.5}, .to = {0.5, 0.5}, .cells = {2, half ? 1 : 2}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "x^2 - y^2"}, {}));
   problem.shell.supports = {clamped("left")};
   if (half) problem.shell.supports.push_back(symmetry("bottom"));
@@ -325,7 +325,7 @@ LinearReference free_hyperboloid(double thickness, ShearCorrection k, int degree
                             .problem = free_shell(2.85e4, 0.3, k, thickness, degree, refinements),
                             .direction = Eigen::Vector3d::UnitX()};
   problem::Problem& problem = reference.problem;
-  problem.domain = fem::Rectangle{.from = {0, 0}, .to = {std::numbers::pi / 2, 1}, .cells = {2, 2}};
+  problem.domain = domain::Rectangle{.from = {0, 0}, .to = {std::numbers::pi / 2, 1}, .cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart({"sqrt(1 + y^2)*cos(x)", "sqrt(1 + y^2)*sin(x)", "y"}, {}));
   problem.shell.supports = {symmetry("left"), symmetry("right"), symmetry("bottom")};  // y = 0, x = 0, z = 0
   assembly::AreaLoad load{};
@@ -344,7 +344,7 @@ LinearReference scordelis_lo(ShearCorrection k, bool hard_diaphragm, int degree,
       .direction = -Eigen::Vector3d::UnitZ()};
   problem::Problem& problem = reference.problem;
   const double R = 25, half_arc = R * 40 * std::numbers::pi / 180;  // x is the arc length from the crown, y the axis
-  problem.domain = fem::Rectangle{.from = {0, 0}, .to = {half_arc, 25}, .cells = {2, 3}};
+  problem.domain = domain::Rectangle{.from = {0, 0}, .to = {half_arc, 25}, .cells = {2, 3}};
   problem.charts.emplace("", geometry::Chart({"R*sin(x/R)", "y", "R*cos(x/R)"}, {{"R", R}}));
   Support diaphragm{
       .boundary = "top",
@@ -363,7 +363,7 @@ LinearReference clamped_plate(double thickness, ShearCorrection k, int degree, i
                             .problem = free_shell(E, nu, k, thickness, degree, refinements),
                             .direction = -Eigen::Vector3d::UnitZ()};
   problem::Problem& problem = reference.problem;
-  problem.domain = fem::Rectangle{.from = {0, 0}, .to = {0.5, 0.5}, .cells = {2, 2}};
+  problem.domain = domain::Rectangle{.from = {0, 0}, .to = {0.5, 0.5}, .cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "0"}, {}));
   problem.shell.supports = {clamped("left"), clamped("bottom"), symmetry("right"), symmetry("top")};
   problem.shell.loads.on_areas = {downward(D)};
@@ -379,7 +379,7 @@ LinearReference clamped_saddle(int degree, int refinements) {
                             .direction = -Eigen::Vector3d::UnitZ()};
   problem::Problem& problem = reference.problem;
   const double corner = 50 * std::numbers::sqrt2;
-  problem.domain = fem::Polygon{{{corner, 0}, {0, corner}, {-corner, 0}, {0, -corner}}};
+  problem.domain = domain::Polygon{{{corner, 0}, {0, corner}, {-corner, 0}, {0, -corner}}};
   problem.charts.emplace("", geometry::Chart({"x", "y", "c*(x^2 - y^2)/(2*b^2)"}, {{"b", 50}, {"c", 10}}));
   for (const char* edge : {"edge1", "edge2", "edge3", "edge4"}) problem.shell.supports.push_back(clamped(edge));
   problem.shell.loads.on_areas = {downward(0.01)};

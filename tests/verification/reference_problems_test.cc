@@ -79,7 +79,7 @@ TEST(ReferenceProblems, NameBoundariesOfTheirDomains) {
     problems.push_back(clamped_plate(0.1, k, 2, 3).problem);
   }
   for (const auto& problem : problems) {
-    const auto names = fem::boundary_names(problem.domain);
+    const auto names = domain::boundary_names(problem.domain);
     for (const auto& support : problem.shell.supports) EXPECT_TRUE(std::ranges::count(names, support.boundary) == 1);
   }
 }

@@ -1,6 +1,6 @@
 // Whole computations on meshes in space: the closed sphere under pressure, which this model solves exactly, shells that
 // charts describe too, and what must not change the numbers.
-#include "fem/space_surface.hpp"
+#include "domain/space_surface.hpp"
 
 #include <plastron/computation/solve.hpp>
 
@@ -13,8 +13,9 @@ namespace {
 
 using assembly::Direction, assembly::Unknown;
 using Eigen::Vector3d;
-using fem::Shape;
-using namespace fem::space_meshes;  // NOLINT: builders of meshes
+using mesh::Shape;
+using namespace topology::space_meshes;  // NOLINT: builders of meshes
+using namespace domain::space_meshes;    // NOLINT: builders of meshes
 using std::numbers::pi;
 
 assembly::Support fixed(const std::vector<Direction>& displacements) {
@@ -38,7 +39,7 @@ assembly::Support edge_support(const std::string& boundary, const std::vector<Di
   return support;
 }
 
-problem::Problem problem_on(const fem::FileSurface& surface, int degree, int refinements) {
+problem::Problem problem_on(const domain::FileSurface& surface, int degree, int refinements) {
   problem::Problem problem;
   problem.domain = domain_of(surface);
   problem.shell.sections.common.thickness = geometry::Expression(0.05);
@@ -119,8 +120,8 @@ TEST(SphereUnderPressure, HasItsErrorByTheMeshEstimated) {
 }
 
 /// A quarter of the Scordelis-Lo roof: half angle 40 degrees, radius and half length 25.
-fem::SpaceMesh roof(const Grid& grid) {
-  fem::SpaceMesh mesh{.shape = Shape::quadrilateral, .nodes = {}, .cells = {}};
+topology::SpaceMesh roof(const Grid& grid) {
+  topology::SpaceMesh mesh{.shape = Shape::quadrilateral, .nodes = {}, .cells = {}};
   add_grid(
       grid,
       [](double s, double t) {
@@ -149,7 +150,7 @@ double deflection(const problem::Problem& problem) { return solved(problem).prob
 
 TEST(Roof, HasTheDeflectionOfItsChart) {
   problem::Problem by_chart;
-  by_chart.domain = fem::Rectangle{.to = {25 * 40 * pi / 180, 25}, .cells = {4, 4}};
+  by_chart.domain = domain::Rectangle{.to = {25 * 40 * pi / 180, 25}, .cells = {4, 4}};
   by_chart.charts.emplace("", geometry::Chart({"25*sin(x/25)", "y", "25*cos(x/25)"}, {}));
   by_chart.discretisation = {.degree = 4, .refinements = 1};
   by_chart = roof_problem(by_chart);
@@ -169,7 +170,7 @@ TEST(Roof, HasTheDeflectionOfItsChart) {
   }
 }
 
-double cube_energy(const fem::SpaceMesh& mesh, const Eigen::Isometry3d& motion) {
+double cube_energy(const topology::SpaceMesh& mesh, const Eigen::Isometry3d& motion) {
   problem::Problem problem = problem_on(surface_of(mesh), 3, 1);
   problem.shell.supports = {
       point_support(motion * Vector3d(-0.5, -0.5, -0.5), {Direction::x, Direction::y, Direction::z}),
@@ -180,14 +181,14 @@ double cube_energy(const fem::SpaceMesh& mesh, const Eigen::Isometry3d& motion) 
 }
 
 TEST(Invariance, TheCubeHasOneEnergyHoweverItIsPlacedNumberedAndTurned) {
-  const fem::SpaceMesh mesh = cube(Shape::quadrilateral, 2, 2);
+  const topology::SpaceMesh mesh = cube(Shape::quadrilateral, 2, 2);
   const double energy = cube_energy(mesh, Eigen::Isometry3d::Identity());
   EXPECT_NEAR(cube_energy(shuffled(mesh, 3), Eigen::Isometry3d::Identity()), energy, 1e-10 * energy);
-  fem::SpaceMesh messy = mesh;
+  topology::SpaceMesh messy = mesh;
   turn_some(messy, 5);
   EXPECT_NEAR(cube_energy(messy, Eigen::Isometry3d::Identity()), energy, 1e-10 * energy);
   const Eigen::Isometry3d quarter(Eigen::AngleAxisd(pi / 2, Vector3d::UnitZ()));
-  fem::SpaceMesh moved = mesh;
+  topology::SpaceMesh moved = mesh;
   for (Vector3d& node : moved.nodes) node = quarter * node + Vector3d(1, 2, 3);
   EXPECT_NEAR(cube_energy(moved, Eigen::Translation3d(1, 2, 3) * quarter), energy, 1e-10 * energy);
 }
@@ -212,7 +213,7 @@ TEST(Fold, HoldsWhenCellsAreDividedBesideIt) {
 
 /// The energy of a cube that stands on the plane Z = 0 with its face -axis.
 computation::Result standing_cube(int axis) {
-  fem::SpaceMesh mesh = cube(Shape::quadrilateral, 2);
+  topology::SpaceMesh mesh = cube(Shape::quadrilateral, 2);
   for (Vector3d& node : mesh.nodes)
     node = Vector3d(node[(axis + 1) % 3], node[(axis + 2) % 3], node[axis] + 0.5 + 0.05 / 2);
   problem::Problem problem = problem_on(surface_of(mesh), 2, 1);

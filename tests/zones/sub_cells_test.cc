@@ -1,5 +1,5 @@
 // Sub-cells fill the cell, each once, and lie anticlockwise.
-#include <plastron/fem/reference_cell.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 #include <plastron/zones/sub_cells.hpp>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace plastron::zones {
 namespace {
 
-using fem::Shape;
+using mesh::Shape;
 
 double area(const SubCell& sub, const std::vector<Eigen::Vector2d>& nodes) {
   double twice = 0;
@@ -31,7 +31,7 @@ TEST(SubCells, HaveEqualPositiveAreasThatFillTheCell) {
       const auto subs = sub_cells(shape, k);
       ASSERT_EQ(subs.size(), static_cast<std::size_t>(k * k));
       const double whole = shape == Shape::triangle ? 0.5 : 1;
-      for (const SubCell& sub : subs) EXPECT_NEAR(area(sub, fem::lattice(shape, k)), whole / (k * k), 1e-14);
+      for (const SubCell& sub : subs) EXPECT_NEAR(area(sub, mesh::lattice(shape, k)), whole / (k * k), 1e-14);
     }
 }
 
@@ -44,7 +44,7 @@ TEST(SubCells, ShareEachSideInsideTheCellInOppositeSenses) {
       const auto alone = std::ranges::count_if(sides, [&](const auto& side) {
         return !sides.contains({side.first.second, side.first.first});
       });
-      EXPECT_EQ(alone, fem::corner_count(shape) * k);  // those on the cell's own sides
+      EXPECT_EQ(alone, mesh::corner_count(shape) * k);  // those on the cell's own sides
       for (const auto& [side, count] : sides) EXPECT_EQ(count, 1);
     }
 }

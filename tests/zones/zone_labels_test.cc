@@ -1,4 +1,5 @@
 // Labels of zones against a flood fill by places: random marks, both shapes, hanging nodes and joined edges.
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/element/element_tables.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/zones/sub_cells.hpp>
@@ -24,7 +25,7 @@
 namespace plastron::zones::zone_labels_test {
 namespace {
 
-using fem::Shape;
+using mesh::Shape;
 using test::MeshedSurface;
 using Place = std::array<std::int64_t, 3>;  ///< a point of the mid-surface in units of 1e-7
 
@@ -46,7 +47,7 @@ std::vector<Place> places_of(const MeshedSurface& mesh) {
 
 /// Whether two nodes of a cell are corners of one sub-cell, from their steps along the lattice.
 bool are_beside(const fem::Space& space, int a, int b) {
-  const auto lattice = fem::lattice(space.shape(), space.degree);
+  const auto lattice = mesh::lattice(space.shape(), space.degree);
   const Eigen::Vector2d way =
       space.degree * (lattice[static_cast<std::size_t>(b)] - lattice[static_cast<std::size_t>(a)]);
   const auto i = std::lround(way[0]), j = std::lround(way[1]);
@@ -146,7 +147,7 @@ TEST(ZoneLabels, AreThoseOfAFloodFill) {
 TEST(ZoneLabels, GoOnAcrossHangingNodes) {
   for (const int degree : {1, 2, 4}) {
     SCOPED_TRACE(degree);
-    fem::MeshSequence meshes(fem::coarse_mesh(fem::Rectangle{.cells = {4, 4}}, Shape::quadrilateral), degree,
+    fem::MeshSequence meshes(domain::coarse_mesh(domain::Rectangle{.cells = {4, 4}}, Shape::quadrilateral), degree,
                              MPI_COMM_WORLD);
     for (int pass = 0; pass < 2; ++pass) {
       std::vector<signed char> marks(meshes.space()->owned_cells, 0);
@@ -163,7 +164,7 @@ TEST(ZoneLabels, GoOnAcrossHangingNodes) {
 /// A tube whose seam joins the edges left and right: places there are the same, and nodes are not.
 TEST(ZoneLabels, GoOnAcrossJoinedEdges) {
   for (const auto& [shape, degree] : {std::pair{Shape::quadrilateral, 2}, std::pair{Shape::triangle, 2}}) {
-    const auto coarse = fem::coarse_mesh(fem::Rectangle{.to = {2 * std::numbers::pi, 2}, .cells = {8, 4}}, shape);
+    const auto coarse = domain::coarse_mesh(domain::Rectangle{.to = {2 * std::numbers::pi, 2}, .cells = {8, 4}}, shape);
     std::map<std::string, geometry::Chart> charts;
     charts.emplace("", geometry::Chart({"sin(x)", "y", "cos(x)"}, {}));
     std::shared_ptr<const fem::Surface> surface;

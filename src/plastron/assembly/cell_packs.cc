@@ -20,9 +20,9 @@ CellPacks::Table::Table(const Eigen::MatrixXd& table)
 CellPacks::CellPacks(const fem::Space& space, const fem::Surface& surface, const CrossSections& sections,
                      const element::ElementTables& tables, const PackKernels& kernels)
     : kernels_(&kernels),
-      kind_(tables.shape == fem::Shape::triangle ? PackedCells::Kind::plain
-            : tables.tying                       ? PackedCells::Kind::tied
-                                                 : PackedCells::Kind::square),
+      kind_(tables.shape == mesh::Shape::triangle ? PackedCells::Kind::plain
+            : tables.tying                        ? PackedCells::Kind::tied
+                                                  : PackedCells::Kind::square),
       has_directors_(surface.has_directors()),
       xi_(tables.quadrature.xi),
       weights_(tables.weights) {

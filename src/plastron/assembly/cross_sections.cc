@@ -9,13 +9,13 @@
 
 namespace plastron::assembly {
 
-const std::string& region_of(const fem::CoarseMesh& coarse, const fem::Cell& cell) {
+const std::string& region_of(const mesh::CoarseMesh& coarse, const fem::Cell& cell) {
   PLASTRON_ASSERT(cell.coarse >= 0 && static_cast<std::size_t>(cell.coarse) < coarse.cells.size(), cell.coarse,
                   coarse.cells.size());
   return coarse.regions[static_cast<std::size_t>(coarse.cells[static_cast<std::size_t>(cell.coarse)].region)];
 }
 
-const CrossSection& CrossSections::at(const fem::CoarseMesh& coarse, const fem::Cell& cell) const {
+const CrossSection& CrossSections::at(const mesh::CoarseMesh& coarse, const fem::Cell& cell) const {
   if (regions.empty()) return common;
   const auto own = regions.find(region_of(coarse, cell));
   return own == regions.end() ? common : own->second;
@@ -38,10 +38,10 @@ int CrossSections::most_layers() const {
   return most;
 }
 
-void check_regions(const CrossSections& sections, const fem::CoarseMesh& coarse) {
+void check_regions(const CrossSections& sections, const mesh::CoarseMesh& coarse) {
   for (const auto& [name, section] : sections.regions)
     if (std::ranges::find(coarse.regions, name) == coarse.regions.end())
-      throw fem::DomainError(
+      throw mesh::DomainError(
           fmt::format("a thickness, material or density is given for the region \"{}\", which the mesh does not have; "
                       "it has: {}",
                       name, fmt::join(coarse.regions, ", ")));

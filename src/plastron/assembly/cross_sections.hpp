@@ -21,7 +21,7 @@ struct CrossSections {
   std::map<std::string, CrossSection> regions{};  ///< cross-sections by name of region
 
   /// Returns the cross-section of the region that contains a cell.
-  const CrossSection& at(const fem::CoarseMesh& coarse, const fem::Cell& cell) const;
+  const CrossSection& at(const mesh::CoarseMesh& coarse, const fem::Cell& cell) const;
   /// Returns the largest number of layers of a laminate; 0 without laminates.
   int most_layers() const;
   /// Returns the material of the smallest E. With it, measures of the whole shell are conservative.
@@ -29,9 +29,9 @@ struct CrossSections {
 };
 
 /// Returns the name of the region that contains a cell.
-const std::string& region_of(const fem::CoarseMesh& coarse, const fem::Cell& cell);
+const std::string& region_of(const mesh::CoarseMesh& coarse, const fem::Cell& cell);
 
-/// Throws fem::DomainError where `sections` name a region that the mesh does not have.
-void check_regions(const CrossSections& sections, const fem::CoarseMesh& coarse);
+/// Throws mesh::DomainError where `sections` name a region that the mesh does not have.
+void check_regions(const CrossSections& sections, const mesh::CoarseMesh& coarse);
 
 }  // namespace plastron::assembly

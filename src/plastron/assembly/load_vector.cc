@@ -3,9 +3,9 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/element/piece_rules.hpp>
 #include <plastron/element/subdivision.hpp>
-#include <plastron/fem/basis.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/pieces.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -75,7 +75,7 @@ struct RegionLoads {
 class LoadSum {
  public:
   LoadSum(const ShellOperator& shell, algebra::Vector& f)
-      : shell_(shell), space_(shell.space()), line_(fem::gauss(space_.degree + 1)), f_(f) {}
+      : shell_(shell), space_(shell.space()), line_(mesh::gauss(space_.degree + 1)), f_(f) {}
 
   void add_area_loads(const std::vector<AreaLoad>& all, const Vector3d& gravity) {
     std::vector<LoadPieces> pieces(all.size());
@@ -221,7 +221,7 @@ class LoadSum {
     std::vector<Vector2d> xi;
     std::vector<double> weights = line_.weights;
     for (const double t : line_.points)
-      xi.push_back(fem::side_point(space_.shape(), edge.side, part.start + part.length * t));
+      xi.push_back(mesh::side_point(space_.shape(), edge.side, part.start + part.length * t));
     for (double& weight : weights) weight *= part.length;
     return on_side_points(load, edge, xi, weights);
   }
@@ -235,7 +235,7 @@ class LoadSum {
     add_expression(load.force, places, 0, values);
     add_expression(load.couple, places, 3, values);
     note(values, places);
-    const Vector2d along = fem::side_tangent(space_.shape(), edge.side);
+    const Vector2d along = mesh::side_tangent(space_.shape(), edge.side);
     for (std::size_t q = 0; q < xi.size(); ++q)
       values.row(static_cast<Eigen::Index>(q)) *= weights[q] * geometry::along(frames[q], along).norm();
     return shell_.interpolation().forces_of(edge.cell, element::basis_at(space_.shape(), space_.degree, xi), values);
@@ -248,7 +248,7 @@ class LoadSum {
 
   const ShellOperator& shell_;
   const fem::Space& space_;
-  fem::Rule line_;
+  mesh::Rule line_;
   algebra::Vector& f_;
   std::optional<Vector2d> not_finite_{};
 };

@@ -58,7 +58,7 @@ struct NodalCoordinates {
   void add_transposed(algebra::Vector& f, algebra::Vector& z) const;
 };
 
-/// Returns the owned nodes at a point of Omega, up to fem::point_tolerance(): none or one. There are more where a mesh
+/// Returns the owned nodes at a point of Omega, up to mesh::point_tolerance(): none or one. There are more where a mesh
 /// file has several in one place.
 std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const std::vector<NodalPoint>& points,
                                                 const Eigen::Vector2d& x);

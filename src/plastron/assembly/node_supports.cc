@@ -2,9 +2,9 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 
 #include <plastron/assembly/constrained_supports.hpp>
-#include <plastron/fem/basis.hpp>
-#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/mesh/basis.hpp>
+#include <plastron/mesh/coarse_mesh.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -85,14 +85,14 @@ class FramesOn {
  private:
   /// `is_twin`: the side runs in the opposite direction.
   void add(const fem::BoundarySide& edge, bool is_twin) {
-    const auto line = fem::gauss_lobatto(space_.degree + 1).points;  // the nodes of a side on either shape
+    const auto line = mesh::gauss_lobatto(space_.degree + 1).points;  // the nodes of a side on either shape
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
-    for (const double t : line) xi.push_back(fem::side_point(space_.shape(), edge.side, t));
+    for (const double t : line) xi.push_back(mesh::side_point(space_.shape(), edge.side, t));
     std::vector<geometry::Frame> frames(xi.size());
     surface_.frames(space_.cells[edge.cell], xi, frames, false);
-    const auto on_side = fem::side_nodes(space_.shape(), space_.degree, edge.side);
-    const Eigen::Vector2d tangent = (is_twin ? -1 : 1) * fem::side_tangent(space_.shape(), edge.side);
+    const auto on_side = mesh::side_nodes(space_.shape(), space_.degree, edge.side);
+    const Eigen::Vector2d tangent = (is_twin ? -1 : 1) * mesh::side_tangent(space_.shape(), edge.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const algebra::LocalIndex node = space_.nodes(edge.cell)[static_cast<std::size_t>(on_side[i])];
       if (node >= space_.layout->owned) continue;
@@ -173,7 +173,7 @@ std::vector<algebra::LocalIndex> owned_nodes_at_address(const fem::Space& space,
   constexpr double tolerance = 1e-9;
   const auto location = fem::locate(*space.coarse, address);
   if (!location) return {};
-  const std::vector<Eigen::Vector2d> nodes = fem::node_points(space.shape(), space.degree);
+  const std::vector<Eigen::Vector2d> nodes = mesh::node_points(space.shape(), space.degree);
   for (std::size_t c = 0; c < space.cells.size(); ++c) {
     const auto xi = fem::local_coordinates(space.shape(), space.cells[c], *location);
     if (!xi) continue;
@@ -188,7 +188,7 @@ std::vector<algebra::LocalIndex> owned_nodes_at_address(const fem::Space& space,
 std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const std::vector<NodalPoint>& points,
                                                 const Eigen::Vector2d& x) {
   if (space.coarse->patches) return owned_nodes_at_address(space, x);
-  const double tolerance = fem::point_tolerance(*space.coarse);
+  const double tolerance = mesh::point_tolerance(*space.coarse);
   std::vector<algebra::LocalIndex> nodes;
   for (algebra::LocalIndex i = 0; i < space.layout->owned; ++i)
     if ((points[static_cast<std::size_t>(i)].x - x).norm() <= tolerance) nodes.push_back(i);

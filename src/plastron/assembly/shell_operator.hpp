@@ -43,7 +43,7 @@ struct QuadraturePoint {
 class ShellOperator {
  public:
   /// Precondition: the surface is regular and the thickness positive at the quadrature points. Covariant interpolation
-  /// follows (M15). Throws fem::DomainError for cross-sections of regions that the mesh does not have.
+  /// follows (M15). Throws mesh::DomainError for cross-sections of regions that the mesh does not have.
   ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
                 CrossSections sections, bool tying, bool is_covariant,
                 const PackKernels& kernels = *pack_kernels().front());

@@ -24,7 +24,7 @@ struct PrescribedComponent {
 };
 
 /// A support of a boundary or a point. A point has no boundary and prescribes Cartesian components of u alone. It is a
-/// node of every mesh (fem::kept_nodes).
+/// node of every mesh (mesh::kept_nodes).
 struct Support {
   std::string boundary{};
   std::vector<PrescribedComponent> components{};

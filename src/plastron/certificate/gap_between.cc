@@ -114,9 +114,9 @@ struct Piece {
   double half;
 };
 
-Vector2d put_into(fem::Shape shape, Vector2d xi) {
+Vector2d put_into(mesh::Shape shape, Vector2d xi) {
   xi = xi.cwiseMax(0).cwiseMin(1);
-  if (shape == fem::Shape::triangle && xi.sum() > 1) xi = (xi.array() - (xi.sum() - 1) / 2).max(0).matrix();
+  if (shape == mesh::Shape::triangle && xi.sum() > 1) xi = (xi.array() - (xi.sum() - 1) / 2).max(0).matrix();
   return xi;
 }
 
@@ -180,7 +180,8 @@ class GapSearch {
 void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals,
                  const GapVisitor& visit) {
   const fem::Space& space = discrete.space();
-  const element::BasisAt basis = element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals));
+  const element::BasisAt basis =
+      element::basis_at(space.shape(), space.degree, mesh::lattice(space.shape(), intervals));
   std::vector<double> gaps(basis.xi.size());
   CellPoints points(discrete, y);
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
@@ -197,7 +198,8 @@ void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector&
 std::vector<CellGap> searched_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   const fem::Space& space = discrete.space();
   const int intervals = intervals_of(space.degree);
-  const element::BasisAt basis = element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals));
+  const element::BasisAt basis =
+      element::basis_at(space.shape(), space.degree, mesh::lattice(space.shape(), intervals));
   std::vector<Piece> lattice;
   for (const Vector2d& xi : basis.xi) lattice.push_back({xi, 0.5 / intervals});
   std::vector<CellGap> all;

@@ -14,7 +14,7 @@ using geometry::Vector3d;
 
 /// Receives an owned cell, an obstacle near it and the gaps at the points of a lattice.
 using GapVisitor = std::function<void(std::size_t cell, std::size_t obstacle, std::span<const double> gaps)>;
-/// Visits the owned cells and the obstacles near them with the gaps on fem::lattice() with `intervals` per side.
+/// Visits the owned cells and the obstacles near them with the gaps on mesh::lattice() with `intervals` per side.
 /// Throws ObstacleError on this rank alone.
 void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals,
                  const GapVisitor& visit);

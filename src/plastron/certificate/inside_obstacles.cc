@@ -1,7 +1,7 @@
 #include <plastron/certificate/inside_obstacles.hpp>
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::vector<char> nodes_on_edges(const fem::Space& space) {
   std::vector<char> marks(static_cast<std::size_t>(space.layout->local_size()));
   for (const fem::BoundarySide& side : space.sides)
     if (!side.is_inner)
-      for (const int i : fem::side_nodes(space.shape(), space.degree, side.side))
+      for (const int i : mesh::side_nodes(space.shape(), space.degree, side.side))
         marks[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
   return marks;
 }

@@ -34,7 +34,7 @@ int degrees_of_witness(const problem::Problem& problem) {
 
 bool wants_witness(const problem::Problem& problem, const fem::Space& space, const estimation::Estimates& estimates,
                    const solution::Summary& summary) {
-  if (space.shape() != fem::Shape::quadrilateral || estimates.unjudged_cells > 0) return false;
+  if (space.shape() != mesh::Shape::quadrilateral || estimates.unjudged_cells > 0) return false;
   std::vector<estimation::GoalRecord> records =
       estimation::goal_records(problem::estimated_goals(problem), estimates, summary);
   for (std::size_t g = 0; g < records.size(); ++g) records[g].error = estimates.goals[g].least_error();
@@ -87,7 +87,7 @@ std::string AccuracyLoop::limit_of_meshes(const Level& level, std::int64_t added
     return limit;
   if (std::string limit = stalled(); !limit.empty()) return limit;
   if (added == 0) return "the cells to divide are as small as can be";
-  const bool is_unseen = missed_.empty() && space.shape() == fem::Shape::quadrilateral;  // witness is missing
+  const bool is_unseen = missed_.empty() && space.shape() == mesh::Shape::quadrilateral;  // witness is missing
   double growth = 1 + static_cast<double>(added) / static_cast<double>(space.global_cells);
   if (is_unseen) growth = std::max(growth, growth_to_witness(problem_, space));
   std::string limit = obstacle(level, growth, space.layout->comm);
@@ -123,7 +123,7 @@ std::string AccuracyLoop::place_of_error(const fem::Space& space, const estimati
   std::vector<double> largest;  // on this rank: share and place
   if (const auto most = std::ranges::max_element(shares); most != shares.end()) {
     const fem::Surface surface(space.coarse, problem_.charts);
-    const Eigen::Vector2d centre = fem::centre(space.shape());
+    const Eigen::Vector2d centre = mesh::centre(space.shape());
     const fem::Cell& cell = space.cells[static_cast<std::size_t>(most - shares.begin())];
     const Eigen::Vector3d phi = surface.frame(cell, centre, false).phi;
     largest = {*most, phi[0], phi[1], phi[2]};

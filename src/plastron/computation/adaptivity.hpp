@@ -43,7 +43,7 @@ class AccuracyLoop {
   bool wants_more(const Result& result, const fem::Space& space);
   /// Cuts of the coarse cells of the mesh judged last (fem::MeshSequence::cut). If this is empty, marks() has the marks
   /// of its cells.
-  const std::vector<fem::Cuts>& cuts() const { return next_.cuts; }
+  const std::vector<mesh::Cuts>& cuts() const { return next_.cuts; }
   const std::vector<signed char>& marks() const { return next_.marks; }
   const std::vector<estimation::GoalRecord>& goals() const { return goals_; }
   /// Returns a text with the reasons why goals are not met; empty if they are met.

@@ -74,7 +74,7 @@ std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, cons
   const int intervals = lattice_intervals(space.degree);
   const LatticeBound bound(space.shape(), intervals);
   const constraints::RowMatrix basis =
-      element::basis_at(space.shape(), space.degree, fem::lattice(space.shape(), intervals)).value;
+      element::basis_at(space.shape(), space.degree, mesh::lattice(space.shape(), intervals)).value;
   std::vector<CellDepth> all;
   certificate::sample_gaps(discrete, y, intervals,
                            [&](std::size_t cell, std::size_t obstacle, std::span<const double> gaps) {

@@ -15,16 +15,16 @@ using Place = std::pair<int, int>;
 Place operator+(const Place& a, const Place& b) { return {a.first + b.first, a.second + b.second}; }
 Place operator-(const Place& a, const Place& b) { return {a.first - b.first, a.second - b.second}; }
 
-std::vector<Place> directions(fem::Shape shape) {
-  if (shape == fem::Shape::quadrilateral) return {{1, 0}, {0, 1}};
+std::vector<Place> directions(mesh::Shape shape) {
+  if (shape == mesh::Shape::quadrilateral) return {{1, 0}, {0, 1}};
   return {{1, 0}, {0, 1}, {-1, 1}};
 }
 
 }  // namespace
 
-LatticeBound::LatticeBound(fem::Shape shape, int intervals) {
+LatticeBound::LatticeBound(mesh::Shape shape, int intervals) {
   PLASTRON_ASSERT(intervals >= 2, intervals);
-  const auto points = fem::lattice(shape, intervals);
+  const auto points = mesh::lattice(shape, intervals);
   std::map<Place, std::size_t> index;
   std::vector<Place> places;
   for (const fem::Vector2d& xi : points) {

@@ -1,6 +1,6 @@
 // Depth of the shell in an obstacle anywhere in a cell, from gaps on a lattice (docs/methods/admissible.md).
 #pragma once
-#include <plastron/fem/reference_cell.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 
 #include <array>
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace plastron::computation {
 
-/// Lower bound of a function from its values at the points of fem::lattice().
+/// Lower bound of a function from its values at the points of mesh::lattice().
 class LatticeBound {
  public:
-  LatticeBound(fem::Shape shape, int intervals);  ///< at least two intervals
+  LatticeBound(mesh::Shape shape, int intervals);  ///< at least two intervals
 
   /// Returns a bound of the function in the sub-cells at point p, exact for quadratic functions. It is the value there
   /// minus an eighth of the positive second differences through it. The reason: a function that is convex along a line

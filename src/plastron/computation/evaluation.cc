@@ -50,14 +50,14 @@ std::optional<PointValues> local_values(const Solution& solution, const fem::Loc
   return std::nullopt;
 }
 
-std::vector<fem::Location> located(const fem::CoarseMesh& coarse, const std::vector<Eigen::Vector2d>& points,
+std::vector<fem::Location> located(const mesh::CoarseMesh& coarse, const std::vector<Eigen::Vector2d>& points,
                                    std::string_view what) {
   std::vector<fem::Location> locations;
   locations.reserve(points.size());
   for (const Eigen::Vector2d& point : points) {
     const auto location = fem::locate(coarse, point);
     if (!location)
-      throw fem::DomainError(fmt::format("{} at ({:g}, {:g}) lies outside of the domain", what, point[0], point[1]));
+      throw mesh::DomainError(fmt::format("{} at ({:g}, {:g}) lies outside of the domain", what, point[0], point[1]));
     locations.push_back(*location);
   }
   return locations;

@@ -28,11 +28,11 @@ void choose_recovery(const problem::Output& output, Solution& solution);
 void find_stress_peak(Result& result);
 
 /// Returns values at points of Omega, equal on every rank. Where cells meet, the first cell of the lowest rank is used
-/// (collective). Throws fem::DomainError for points outside Omega, named as `what`.
+/// (collective). Throws mesh::DomainError for points outside Omega, named as `what`.
 std::vector<recovery::PointValues> values_at(const Solution& solution, const std::vector<Eigen::Vector2d>& points,
                                              std::string_view what);
 
-/// Returns the probe values (collective). Throws fem::DomainError for probes outside Omega.
+/// Returns the probe values (collective). Throws mesh::DomainError for probes outside Omega.
 std::vector<ProbeValue> probe(const Solution& solution, const std::vector<problem::Probe>& probes);
 
 }  // namespace plastron::computation

@@ -3,6 +3,7 @@
 #include <plastron/computation/adaptivity.hpp>
 #include <plastron/computation/approach.hpp>
 #include <plastron/computation/evaluation.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/meshing/sequence.hpp>
 
 #include <fmt/format.h>
@@ -158,11 +159,11 @@ void Meshes::confirm(const problem::Instant& instant) {
 
 void Meshes::judge_geometry() {
   constexpr double least_judged = 0.5;  // of the area
-  const auto* file = std::get_if<fem::MeshFile>(&run_.problem.domain);
+  const auto* file = std::get_if<domain::MeshFile>(&run_.problem.domain);
   if (!file || !file->in_space || !run_.result.solution || !run_.result.estimates) return;
   Stopwatch watch;
-  const fem::SurfaceComparison second =
-      fem::compared_surface(fem::coarse_mesh(run_.problem.domain, surface_->coarse().shape), file->in_space->symmetric);
+  const topology::SurfaceComparison second = topology::compared_surface(
+      domain::coarse_mesh(run_.problem.domain, surface_->coarse().shape), file->in_space->symmetric);
   run_.result.estimates->geometry = {.largest = second.deviation,
                                      .place = {second.place[0], second.place[1], second.place[2]},
                                      .judged_share = second.judged_share};
@@ -170,8 +171,8 @@ void Meshes::judge_geometry() {
   run_.result.levels.back().seconds.geometry = watch.lap();
 }
 
-void Meshes::compare_goals(const fem::SurfaceComparison& second) {
-  auto coarse = std::make_shared<fem::CoarseMesh>(surface_->coarse());
+void Meshes::compare_goals(const topology::SurfaceComparison& second) {
+  auto coarse = std::make_shared<mesh::CoarseMesh>(surface_->coarse());
   coarse->patches = second.patches;
   const auto surface = std::make_shared<const fem::Surface>(std::move(coarse), run_.problem.charts);
   const Solution& solution = run_.solution();

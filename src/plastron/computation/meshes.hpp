@@ -4,7 +4,7 @@
 #include <plastron/computation/run.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/fem/surface_comparison.hpp>
+#include <plastron/topology/surface_comparison.hpp>
 
 #include <memory>
 #include <vector>
@@ -41,7 +41,7 @@ class Meshes {
   void refine(LevelTask& task, assembly::State& start);
   /// Computes the goals at the last instant on another surface of the same cells. Their differences are the errors by
   /// the mesh of the mid-surface.
-  void compare_goals(const fem::SurfaceComparison& second);
+  void compare_goals(const topology::SurfaceComparison& second);
   /// The zone of the solution's contact, and its displacement if the state is deformed, on another mesh.
   std::vector<algebra::Vector> fields_to_transfer() const;
 
@@ -49,7 +49,7 @@ class Meshes {
   fem::MeshSequence sequence_;
   std::shared_ptr<const fem::Surface> surface_;
   const problem::Instant* instant_;
-  std::vector<fem::Cuts> cuts_{};     ///< cuts for the next mesh, where an accuracy is requested
+  std::vector<mesh::Cuts> cuts_{};    ///< cuts for the next mesh, where an accuracy is requested
   std::vector<signed char> marks_{};  ///< marks of cells for the next mesh, where there are no cuts
   bool are_ahead_ = false;
 };

@@ -27,12 +27,12 @@ struct FinestMesh {
 };
 /// Cells that define a mesh that follows from estimates.
 struct MeshCells {
-  std::vector<fem::Cuts> cuts{};  ///< fem::CoarseMesh::cuts
+  std::vector<mesh::Cuts> cuts{};  ///< mesh::CoarseMesh::cuts
   std::vector<fem::CellPlace> places{};
 };
 
 /// Returns the last mesh of solve(). If it follows from estimates, returns the mesh of `cells`, which all ranks give
-/// completely. Cells that no such mesh has give another mesh (collective). Throws fem::DomainError.
+/// completely. Cells that no such mesh has give another mesh (collective). Throws mesh::DomainError.
 FinestMesh finest_mesh(const problem::Problem& problem, MPI_Comm comm, const MeshCells& cells = {});
 
 struct Verification {
@@ -42,7 +42,7 @@ struct Verification {
   std::vector<certificate::CertificateLimit> membership{};
 };
 
-/// Verifies a solution (collective). Throws fem::DomainError, assembly::SupportError, obstacle::ObstacleError, as
+/// Verifies a solution (collective). Throws mesh::DomainError, assembly::SupportError, obstacle::ObstacleError, as
 /// solve() does.
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution);
 

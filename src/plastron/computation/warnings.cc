@@ -109,7 +109,7 @@ constexpr std::array<double, 3> largest_size = {0.7, 1.3, 1.7};
 
 std::vector<std::string> locking_warnings(const problem::Problem& problem) {
   const problem::Discretisation& d = problem.discretisation;
-  const bool is_tied = problem.shell.tying && d.cells == fem::Shape::quadrilateral;
+  const bool is_tied = problem.shell.tying && d.cells == mesh::Shape::quadrilateral;
   if (is_tied || d.degree > static_cast<int>(largest_size.size())) return {};
   const double L = meshing::extent(problem);
   double worst = 0, size = 0, limit = 0, thickness = 0;
@@ -122,7 +122,7 @@ std::vector<std::string> locking_warnings(const problem::Problem& problem) {
     thickness = e;
   }
   if (worst <= 1) return {};
-  const bool triangles = d.cells == fem::Shape::triangle;
+  const bool triangles = d.cells == mesh::Shape::triangle;
   return {fmt::format(
       "{} of degree {} without tying are likely to lock: sides of the finest mesh are up to {:.3g} m long, {:.3g} "
       "times the "

@@ -9,9 +9,9 @@ namespace plastron::config {
 
 namespace {
 
-using Domain = std::optional<fem::Domain>;
+using Domain = std::optional<domain::Domain>;
 
-bool check_breaks(const Table& rectangle, const fem::Rectangle& r) {
+bool check_breaks(const Table& rectangle, const domain::Rectangle& r) {
   double last = r.from[0];
   for (const double x : r.breaks) {
     if (x <= last || x >= r.to[0]) {
@@ -24,7 +24,7 @@ bool check_breaks(const Table& rectangle, const fem::Rectangle& r) {
   return true;
 }
 
-bool check_regions(const Table& rectangle, const fem::Rectangle& r) {
+bool check_regions(const Table& rectangle, const domain::Rectangle& r) {
   if (r.breaks.empty() && r.regions.empty()) return true;
   if (r.regions.size() != r.breaks.size() + 1) {
     rectangle.report(
@@ -45,7 +45,7 @@ bool check_regions(const Table& rectangle, const fem::Rectangle& r) {
 }
 
 /// Checks a rectangle whose keys are read.
-bool is_valid(const Table& rectangle, const fem::Rectangle& r) {
+bool is_valid(const Table& rectangle, const domain::Rectangle& r) {
   if (static_cast<double>(r.cells[0]) * r.cells[1] > most_cells) {
     rectangle.report("cells", fmt::format("{} x {} cells on the coarsest mesh", r.cells[0], r.cells[1]),
                      fmt::format("at most {:.0f} together", most_cells), "refine with mesh.refinements instead");
@@ -59,9 +59,9 @@ bool is_valid(const Table& rectangle, const fem::Rectangle& r) {
   return check_breaks(rectangle, r) && check_regions(rectangle, r);
 }
 
-bool is_valid(const Table& /*disk*/, const fem::Disk& /*d*/) { return true; }
+bool is_valid(const Table& /*disk*/, const domain::Disk& /*d*/) { return true; }
 
-bool is_valid(const Table& annulus, const fem::Annulus& a) {
+bool is_valid(const Table& annulus, const domain::Annulus& a) {
   if (a.inner < a.outer) return true;
   annulus.report("inner", fmt::format("the radius inner = {} is not less than outer = {}", a.inner, a.outer),
                  "0 < inner < outer");
@@ -95,12 +95,12 @@ Domain read_polygon(Table& domain) {
   }
   auto& effective = domain.effective["polygon"]["corners"] = nlohmann::json::array();
   for (const auto& p : *points) effective.push_back({p[0], p[1]});
-  return fem::Polygon{*points};
+  return domain::Polygon{*points};
 }
 
 Domain read_mesh_file(Table& domain) {
   const auto path = read_mesh_path(domain, "mesh");
-  return path ? Domain(fem::MeshFile{.path = *path}) : Domain();
+  return path ? Domain(domain::MeshFile{.path = *path}) : Domain();
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ std::optional<std::string> read_mesh_path(Table& table, const std::string& key) 
 }
 
 std::vector<Section> domain_sections() {
-  using fem::Rectangle, fem::Disk, fem::Annulus;
+  using domain::Rectangle, domain::Disk, domain::Annulus;
   return {
       {"geometry.domain",
        "domain",
@@ -170,13 +170,13 @@ std::vector<Section> domain_sections() {
             "three to 500 corners, clockwise or counter-clockwise")}}};
 }
 
-std::optional<fem::Domain> read_domain(Table& geometry) {
+std::optional<domain::Domain> read_domain(Table& geometry) {
   Domain result;
   geometry.in_table("domain", [&](Table& domain) {
     const auto shape = domain.shape("domain = { disk = { radius = 1 } }");
-    if (shape == "rectangle") result = read_members<fem::Rectangle>(domain, *shape);
-    if (shape == "disk") result = read_members<fem::Disk>(domain, *shape);
-    if (shape == "annulus") result = read_members<fem::Annulus>(domain, *shape);
+    if (shape == "rectangle") result = read_members<domain::Rectangle>(domain, *shape);
+    if (shape == "disk") result = read_members<domain::Disk>(domain, *shape);
+    if (shape == "annulus") result = read_members<domain::Annulus>(domain, *shape);
     if (shape == "polygon") result = read_polygon(domain);
     if (shape == "mesh") result = read_mesh_file(domain);
   });

@@ -9,7 +9,7 @@ namespace plastron::config {
 
 namespace {
 
-using fem::SpaceReading;
+using domain::SpaceReading;
 using Formulas = std::array<std::string, 3>;
 
 std::optional<std::string> read_formula(Reading& reading, const Item& item) {
@@ -78,10 +78,10 @@ void read_charts_by_region(const Table& geometry, const toml::value& table, cons
                       joined(regions));
 }
 
-void read_charts(Table& geometry, const fem::Domain& domain, problem::Problem& problem) {
+void read_charts(Table& geometry, const domain::Domain& domain, problem::Problem& problem) {
   const auto given = geometry.value("chart");
   if (!given) return;
-  const auto regions = fem::region_names(domain);
+  const auto regions = domain::region_names(domain);
   auto& effective = geometry.effective["chart"];
   if (given->is_table())
     read_charts_by_region(geometry, *given, regions, problem, effective);
@@ -136,12 +136,12 @@ std::vector<Section> geometry_sections() {
 namespace {
 
 /// Reads a mesh in space.
-std::optional<fem::Domain> read_file(Table& geometry) {
+std::optional<domain::Domain> read_file(Table& geometry) {
   for (const char* name : {"domain", "chart"})
     if (geometry.has(name))
       geometry.report_key(name, fmt::format("[geometry] has both {} and file", name), "domain and chart, or file",
                           "a mesh in space needs no formulas: remove one of them");
-  fem::MeshFile file;
+  domain::MeshFile file;
   SpaceReading reading;
   const bool is_right = geometry.fill(reading);
   reading.offset.part = geometry.number("offset").value_or(0);
@@ -185,7 +185,7 @@ void read_geometry(Table& root, problem::Problem& problem) {
 }
 
 void complete_geometry(problem::Problem& problem) {
-  auto* file = std::get_if<fem::MeshFile>(&problem.domain);
+  auto* file = std::get_if<domain::MeshFile>(&problem.domain);
   if (!file || !file->in_space) return;
   for (const assembly::Support& support : problem.shell.supports)
     if (support.symmetry) file->in_space->symmetric.push_back(support.boundary);

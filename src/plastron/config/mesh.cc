@@ -24,7 +24,7 @@ void check_triangles(Table& mesh, problem::Problem& problem) {
 /// Sets missing values for meshes that follow from estimated errors: an unrefined start mesh with edge layers, of high
 /// degree.
 void suit_accuracy(Table& mesh, Discretisation& d) {
-  const bool is_triangular = d.cells == fem::Shape::triangle;
+  const bool is_triangular = d.cells == mesh::Shape::triangle;
   if (!mesh.has("refinements")) mesh.effective["refinements"] = d.refinements = 0;
   if (!mesh.has("degree")) mesh.effective["degree"] = d.degree = is_triangular ? 2 : 4;
   if (mesh.has("layers") || is_triangular) return;
@@ -39,7 +39,7 @@ std::vector<Section> mesh_sections() {
            "[mesh]",
            "The finite elements, as far as they do not follow from [accuracy].",
            {key("cells", &Discretisation::cells,
-                {{"quadrilateral", fem::Shape::quadrilateral}, {"triangle", fem::Shape::triangle}},
+                {{"quadrilateral", mesh::Shape::quadrilateral}, {"triangle", mesh::Shape::triangle}},
                 {.fallback = "\"quadrilateral\""}, "shape of the cells; triangles have degree 1 or 2 and no tying"),
             key("degree", &Discretisation::degree, {.fallback = "2", .range = Range::between(1, 8)},
                 "degree of u and r. Where meshes follow from [accuracy], the default is 4, on triangles 2"),
@@ -61,7 +61,7 @@ void read_mesh(Table& root, problem::Problem& problem) {
     mesh.fill(d);
     mesh.fill(problem.shell);
     if (root.has("accuracy") || !root.has("mesh")) suit_accuracy(mesh, d);
-    if (d.cells == fem::Shape::triangle) check_triangles(mesh, problem);
+    if (d.cells == mesh::Shape::triangle) check_triangles(mesh, problem);
   });
 }
 

@@ -37,16 +37,16 @@ bool folds_back(const Vector2d& before, const Vector2d& corner, const Vector2d& 
 struct MayContain {
   const Vector2d& p;
 
-  bool operator()(const fem::Rectangle& r) const {
+  bool operator()(const domain::Rectangle& r) const {
     const double margin = slack * (r.to - r.from).norm();
     return ((p - r.from).array() >= -margin).all() && ((r.to - p).array() >= -margin).all();
   }
-  bool operator()(const fem::Disk& d) const { return (p - d.centre).norm() <= d.radius * (1 + slack); }
-  bool operator()(const fem::Annulus& a) const {
+  bool operator()(const domain::Disk& d) const { return (p - d.centre).norm() <= d.radius * (1 + slack); }
+  bool operator()(const domain::Annulus& a) const {
     const double radius = (p - a.centre).norm();
     return radius >= a.inner * (1 - slack) && radius <= a.outer * (1 + slack);
   }
-  bool operator()(const fem::Polygon& polygon) const {
+  bool operator()(const domain::Polygon& polygon) const {
     const auto& c = polygon.corners;
     bool inside = false;
     for (std::size_t i = 0; i < c.size(); ++i) {
@@ -57,7 +57,7 @@ struct MayContain {
     }
     return inside;
   }
-  bool operator()(const fem::MeshFile&) const { return true; }
+  bool operator()(const domain::MeshFile&) const { return true; }
 };
 
 }  // namespace

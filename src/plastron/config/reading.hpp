@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <plastron/config/schema.hpp>
 #include <plastron/config/source.hpp>
-#include <plastron/fem/domain.hpp>
+#include <plastron/domain/domain.hpp>
 #include <plastron/geometry/space_function.hpp>
 #include <plastron/shell/material.hpp>
 
@@ -32,7 +32,7 @@ struct Reading {
   const Source& source;
   std::filesystem::path folder{};                                      ///< folder of the files that the case names
   std::vector<std::pair<std::string, std::filesystem::path>> files{};  ///< files that the case names, with their paths
-  std::optional<fem::Domain> domain{};                                 ///< empty: it is wrong, or not read yet
+  std::optional<domain::Domain> domain{};                              ///< empty: it is wrong, or not read yet
   geometry::Constants constants{};
   std::map<std::string, std::optional<NamedMaterial>> materials{};  ///< by name; empty: the material is wrong
   std::vector<std::string> later_constants{};                       ///< constants below the one being read
@@ -43,11 +43,13 @@ struct Reading {
 
   /// Returns the names of the domain's boundaries; empty if they are not known. The same holds for `regions`.
   std::vector<std::string> boundaries() const {
-    return domain ? fem::boundary_names(*domain) : std::vector<std::string>{};
+    return domain ? domain::boundary_names(*domain) : std::vector<std::string>{};
   }
-  std::vector<std::string> regions() const { return domain ? fem::region_names(*domain) : std::vector<std::string>{}; }
+  std::vector<std::string> regions() const {
+    return domain ? domain::region_names(*domain) : std::vector<std::string>{};
+  }
   bool has_mesh_in_space() const {
-    const auto* file = domain ? std::get_if<fem::MeshFile>(&*domain) : nullptr;
+    const auto* file = domain ? std::get_if<domain::MeshFile>(&*domain) : nullptr;
     return file && file->in_space;
   }
   /// Notes a file that the case names; returns its path.

@@ -39,7 +39,7 @@ void read_geometry(Table& root, problem::Problem& problem);
 void complete_geometry(problem::Problem& problem);
 /// Returns the domain of [geometry] and its shapes.
 std::vector<Section> domain_sections();
-std::optional<fem::Domain> read_domain(Table& geometry);
+std::optional<domain::Domain> read_domain(Table& geometry);
 /// Reads the path of a mesh file from a key; reports a path that is no file.
 std::optional<std::string> read_mesh_path(Table& table, const std::string& key);
 

@@ -8,8 +8,8 @@ namespace plastron::element {
 
 namespace {
 
-using fem::Rule;
-using fem::Shape;
+using mesh::Rule;
+using mesh::Shape;
 
 std::vector<Vector2d> grid(const std::vector<double>& along_1, const std::vector<double>& along_2) {
   std::vector<Vector2d> points;
@@ -24,7 +24,7 @@ struct SamplingLines {
 
 /// Gauss points of the three groups of (M22).
 std::vector<SamplingLines> sampling_lines(int degree) {
-  const auto full = fem::gauss(degree + 1).points, reduced = fem::gauss(degree).points;
+  const auto full = mesh::gauss(degree + 1).points, reduced = mesh::gauss(degree).points;
   return {{reduced, full}, {full, reduced}, {reduced, reduced}};
 }
 
@@ -41,8 +41,8 @@ MatrixXd tensor_interpolation(const SamplingLines& lines, const std::vector<Vect
   const auto n1 = static_cast<Eigen::Index>(lines.along_1.size()), n2 = static_cast<Eigen::Index>(lines.along_2.size());
   MatrixXd interpolation(static_cast<Eigen::Index>(xi.size()), n1 * n2);
   for (Eigen::Index p = 0; p < interpolation.rows(); ++p) {
-    const auto a = fem::lagrange(lines.along_1, xi[p][0]).value;
-    const auto b = fem::lagrange(lines.along_2, xi[p][1]).value;
+    const auto a = mesh::lagrange(lines.along_1, xi[p][0]).value;
+    const auto b = mesh::lagrange(lines.along_2, xi[p][1]).value;
     for (Eigen::Index j = 0; j < n2; ++j)
       for (Eigen::Index i = 0; i < n1; ++i) interpolation(p, j * n1 + i) = a[i] * b[j];
   }
@@ -50,13 +50,13 @@ MatrixXd tensor_interpolation(const SamplingLines& lines, const std::vector<Vect
 }
 
 BasisAt square_basis(int degree, const std::vector<Vector2d>& xi) {
-  const auto nodes = fem::gauss_lobatto(degree + 1).points;
+  const auto nodes = mesh::gauss_lobatto(degree + 1).points;
   const int n = degree + 1;
   const auto points = static_cast<Eigen::Index>(xi.size());
   BasisAt basis{xi, MatrixXd(points, n * n), MatrixXd(points, n * n), MatrixXd(points, n * n)};
   for (Eigen::Index p = 0; p < points; ++p) {
-    const auto a = fem::lagrange(nodes, xi[p][0]);
-    const auto b = fem::lagrange(nodes, xi[p][1]);
+    const auto a = mesh::lagrange(nodes, xi[p][0]);
+    const auto b = mesh::lagrange(nodes, xi[p][1]);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         basis.value(p, j * n + i) = a.value[i] * b.value[j];
@@ -68,7 +68,7 @@ BasisAt square_basis(int degree, const std::vector<Vector2d>& xi) {
 }
 
 BasisAt triangle_basis(int degree, const std::vector<Vector2d>& xi) {
-  fem::LatticeTable table = fem::lattice_table(Shape::triangle, degree, xi);
+  mesh::LatticeTable table = mesh::lattice_table(Shape::triangle, degree, xi);
   return {std::move(table.xi), std::move(table.value), std::move(table.d1), std::move(table.d2)};
 }
 
@@ -95,7 +95,7 @@ void tie(ElementTables& tables) {
 }
 
 ElementTables square_tables(int degree, bool tying) {
-  const Rule gauss = fem::gauss(degree + 1), lobatto = fem::gauss_lobatto(degree + 1);
+  const Rule gauss = mesh::gauss(degree + 1), lobatto = mesh::gauss_lobatto(degree + 1);
   ElementTables tables{.shape = Shape::quadrilateral,
                        .degree = degree,
                        .tying = tying,
@@ -112,7 +112,7 @@ ElementTables square_tables(int degree, bool tying) {
 }
 
 ElementTables triangle_tables(int degree) {
-  const fem::TriangleRule rule = fem::triangle_rule(2 * degree + 2);
+  const mesh::TriangleRule rule = mesh::triangle_rule(2 * degree + 2);
   const double third = 1.0 / 6;  // third of the reference triangle's area
   return {.shape = Shape::triangle,
           .degree = degree,
@@ -120,7 +120,7 @@ ElementTables triangle_tables(int degree) {
           .quadrature = triangle_basis(degree, rule.points),
           .weights = rule.weights,
           .samplings = {},
-          .nodes = fem::lattice(Shape::triangle, degree),
+          .nodes = mesh::lattice(Shape::triangle, degree),
           .nodal_weights =
               degree == 1 ? std::vector{third, third, third} : std::vector{0.0, third, 0.0, third, third, 0.0}};
 }
@@ -143,7 +143,7 @@ BasisAt basis_at(Shape shape, int degree, const std::vector<Vector2d>& xi) {
 
 MatrixXd reaction_basis_at(Shape shape, int degree, const std::vector<Vector2d>& xi) {
   if (shape == Shape::quadrilateral || degree == 1) return basis_at(shape, degree, xi).value;
-  const auto nodes = fem::lattice(shape, degree);
+  const auto nodes = mesh::lattice(shape, degree);
   constexpr Eigen::Index middles[3] = {1, 3, 4};
   const MatrixXd linear = linear_interpolation({nodes[1], nodes[3], nodes[4]}, xi);
   MatrixXd basis = MatrixXd::Zero(static_cast<Eigen::Index>(xi.size()), static_cast<Eigen::Index>(nodes.size()));
@@ -152,8 +152,8 @@ MatrixXd reaction_basis_at(Shape shape, int degree, const std::vector<Vector2d>&
 }
 
 std::vector<Vector2d> resultant_points(Shape shape, int degree) {
-  if (shape == Shape::triangle) return fem::triangle_rule(degree).points;
-  const auto line = fem::gauss(degree).points;
+  if (shape == Shape::triangle) return mesh::triangle_rule(degree).points;
+  const auto line = mesh::gauss(degree).points;
   return grid(line, line);
 }
 
@@ -161,7 +161,7 @@ MatrixXd resultant_continuation(Shape shape, int degree, const std::vector<Vecto
   if (shape == Shape::triangle)
     return degree == 1 ? MatrixXd::Ones(static_cast<Eigen::Index>(xi.size()), 1)
                        : linear_interpolation(resultant_points(shape, degree), xi);
-  const auto line = fem::gauss(degree).points;
+  const auto line = mesh::gauss(degree).points;
   return tensor_interpolation({line, line}, xi);
 }
 
@@ -182,11 +182,11 @@ ElementTables element_tables(Shape shape, int degree, bool tying) {
 }
 
 LineTables line_tables(int degree) {
-  const auto nodes = fem::gauss_lobatto(degree + 1).points;
-  const auto full = fem::gauss(degree + 1).points, reduced = fem::gauss(degree).points;
-  return {.full = fem::lagrange_table(nodes, full),
-          .reduced = fem::lagrange_table(nodes, reduced),
-          .from_reduced = fem::lagrange_table(reduced, full).value};
+  const auto nodes = mesh::gauss_lobatto(degree + 1).points;
+  const auto full = mesh::gauss(degree + 1).points, reduced = mesh::gauss(degree).points;
+  return {.full = mesh::lagrange_table(nodes, full),
+          .reduced = mesh::lagrange_table(nodes, reduced),
+          .from_reduced = mesh::lagrange_table(reduced, full).value};
 }
 
 }  // namespace plastron::element

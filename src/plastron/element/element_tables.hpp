@@ -2,7 +2,7 @@
 // interpolation of tying (M22). Quadrilaterals are tensor products with Gauss-Lobatto nodes. Triangles (M20) of degree
 // 1 and 2 have equidistant nodes and no tying. All points lie in the reference cell, nodes run with xi_1 fastest.
 #pragma once
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <Eigen/Core>
 #include <array>
@@ -33,7 +33,7 @@ struct Sampling {
 };
 
 struct ElementTables {
-  fem::Shape shape = fem::Shape::quadrilateral;
+  mesh::Shape shape = mesh::Shape::quadrilateral;
   int degree = 1;
   bool tying = false;           ///< false on triangles
   BasisAt quadrature;           ///< (k+1) x (k+1) Gauss points; on triangles a symmetric rule of degree 2k + 2
@@ -51,22 +51,22 @@ struct ElementTables {
 };
 
 /// Returns the tables. Triangles are never tied, even if `tying` is true. Precondition: degree 1 or 2 on triangles.
-ElementTables element_tables(fem::Shape shape, int degree, bool tying);
+ElementTables element_tables(mesh::Shape shape, int degree, bool tying);
 
 /// The element's basis at given points of the reference cell.
-BasisAt basis_at(fem::Shape shape, int degree, const std::vector<Vector2d>& xi);
+BasisAt basis_at(mesh::Shape shape, int degree, const std::vector<Vector2d>& xi);
 
 /// The basis that interpolates nodal values of the reaction at points: a row per point, a column per node. It is the
 /// element's basis. On triangles of degree 2 it is the linear function through the middles of the edges, the only
 /// nodes with a bound. Its integral equals the nodal quadrature.
-MatrixXd reaction_basis_at(fem::Shape shape, int degree, const std::vector<Vector2d>& xi);
+MatrixXd reaction_basis_at(mesh::Shape shape, int degree, const std::vector<Vector2d>& xi);
 
 /// Points of highest accuracy for stress resultants: k x k Gauss points; on triangles the centroid or the three
 /// interior points of the rule of degree 2.
-std::vector<Vector2d> resultant_points(fem::Shape shape, int degree);
+std::vector<Vector2d> resultant_points(mesh::Shape shape, int degree);
 /// Continues values at the resultant points to other points as polynomials of degree k - 1: a row per point, a column
 /// per resultant point.
-MatrixXd resultant_continuation(fem::Shape shape, int degree, const std::vector<Vector2d>& xi);
+MatrixXd resultant_continuation(mesh::Shape shape, int degree, const std::vector<Vector2d>& xi);
 
 /// Interpolation of each sampling to given points: tied strains are defined in the whole cell. Empty without tying,
 /// when strains are evaluated at the points themselves. Result [s](p, t): weight of sampling point t at point p.
@@ -76,8 +76,8 @@ std::vector<MatrixXd> tied_interpolation(const ElementTables& tables, const std:
 /// values at all points of a cell cost degree^3 operations instead of degree^4 (sum factorisation), and so does tying
 /// (M22). A row per point, a column per node of the Gauss-Lobatto rule (of the reduced Gauss rule for `from_reduced`).
 struct LineTables {
-  fem::LagrangeTable full;       ///< at the degree + 1 Gauss points
-  fem::LagrangeTable reduced;    ///< at the `degree` Gauss points where tying samples
+  mesh::LagrangeTable full;      ///< at the degree + 1 Gauss points
+  mesh::LagrangeTable reduced;   ///< at the `degree` Gauss points where tying samples
   Eigen::MatrixXd from_reduced;  ///< interpolation from the reduced to the full Gauss points
 };
 

@@ -1,7 +1,7 @@
 #include <plastron/element/piece_rules.hpp>
 
 #include <plastron/element/subdivision.hpp>
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <array>
@@ -56,7 +56,7 @@ class Borders {
   }
 
   /// Returns the cuts, and further cuts until the rule in s integrates the widths of all pieces on lines.
-  std::vector<double> cuts(const fem::Rule& rule) const {
+  std::vector<double> cuts(const mesh::Rule& rule) const {
     const std::vector<double> all = with_ends(events());
     std::vector<double> finer{0};
     for (std::size_t i = 1; i < all.size(); ++i)
@@ -111,7 +111,7 @@ class Borders {
   }
 
   /// Returns the integrals over s of the widths of pieces between a and b; nothing if the number of pieces changes.
-  std::vector<double> widths(double a, double b, const fem::Rule& rule) const {
+  std::vector<double> widths(double a, double b, const mesh::Rule& rule) const {
     std::vector<double> sums;
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const std::vector<double> on = with_ends(on_line(a + rule.points[q] * (b - a)));
@@ -122,7 +122,7 @@ class Borders {
     return sums;
   }
 
-  void divide(double a, double b, const std::vector<double>& whole, const fem::Rule& rule,
+  void divide(double a, double b, const std::vector<double>& whole, const mesh::Rule& rule,
               std::vector<double>& all) const {
     const double middle = 0.5 * (a + b);
     const std::vector<double> first = widths(a, middle, rule), second = widths(middle, b, rule);
@@ -206,22 +206,22 @@ class Borders {
 };
 
 /// Returns the map of the square to a cell. For a triangle, the square's side s = 1 has no length.
-Borders::Place place_on(fem::Shape shape) {
-  if (shape == fem::Shape::triangle) return [](double s, double t) { return Vector2d(s, t * (1 - s)); };
+Borders::Place place_on(mesh::Shape shape) {
+  if (shape == mesh::Shape::triangle) return [](double s, double t) { return Vector2d(s, t * (1 - s)); };
   return [](double s, double t) { return Vector2d(s, t); };
 }
 
 /// Calls visit(point, weight) for the points of a Gauss rule between each pair of cuts.
 template <class Visit>
-void between(const std::vector<double>& cuts, const fem::Rule& rule, const Visit& visit) {
+void between(const std::vector<double>& cuts, const mesh::Rule& rule, const Visit& visit) {
   for (std::size_t i = 1; i < cuts.size(); ++i)
     for (std::size_t q = 0; q < rule.points.size(); ++q)
       visit(cuts[i - 1] + rule.points[q] * (cuts[i] - cuts[i - 1]), rule.weights[q] * (cuts[i] - cuts[i - 1]));
 }
 
 /// Returns a rule for functions with roots at both ends.
-fem::Rule with_roots_at_ends(int points) {
-  fem::Rule rule = fem::gauss(points);
+mesh::Rule with_roots_at_ends(int points) {
+  mesh::Rule rule = mesh::gauss(points);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double u = rule.points[q];
     rule.points[q] = u * u * (3 - 2 * u);
@@ -232,19 +232,19 @@ fem::Rule with_roots_at_ends(int points) {
 
 }  // namespace
 
-bool are_one_piece(const PiecesOfAll& functions, fem::Shape shape, const Places& places) {
+bool are_one_piece(const PiecesOfAll& functions, mesh::Shape shape, const Places& places) {
   return Borders(functions, place_on(shape), places).are_none(smallest, 1 - smallest, smallest, 1 - smallest);
 }
 
-std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int degree,
+std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh::Shape shape, int degree,
                                               const Places& places) {
   const auto place = place_on(shape);
   const Borders borders(functions, place, places);
   PieceRule rule;
   try {
-    const fem::Rule across = with_roots_at_ends(degree + 8), along = fem::gauss(degree + 2);
+    const mesh::Rule across = with_roots_at_ends(degree + 8), along = mesh::gauss(degree + 2);
     between(borders.cuts(across), across, [&](double s, double weight) {
-      const double length = shape == fem::Shape::triangle ? 1 - s : 1;
+      const double length = shape == mesh::Shape::triangle ? 1 - s : 1;
       between(with_ends(borders.on_line(s)), along, [&](double t, double part) {
         rule.xi.push_back(place(s, t));
         rule.weights.push_back(weight * part * length);
@@ -256,14 +256,14 @@ std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem:
   return rule;
 }
 
-PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const PieceRule& of_cell,
+PieceRule rule_of_parts(const PiecesOfAll& functions, mesh::Shape shape, const PieceRule& of_cell,
                         const Places& places) {
   constexpr std::size_t most_parts = 30'000;
   constexpr int most_divisions = 30;
   constexpr double small = 1.0 / 64;  // shape functions are nearly linear over such a part: one point is enough
   PieceRule rule;
-  const double area = shape == fem::Shape::triangle ? 0.5 : 1;
-  const Vector2d centre = shape == fem::Shape::triangle ? Vector2d(1.0 / 3, 1.0 / 3) : Vector2d(0.5, 0.5);
+  const double area = shape == mesh::Shape::triangle ? 0.5 : 1;
+  const Vector2d centre = shape == mesh::Shape::triangle ? Vector2d(1.0 / 3, 1.0 / 3) : Vector2d(0.5, 0.5);
   const auto add = [&](const CellPart& part) {
     if (std::abs(part.size) < small) {
       rule.xi.push_back(part.corner + part.size * centre);
@@ -297,13 +297,13 @@ PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const Pi
   return rule;
 }
 
-std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int side, int degree,
+std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh::Shape shape, int side, int degree,
                                               const Places& places) {
-  const auto place = [&](double, double t) { return fem::side_point(shape, side, t); };
+  const auto place = [&](double, double t) { return mesh::side_point(shape, side, t); };
   const Borders borders(functions, place, places);
   PieceRule rule;
   try {
-    between(with_ends(borders.on_line(0)), fem::gauss(degree + 2), [&](double t, double weight) {
+    between(with_ends(borders.on_line(0)), mesh::gauss(degree + 2), [&](double t, double weight) {
       rule.xi.push_back(place(0, t));
       rule.weights.push_back(weight);
     });

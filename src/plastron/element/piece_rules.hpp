@@ -5,8 +5,8 @@
 // roots at the ends. The substitution s = 3 u^2 - 2 u^3 removes these roots. Source: Saye, SIAM J. Sci. Comput. 37
 // (2015), dimension by dimension as here.
 #pragma once
-#include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/pieces.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 
 #include <Eigen/Core>
 #include <functional>
@@ -30,18 +30,19 @@ struct PieceRule {
 };
 
 /// Whether the functions are one piece on the whole cell.
-bool are_one_piece(const PiecesOfAll& functions, fem::Shape shape, const Places& places);
+bool are_one_piece(const PiecesOfAll& functions, mesh::Shape shape, const Places& places);
 
 /// Returns a rule between the borders of pieces; nothing where a cell has more borders than a rule can follow.
-std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int degree,
+std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh::Shape shape, int degree,
                                               const Places& places);
 
 /// Returns a rule for a cell with too many borders. Each part of the cell that no border crosses has the cell's rule.
 /// The remaining parts have it too when there are thousands.
-PieceRule rule_of_parts(const PiecesOfAll& functions, fem::Shape shape, const PieceRule& of_cell, const Places& places);
+PieceRule rule_of_parts(const PiecesOfAll& functions, mesh::Shape shape, const PieceRule& of_cell,
+                        const Places& places);
 
 /// Returns the rule of rule_between_borders for a side of a cell, from its start to its end.
-std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, fem::Shape shape, int side, int degree,
+std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh::Shape shape, int side, int degree,
                                               const Places& places);
 
 }  // namespace plastron::element

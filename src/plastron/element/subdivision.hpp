@@ -22,14 +22,14 @@ struct SidePart {
   double start = 0, length = 1;
 };
 
-inline std::array<CellPart, 4> divided(fem::Shape shape, const CellPart& p) {
+inline std::array<CellPart, 4> divided(mesh::Shape shape, const CellPart& p) {
   const double h = p.size / 2;
   const Vector2d along_1(h, 0), along_2(0, h);
-  if (shape == fem::Shape::triangle)
+  if (shape == mesh::Shape::triangle)
     return {{{p.corner, h}, {p.corner + along_1, h}, {p.corner + along_2, h}, {p.corner + along_1 + along_2, -h}}};
   return {{{p.corner, h}, {p.corner + along_1, h}, {p.corner + along_2, h}, {p.corner + along_1 + along_2, h}}};
 }
-inline std::array<SidePart, 2> divided(fem::Shape /*shape*/, const SidePart& p) {
+inline std::array<SidePart, 2> divided(mesh::Shape /*shape*/, const SidePart& p) {
   return {{{p.start, p.length / 2}, {p.start + p.length / 2, p.length / 2}}};
 }
 
@@ -37,7 +37,7 @@ inline std::array<SidePart, 2> divided(fem::Shape /*shape*/, const SidePart& p) 
 template <class Part, class Integral>
 class Subdivision {
  public:
-  Subdivision(fem::Shape shape, const Integral& integral) : shape_(shape), integral_(integral) {}
+  Subdivision(mesh::Shape shape, const Integral& integral) : shape_(shape), integral_(integral) {}
 
   CellField operator()(int levels) {
     const CellField whole = integral_(Part{});
@@ -67,7 +67,7 @@ class Subdivision {
     couple_ = std::max(couple_, forces.rightCols<3>().cwiseAbs().maxCoeff());
   }
 
-  fem::Shape shape_;
+  mesh::Shape shape_;
   const Integral& integral_;
   double force_ = 0, couple_ = 0;  ///< largest so far [N], [N m]
 };

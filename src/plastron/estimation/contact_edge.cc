@@ -1,9 +1,9 @@
 #include <plastron/estimation/contact_edge.hpp>
 
 #include <plastron/element/element_tables.hpp>
-#include <plastron/fem/basis.hpp>
-#include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/mesh/basis.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 #include <plastron/solution/contact_faces.hpp>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr int samples = 5;  ///< number of points between two nodes
 
 /// Points on each line of nodes along a direction, `samples` between neighbours, line after line.
 element::BasisAt between_nodes(const fem::Space& space, int direction) {
-  const std::vector<double> line = fem::gauss_lobatto(space.degree + 1).points;
+  const std::vector<double> line = mesh::gauss_lobatto(space.degree + 1).points;
   std::vector<Eigen::Vector2d> points;
   for (const double beside : line)
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
@@ -150,7 +150,7 @@ bool ContactEdge::is_wider_than_a_line(std::size_t cell, std::size_t obstacle) c
 
 void ContactEdge::find_deepest() {
   const fem::Space& space = solved_.discrete.space();
-  if (space.shape() != fem::Shape::quadrilateral) return;
+  if (space.shape() != mesh::Shape::quadrilateral) return;
   const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
   for (int d = 0; d < 2; ++d) between_[static_cast<std::size_t>(d)] = between_nodes(space, d);
   const Zones zones_found = zones();
@@ -191,7 +191,7 @@ std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const
     const std::size_t cell = crossed_[at.crossed], entry = at.node * discrete.obstacles.all.size() + at.obstacle;
     const element::BasisAt& between = between_[at.direction];
     const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];
-    const element::BasisAt point = element::basis_at(fem::Shape::quadrilateral, discrete.space().degree, {xi});
+    const element::BasisAt point = element::basis_at(mesh::Shape::quadrilateral, discrete.space().degree, {xi});
     const obstacle::Gap gap = gaps(cell, at.obstacle, point).front().second;
     const geometry::Frame frame = discrete.shell.surface().frame(discrete.space().cells[cell], xi, false);
     const element::CellField z = discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, y));
@@ -210,7 +210,7 @@ void ContactEdge::find_rim() {
   for (const fem::BoundarySide& side : space.sides) {
     if (side.is_inner) continue;
     if (side.cell < space.owned_cells) rim_sides_.emplace_back(side.cell, side.side);
-    for (const int node : fem::side_nodes(space.shape(), space.degree, side.side))
+    for (const int node : mesh::side_nodes(space.shape(), space.degree, side.side))
       on_rim_[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(node)])] = 1;
   }
 }
@@ -226,7 +226,7 @@ bool ContactEdge::has_end_of_line(std::size_t cell, std::size_t obstacle) const 
   const fem::Space& space = solved_.discrete.space();
   return std::ranges::any_of(rim_sides_, [&](const auto& side) {
     if (side.first != cell) return false;
-    const auto nodes = fem::side_nodes(space.shape(), space.degree, side.second);
+    const auto nodes = mesh::side_nodes(space.shape(), space.degree, side.second);
     const auto touching = std::ranges::count_if(nodes, [&](int node) {
       return touches(static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(node)]), obstacle);
     });
@@ -236,7 +236,7 @@ bool ContactEdge::has_end_of_line(std::size_t cell, std::size_t obstacle) const 
 
 int ContactEdge::direction_across(std::size_t cell, std::size_t obstacle) const {
   const fem::Space& space = solved_.discrete.space();
-  if (space.shape() != fem::Shape::quadrilateral) return 0;
+  if (space.shape() != mesh::Shape::quadrilateral) return 0;
   const auto nodes = space.nodes(cell);
   const auto n = static_cast<std::size_t>(space.degree) + 1;
   const auto differ = [&](std::size_t a, std::size_t b) {

@@ -52,7 +52,7 @@ struct CrossedCell {
   int across = 0;  ///< direction of the cell that leads from the zone to free nodes
 };
 
-/// Distance of a mesh in space from the part that it describes, estimated (fem/surface_comparison.hpp).
+/// Distance of a mesh in space from the part that it describes, estimated (topology/surface_comparison.hpp).
 struct GeometryDeviation {
   double largest = 0;             ///< [m]
   std::array<double, 3> place{};  ///< where it is [m]

@@ -1,7 +1,7 @@
 #include <plastron/estimation/free_edges.hpp>
 
-#include <plastron/fem/basis.hpp>
-#include <plastron/fem/reference_cell.hpp>
+#include <plastron/mesh/basis.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 #include <plastron/shell/material.hpp>
 
 #include <Eigen/Cholesky>
@@ -34,7 +34,7 @@ algebra::Vector cells_at_nodes(const fem::Space& space) {
 /// Part of the energy of exp(-s) that polynomials represent, relative to the work at s = 0. The polynomials have
 /// degree k on 0 < s < x and vanish at x.
 double energy_share_of_polynomials(int degree, double x) {
-  const fem::Rule rule = fem::gauss(degree + 1);
+  const mesh::Rule rule = mesh::gauss(degree + 1);
   Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(degree, degree);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     // Products of 1 - t with Chebyshev polynomials, t = s/x.
@@ -58,7 +58,7 @@ class FreeEdgesOf {
         space_(discrete.space()),
         cells_at_(cells_at_nodes(space_)),
         load_(discrete.full_load),
-        line_(fem::gauss(space_.degree + 1)) {
+        line_(mesh::gauss(space_.degree + 1)) {
     load_.update_ghosts();
   }
 
@@ -66,10 +66,10 @@ class FreeEdgesOf {
   std::optional<FreeEdge> operator()(const fem::BoundarySide& side) const {
     if (side.is_inner || space_.degree < 2) return {};
     FreeEdge edge{.cell = side.cell};
-    for (const double t : line_.points) edge.xi.push_back(fem::side_point(space_.shape(), side.side, t));
+    for (const double t : line_.points) edge.xi.push_back(mesh::side_point(space_.shape(), side.side, t));
     std::vector<geometry::Frame> frames(edge.xi.size());
     discrete_.shell.surface().frames(space_.cells[side.cell], edge.xi, frames, false);
-    const Vector2d along = fem::side_tangent(space_.shape(), side.side);
+    const Vector2d along = mesh::side_tangent(space_.shape(), side.side);
     std::vector<double> lengths;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const Vector3d derivative = geometry::along(frames[i], along);
@@ -83,7 +83,7 @@ class FreeEdgesOf {
 
  private:
   bool is_free(const fem::BoundarySide& side, const Vector3d& t) const {
-    const std::vector<int> on_side = fem::side_nodes(space_.shape(), space_.degree, side.side);
+    const std::vector<int> on_side = mesh::side_nodes(space_.shape(), space_.degree, side.side);
     return std::ranges::all_of(std::span(on_side).subspan(1, on_side.size() - 2), [&](int k) {
       const auto node = static_cast<std::size_t>(space_.nodes(side.cell)[static_cast<std::size_t>(k)]);
       return cells_at_.local()[node] == 1 && !has_couple(node) && may_turn(node, t) &&
@@ -136,7 +136,7 @@ class FreeEdgesOf {
   const assembly::DiscreteShell& discrete_;
   const fem::Space& space_;
   algebra::Vector cells_at_, load_;
-  fem::Rule line_;
+  mesh::Rule line_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <plastron/estimation/strain_errors.hpp>
 
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 #include <plastron/recovery/resultant_patches.hpp>
 
 #include <Eigen/Cholesky>
@@ -170,7 +170,7 @@ using Eigen::MatrixXd;
 /// Orthonormal polynomials of degrees 0 to n - 1 at the n Gauss points in [0, 1], times the roots of the weights. The
 /// result is an orthogonal matrix with a row per degree.
 MatrixXd weighed_legendre(int n) {
-  const fem::Rule rule = fem::gauss(n);
+  const mesh::Rule rule = mesh::gauss(n);
   MatrixXd p(n, n);
   for (int a = 0; a < n; ++a) {
     const double x = 2 * rule.points[static_cast<std::size_t>(a)] - 1;
@@ -226,7 +226,7 @@ class Profiler {
 
 std::vector<ErrorProfile> error_profiles(const assembly::ShellOperator& shell,
                                          const std::vector<StrainErrors>& errors) {
-  if (shell.space().shape() != fem::Shape::quadrilateral) return {};
+  if (shell.space().shape() != mesh::Shape::quadrilateral) return {};
   const Profiler profile(shell.space().degree + 1);
   std::vector<ErrorProfile> profiles;
   profiles.reserve(errors.size());

@@ -1,6 +1,6 @@
 // Checks that loads and prescribed values are finite at the nodes and quadrature points of the sample mesh.
 #include <plastron/examination/checks.hpp>
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,14 +30,14 @@ Points on_boundary(const Examined& examined, const std::string& name) {
   const fem::Space& space = *examined.space;
   const auto& names = space.coarse->boundaries;
   const auto boundary = static_cast<int>(std::ranges::find(names, name) - names.begin());
-  auto line = fem::gauss_lobatto(space.degree + 1).points;
-  std::ranges::copy(fem::gauss(space.degree + 1).points, std::back_inserter(line));
+  auto line = mesh::gauss_lobatto(space.degree + 1).points;
+  std::ranges::copy(mesh::gauss(space.degree + 1).points, std::back_inserter(line));
   Points points;
   for (const fem::BoundarySide& edge : space.sides) {
     if (edge.boundary != boundary) continue;
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
-    for (const double t : line) xi.push_back(fem::side_point(space.shape(), edge.side, t));
+    for (const double t : line) xi.push_back(mesh::side_point(space.shape(), edge.side, t));
     add(examined, space.cells[edge.cell], xi, points);
   }
   return points;

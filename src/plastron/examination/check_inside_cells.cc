@@ -47,7 +47,7 @@ void check_curvature(Examined& examined, const JumpSearch& search) {
   double largest = 1e-3 / examined.size;
   for (const fem::Cell& cell : examined.space->cells)
     largest =
-        std::max(largest, shape_tensor(examined.surface->frame(cell, fem::centre(examined.space->shape()))).norm());
+        std::max(largest, shape_tensor(examined.surface->frame(cell, mesh::centre(examined.space->shape()))).norm());
   const CellFunction curvature = [&](const fem::Cell& cell, const Vector2d& xi) {
     return Sample(shape_tensor(examined.surface->frame(cell, xi)).reshaped() / largest);
   };

@@ -3,8 +3,8 @@
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/examination/rigid_motions.hpp>
-#include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ class Rolling {
           const algebra::Vector& load)
       : examined_(examined), motions_(motions), nodes_(nodes), load_(load) {
     for (std::size_t i = 0; i < nodes.points.size(); ++i) resultant_ += force_at(i).head<3>();
-    const std::vector<Eigen::Vector2d> xi = fem::lattice(examined.space->shape(), 8);
+    const std::vector<Eigen::Vector2d> xi = mesh::lattice(examined.space->shape(), 8);
     std::vector<geometry::Frame> frames(xi.size());
     std::vector<double> e(xi.size());
     for (const fem::Cell& cell : examined.space->cells) {

@@ -1,7 +1,7 @@
 // Checks names: supports and loads name boundaries and regions, cross-sections name regions, supports and probes name
 // points. They must exist.
 #include <plastron/examination/checks.hpp>
-#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/mesh/coarse_mesh.hpp>
 
 #include <fmt/ranges.h>
 
@@ -12,10 +12,10 @@ namespace plastron::examination {
 namespace {
 
 void check_point(Examined& examined, const Eigen::Vector2d& x) {
-  const auto nodes = fem::kept_nodes(*examined.space->coarse, examined.problem.discretisation.degree);
+  const auto nodes = mesh::kept_nodes(*examined.space->coarse, examined.problem.discretisation.degree);
   const auto nearest =
       *std::ranges::min_element(nodes, {}, [&](const Eigen::Vector2d& node) { return (node - x).norm(); });
-  if ((nearest - x).norm() <= fem::point_tolerance(*examined.space->coarse)) return;
+  if ((nearest - x).norm() <= mesh::point_tolerance(*examined.space->coarse)) return;
   examined.add(
       Severity::error,
       "a support holds the point ({:.10g}, {:.10g}), which is no node of the coarsest mesh that finer ones keep; "
@@ -26,7 +26,7 @@ void check_point(Examined& examined, const Eigen::Vector2d& x) {
 }  // namespace
 
 void check_names(Examined& examined) {
-  const fem::CoarseMesh& mesh = *examined.space->coarse;
+  const mesh::CoarseMesh& mesh = *examined.space->coarse;
   const auto check = [&](const std::string& name, const std::vector<std::string>& known, const char* what) {
     if (std::ranges::find(known, name) == known.end())
       examined.add(Severity::error, "{} \"{}\", which the mesh does not have; it has: {}", what, name,

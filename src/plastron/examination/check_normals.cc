@@ -42,7 +42,7 @@ void check_normals(Examined& examined) {
   const fem::Space& space = *examined.space;
   // Slightly inside the cell: on a fold itself, the normal of a chart with abs is between the normals of both sides.
   std::vector<Eigen::Vector2d> xi = examined.tables.nodes;
-  for (Eigen::Vector2d& point : xi) point += 1e-9 * (fem::centre(space.shape()) - point);
+  for (Eigen::Vector2d& point : xi) point += 1e-9 * (mesh::centre(space.shape()) - point);
   std::vector<Seen> seen(static_cast<std::size_t>(space.layout->owned));
   std::vector<geometry::Frame> frames(xi.size());
   std::vector<double> x(xi.size()), y(xi.size());

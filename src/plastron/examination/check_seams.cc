@@ -24,14 +24,14 @@ struct OuterSide {
 };
 
 std::pair<algebra::LocalIndex, algebra::LocalIndex> ends_of(const fem::Space& space, std::size_t cell, int side) {
-  const auto on_side = fem::side_nodes(space.shape(), space.degree, side);
+  const auto on_side = mesh::side_nodes(space.shape(), space.degree, side);
   const auto nodes = space.nodes(cell);
   return std::minmax(nodes[static_cast<std::size_t>(on_side.front())], nodes[static_cast<std::size_t>(on_side.back())]);
 }
 
 OuterSide outer_side(const fem::Space& space, const fem::Surface& surface, const fem::BoundarySide& edge) {
   std::vector<Vector2d> xi;
-  for (const double t : {0.0, 0.5, 1.0}) xi.push_back(fem::side_point(space.shape(), edge.side, t));
+  for (const double t : {0.0, 0.5, 1.0}) xi.push_back(mesh::side_point(space.shape(), edge.side, t));
   std::array<geometry::Frame, 3> frames;
   std::array<double, 3> x{}, y{};
   surface.frames(space.cells[edge.cell], xi, frames, false);
@@ -43,7 +43,7 @@ OuterSide outer_side(const fem::Space& space, const fem::Surface& surface, const
 std::vector<OuterSide> outer_sides(const fem::Space& space, const fem::Surface& surface) {
   std::map<std::pair<algebra::LocalIndex, algebra::LocalIndex>, int> cells_at;
   for (std::size_t c = 0; c < space.cells.size(); ++c)
-    for (int side = 0; side < fem::corner_count(space.shape()); ++side) ++cells_at[ends_of(space, c, side)];
+    for (int side = 0; side < mesh::corner_count(space.shape()); ++side) ++cells_at[ends_of(space, c, side)];
   std::vector<OuterSide> sides;
   std::map<std::pair<std::size_t, int>, std::size_t> known;
   for (const fem::BoundarySide& edge : space.sides) {

@@ -1,7 +1,7 @@
 // Reports what a mesh in space consists of: parts, orientation, edges by kind, directors; and warns of what is doubtful.
+#include <plastron/domain/surface_mesh.hpp>
 #include <plastron/examination/checks.hpp>
-#include <plastron/fem/surface_flaws.hpp>
-#include <plastron/fem/surface_mesh.hpp>
+#include <plastron/topology/surface_flaws.hpp>
 
 #include <fmt/ranges.h>
 
@@ -25,15 +25,15 @@ std::string counted(std::size_t number, const char* one, const char* several) {
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
-void report_cells(Findings& findings, const fem::FileSurface& surface, const fem::SurfaceSummary& summary) {
-  const fem::SpaceMesh& mesh = surface.topology.mesh;
+void report_cells(Findings& findings, const domain::FileSurface& surface, const topology::SurfaceSummary& summary) {
+  const topology::SpaceMesh& mesh = surface.topology.mesh;
   int least = mesh.cells.front().order, most = least;
-  for (const fem::SurfaceCell& cell : mesh.cells) {
+  for (const topology::SurfaceCell& cell : mesh.cells) {
     least = std::min(least, cell.order);
     most = std::max(most, cell.order);
   }
   add(findings, Severity::note, "mesh in space: {} {} of order {}, {} in {}; {}", mesh.cells.size(),
-      mesh.shape == fem::Shape::triangle ? "triangles" : "quadrilaterals",
+      mesh.shape == mesh::Shape::triangle ? "triangles" : "quadrilaterals",
       least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most),
       counted(static_cast<std::size_t>(surface.topology.sheet_count), "smooth sheet", "smooth sheets"),
       counted(static_cast<std::size_t>(surface.topology.part_count), "part", "parts"),
@@ -53,12 +53,12 @@ void report_cells(Findings& findings, const fem::FileSurface& surface, const fem
         "(Gmsh: Mesh.ElementOrder = 2, Mesh.SecondOrderIncomplete = 0; Abaqus, CalculiX: S8)");
 }
 
-void report_orientation(Findings& findings, const fem::FileSurface& surface) {
+void report_orientation(Findings& findings, const domain::FileSurface& surface) {
   std::vector<std::string> parts;
-  for (const fem::SurfaceComponent& component : surface.topology.components) {
-    const char* rule = component.sign == fem::SignRule::outward ? "outwards"
-                       : component.sign == fem::SignRule::upper ? "to the side of upper"
-                                                                : "as most cells of the file";
+  for (const topology::SurfaceComponent& component : surface.topology.components) {
+    const char* rule = component.sign == topology::SignRule::outward ? "outwards"
+                       : component.sign == topology::SignRule::upper ? "to the side of upper"
+                                                                     : "as most cells of the file";
     parts.push_back(fmt::format("{} ({} turned)", rule, component.turned));
   }
   constexpr std::size_t most = 6;
@@ -68,10 +68,10 @@ void report_orientation(Findings& findings, const fem::FileSurface& surface) {
       parts.size() > shown ? fmt::format("; and {} more", parts.size() - shown) : "");
 }
 
-void report_upper(Findings& findings, const fem::FileSurface& surface) {
+void report_upper(Findings& findings, const domain::FileSurface& surface) {
   const auto& components = surface.topology.components;
-  const auto undecided = std::ranges::count_if(components, [](const fem::SurfaceComponent& component) {
-    return !component.is_closed && component.sign != fem::SignRule::upper;
+  const auto undecided = std::ranges::count_if(components, [](const topology::SurfaceComponent& component) {
+    return !component.is_closed && component.sign != topology::SignRule::upper;
   });
   if (surface.has_upper && undecided > 0)
     add(findings, Severity::warning,
@@ -80,7 +80,7 @@ void report_upper(Findings& findings, const fem::FileSurface& surface) {
         counted(static_cast<std::size_t>(undecided), "part of the surface", "parts of the surface"));
 }
 
-void report_edges(Findings& findings, const fem::FileSurface& surface, const fem::SurfaceSummary& summary) {
+void report_edges(Findings& findings, const domain::FileSurface& surface, const topology::SurfaceSummary& summary) {
   const auto& [border, smooth, fold, branch] = summary.edges;
   std::string text = fmt::format("edges: {} smooth (up to {:.3g} degrees; limit {:.3g})", smooth.number,
                                  degrees(smooth.largest_angle), degrees(surface.topology.smooth_angle));
@@ -97,9 +97,9 @@ void report_edges(Findings& findings, const fem::FileSurface& surface, const fem
         counted(summary.lone_folds, "fold", "folds"));
 }
 
-void report_doubtful_edges(Findings& findings, const fem::SurfaceTopology& topology, double limit) {
+void report_doubtful_edges(Findings& findings, const topology::SurfaceTopology& topology, double limit) {
   if (topology.edges_near_limit.empty()) return;
-  const fem::SurfaceEdge& edge = topology.edges[topology.edges_near_limit.front()];
+  const topology::SurfaceEdge& edge = topology.edges[topology.edges_near_limit.front()];
   const Eigen::Vector3d place = (topology.mesh.nodes[static_cast<std::size_t>(edge.ends[0])] +
                                  topology.mesh.nodes[static_cast<std::size_t>(edge.ends[1])]) /
                                 2;
@@ -107,13 +107,13 @@ void report_doubtful_edges(Findings& findings, const fem::SurfaceTopology& topol
       "{} between half and twice the limit of {:.3g} degrees, the nearest of {:.3g} degrees at {}: it counts as {}; "
       "set smooth, or name folds, if that is not meant",
       counted(topology.edges_near_limit.size(), "edge has an angle", "edges have angles"), degrees(limit),
-      degrees(edge.angle), fem::place_of(place), edge.kind == fem::EdgeKind::fold ? "a fold" : "smooth");
+      degrees(edge.angle), topology::place_of(place), edge.kind == topology::EdgeKind::fold ? "a fold" : "smooth");
 }
 
-void report_directors(Findings& findings, const fem::FileSurface& surface) {
-  const fem::DirectorAngle& largest = surface.topology.largest_director_angle;
+void report_directors(Findings& findings, const domain::FileSurface& surface) {
+  const topology::DirectorAngle& largest = surface.topology.largest_director_angle;
   add(findings, Severity::note, "directors differ from the cells' normals by at most {:.2g} degrees, at {}",
-      degrees(largest.angle), fem::place_of(largest.where));
+      degrees(largest.angle), topology::place_of(largest.where));
   constexpr double noticeable = 0.02;
   if (surface.symmetry_turn > noticeable)
     add(findings, Severity::warning,
@@ -123,7 +123,7 @@ void report_directors(Findings& findings, const fem::FileSurface& surface) {
 }
 
 /// Warns of cells that are nearer to each other than a thickness and of cells that pass through each other.
-void report_intersections(Examined& examined, const fem::FileSurface& surface) {
+void report_intersections(Examined& examined, const domain::FileSurface& surface) {
   const assembly::CrossSections& sections = examined.problem.shell.sections;
   std::vector<double> thickness;
   for (const std::string& region : surface.regions) {
@@ -132,9 +132,9 @@ void report_intersections(Examined& examined, const fem::FileSurface& surface) {
     if (!e.is_constant()) return;
     thickness.push_back(e({}));
   }
-  fem::SurfaceFlaws flaws;
-  fem::find_intersections(surface.topology.mesh, thickness, flaws);
-  for (const fem::Flaw& flaw : flaws.warnings) examined.add(Severity::warning, "{}", flaw.message);
+  topology::SurfaceFlaws flaws;
+  topology::find_intersections(surface.topology.mesh, thickness, flaws);
+  for (const topology::Flaw& flaw : flaws.warnings) examined.add(Severity::warning, "{}", flaw.message);
 }
 
 /// Distance of a point of the case from the point of the mid-surface that stands for it.
@@ -163,8 +163,8 @@ void report_distance(Examined& examined, const std::string& what, const std::opt
   if (!distance) return;
   const bool is_far = distance->is_far();
   examined.add(
-      is_far ? if_far : Severity::note, "{} {} stands for {}, {:.3g} m away{}", what, fem::place_of(distance->wanted),
-      fem::place_of(distance->found), distance->length,
+      is_far ? if_far : Severity::note, "{} {} stands for {}, {:.3g} m away{}", what,
+      topology::place_of(distance->wanted), topology::place_of(distance->found), distance->length,
       is_far ? fmt::format(", more than half of the thickness, {:.3g} m{}", distance->half_thickness, advice) : "");
 }
 
@@ -194,9 +194,9 @@ void report_points(Examined& examined) {
 
 }  // namespace
 
-std::vector<Finding> surface_findings(const fem::FileSurface& surface) {
+std::vector<Finding> surface_findings(const domain::FileSurface& surface) {
   Findings findings;
-  const fem::SurfaceSummary summary = fem::summary_of(surface.topology);
+  const topology::SurfaceSummary summary = topology::summary_of(surface.topology);
   report_cells(findings, surface, summary);
   report_orientation(findings, surface);
   report_upper(findings, surface);
@@ -210,9 +210,9 @@ std::vector<Finding> surface_findings(const fem::FileSurface& surface) {
 
 void check_surface_mesh(Examined& examined) {
   report_points(examined);
-  const auto* file = std::get_if<fem::MeshFile>(&examined.problem.domain);
+  const auto* file = std::get_if<domain::MeshFile>(&examined.problem.domain);
   if (!file || !file->in_space || file->path.empty()) return;
-  const fem::FileSurface surface = fem::read_surface(*file, examined.problem.discretisation.cells);
+  const domain::FileSurface surface = domain::read_surface(*file, examined.problem.discretisation.cells);
   std::ranges::move(surface_findings(surface), std::back_inserter(examined.findings));
   report_intersections(examined, surface);
 }

@@ -19,7 +19,7 @@ namespace {
 std::shared_ptr<const fem::Space> sample_mesh(const problem::Problem& problem) {
   constexpr int enough_cells = 256;
   const problem::Discretisation& d = problem.discretisation;
-  const int degree = d.cells == fem::Shape::triangle ? d.degree : std::clamp(d.degree, 2, 4);
+  const int degree = d.cells == mesh::Shape::triangle ? d.degree : std::clamp(d.degree, 2, 4);
   fem::MeshSequence meshes(meshing::start_mesh(problem).coarse, degree, MPI_COMM_SELF, meshing::joining(problem));
   while (meshes.space()->global_cells < enough_cells) meshes.refine({});
   return meshes.space();
@@ -106,7 +106,7 @@ bool has_errors(const std::vector<Finding>& findings) {
 std::vector<Finding> examine(const problem::Problem& problem) {
   try {
     return findings_of(problem);
-  } catch (const fem::DomainError& error) {
+  } catch (const mesh::DomainError& error) {
     return {{Severity::error, error.what()}};
   }
 }

@@ -17,7 +17,7 @@ namespace plastron::examination {
 
 /// A problem under examination: its sample mesh, and the findings so far.
 struct Examined {
-  /// Makes the sample mesh. Throws fem::DomainError.
+  /// Makes the sample mesh. Throws mesh::DomainError.
   explicit Examined(const problem::Problem& problem);
 
   template <class... Args>

@@ -1,6 +1,6 @@
 // Examines a problem without solving it: chart, normals, thickness, initial gap, supports, probes.
 #pragma once
-#include <plastron/fem/surface_mesh.hpp>
+#include <plastron/domain/surface_mesh.hpp>
 #include <plastron/problem/problem.hpp>
 
 #include <string>
@@ -21,7 +21,7 @@ struct Finding {
 std::vector<Finding> examine(const problem::Problem& problem);
 
 /// Returns what a mesh in space consists of, and what is doubtful in it.
-std::vector<Finding> surface_findings(const fem::FileSurface& surface);
+std::vector<Finding> surface_findings(const domain::FileSurface& surface);
 
 bool has_errors(const std::vector<Finding>& findings);
 

@@ -14,9 +14,9 @@ namespace {
 using Eigen::Vector2d;
 
 /// Returns a point slightly inside the cell: a jump at a side of the cell is harmless.
-Vector2d drawn_in(fem::Shape shape, const Vector2d& xi) {
+Vector2d drawn_in(mesh::Shape shape, const Vector2d& xi) {
   constexpr double margin = 1e-6;
-  const Vector2d centre = fem::centre(shape);
+  const Vector2d centre = mesh::centre(shape);
   return centre + (1 - margin) * (xi - centre);
 }
 
@@ -91,7 +91,7 @@ JumpSearch::JumpSearch(const Examined& examined)
   space_ = meshes.space();
   const auto cells = static_cast<double>(space_->global_cells);
   const int n = std::clamp(static_cast<int>(std::sqrt(enough_lines * 4 / cells)), 1, 32);
-  const std::vector<Vector2d> lattice = fem::lattice(d.cells, n);
+  const std::vector<Vector2d> lattice = mesh::lattice(d.cells, n);
   for (const Vector2d& p : lattice) points_.push_back(drawn_in(d.cells, p));
   for (std::size_t i = 0; i < lattice.size(); ++i)
     for (std::size_t k = 0; k < lattice.size(); ++k) {
@@ -119,7 +119,7 @@ std::optional<Jump> JumpSearch::along_lines(const CellFunction& f, double tolera
   for (const fem::Cell& cell : space_->cells)
     for (const double offset : offsets)
       for (int along = 0; along < 2; ++along) {
-        const double length = space_->shape() == fem::Shape::triangle ? 1 - offset : 1;
+        const double length = space_->shape() == mesh::Shape::triangle ? 1 - offset : 1;
         const auto end = [&](int k) {
           Vector2d xi(offset, offset);
           xi[along] = length * k / pieces;
@@ -145,7 +145,7 @@ std::optional<Jump> JumpSearch::along_boundary(const std::string& name, const Ce
     const fem::Cell& cell = space_->cells[edge.cell];
     const auto end = [&](int k) {
       const double t = 0.5 + (1 - 1e-6) * (static_cast<double>(k) / pieces - 0.5);
-      const Vector2d xi = fem::side_point(space_->shape(), edge.side, t);
+      const Vector2d xi = mesh::side_point(space_->shape(), edge.side, t);
       return End{xi, f(cell, xi)};
     };
     for (int k = 0; k < pieces; ++k)
@@ -165,7 +165,7 @@ bool JumpSearch::is_allowed(const fem::Cell& cell, const Vector2d& xi, Lines on_
   const auto is_whole = [](double t) { return std::abs(t - std::round(t)) < 1e-5; };
   const Vector2d t = finest_ * (cell.corner + cell.size * xi);
   if (on_lines == Lines::at_corners) return is_whole(t[0]) && is_whole(t[1]);
-  return is_whole(t[0]) || is_whole(t[1]) || (space_->shape() == fem::Shape::triangle && is_whole(t.sum()));
+  return is_whole(t[0]) || is_whole(t[1]) || (space_->shape() == mesh::Shape::triangle && is_whole(t.sum()));
 }
 
 Vector2d JumpSearch::position(const fem::Cell& cell, const Vector2d& xi) const {

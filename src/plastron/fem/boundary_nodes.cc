@@ -1,7 +1,7 @@
 #include <plastron/fem/boundary_nodes.hpp>
 
-#include <plastron/fem/basis.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,11 +22,11 @@ constexpr std::size_t boundary_node_size = 11;
 
 }  // namespace
 
-int boundary_index(const CoarseMesh& coarse, const std::string& name, const char* what) {
+int boundary_index(const mesh::CoarseMesh& coarse, const std::string& name, const char* what) {
   const auto found = std::ranges::find(coarse.boundaries, name);
   if (found == coarse.boundaries.end())
-    throw DomainError(fmt::format("{} is not there: there is no boundary \"{}\"; the mesh has: {}", what, name,
-                                  fmt::join(coarse.boundaries, ", ")));
+    throw mesh::DomainError(fmt::format("{} is not there: there is no boundary \"{}\"; the mesh has: {}", what, name,
+                                        fmt::join(coarse.boundaries, ", ")));
   return static_cast<int>(found - coarse.boundaries.begin());
 }
 
@@ -35,17 +35,17 @@ namespace {
 /// Returns the nodes of sides of owned cells by the number of their boundary (collective).
 std::map<int, std::vector<BoundaryNode>> nodes_of(const Space& space, const Surface& surface,
                                                   const std::vector<BoundarySide>& sides) {
-  const auto line = gauss_lobatto(space.degree + 1).points;
+  const auto line = mesh::gauss_lobatto(space.degree + 1).points;
   std::map<std::pair<int, GlobalIndex>, std::array<Vector3d, 3>> mine;
   for (const BoundarySide& side : sides) {
     if (side.cell >= space.owned_cells) continue;
     std::vector<Vector2d> xi;
     xi.reserve(line.size());
-    for (const double t : line) xi.push_back(side_point(space.shape(), side.side, t));
+    for (const double t : line) xi.push_back(mesh::side_point(space.shape(), side.side, t));
     std::vector<geometry::Frame> frames(xi.size());
     surface.frames(space.cells[side.cell], xi, frames, false);
-    const Vector2d tangent = side_tangent(space.shape(), side.side);
-    const auto on_side = side_nodes(space.shape(), space.degree, side.side);
+    const Vector2d tangent = mesh::side_tangent(space.shape(), side.side);
+    const auto on_side = mesh::side_nodes(space.shape(), space.degree, side.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const LocalIndex node = space.nodes(side.cell)[on_side[i]];
       mine[{side.boundary, space.layout->global(node)}] = {frames[i].phi, frames[i].a3,

@@ -15,7 +15,7 @@ struct BoundaryNode {
 };
 
 /// Returns the boundary's index. Throws DomainError "WHAT is not there" with `what` if no boundary has the name.
-int boundary_index(const CoarseMesh& coarse, const std::string& name, const char* what);
+int boundary_index(const mesh::CoarseMesh& coarse, const std::string& name, const char* what);
 
 /// Returns the nodes in ascending order, the same on every rank (collective).
 std::vector<BoundaryNode> nodes_on(const Space& space, const Surface& surface, int boundary);

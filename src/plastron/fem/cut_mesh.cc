@@ -2,7 +2,7 @@
 
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 class Subdivision {
  public:
-  explicit Subdivision(const CoarseMesh& whole) : whole_(whole) {
+  explicit Subdivision(const mesh::CoarseMesh& whole) : whole_(whole) {
     mesh_.shape = whole.shape;
     mesh_.vertices = whole.vertices;
     mesh_.regions = whole.regions;
@@ -24,7 +24,7 @@ class Subdivision {
     mesh_.fold_boundaries = whole.fold_boundaries;
   }
 
-  void add(const CoarseCell& cell, const Cuts& cuts) {
+  void add(const mesh::CoarseCell& cell, const mesh::Cuts& cuts) {
     const auto columns = static_cast<int>(cuts[0].size()) + 1, rows = static_cast<int>(cuts[1].size()) + 1;
     const auto place = [&](int i, int j) { return Vector2d(place_of(cuts[0], i), place_of(cuts[1], j)); };
     std::vector<int> lattice(static_cast<std::size_t>((columns + 1) * (rows + 1)), -1);
@@ -42,13 +42,14 @@ class Subdivision {
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < columns; ++i) {
         const Vector2d from = place(i, j), size = place(i + 1, j + 1) - from;
-        const CellMap map{cell.map.map, cell.map.origin + cell.map.axes * from, cell.map.axes * size.asDiagonal()};
+        const mesh::CellMap map{cell.map.map, cell.map.origin + cell.map.axes * from,
+                                cell.map.axes * size.asDiagonal()};
         mesh_.cells.push_back({{at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, cell.region, map, cell.patch});
       }
   }
 
-  CoarseMesh finished() {
-    for (const BoundaryEdge& edge : whole_.edges) {
+  mesh::CoarseMesh finished() {
+    for (const mesh::BoundaryEdge& edge : whole_.edges) {
       const std::vector<int> line = drawn_from(edge.vertices[0], edge.vertices[1]);
       for (std::size_t i = 0; i + 1 < line.size(); ++i) mesh_.edges.push_back({{line[i], line[i + 1]}, edge.boundary});
     }
@@ -69,12 +70,13 @@ class Subdivision {
   }
 
   /// Vertices from the first of two corners of a cell to the second.
-  std::vector<int> side_vertices(const CoarseCell& cell, const std::array<int, 2>& corners,
+  std::vector<int> side_vertices(const mesh::CoarseCell& cell, const std::array<int, 2>& corners,
                                  const std::vector<double>& cuts) {
     const int from = cell.vertices[corners[0]], to = cell.vertices[corners[1]];
     auto& line = sides_[std::minmax(from, to)];
     if (line.empty()) {
-      const Vector2d a = corner(Shape::quadrilateral, corners[0]), b = corner(Shape::quadrilateral, corners[1]);
+      const Vector2d a = mesh::corner(mesh::Shape::quadrilateral, corners[0]),
+                     b = mesh::corner(mesh::Shape::quadrilateral, corners[1]);
       line.push_back(from);
       for (const double at : cuts) line.push_back(add_vertex(cell.map(a + (b - a) * at).value));
       line.push_back(to);
@@ -91,14 +93,14 @@ class Subdivision {
     return line;
   }
 
-  const CoarseMesh& whole_;
-  CoarseMesh mesh_;
+  const mesh::CoarseMesh& whole_;
+  mesh::CoarseMesh mesh_;
   std::map<std::pair<int, int>, std::vector<int>> sides_;  ///< vertices from the side's smaller end to the larger
 };
 
 constexpr double same_cut = 1e-9;  ///< part of a side
 
-std::size_t columns(const CoarseMesh& mesh, std::size_t first) { return mesh.cuts[first][0].size() + 1; }
+std::size_t columns(const mesh::CoarseMesh& mesh, std::size_t first) { return mesh.cuts[first][0].size() + 1; }
 
 void insert(double at, std::vector<double>& cuts) {
   const auto is_it = [&](double x) { return std::abs(x - at) <= same_cut; };
@@ -109,13 +111,13 @@ void insert(double at, std::vector<double>& cuts) {
 /// Finds the cell of a cut mesh that contains a point given in the first mesh.
 class Lattices {
  public:
-  explicit Lattices(const CoarseMesh& mesh) : mesh_(mesh), cells_(cut_cells(mesh)) {
+  explicit Lattices(const mesh::CoarseMesh& mesh) : mesh_(mesh), cells_(cut_cells(mesh)) {
     for (std::size_t c = 0; c < cells_.size(); ++c)
       if (cells_[c].first == begin_.size()) begin_.push_back(c);
   }
   std::size_t cell(std::size_t first, const Vector2d& xi) const {
     if (mesh_.cuts.empty()) return first;
-    const Cuts& cuts = mesh_.cuts[first];
+    const mesh::Cuts& cuts = mesh_.cuts[first];
     const auto place = [&](std::size_t d) {
       return static_cast<std::size_t>(std::ranges::upper_bound(cuts[d], xi[static_cast<Eigen::Index>(d)]) -
                                       cuts[d].begin());
@@ -125,7 +127,7 @@ class Lattices {
   const std::vector<CutCell>& cells() const { return cells_; }
 
  private:
-  const CoarseMesh& mesh_;
+  const mesh::CoarseMesh& mesh_;
   std::vector<CutCell> cells_;
   std::vector<std::size_t> begin_{};
 };
@@ -153,33 +155,33 @@ std::vector<double> whole(const algebra::Vector& field, const Space& space) {
 
 }  // namespace
 
-CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const std::array<int, 2>> parts) {
-  std::vector<Cuts> cuts(parts.size());
+mesh::CoarseMesh subdivided(const mesh::CoarseMesh& mesh, std::span<const std::array<int, 2>> parts) {
+  std::vector<mesh::Cuts> cuts(parts.size());
   for (std::size_t c = 0; c < parts.size(); ++c)
     for (std::size_t d = 0; d < 2; ++d)
       for (int i = 1; i < parts[c][d]; ++i) cuts[c][d].push_back(static_cast<double>(i) / parts[c][d]);
   return subdivided(mesh, cuts);
 }
 
-CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const Cuts> cuts) {
+mesh::CoarseMesh subdivided(const mesh::CoarseMesh& mesh, std::span<const mesh::Cuts> cuts) {
   PLASTRON_ASSERT(mesh.cells.size() == cuts.size(), mesh.cells.size(), cuts.size());
   Subdivision result(mesh);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) result.add(mesh.cells[c], cuts[c]);
   return result.finished();
 }
 
-CoarseMesh cut_mesh(const CoarseMesh& first, std::vector<Cuts> cuts) {
-  CoarseMesh mesh = subdivided(first, cuts);
+mesh::CoarseMesh cut_mesh(const mesh::CoarseMesh& first, std::vector<mesh::Cuts> cuts) {
+  mesh::CoarseMesh mesh = subdivided(first, cuts);
   mesh.cuts = std::move(cuts);
   return mesh;
 }
 
-bool are_conforming(const CoarseMesh& mesh, std::span<const Cuts> cuts) {
+bool are_conforming(const mesh::CoarseMesh& mesh, std::span<const mesh::Cuts> cuts) {
   if (cuts.size() != mesh.cells.size()) return false;
   std::map<std::pair<int, int>, std::vector<double>> sides;
   for (std::size_t c = 0; c < cuts.size(); ++c)
     for (int side = 0; side < 4; ++side) {
-      const auto [from, to] = side_corners(Shape::quadrilateral, side);
+      const auto [from, to] = mesh::side_corners(mesh::Shape::quadrilateral, side);
       const int a = mesh.cells[c].vertices[from], b = mesh.cells[c].vertices[to];
       std::vector<double> points = cuts[c][side < 2 ? 1 : 0];
       if (a > b) {
@@ -193,7 +195,7 @@ bool are_conforming(const CoarseMesh& mesh, std::span<const Cuts> cuts) {
   return true;
 }
 
-std::vector<CutCell> cut_cells(const CoarseMesh& mesh) {
+std::vector<CutCell> cut_cells(const mesh::CoarseMesh& mesh) {
   std::vector<CutCell> all;
   if (mesh.cuts.empty())
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) all.push_back({c, Vector2d::Zero(), Vector2d::Ones()});
@@ -212,10 +214,10 @@ std::vector<CutCell> cut_cells(const CoarseMesh& mesh) {
   return all;
 }
 
-std::vector<Cuts> with_cuts(const CoarseMesh& present, std::span<const Cuts> cuts) {
+std::vector<mesh::Cuts> with_cuts(const mesh::CoarseMesh& present, std::span<const mesh::Cuts> cuts) {
   PLASTRON_ASSERT(cuts.size() == present.cells.size(), cuts.size(), present.cells.size());
   const std::vector<CutCell> cells = cut_cells(present);
-  std::vector<Cuts> all = present.cuts;
+  std::vector<mesh::Cuts> all = present.cuts;
   all.resize(cells.back().first + 1);
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (std::size_t d = 0; d < 2; ++d) {
@@ -229,7 +231,7 @@ algebra::Vector interpolated(const algebra::Vector& field, const Space& before, 
   const std::vector<double> values = whole(field, before);
   const Lattices old_cells(*before.coarse);
   const std::vector<CutCell> new_cells = cut_cells(*after.coarse);
-  const std::vector<double> nodes = gauss_lobatto(after.degree + 1).points;
+  const std::vector<double> nodes = mesh::gauss_lobatto(after.degree + 1).points;
   const std::size_t n = nodes.size();
   const auto block = static_cast<std::size_t>(field.block());
   algebra::Vector result(after.layout, field.block());
@@ -242,7 +244,8 @@ algebra::Vector interpolated(const algebra::Vector& field, const Space& before, 
       const std::size_t from = old_cells.cell(here.first, xi);
       const CutCell& old = old_cells.cells()[from];
       const Vector2d there = (xi - old.corner).cwiseQuotient(old.size);
-      const Eigen::VectorXd across = lagrange(nodes, there[0]).value, along = lagrange(nodes, there[1]).value;
+      const Eigen::VectorXd across = mesh::lagrange(nodes, there[0]).value,
+                            along = mesh::lagrange(nodes, there[1]).value;
       for (std::size_t k = 0; k < block; ++k) {
         double sum = 0;
         for (std::size_t j = 0; j < n * n; ++j)

@@ -12,16 +12,16 @@ namespace plastron::fem {
 
 /// Divides each quadrilateral into parts[c][0] x parts[c][1] cells along its own coordinates. Precondition:
 /// neighbours have the same number along their common side.
-CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const std::array<int, 2>> parts);
+mesh::CoarseMesh subdivided(const mesh::CoarseMesh& mesh, std::span<const std::array<int, 2>> parts);
 
 /// Divides each quadrilateral at its cuts. Precondition: neighbours are cut at the same points of their common side.
-CoarseMesh subdivided(const CoarseMesh& mesh, std::span<const Cuts> cuts);
+mesh::CoarseMesh subdivided(const mesh::CoarseMesh& mesh, std::span<const mesh::Cuts> cuts);
 
 /// Cuts each cell of the first mesh. The result stores the cuts (CoarseMesh::cuts). Precondition: are_conforming.
-CoarseMesh cut_mesh(const CoarseMesh& first, std::vector<Cuts> cuts);
+mesh::CoarseMesh cut_mesh(const mesh::CoarseMesh& first, std::vector<mesh::Cuts> cuts);
 
 /// Whether cells with a common side are cut at the same points of it.
-bool are_conforming(const CoarseMesh& mesh, std::span<const Cuts> cuts);
+bool are_conforming(const mesh::CoarseMesh& mesh, std::span<const mesh::Cuts> cuts);
 
 /// The place of a cut mesh's cell in a cell of the first mesh: xi_first = corner + size xi.
 struct CutCell {
@@ -30,11 +30,11 @@ struct CutCell {
 };
 /// Returns all cells in the order of cut_mesh(): by cell of the first mesh, xi_1 fastest. A mesh without cuts gives
 /// its own cells.
-std::vector<CutCell> cut_cells(const CoarseMesh& mesh);
+std::vector<CutCell> cut_cells(const mesh::CoarseMesh& mesh);
 
 /// Combines the cuts of the first mesh's cells with `cuts`, given for each cell of the present mesh in its own
 /// coordinates.
-std::vector<Cuts> with_cuts(const CoarseMesh& present, std::span<const Cuts> cuts);
+std::vector<mesh::Cuts> with_cuts(const mesh::CoarseMesh& present, std::span<const mesh::Cuts> cuts);
 
 /// Interpolates a field (values per node) from one cut of a mesh on another. Neither may have divided cells
 /// (collective).

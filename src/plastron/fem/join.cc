@@ -122,7 +122,7 @@ class KinkedGroups {
     }
     if (all.size() > 2) {
       const Vector3d& place = at_.at(node).place;
-      throw DomainError(
+      throw mesh::DomainError(
           fmt::format("edges cannot be joined: at ({:.6g}, {:.6g}, {:.6g}) a shell meets others at angles along three "
                       "directions; at most two are joined there",
                       place[0], place[1], place[2]));
@@ -181,20 +181,20 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
   const double length = length_of(sides[0]);
   const auto& [first, second] = join.boundaries;
   if (sides[0].size() != sides[1].size())
-    throw DomainError(fmt::format(
+    throw mesh::DomainError(fmt::format(
         "the edges \"{}\" and \"{}\" cannot be joined: they have {} and {} nodes; divide both into the same cells",
         first, second, sides[0].size(), sides[1].size()));
   for (const BoundaryNode& node : sides[1]) {
     const auto distance = [&](const BoundaryNode& other) { return (other.place - node.place).norm(); };
     const BoundaryNode& partner = *std::ranges::min_element(sides[0], {}, distance);
     if (!(distance(partner) <= same_place * length))
-      throw DomainError(
+      throw mesh::DomainError(
           fmt::format("the edges \"{}\" and \"{}\" cannot be joined: the point ({:.6g}, {:.6g}, {:.6g}) of \"{}\" is "
                       "{:.3g} m from the nearest node of \"{}\"; joined edges lie on each other in space and are "
                       "divided alike",
                       first, second, node.place[0], node.place[1], node.place[2], second, distance(partner), first));
     if ((partner.normal + node.normal).norm() <= opposite_normal)
-      throw DomainError(fmt::format(
+      throw mesh::DomainError(fmt::format(
           "the edges \"{}\" and \"{}\" cannot be joined: at ({:.6g}, {:.6g}, {:.6g}) a_3 points to opposite sides; "
           "exchange x and y in one of the charts",
           first, second, node.place[0], node.place[1], node.place[2]));

@@ -2,10 +2,10 @@
 
 #include <plastron/algebra/pseudo_random.hpp>
 #include <plastron/algebra/vector.hpp>
-#include <plastron/fem/basis.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/fem/quadrilateral_sequence.hpp>
 #include <plastron/fem/triangle_sequence.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace plastron::fem {
 
 struct MeshSequence::Storage {
   std::variant<QuadrilateralSequence, TriangleSequence> levels;
-  std::shared_ptr<const CoarseMesh> first;  ///< mesh before any cuts, in the sequence's order
+  std::shared_ptr<const mesh::CoarseMesh> first;  ///< mesh before any cuts, in the sequence's order
   Finish finish{};
   Even even{};
   std::shared_ptr<const Space> finished{};
@@ -43,7 +43,8 @@ algebra::Vector on_layout(const std::shared_ptr<const algebra::Layout>& layout, 
 algebra::Vector at_degree_of(const algebra::Vector& field, const Space& from, const Space& to) {
   PLASTRON_ASSERT(from.owned_cells == to.owned_cells, from.owned_cells, to.owned_cells);
   const Eigen::MatrixXd line =
-      lagrange_table(gauss_lobatto(from.degree + 1).points, gauss_lobatto(to.degree + 1).points).value;
+      mesh::lagrange_table(mesh::gauss_lobatto(from.degree + 1).points, mesh::gauss_lobatto(to.degree + 1).points)
+          .value;
   const auto n = static_cast<std::size_t>(from.degree) + 1, m = static_cast<std::size_t>(to.degree) + 1;
   const auto block = static_cast<std::size_t>(field.block());
   algebra::Vector result(to.layout, field.block());
@@ -67,13 +68,13 @@ algebra::Vector at_degree_of(const algebra::Vector& field, const Space& from, co
 /// A number that distinguishes coarse meshes by everything except coordinates: cells, edges, their order and names.
 class Fingerprint {
  public:
-  explicit Fingerprint(const CoarseMesh& mesh) {
-    add(mesh.shape == Shape::triangle);
-    for (const CoarseCell& cell : mesh.cells) {
+  explicit Fingerprint(const mesh::CoarseMesh& mesh) {
+    add(mesh.shape == mesh::Shape::triangle);
+    for (const mesh::CoarseCell& cell : mesh.cells) {
       for (const int v : cell.vertices) add(static_cast<std::uint64_t>(v));
       add(static_cast<std::uint64_t>(cell.region));
     }
-    for (const BoundaryEdge& edge : mesh.edges)
+    for (const mesh::BoundaryEdge& edge : mesh.edges)
       for (const int v : {edge.vertices[0], edge.vertices[1], edge.boundary}) add(static_cast<std::uint64_t>(v));
     for (const auto* names : {&mesh.regions, &mesh.boundaries})
       for (const std::string& name : *names)
@@ -89,7 +90,7 @@ class Fingerprint {
 
 /// Sum of the coordinates weighted by place. It is not part of the fingerprint: machines of one job may round sines
 /// and cosines differently.
-double weighed_coordinates(const CoarseMesh& mesh) {
+double weighed_coordinates(const mesh::CoarseMesh& mesh) {
   double sum = 0, place = 0;
   for (const Vector2d& v : mesh.vertices)
     for (const double x : v) sum += std::abs(x) * ++place;
@@ -98,7 +99,7 @@ double weighed_coordinates(const CoarseMesh& mesh) {
 
 // Every rank makes its mesh, and may read it, separately. Ranks with different meshes would block each other, or
 // compute nonsense.
-void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
+void check_that_all_have_one_mesh(const mesh::CoarseMesh& mesh, MPI_Comm comm) {
   constexpr double rounding = 1e-10;
   const auto spread = [&](double mine) {
     const double low = algebra::min_over_ranks(mine, comm), high = algebra::max_over_ranks(mine, comm);
@@ -107,7 +108,7 @@ void check_that_all_have_one_mesh(const CoarseMesh& mesh, MPI_Comm comm) {
   const bool differ_in_shape = spread(Fingerprint(mesh).value()) > 0;
   const bool differ_in_place = spread(weighed_coordinates(mesh)) > rounding;
   if (differ_in_shape || differ_in_place)
-    throw DomainError(
+    throw mesh::DomainError(
         "the processes of this job have different meshes: give all of them the same case and the same mesh file");
 }
 
@@ -120,7 +121,7 @@ std::vector<std::size_t> cells_along(const Space& space, const std::vector<std::
   std::vector<char> is_on(static_cast<std::size_t>(space.layout->local_size()), 0);
   for (const BoundarySide& side : space.sides)
     if (is_named(side))
-      for (const int k : side_nodes(space.shape(), space.degree, side.side)) is_on[space.nodes(side.cell)[k]] = 1;
+      for (const int k : mesh::side_nodes(space.shape(), space.degree, side.side)) is_on[space.nodes(side.cell)[k]] = 1;
   std::vector<std::size_t> cells;
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
     if (std::ranges::any_of(space.nodes(cell), [&](auto node) { return is_on[node] != 0; })) cells.push_back(cell);
@@ -157,9 +158,9 @@ void mark_evenly(const Space& space, const MeshSequence::Even& even, std::span<s
     }
 }
 
-MeshSequence::MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish, Even even) {
+MeshSequence::MeshSequence(mesh::CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish, Even even) {
   check_that_all_have_one_mesh(coarse, comm);
-  if (coarse.shape == Shape::triangle)
+  if (coarse.shape == mesh::Shape::triangle)
     storage_ =
         std::make_unique<Storage>(Storage{TriangleSequence(std::move(coarse), degree, comm), {}, std::move(finish)});
   else
@@ -175,22 +176,22 @@ MeshSequence::MeshSequence(MeshSequence&&) noexcept = default;
 
 std::shared_ptr<const Space> MeshSequence::space() const { return storage_->finished; }
 
-void MeshSequence::cut(std::span<algebra::Vector> fields, std::span<const Cuts> cuts) {
+void MeshSequence::cut(std::span<algebra::Vector> fields, std::span<const mesh::Cuts> cuts) {
   const std::shared_ptr<const Space> before = space();
   PLASTRON_ASSERT(before->global_cells == static_cast<std::int64_t>(before->coarse->cells.size()));
   restart(with_cuts(*before->coarse, cuts));
   for (algebra::Vector& field : fields) field = interpolated(field, *before, *space());
 }
 
-void MeshSequence::begin_with_cuts(std::vector<Cuts> cuts) {
+void MeshSequence::begin_with_cuts(std::vector<mesh::Cuts> cuts) {
   if (!is_graded() || !are_conforming(*storage_->first, cuts))
-    throw DomainError("cuts through cells that are not those of the mesh");
+    throw mesh::DomainError("cuts through cells that are not those of the mesh");
   restart(std::move(cuts));
 }
 
-void MeshSequence::restart(std::vector<Cuts> cuts) {
+void MeshSequence::restart(std::vector<mesh::Cuts> cuts) {
   const MPI_Comm comm = space()->layout->comm;
-  CoarseMesh mesh = cut_mesh(*storage_->first, std::move(cuts));
+  mesh::CoarseMesh mesh = cut_mesh(*storage_->first, std::move(cuts));
   check_that_all_have_one_mesh(mesh, comm);
   const double fingerprint = Fingerprint(mesh).value();
   storage_->levels = QuadrilateralSequence(std::move(mesh), space()->degree, comm);

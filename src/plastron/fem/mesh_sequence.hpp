@@ -27,7 +27,7 @@ class MeshSequence {
 
   /// Makes the coarsest level (collective). Throws DomainError for a degree that the shape does not have and if ranks
   /// have different meshes. Throws the exceptions of `finish`.
-  MeshSequence(CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish = {}, Even even = {});
+  MeshSequence(mesh::CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish = {}, Even even = {});
   ~MeshSequence();
   MeshSequence(MeshSequence&&) noexcept;
 
@@ -43,19 +43,19 @@ class MeshSequence {
   void refine(std::span<algebra::Vector> fields, std::span<const signed char> marks);
   /// Cuts quadrilaterals of the coarse mesh along chords; none may be divided yet. `cuts` of the present coarse cells
   /// are the same on both sides of a common side. Fields as above (collective).
-  void cut(std::span<algebra::Vector> fields, std::span<const Cuts> cuts);
+  void cut(std::span<algebra::Vector> fields, std::span<const mesh::Cuts> cuts);
   /// Returns the present cells at a degree higher by `degrees`, finished like every level. Interpolates the fields on
   /// them. The sequence does not change. Null for triangles (collective).
   std::shared_ptr<const Space> raised(std::span<algebra::Vector> fields, int degrees = 1) const;
   /// Restarts from the first mesh with the cuts of another sequence of it, CoarseMesh::cuts (collective). Throws
   /// DomainError for cuts that do not fit.
-  void begin_with_cuts(std::vector<Cuts> cuts);
+  void begin_with_cuts(std::vector<mesh::Cuts> cuts);
   /// Whether cells can be divided individually: true for quadrilaterals.
   bool is_graded() const;
 
  private:
   using Marks = std::optional<std::span<const signed char>>;
-  void restart(std::vector<Cuts> cuts);
+  void restart(std::vector<mesh::Cuts> cuts);
   void refine_where(std::span<algebra::Vector> fields, Marks marks);
   void refine_evenly(QuadrilateralSequence& cells, std::span<algebra::Vector> fields, Marks marks);
   struct Storage;

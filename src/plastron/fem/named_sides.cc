@@ -7,30 +7,30 @@ namespace plastron::fem {
 namespace {
 
 /// Whether both ends of a cell's side lie on the same side of the coarse cell. Coordinates are dyadic, hence exact.
-bool lies_on_coarse_side(Shape shape, const Cell& cell, int side) {
+bool lies_on_coarse_side(mesh::Shape shape, const Cell& cell, int side) {
   const auto distance = [&](int k) {
-    const Vector2d xi = cell.corner + cell.size * corner(shape, k);
-    if (shape == Shape::triangle) return side == 0 ? xi[1] : side == 1 ? 1 - xi[0] - xi[1] : xi[0];
+    const Vector2d xi = cell.corner + cell.size * mesh::corner(shape, k);
+    if (shape == mesh::Shape::triangle) return side == 0 ? xi[1] : side == 1 ? 1 - xi[0] - xi[1] : xi[0];
     return side == 0 ? xi[0] : side == 1 ? 1 - xi[0] : side == 2 ? xi[1] : 1 - xi[1];
   };
-  const auto [from, to] = side_corners(shape, side);
+  const auto [from, to] = mesh::side_corners(shape, side);
   return distance(from) == 0 && distance(to) == 0;
 }
 
 }  // namespace
 
 NamedSides::Side& NamedSides::at(std::size_t coarse_cell, int side) {
-  return sides_[coarse_cell * static_cast<std::size_t>(corner_count(shape_)) + static_cast<std::size_t>(side)];
+  return sides_[coarse_cell * static_cast<std::size_t>(mesh::corner_count(shape_)) + static_cast<std::size_t>(side)];
 }
 
-NamedSides::NamedSides(const CoarseMesh& coarse)
-    : shape_(coarse.shape), sides_(coarse.cells.size() * static_cast<std::size_t>(corner_count(coarse.shape))) {
+NamedSides::NamedSides(const mesh::CoarseMesh& coarse)
+    : shape_(coarse.shape), sides_(coarse.cells.size() * static_cast<std::size_t>(mesh::corner_count(coarse.shape))) {
   const auto edges = edges_of(coarse.cells);
-  for (const BoundaryEdge& named : coarse.edges) {
+  for (const mesh::BoundaryEdge& named : coarse.edges) {
     const auto [a, b] = named.vertices;
     const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
-    const auto first = std::ranges::lower_bound(edges, ends, {}, &MeshEdge::ends);
-    const auto last = std::ranges::upper_bound(edges, ends, {}, &MeshEdge::ends);
+    const auto first = std::ranges::lower_bound(edges, ends, {}, &mesh::MeshEdge::ends);
+    const auto last = std::ranges::upper_bound(edges, ends, {}, &mesh::MeshEdge::ends);
     for (auto edge = first; edge != last; ++edge)
       (last - first == 1 || edge->is_forward == (a < b) ? at(edge->cell, edge->side).boundaries
                                                         : at(edge->cell, edge->side).twin_boundaries)
@@ -38,7 +38,7 @@ NamedSides::NamedSides(const CoarseMesh& coarse)
   }
   for (std::size_t fold = 0; fold < coarse.folds.size(); ++fold)
     for (std::size_t k = 0; k < 2; ++k) {
-      const auto edge = std::ranges::lower_bound(edges, coarse.folds[fold].edges[k], {}, &MeshEdge::ends);
+      const auto edge = std::ranges::lower_bound(edges, coarse.folds[fold].edges[k], {}, &mesh::MeshEdge::ends);
       PLASTRON_ASSERT(edge != edges.end() && edge->ends == coarse.folds[fold].edges[k], fold);
       at(edge->cell, edge->side).folds.push_back(static_cast<int>(2 * fold + k));
     }
@@ -55,7 +55,7 @@ NamedSides::NamedSides(const CoarseMesh& coarse)
 void NamedSides::add_sides_of_last_cell(Space& space) const {
   const std::size_t last = space.cells.size() - 1;
   const Cell& cell = space.cells[last];
-  const int sides = corner_count(shape_);
+  const int sides = mesh::corner_count(shape_);
   for (int side = 0; side < sides; ++side) {
     const Side& coarse = sides_[static_cast<std::size_t>(cell.coarse) * static_cast<std::size_t>(sides) +
                                 static_cast<std::size_t>(side)];

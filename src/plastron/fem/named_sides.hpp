@@ -10,13 +10,13 @@ namespace plastron::fem {
 
 class NamedSides {
  public:
-  explicit NamedSides(const CoarseMesh& coarse);
+  explicit NamedSides(const mesh::CoarseMesh& coarse);
 
   /// Adds the named sides of the last cell in `space.cells`.
   void add_sides_of_last_cell(Space& space) const;
 
  private:
-  Shape shape_;
+  mesh::Shape shape_;
   struct Side {
     std::vector<int> boundaries;  ///< indices into CoarseMesh::boundaries; only -1 on an unnamed part of the boundary
     std::vector<int> twin_boundaries{};  ///< boundaries listed by the cell on the other side

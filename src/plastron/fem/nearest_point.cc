@@ -1,8 +1,8 @@
 // The point of the mid-surface nearest to a point in space: samples of each cell in reach, then Newton's method for the
 // square of the distance, without the curvature of the surface (Gauss and Newton), from the best samples.
-#include <plastron/fem/basis.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/fem/surface_patches.hpp>
+#include <plastron/mesh/basis.hpp>
+#include <plastron/mesh/surface_patches.hpp>
 
 #include <Eigen/LU>
 
@@ -35,7 +35,7 @@ class Search {
     std::vector<std::size_t> all(cells.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     if (!surface_.has_directors()) return all;
-    const SurfacePatches& patches = *surface_.coarse().patches;
+    const mesh::SurfacePatches& patches = *surface_.coarse().patches;
     std::vector<double> least(cells.size());
     double most = std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -56,7 +56,7 @@ class Search {
   void search(int cell) {
     constexpr int divisions = 8;
     constexpr std::size_t starts = 3;
-    const std::vector<Vector2d> xi = lattice(shape_, divisions);
+    const std::vector<Vector2d> xi = mesh::lattice(shape_, divisions);
     std::vector<geometry::Frame> frames(xi.size());
     surface_.frames({.coarse = cell}, xi, frames, false);
     std::vector<std::size_t> order(xi.size());
@@ -77,7 +77,7 @@ class Search {
         // Along a side the way goes on inside of it.
         for (const Vector2d& way :
              {newton, Vector2d(slope[0] / at.metric_cov(0, 0), 0), Vector2d(0, slope[1] / at.metric_cov(1, 1))}) {
-          const Vector2d next = put_inside(shape_, xi + length * way);
+          const Vector2d next = mesh::put_inside(shape_, xi + length * way);
           if ((next - xi).norm() < 1e-14) continue;
           const geometry::Frame there = surface_.frame({.coarse = cell}, next, false);
           if (!((point_ - there.phi).norm() < off.norm())) continue;
@@ -102,7 +102,7 @@ class Search {
   }
 
   const Surface& surface_;
-  Shape shape_;
+  mesh::Shape shape_;
   Vector3d point_;
   NearestPoint nearest_{
       .location = {}, .point = {}, .place = Vector3d::Zero(), .distance = std::numeric_limits<double>::infinity()};
@@ -113,8 +113,8 @@ class Search {
 NearestPoint nearest_point(const Surface& surface, const Vector3d& point) { return Search(surface, point)(); }
 
 NearestPoint nearest_kept_node(const Surface& surface, int degree, const Vector3d& point) {
-  const Shape shape = surface.coarse().shape;
-  const std::vector<Vector2d> xi = lattice(shape, degree % 2 == 0 ? 2 : 1);
+  const mesh::Shape shape = surface.coarse().shape;
+  const std::vector<Vector2d> xi = mesh::lattice(shape, degree % 2 == 0 ? 2 : 1);
   std::vector<geometry::Frame> frames(xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   NearestPoint nearest{

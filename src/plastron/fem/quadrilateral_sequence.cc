@@ -38,7 +38,7 @@ void silence_p4est() {
 
 /// Applies deal.II's order of a cell's vertices, for which edges of neighbouring cells run the same way. The exact
 /// map of the cell is composed with the rotation or reflection of the new order.
-void reorder_vertices(CoarseCell& cell, const std::array<int, 4>& order) {
+void reorder_vertices(mesh::CoarseCell& cell, const std::array<int, 4>& order) {
   const auto corner = [&](int vertex) -> Vector2d {
     const auto k = std::ranges::find(cell.vertices, vertex) - cell.vertices.begin();
     const auto column = k % 2, row = k / 2;
@@ -52,7 +52,7 @@ void reorder_vertices(CoarseCell& cell, const std::array<int, 4>& order) {
   cell.vertices = order;
 }
 
-std::vector<dealii::CellData<2>> ordered_cells(CoarseMesh& coarse) {
+std::vector<dealii::CellData<2>> ordered_cells(mesh::CoarseMesh& coarse) {
   std::vector<dealii::CellData<2>> cells(coarse.cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (unsigned int v = 0; v < 4; ++v) cells[c].vertices[v] = static_cast<unsigned int>(coarse.cells[c].vertices[v]);
@@ -132,10 +132,12 @@ std::vector<HangingNode> QuadrilateralSequence::Nodes::hanging_nodes() const {
 }
 
 struct QuadrilateralSequence::Storage {
-  Storage(CoarseMesh mesh, int degree, MPI_Comm comm)
-      : coarse(std::make_shared<CoarseMesh>(std::move(mesh))), triangulation(comm), nodes(triangulation, degree) {}
+  Storage(mesh::CoarseMesh mesh, int degree, MPI_Comm comm)
+      : coarse(std::make_shared<mesh::CoarseMesh>(std::move(mesh))),
+        triangulation(comm),
+        nodes(triangulation, degree) {}
 
-  std::shared_ptr<CoarseMesh> coarse;
+  std::shared_ptr<mesh::CoarseMesh> coarse;
   std::optional<NamedSides> sides;  ///< sides of the coarse cells in deal.II's order of vertices
   dealii::parallel::distributed::Triangulation<2> triangulation;
   Nodes nodes;
@@ -205,7 +207,7 @@ void QuadrilateralSequence::Storage::number_nodes() {
   space = flat(nodes);
 }
 
-QuadrilateralSequence::QuadrilateralSequence(CoarseMesh coarse, int degree, MPI_Comm comm) {
+QuadrilateralSequence::QuadrilateralSequence(mesh::CoarseMesh coarse, int degree, MPI_Comm comm) {
   silence_p4est();
   storage_ = std::make_unique<Storage>(std::move(coarse), degree, comm);
   storage_->create();

@@ -15,7 +15,7 @@ namespace plastron::fem {
 class QuadrilateralSequence {
  public:
   /// Makes the coarsest level (collective).
-  QuadrilateralSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
+  QuadrilateralSequence(mesh::CoarseMesh coarse, int degree, MPI_Comm comm);
   ~QuadrilateralSequence();
   QuadrilateralSequence(QuadrilateralSequence&&) noexcept;
   QuadrilateralSequence& operator=(QuadrilateralSequence&&) noexcept;

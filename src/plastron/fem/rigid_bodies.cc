@@ -109,13 +109,13 @@ void check_determined(const PlacedBody& placed) {
   const double scale = placed.gram.diagonal().maxCoeff();
   if (!free.empty() &&
       geometry::symmetric_eigen(Eigen::MatrixXd(placed.gram(free, free))).values[0] < no_motion * scale)
-    throw DomainError(
+    throw mesh::DomainError(
         fmt::format("the rigid body \"{}\" is free to turn about the line on which its nodes lie: with rotations = "
                     "false they do not hold it; fix a rotation of it about that line, or leave rotations = true",
                     placed.body.name));
   const Vector6 load = given_load(placed);
   if ((placed.gram * multipliers(placed) - load).norm() > 1e-8 * load.norm())
-    throw DomainError(
+    throw mesh::DomainError(
         fmt::format("the moment on the rigid body \"{}\" has a part about the line on which its nodes lie, and with "
                     "rotations = false they cannot carry it; leave that part out, for what is fixed there takes it all",
                     placed.body.name));
@@ -123,7 +123,7 @@ void check_determined(const PlacedBody& placed) {
 
 PlacedBody placed_body(const RigidBody& body, const Members& members) {
   if (members.size() < 2)
-    throw DomainError(
+    throw mesh::DomainError(
         fmt::format("the rigid body \"{}\" carries {} nodes; it needs two or more", body.name, members.size()));
   PlacedBody placed{.body = body, .length = 0};
   for (const auto& [number, node] : members)
@@ -141,7 +141,7 @@ void check_disjoint(const std::vector<RigidBody>& bodies, const std::vector<Memb
     for (std::size_t j = 0; j < k; ++j)
       for (const auto& [number, node] : members[k])
         if (members[j].contains(number))
-          throw DomainError(
+          throw mesh::DomainError(
               fmt::format("the rigid bodies \"{}\" and \"{}\" both carry the node at ({:.6g}, {:.6g}, {:.6g}); bodies "
                           "that share nodes are one body: give it all their boundaries",
                           bodies[j].name, bodies[k].name, node.place[0], node.place[1], node.place[2]));
@@ -190,7 +190,7 @@ std::vector<constraints::Row> kinks_beside(const std::vector<RigidBody>& bodies,
       const auto in_body = [&](GlobalIndex number) { return members[k].contains(number); };
       if (std::ranges::none_of(group, in_body)) continue;
       if (!bodies[k].turns_normals || !std::ranges::all_of(group, in_body))
-        throw DomainError(
+        throw mesh::DomainError(
             fmt::format("the rigid body \"{}\" carries a node where shells are joined at an angle, but not all that "
                         "meet there; give it the edges of all of them, and rotations = true",
                         bodies[k].name));
@@ -221,7 +221,7 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
       if (of_body.contains(space->layout->global(i)))
         for (const GlobalIndex host : hosts_of(of_body)) wanted.insert(host);
   result->kinks = constraints::Map(
-      algebra::in_agreement<DomainError>(comm, [&] { return kinks_beside(bodies, members, *space); }), comm);
+      algebra::in_agreement<mesh::DomainError>(comm, [&] { return kinks_beside(bodies, members, *space); }), comm);
   widen(*result, wanted);
   std::vector<constraints::Row> rows;
   for (const constraints::Row& kink : result->kinks.rows())

@@ -7,8 +7,8 @@
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/matrix.hpp>
 #include <plastron/constraints/map.hpp>
-#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/rigid_body.hpp>
+#include <plastron/mesh/coarse_mesh.hpp>
 
 #include <array>
 #include <cmath>
@@ -18,6 +18,8 @@
 #include <vector>
 
 namespace plastron::fem {
+
+using Eigen::Vector2d;
 
 /// A cell: xi_coarse = corner + size xi. The size is negative for a triangle turned by 180 degrees against its coarse
 /// cell.
@@ -48,7 +50,7 @@ using ConstraintMap = constraints::Map;
 
 struct Space {
   int degree = 1;
-  std::shared_ptr<const CoarseMesh> coarse{};
+  std::shared_ptr<const mesh::CoarseMesh> coarse{};
   std::shared_ptr<const algebra::Layout> layout{};
   std::vector<Cell> cells{};  ///< owned cells first, then the ghost cells around them
   std::size_t owned_cells = 0;
@@ -70,8 +72,8 @@ struct Space {
   std::vector<PlacedBody> bodies{};
   std::int64_t global_cells = 0;
 
-  Shape shape() const { return coarse->shape; }
-  int nodes_per_cell() const { return fem::nodes_per_cell(shape(), degree); }
+  mesh::Shape shape() const { return coarse->shape; }
+  int nodes_per_cell() const { return mesh::nodes_per_cell(shape(), degree); }
   std::span<const algebra::LocalIndex> nodes(std::size_t cell) const {
     PLASTRON_ASSERT(cell < cells.size(), cell, cells.size());
     return connectivity.element(cell);

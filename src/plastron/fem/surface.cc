@@ -1,9 +1,9 @@
 #include <plastron/fem/surface.hpp>
 
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/fem/cell_map.hpp>
-#include <plastron/fem/space_mesh.hpp>
-#include <plastron/fem/surface_patches.hpp>
+#include <plastron/mesh/cell_map.hpp>
+#include <plastron/mesh/surface_patches.hpp>
+#include <plastron/topology/space_mesh.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,19 +17,20 @@ const geometry::Chart& chart_of_region(const std::map<std::string, geometry::Cha
   auto found = charts.find(region);
   if (found == charts.end() && charts.size() == 1 && charts.begin()->first.empty()) found = charts.begin();
   if (found == charts.end())
-    throw DomainError(
+    throw mesh::DomainError(
         fmt::format("the region \"{}\" has no chart; write chart = {{ {} = [...], ... }}", region, region));
   return found->second;
 }
 
-Surface::Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts)
+Surface::Surface(std::shared_ptr<const mesh::CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts)
     : coarse_(std::move(coarse)) {
   if (has_directors()) return;
   for (const std::string& region : coarse_->regions) charts_.push_back(chart_of_region(charts, region));
   for (const auto& [name, chart] : charts)
     if (!name.empty() && std::ranges::find(coarse_->regions, name) == coarse_->regions.end())
-      throw DomainError(fmt::format("there is a chart for the region \"{}\", which the mesh does not have; it has: {}",
-                                    name, fmt::join(coarse_->regions, ", ")));
+      throw mesh::DomainError(
+          fmt::format("there is a chart for the region \"{}\", which the mesh does not have; it has: {}", name,
+                      fmt::join(coarse_->regions, ", ")));
 }
 
 const geometry::Chart& Surface::chart_of(const Cell& cell) const {
@@ -38,10 +39,10 @@ const geometry::Chart& Surface::chart_of(const Cell& cell) const {
   return charts_[coarse_->cells[cell.coarse].region];
 }
 
-PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
+geometry::PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
   PLASTRON_ASSERT(cell.coarse >= 0 && static_cast<std::size_t>(cell.coarse) < coarse_->cells.size(), cell.coarse,
                   coarse_->cells.size());
-  PlaneJet f = coarse_->cells[cell.coarse].map(cell.corner + cell.size * xi);
+  geometry::PlaneJet f = coarse_->cells[cell.coarse].map(cell.corner + cell.size * xi);
   for (auto& d : f.d) d *= cell.size;
   for (auto& dd : f.dd) dd *= cell.size * cell.size;
   return f;
@@ -49,7 +50,7 @@ PlaneJet Surface::plane_jet(const Cell& cell, const Vector2d& xi) const {
 
 Vector2d Surface::address(const Cell& cell, const Vector2d& xi) const {
   const Vector2d value = plane_jet(cell, xi).value;
-  return has_directors() ? address_of(coarse_->cells[static_cast<std::size_t>(cell.coarse)].patch, value) : value;
+  return has_directors() ? mesh::address_of(coarse_->cells[static_cast<std::size_t>(cell.coarse)].patch, value) : value;
 }
 
 void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x,
@@ -71,7 +72,7 @@ void Surface::frames(const Cell& cell, std::span<const Vector2d> xi, std::span<g
     return;
   }
   std::vector<geometry::SurfaceJet> jets(xi.size());
-  std::vector<PlaneJet> plane(xi.size());
+  std::vector<geometry::PlaneJet> plane(xi.size());
   std::vector<double> x(xi.size()), y(xi.size());
   for (std::size_t p = 0; p < xi.size(); ++p) {
     plane[p] = plane_jet(cell, xi[p]);
@@ -113,7 +114,7 @@ void Surface::evaluate(const geometry::Expression& f, const Cell& cell, std::spa
 void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
                              std::span<geometry::SurfaceJet> jets) const {
   PLASTRON_ASSERT(jets.size() == xi.size(), jets.size(), xi.size());
-  if (has_directors()) throw DomainError("a mesh in space has no chart, which the classical formulation needs");
+  if (has_directors()) throw mesh::DomainError("a mesh in space has no chart, which the classical formulation needs");
   std::vector<double> x(xi.size()), y(xi.size());
   positions(cell, xi, x, y);
   chart_of(cell).evaluate(x, y, jets, true);
@@ -135,12 +136,12 @@ std::vector<geometry::Vector3d> Surface::first_tangents(const Cell& cell, std::s
   return tangents;
 }
 
-std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point) {
-  const int patch = coarse.patches ? patch_of(point) : -1;
+std::optional<Location> locate(const mesh::CoarseMesh& coarse, const Vector2d& point) {
+  const int patch = coarse.patches ? mesh::patch_of(point) : -1;
   const Vector2d in_map = coarse.patches ? Vector2d(point[0] - 2.0 * patch, point[1]) : point;
   for (std::size_t c = 0; c < coarse.cells.size(); ++c)
     if (coarse.cells[c].patch == patch)
-      if (const auto xi = invert_map(coarse.shape, coarse.cells[c].map, in_map))
+      if (const auto xi = mesh::invert_map(coarse.shape, coarse.cells[c].map, in_map))
         return Location{static_cast<int>(c), *xi};
   return std::nullopt;
 }
@@ -149,13 +150,13 @@ std::string place_text(const Surface& surface, const Vector2d& point) {
   const auto location = surface.has_directors() ? locate(surface.coarse(), point) : std::nullopt;
   if (!location) return fmt::format("x = {:.6g}, y = {:.6g}", point[0], point[1]);
   const geometry::Vector3d phi = surface.frame({.coarse = location->coarse}, location->xi, false).phi;
-  return fmt::format("(X, Y, Z) = {}", place_of(phi));
+  return fmt::format("(X, Y, Z) = {}", topology::place_of(phi));
 }
 
-std::optional<Vector2d> local_coordinates(Shape shape, const Cell& cell, const Location& location) {
+std::optional<Vector2d> local_coordinates(mesh::Shape shape, const Cell& cell, const Location& location) {
   if (cell.coarse != location.coarse) return std::nullopt;
   const Vector2d xi = (location.xi - cell.corner) / cell.size;
-  if (!holds(shape, xi, 1e-12)) return std::nullopt;
+  if (!mesh::holds(shape, xi, 1e-12)) return std::nullopt;
   return xi;
 }
 

@@ -21,7 +21,7 @@ class Surface {
  public:
   /// Requires one chart per region name of the mesh, or no charts if the mesh lies in space. Throws DomainError for
   /// missing or unknown regions.
-  Surface(std::shared_ptr<const CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts);
+  Surface(std::shared_ptr<const mesh::CoarseMesh> coarse, const std::map<std::string, geometry::Chart>& charts);
 
   /// Points of Omega: the images of points xi of the reference cell; addresses on a mesh in space (address_of()).
   void positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) const;
@@ -41,16 +41,16 @@ class Surface {
   /// Jets of phi with respect to x and y of Omega at the same points. Precondition: the mesh lies in Omega.
   void parameter_jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets) const;
 
-  const CoarseMesh& coarse() const { return *coarse_; }
+  const mesh::CoarseMesh& coarse() const { return *coarse_; }
   /// Whether a3 is a director and not the normal of a chart.
   bool has_directors() const { return coarse_->patches != nullptr; }
 
  private:
   const geometry::Chart& chart_of(const Cell& cell) const;
-  PlaneJet plane_jet(const Cell& cell, const Vector2d& xi) const;
+  geometry::PlaneJet plane_jet(const Cell& cell, const Vector2d& xi) const;
   Vector2d address(const Cell& cell, const Vector2d& xi) const;
 
-  std::shared_ptr<const CoarseMesh> coarse_;
+  std::shared_ptr<const mesh::CoarseMesh> coarse_;
   std::vector<geometry::Chart> charts_;  // by region index
 };
 
@@ -60,7 +60,7 @@ struct Location {
   Vector2d xi;  ///< in the coarse cell's coordinates
 };
 /// Finds the point. Empty if it lies outside Omega.
-std::optional<Location> locate(const CoarseMesh& coarse, const Vector2d& point);
+std::optional<Location> locate(const mesh::CoarseMesh& coarse, const Vector2d& point);
 
 /// A point of the mid-surface near a point in space.
 struct NearestPoint {
@@ -78,6 +78,6 @@ NearestPoint nearest_kept_node(const Surface& surface, int degree, const geometr
 std::string place_text(const Surface& surface, const Vector2d& point);
 
 /// Returns the point of the reference cell of `cell` for a location; empty if the cell does not contain it.
-std::optional<Vector2d> local_coordinates(Shape shape, const Cell& cell, const Location& location);
+std::optional<Vector2d> local_coordinates(mesh::Shape shape, const Cell& cell, const Location& location);
 
 }  // namespace plastron::fem

@@ -1,6 +1,6 @@
 #include <plastron/fem/triangle_sequence.hpp>
 
-#include <plastron/fem/basis.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <fmt/format.h>
 
@@ -46,10 +46,10 @@ void refine_cell(const TriangleTopology& mesh, std::size_t c, TriangleTopology& 
 
 Cell child_cell(int child) {
   if (child == 3) return {.corner = {0.5, 0.5}, .size = -0.5};
-  return {.corner = corner(Shape::triangle, child) / 2, .size = 0.5};
+  return {.corner = mesh::corner(mesh::Shape::triangle, child) / 2, .size = 0.5};
 }
 
-TriangleTopology coarse_topology(const CoarseMesh& mesh) {
+TriangleTopology coarse_topology(const mesh::CoarseMesh& mesh) {
   TriangleTopology topology{.vertex_count = static_cast<int>(mesh.vertices.size())};
   std::map<std::array<int, 2>, int> edge_of;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -71,7 +71,7 @@ void check_refinable(std::int64_t vertices, std::int64_t edges, std::int64_t cel
   constexpr std::int64_t most = std::numeric_limits<int>::max();
   const std::int64_t refined_edges = 2 * edges + 3 * cells;
   if (refined_edges <= most && vertices + edges <= most) return;
-  throw DomainError(
+  throw mesh::DomainError(
       fmt::format("a mesh of {} triangles, refined, has {} edges, more than the {} that can be numbered: take fewer "
                   "refinements, or quadrilaterals",
                   cells, refined_edges, most));
@@ -142,24 +142,24 @@ std::vector<std::size_t> cells_around(const TriangleTopology& mesh, std::size_t 
 /// Matrix from values at the nodes of a parent to values at the nodes of child k: a row per node of the child.
 Eigen::MatrixXd to_child(int degree, int k) {
   const Cell child = child_cell(k);
-  const auto nodes = lattice(Shape::triangle, degree);
+  const auto nodes = mesh::lattice(mesh::Shape::triangle, degree);
   const auto count = static_cast<Eigen::Index>(nodes.size());
   Eigen::MatrixXd matrix(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
-    matrix.row(i) = lattice_values(Shape::triangle, degree, child.corner + child.size * nodes[i]).value;
+    matrix.row(i) = mesh::lattice_values(mesh::Shape::triangle, degree, child.corner + child.size * nodes[i]).value;
   return matrix;
 }
 
 }  // namespace
 
-TriangleSequence::TriangleSequence(CoarseMesh coarse, int degree, MPI_Comm comm)
-    : coarse_(std::make_shared<const CoarseMesh>(std::move(coarse))),
+TriangleSequence::TriangleSequence(mesh::CoarseMesh coarse, int degree, MPI_Comm comm)
+    : coarse_(std::make_shared<const mesh::CoarseMesh>(std::move(coarse))),
       degree_(degree),
       comm_(comm),
       sides_(*coarse_),
       mesh_(coarse_topology(*coarse_)) {
   if (degree != 1 && degree != 2)
-    throw DomainError(fmt::format("triangles have degree 1 or 2, not {}; take quadrilaterals for more", degree));
+    throw mesh::DomainError(fmt::format("triangles have degree 1 or 2, not {}; take quadrilaterals for more", degree));
   MPI_Comm_rank(comm_, &rank_);
   MPI_Comm_size(comm_, &ranks_);
   flatten();

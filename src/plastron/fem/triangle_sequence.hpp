@@ -26,7 +26,7 @@ struct TriangleTopology {
 };
 
 /// Makes the topology of a coarse mesh. Precondition: a mesh of triangles.
-TriangleTopology coarse_topology(const CoarseMesh& mesh);
+TriangleTopology coarse_topology(const mesh::CoarseMesh& mesh);
 
 /// Throws DomainError if a mesh of this size has, once refined, more edges or vertices than 32 bits can number.
 void check_refinable(std::int64_t vertices, std::int64_t edges, std::int64_t cells);
@@ -49,7 +49,7 @@ struct TriangleNumbering {
 class TriangleSequence {
  public:
   /// Makes the coarsest level (collective). Throws DomainError for degrees other than 1 and 2.
-  TriangleSequence(CoarseMesh coarse, int degree, MPI_Comm comm);
+  TriangleSequence(mesh::CoarseMesh coarse, int degree, MPI_Comm comm);
 
   std::shared_ptr<const Space> space() const { return space_; }
   /// See MeshSequence::refine.
@@ -68,7 +68,7 @@ class TriangleSequence {
   /// Interpolates `coarse`, which is on layout_of_parents() with its ghosts' values (collective).
   algebra::Vector interpolated(const algebra::Vector& coarse, const Refinement& from) const;
 
-  std::shared_ptr<const CoarseMesh> coarse_;
+  std::shared_ptr<const mesh::CoarseMesh> coarse_;
   int degree_;
   MPI_Comm comm_;
   int rank_ = 0, ranks_ = 1;

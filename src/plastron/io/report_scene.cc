@@ -1,8 +1,8 @@
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/fem/reference_cell.hpp>
 #include <plastron/io/bytes.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/report_scene.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ struct PointRecords {
   std::vector<float> values{};  ///< for each key one value per row
 };
 
-std::int64_t points_in(fem::Shape shape, int subdivisions) { return fem::nodes_per_cell(shape, subdivisions); }
+std::int64_t points_in(mesh::Shape shape, int subdivisions) { return mesh::nodes_per_cell(shape, subdivisions); }
 
 /// A block of finest cells, 2^merged on each side, that contains a cell, or the cell itself if it is larger. Its
 /// coordinates refer to the coarse cell, as in fem::Cell.
@@ -30,12 +30,12 @@ struct Block {
   fem::Cell cell;
 };
 
-Block block_of(const fem::Cell& cell, fem::Shape shape, const DrawnCells& drawn) {
+Block block_of(const fem::Cell& cell, mesh::Shape shape, const DrawnCells& drawn) {
   const double finest = std::ldexp(1.0, -drawn.levels);
   const double size = std::max(std::abs(cell.size), std::ldexp(finest, drawn.merged_levels));
-  const Eigen::Vector2d middle = (cell.corner + cell.size * fem::centre(shape)) / size;
+  const Eigen::Vector2d middle = (cell.corner + cell.size * mesh::centre(shape)) / size;
   const Eigen::Vector2d low(std::floor(middle[0]), std::floor(middle[1]));
-  const bool is_turned = shape == fem::Shape::triangle && (middle - low).sum() > 1;
+  const bool is_turned = shape == mesh::Shape::triangle && (middle - low).sum() > 1;
   const Eigen::Vector2d corner = is_turned ? (low + Eigen::Vector2d::Ones()).eval() : low;
   const auto place = [&](double multiple) { return static_cast<std::int64_t>(multiple * size / finest); };
   return {{cell.coarse, place(low[1]), 2 * place(low[0]) + (is_turned ? 1 : 0), 0},
@@ -43,8 +43,8 @@ Block block_of(const fem::Cell& cell, fem::Shape shape, const DrawnCells& drawn)
 }
 
 /// Whether corner k of the cell is corner k of its block.
-bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, fem::Shape shape, int k) {
-  const Eigen::Vector2d corner = fem::corner(shape, k);
+bool is_blocks_corner(const fem::Cell& cell, const fem::Cell& block, mesh::Shape shape, int k) {
+  const Eigen::Vector2d corner = mesh::corner(shape, k);
   const Eigen::Vector2d distance = cell.corner + cell.size * corner - block.corner - block.size * corner;
   return distance.norm() < 0.25 * std::abs(cell.size);
 }
@@ -70,10 +70,10 @@ void append(recovery::PointValues point, double least_pressure, const std::vecto
 PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn, double least_pressure,
                         const std::vector<Field>& fields) {
   const fem::Space& space = solution.discrete->space();
-  const fem::Shape shape = space.shape();
+  const mesh::Shape shape = space.shape();
   PointRecords records;
   if (space.owned_cells == 0) return records;
-  const recovery::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(shape, drawn.subdivisions),
+  const recovery::Recovery recovery(*solution.discrete, solution.nodal, mesh::lattice(shape, drawn.subdivisions),
                                     solution.recovery);
   const int slots = static_cast<int>(points_in(shape, drawn.subdivisions));
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
@@ -138,7 +138,7 @@ std::vector<std::int64_t> cells_by_level(const fem::Space& space) {
 
 }  // namespace
 
-DrawnCells drawn_cells(fem::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
+DrawnCells drawn_cells(mesh::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
                        std::int64_t most_points) {
   const int levels = static_cast<int>(cells_by_level.size()) - 1;
   const auto blocks = [&](int merged) {
@@ -260,7 +260,7 @@ Json supports_json(const assembly::DiscreteShell& discrete, const solution::Noda
   for (const fem::BoundarySide& side : space.sides) {
     if (side.cell >= space.owned_cells || !is_supported(side.boundary)) continue;
     mine.push_back(side.boundary);
-    for (const int k : fem::side_nodes(space.shape(), space.degree, side.side)) {
+    for (const int k : mesh::side_nodes(space.shape(), space.degree, side.side)) {
       const auto node = static_cast<std::size_t>(space.connectivity.element(side.cell)[static_cast<std::size_t>(k)]);
       const auto& phi = discrete.points[node].phi;
       mine.insert(mine.end(), phi.begin(), phi.end());
@@ -301,7 +301,7 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
   MPI_Comm_rank(space.layout->comm, &rank);
   return algebra::in_agreement(space.layout->comm, [&] {
     if (rank != 0 || surface.rows.empty()) return Json(nullptr);
-    return Json{{"shape", space.shape() == fem::Shape::triangle ? "triangle" : "quadrilateral"},
+    return Json{{"shape", space.shape() == mesh::Shape::triangle ? "triangle" : "quadrilateral"},
                 {"subdivisions", surface.cells.subdivisions},
                 {"cells", surface.cells.count},
                 {"points", surface.points},

@@ -14,7 +14,7 @@ namespace plastron::io {
 
 /// Drawn cells, which may be blocks of the mesh's cells.
 struct DrawnCells {
-  int subdivisions = 1;  ///< lattice of points in each: fem::lattice
+  int subdivisions = 1;  ///< lattice of points in each: mesh::lattice
   /// A drawn cell is a block of 2^merged_levels of the finest cells on each side, or one larger cell.
   int merged_levels = 0;
   int levels = 0;          ///< number of divisions from the coarse cells to the finest ones
@@ -24,7 +24,7 @@ struct DrawnCells {
 /// Returns the finest drawing of at most `most_points` points. Subdivisions are tried from the degree down to one in
 /// each cell. Then blocks of the smallest cells are tried, within one coarse cell. `cells_by_level`: number of cells
 /// divided 0, 1, 2, ... times.
-DrawnCells drawn_cells(fem::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
+DrawnCells drawn_cells(mesh::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
                        std::int64_t most_points);
 
 /// The deformed surface: all fields at a limited number of points, in single precision.

@@ -73,8 +73,8 @@ const std::vector<SolidField>& solid_fields() {
 }
 
 /// Returns points of the lattice at the corners of each of its squares or triangles, anticlockwise.
-std::vector<std::vector<std::int64_t>> lattice_cells(fem::Shape shape, int n) {
-  const bool is_triangle = shape == fem::Shape::triangle;
+std::vector<std::vector<std::int64_t>> lattice_cells(mesh::Shape shape, int n) {
+  const bool is_triangle = shape == mesh::Shape::triangle;
   const auto at = [&](int i, int j) {  // xi_1 fastest
     return std::int64_t{is_triangle ? j * (n + 1) - j * (j - 1) / 2 + i : j * (n + 1) + i};
   };
@@ -118,7 +118,7 @@ void add_solid_cell(const std::vector<PointValues>& points, const std::vector<st
 
 GridPiece solid_piece(const computation::Solution& solution, int layers, const problem::UnitNames& units) {
   const fem::Space& space = solution.discrete->space();
-  const bool is_triangle = space.shape() == fem::Shape::triangle;
+  const bool is_triangle = space.shape() == mesh::Shape::triangle;
   GridPiece piece{.type = is_triangle ? CellType::wedge : CellType::hexahedron,
                   .points_per_cell = is_triangle ? std::size_t{6} : std::size_t{8}};
   if (space.owned_cells == 0) return piece;
@@ -126,7 +126,7 @@ GridPiece solid_piece(const computation::Solution& solution, int layers, const p
   if (solution.discrete->obstacles.empty()) std::erase_if(present, [](const SolidField& f) { return f.of_contact; });
   for (const SolidField& field : present)
     piece.point_arrays.push_back({.name = field.name, .unit = units.label(field.unit)});
-  const recovery::Recovery recovery(*solution.discrete, solution.nodal, fem::lattice(space.shape(), space.degree),
+  const recovery::Recovery recovery(*solution.discrete, solution.nodal, mesh::lattice(space.shape(), space.degree),
                                     solution.recovery);
   const auto bases = lattice_cells(space.shape(), space.degree);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)

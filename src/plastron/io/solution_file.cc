@@ -1,6 +1,6 @@
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/io/solution_file.hpp>
+#include <plastron/mesh/coarse_mesh.hpp>
 
 #include <fmt/format.h>
 
@@ -17,16 +17,16 @@ namespace plastron::io {
 CellHead cell_head(const fem::Space& space, std::size_t cell) {
   const fem::Cell& c = space.cells[cell];
   CellHead head{.place = fem::place_of(c)};
-  const fem::CellMap& map = space.coarse->cells[static_cast<std::size_t>(c.coarse)].map;
+  const mesh::CellMap& map = space.coarse->cells[static_cast<std::size_t>(c.coarse)].map;
   std::size_t next = 0;
   for (const Eigen::Vector2d& xi : {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)})
     for (const double x : map(c.corner + c.size * xi).value) head.at[next++] = x;
   return head;
 }
 
-std::vector<double> flat_cuts(const std::vector<fem::Cuts>& cuts) {
+std::vector<double> flat_cuts(const std::vector<mesh::Cuts>& cuts) {
   std::vector<double> list;
-  for (const fem::Cuts& of_cell : cuts)
+  for (const mesh::Cuts& of_cell : cuts)
     for (const std::vector<double>& points : of_cell) {
       list.push_back(static_cast<double>(points.size()));
       list.insert(list.end(), points.begin(), points.end());
@@ -43,7 +43,7 @@ void append_bytes(std::string& text, const void* data, std::size_t bytes) {
 SolutionHeader header_of(const computation::Solution& solution) {
   const fem::Space& space = solution.discrete->space();
   const assembly::State& state = solution.discrete->state;
-  return {.corners = static_cast<std::uint32_t>(fem::corner_count(space.shape())),
+  return {.corners = static_cast<std::uint32_t>(mesh::corner_count(space.shape())),
           .degree = static_cast<std::uint32_t>(space.degree),
           .obstacles = static_cast<std::uint32_t>(solution.discrete->obstacles.all.size()),
           .has_multiplier = solution.nodal.lambda.layout() ? 1u : 0u,
@@ -110,9 +110,9 @@ void add_solution(const computation::Solution& solution, const std::filesystem::
   });
 }
 
-std::optional<std::vector<fem::Cuts>> cuts_of_list(std::span<const double> list) {
+std::optional<std::vector<mesh::Cuts>> cuts_of_list(std::span<const double> list) {
   constexpr double least_part = 1e-9;  // part of a side
-  std::vector<fem::Cuts> cuts;
+  std::vector<mesh::Cuts> cuts;
   const auto take = [&](std::vector<double>& points) {
     if (list.empty() || !(list[0] >= 0) || !(list[0] < static_cast<double>(list.size()))) return false;
     if (list[0] != std::floor(list[0])) return false;
@@ -167,8 +167,8 @@ class SolutionFile {
 
   const SolutionHeader& header() const { return header_; }
   int nodes_per_cell() const {
-    const auto shape = header_.corners == 3 ? fem::Shape::triangle : fem::Shape::quadrilateral;
-    return fem::nodes_per_cell(shape, static_cast<int>(header_.degree));
+    const auto shape = header_.corners == 3 ? mesh::Shape::triangle : mesh::Shape::quadrilateral;
+    return mesh::nodes_per_cell(shape, static_cast<int>(header_.degree));
   }
   void read(void* to, std::size_t bytes) {
     if (!file_.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes))) refuse("the file cannot be read");
@@ -252,7 +252,7 @@ class SolutionReader {
     const auto same = [this](const char* what, std::int64_t found, std::int64_t wanted) {
       if (found != wanted) refuse(fmt::format("the file has {} {}, the case requires {}", found, what, wanted));
     };
-    same("corners per cell", header_.corners, fem::corner_count(space_.shape()));
+    same("corners per cell", header_.corners, mesh::corner_count(space_.shape()));
     same("as the degree", header_.degree, space_.degree);
     same("obstacles", header_.obstacles, shape_.obstacles);
     same("multipliers per node", header_.has_multiplier, shape_.has_multiplier ? 1 : 0);
@@ -263,7 +263,7 @@ class SolutionReader {
   }
   void check_record(const CellHead& head, std::size_t cell, const std::vector<double>& values) const {
     const CellHead ours = cell_head(space_, cell);
-    const double tolerance = fem::point_tolerance(*space_.coarse);
+    const double tolerance = mesh::point_tolerance(*space_.coarse);
     for (std::size_t k = 0; k < ours.at.size(); ++k)
       if (!(std::abs(head.at[k] - ours.at[k]) <= tolerance))
         refuse(
@@ -322,7 +322,7 @@ void check_ghosts(algebra::Vector& field, const std::vector<char>& is_read, cons
 }
 
 /// Returns the number of coarse cells after the cuts.
-std::int64_t cells_of(const std::vector<fem::Cuts>& cuts) {
+std::int64_t cells_of(const std::vector<mesh::Cuts>& cuts) {
   std::int64_t cells = 0;
   for (const auto& [across_first, across_second] : cuts)
     cells += static_cast<std::int64_t>(across_first.size() + 1) * static_cast<std::int64_t>(across_second.size() + 1);

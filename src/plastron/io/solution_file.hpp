@@ -58,9 +58,9 @@ static_assert(sizeof(CellHead) == 64);
 CellHead cell_head(const fem::Space& space, std::size_t cell);
 
 /// Returns the cuts of a coarse mesh as a list: number and places for each cell and direction.
-std::vector<double> flat_cuts(const std::vector<fem::Cuts>& cuts);
+std::vector<double> flat_cuts(const std::vector<mesh::Cuts>& cuts);
 /// Returns the cuts from a list of flat_cuts; nothing if it is no such list.
-std::optional<std::vector<fem::Cuts>> cuts_of_list(std::span<const double> list);
+std::optional<std::vector<mesh::Cuts>> cuts_of_list(std::span<const double> list);
 
 /// Bytes before the first cell.
 inline std::size_t preamble_size(const SolutionHeader& header) {

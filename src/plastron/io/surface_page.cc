@@ -1,10 +1,10 @@
 #include <plastron/io/surface_page.hpp>
 
-#include <plastron/fem/space_mesh.hpp>
 #include <plastron/io/embedded_page.hpp>
 #include <plastron/io/report_html.hpp>
 #include <plastron/io/results.hpp>
 #include <plastron/io/surface_scene.hpp>
+#include <plastron/topology/space_mesh.hpp>
 
 #include <fmt/format.h>
 
@@ -61,13 +61,13 @@ std::string curves_html(const std::vector<CurvePart>& curves) {
          table.text();
 }
 
-std::string doubtful_html(const fem::SurfaceTopology& topology) {
+std::string doubtful_html(const topology::SurfaceTopology& topology) {
   const auto edges = doubtful_edges(topology);
   if (edges.empty()) return "";
   constexpr std::size_t most_rows = 50;
   HtmlTable table({"angle [degrees]", "<kind", "from [m]", "to [m]"});
   for (std::size_t i = 0; i < std::min(most_rows, edges.size()); ++i) {
-    const fem::SurfaceEdge& edge = topology.edges[edges[i]];
+    const topology::SurfaceEdge& edge = topology.edges[edges[i]];
     const auto end = [&](std::size_t k) {
       return html_text(fem::place_of(topology.mesh.nodes[static_cast<std::size_t>(edge.ends[k])]));
     };

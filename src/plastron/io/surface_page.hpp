@@ -19,7 +19,7 @@ struct PageFinding {
 /// What the page shows.
 struct SurfacePage {
   std::string file;  ///< as the user named it
-  const fem::FileSurface& surface;
+  const domain::FileSurface& surface;
   const std::vector<RegionPart>& regions;
   const std::vector<CurvePart>& curves;
   const std::vector<PageFinding>& findings;

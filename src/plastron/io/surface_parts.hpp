@@ -1,7 +1,7 @@
 // What a mesh in space consists of, for the writer of a case: regions, curves, folds. `plastron parts` prints these
 // tables, and its page has them, too.
 #pragma once
-#include <plastron/fem/surface_mesh.hpp>
+#include <plastron/domain/surface_mesh.hpp>
 
 #include <Eigen/Core>
 #include <array>
@@ -21,7 +21,7 @@ struct RegionPart {
 };
 
 /// Regions in the order of FileSurface::regions.
-std::vector<RegionPart> region_parts(const fem::FileSurface& surface);
+std::vector<RegionPart> region_parts(const domain::FileSurface& surface);
 
 /// Edges with one name, or edges of one kind without name.
 struct CurvePart {
@@ -37,11 +37,11 @@ struct CurvePart {
 
 /// The curves of the file, in the order of FileSurface::boundaries; then "fold 1", "fold 2", ... (surface_mesh()), then
 /// borders without name, and folds that count as smooth.
-std::vector<CurvePart> curve_parts(const fem::FileSurface& surface);
+std::vector<CurvePart> curve_parts(const domain::FileSurface& surface);
 
 /// Edges to examine, indices of SurfaceTopology::edges: with an angle near the limit of smooth edges, and folds of a
 /// single edge, which count as smooth.
-std::vector<std::size_t> doubtful_edges(const fem::SurfaceTopology& topology);
+std::vector<std::size_t> doubtful_edges(const topology::SurfaceTopology& topology);
 
 // Texts of the tables.
 std::string name_text(const RegionPart& region);
@@ -49,6 +49,6 @@ std::string normal_text(const RegionPart& region);
 /// Returns "4 border, 2 fold".
 std::string kinds_text(const CurvePart& curve);
 /// Returns "border", "smooth", "fold" or "branch".
-std::string_view kind_word(fem::EdgeKind kind);
+std::string_view kind_word(topology::EdgeKind kind);
 
 }  // namespace plastron::io

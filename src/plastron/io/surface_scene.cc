@@ -1,8 +1,8 @@
 #include <plastron/io/surface_scene.hpp>
 
-#include <plastron/fem/disjoint_sets.hpp>
-#include <plastron/fem/surface_patch.hpp>
 #include <plastron/io/bytes.hpp>
+#include <plastron/topology/disjoint_sets.hpp>
+#include <plastron/topology/surface_patch.hpp>
 
 #include <algorithm>
 #include <map>
@@ -26,21 +26,21 @@ struct DrawnEdge {
 
 class SceneBuilder {
  public:
-  SceneBuilder(const fem::FileSurface& surface, const std::vector<CurvePart>& curves, int subdivisions)
+  SceneBuilder(const domain::FileSurface& surface, const std::vector<CurvePart>& curves, int subdivisions)
       : topology_(surface.topology), curves_(curves), subdivisions_(subdivisions) {
     choose_edges();
   }
 
   void add_cells(Json& scene) const {
-    const fem::SpaceMesh& mesh = topology_.mesh;
+    const topology::SpaceMesh& mesh = topology_.mesh;
     const Vector3d origin = mesh.nodes[static_cast<std::size_t>(mesh.cells.front().nodes.front())];
-    fem::PatchTables tables(mesh.shape, [&](int) { return fem::lattice(mesh.shape, subdivisions_); });
+    topology::PatchTables tables(mesh.shape, [&](int) { return mesh::lattice(mesh.shape, subdivisions_); });
     std::vector<float> points, normals;
     std::vector<std::uint32_t> region, line, turned;
     std::vector<double> number;
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-      const fem::SurfaceCell& cell = mesh.cells[c];
-      const fem::PatchPoints at = fem::patch_points(tables(cell.order), mesh, cell);
+      const topology::SurfaceCell& cell = mesh.cells[c];
+      const topology::PatchPoints at = topology::patch_points(tables(cell.order), mesh, cell);
       for (Eigen::Index i = 0; i < at.phi.rows(); ++i) {
         append(Vector3d(at.phi.row(i)) - origin, points);
         append(at.normal(i).normalized(), normals);
@@ -60,17 +60,17 @@ class SceneBuilder {
   }
 
   void add_edges(Json& scene) const {
-    const auto corners = static_cast<std::size_t>(fem::corner_count(topology_.mesh.shape));
+    const auto corners = static_cast<std::size_t>(mesh::corner_count(topology_.mesh.shape));
     std::vector<std::uint32_t> kind, doubtful, places, sides(corners * topology_.mesh.cells.size(), 0);
     std::vector<float> angle;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const fem::SurfaceEdge& edge = topology_.edges[edges_[e].edge];
+      const topology::SurfaceEdge& edge = topology_.edges[edges_[e].edge];
       kind.push_back(static_cast<std::uint32_t>(edges_[e].kind));
       doubtful.push_back(edges_[e].is_doubtful ? 1 : 0);
       angle.push_back(static_cast<float>(edge.angle * 180 / std::numbers::pi));
       for (const std::uint32_t place : places_of(edge)) places.push_back(place);
       for (std::size_t k = 0; k < edge.side_count; ++k) {
-        const fem::MeshEdge& side = topology_.sides[edge.first_side + k];
+        const mesh::MeshEdge& side = topology_.sides[edge.first_side + k];
         sides[corners * side.cell + static_cast<std::size_t>(side.side)] = static_cast<std::uint32_t>(e + 1);
       }
     }
@@ -108,25 +108,25 @@ class SceneBuilder {
     for (const CurvePart& curve : curves_)
       for (const std::size_t e : curve.edges) is_named[e] = true;
     for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
-      const fem::SurfaceEdge& edge = topology_.edges[e];
+      const topology::SurfaceEdge& edge = topology_.edges[e];
       const bool is_between = region(edge, 0) != region(edge, edge.side_count - 1);
-      if (edge.kind == fem::EdgeKind::smooth && !is_between && !is_named[e] && !is_doubtful[e]) continue;
+      if (edge.kind == topology::EdgeKind::smooth && !is_between && !is_named[e] && !is_doubtful[e]) continue;
       number_[e] = static_cast<std::uint32_t>(edges_.size());
       edges_.push_back({e, drawn_kind(edge, is_between), is_doubtful[e]});
     }
   }
 
-  int region(const fem::SurfaceEdge& edge, std::size_t side) const {
+  int region(const topology::SurfaceEdge& edge, std::size_t side) const {
     return topology_.mesh.cells[topology_.sides[edge.first_side + side].cell].region;
   }
 
-  static DrawnKind drawn_kind(const fem::SurfaceEdge& edge, bool is_between) {
+  static DrawnKind drawn_kind(const topology::SurfaceEdge& edge, bool is_between) {
     switch (edge.kind) {
-      case fem::EdgeKind::border:
+      case topology::EdgeKind::border:
         return DrawnKind::border;
-      case fem::EdgeKind::fold:
+      case topology::EdgeKind::fold:
         return DrawnKind::fold;
-      case fem::EdgeKind::branch:
+      case topology::EdgeKind::branch:
         return DrawnKind::branch;
       default:
         return is_between ? DrawnKind::between_regions : DrawnKind::curve;
@@ -134,12 +134,12 @@ class SceneBuilder {
   }
 
   /// Numbers of the points on an edge, in its first cell.
-  std::vector<std::uint32_t> places_of(const fem::SurfaceEdge& edge) const {
-    const fem::Shape shape = topology_.mesh.shape;
-    const fem::MeshEdge& side = topology_.sides[edge.first_side];
-    const auto first = side.cell * static_cast<std::size_t>(fem::nodes_per_cell(shape, subdivisions_));
+  std::vector<std::uint32_t> places_of(const topology::SurfaceEdge& edge) const {
+    const mesh::Shape shape = topology_.mesh.shape;
+    const mesh::MeshEdge& side = topology_.sides[edge.first_side];
+    const auto first = side.cell * static_cast<std::size_t>(mesh::nodes_per_cell(shape, subdivisions_));
     std::vector<std::uint32_t> places;
-    for (const int k : fem::side_nodes(shape, subdivisions_, side.side))
+    for (const int k : mesh::side_nodes(shape, subdivisions_, side.side))
       places.push_back(static_cast<std::uint32_t>(first + static_cast<std::size_t>(k)));
     return places;
   }
@@ -157,7 +157,7 @@ class SceneBuilder {
   }
 
   std::vector<std::vector<std::size_t>> pieces_of(const CurvePart& curve) const {
-    fem::DisjointSets connected(topology_.mesh.nodes.size());
+    topology::DisjointSets connected(topology_.mesh.nodes.size());
     const auto end = [&](std::size_t edge, int k) {
       return static_cast<std::size_t>(topology_.edges[edge].ends[static_cast<std::size_t>(k)]);
     };
@@ -183,22 +183,22 @@ class SceneBuilder {
     return places_of(topology_.edges[*nearest])[static_cast<std::size_t>(subdivisions_) / 2];
   }
 
-  const fem::SurfaceTopology& topology_;
+  const topology::SurfaceTopology& topology_;
   const std::vector<CurvePart>& curves_;
   int subdivisions_;
   std::vector<DrawnEdge> edges_{};
   std::map<std::size_t, std::uint32_t> number_{};  ///< of each drawn edge of the topology: its number in the scene
 };
 
-int largest_order(const fem::SpaceMesh& mesh) {
-  return std::ranges::max(mesh.cells, {}, &fem::SurfaceCell::order).order;
+int largest_order(const topology::SpaceMesh& mesh) {
+  return std::ranges::max(mesh.cells, {}, &topology::SurfaceCell::order).order;
 }
 
 }  // namespace
 
-int parts_subdivisions(const fem::SpaceMesh& mesh, std::size_t most_points, std::size_t most_smooth) {
+int parts_subdivisions(const topology::SpaceMesh& mesh, std::size_t most_points, std::size_t most_smooth) {
   const auto points = [&](int n) {
-    return mesh.cells.size() * static_cast<std::size_t>(fem::nodes_per_cell(mesh.shape, n));
+    return mesh.cells.size() * static_cast<std::size_t>(mesh::nodes_per_cell(mesh.shape, n));
   };
   constexpr int usual = 4;
   const int order = largest_order(mesh);
@@ -207,14 +207,14 @@ int parts_subdivisions(const fem::SpaceMesh& mesh, std::size_t most_points, std:
   return points(n) > most_points ? 0 : n;
 }
 
-Json surface_scene_json(const fem::FileSurface& surface, const std::vector<RegionPart>& regions,
+Json surface_scene_json(const domain::FileSurface& surface, const std::vector<RegionPart>& regions,
                         const std::vector<CurvePart>& curves, std::size_t most_points) {
-  const fem::SpaceMesh& mesh = surface.topology.mesh;
+  const topology::SpaceMesh& mesh = surface.topology.mesh;
   const int n = parts_subdivisions(mesh, most_points);
   if (n == 0) return nullptr;
   const SceneBuilder builder(surface, curves, n);
   Json scene{{"kind", "parts"},
-             {"shape", mesh.shape == fem::Shape::triangle ? "triangle" : "quadrilateral"},
+             {"shape", mesh.shape == mesh::Shape::triangle ? "triangle" : "quadrilateral"},
              {"subdivisions", n},
              {"length", "m"},
              {"degree", largest_order(mesh)},

@@ -11,7 +11,7 @@ inline constexpr std::size_t most_parts_points = 1'000'000, most_smooth_points =
 
 /// Returns the number of facets along a cell's side: 1 for order 1, otherwise 4 or the order if it is larger, less for
 /// large meshes; 0 if there are more than `most_points` points even with 1.
-int parts_subdivisions(const fem::SpaceMesh& mesh, std::size_t most_points = most_parts_points,
+int parts_subdivisions(const topology::SpaceMesh& mesh, std::size_t most_points = most_parts_points,
                        std::size_t most_smooth = most_smooth_points);
 
 /// Returns the scene; null if the mesh has too many cells. Points are relative to "origin", so that single precision
@@ -22,7 +22,7 @@ int parts_subdivisions(const fem::SpaceMesh& mesh, std::size_t most_points = mos
 ///   each, "sides": for each side of each cell 1 + its edge, or 0
 ///   curves: name, "edges", "marks": numbers of points at which the name stands
 ///   "length": the name of the unit of lengths
-Json surface_scene_json(const fem::FileSurface& surface, const std::vector<RegionPart>& regions,
+Json surface_scene_json(const domain::FileSurface& surface, const std::vector<RegionPart>& regions,
                         const std::vector<CurvePart>& curves, std::size_t most_points = most_parts_points);
 
 }  // namespace plastron::io

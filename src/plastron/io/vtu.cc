@@ -11,11 +11,11 @@ namespace {
 
 /// Returns equidistant points of a Lagrange cell of degree k in VTK's order: corners, inner points of each side, points
 /// inside.
-std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
+std::vector<Eigen::Vector2d> cell_points(mesh::Shape shape, int degree) {
   std::vector<Eigen::Vector2d> points;
-  if (shape == fem::Shape::triangle) {
-    for (int k = 0; k < 3; ++k) points.push_back(fem::corner(shape, k));
-    for (int side = 0; degree == 2 && side < 3; ++side) points.push_back(fem::side_point(shape, side, 0.5));
+  if (shape == mesh::Shape::triangle) {
+    for (int k = 0; k < 3; ++k) points.push_back(mesh::corner(shape, k));
+    for (int side = 0; degree == 2 && side < 3; ++side) points.push_back(mesh::side_point(shape, side, 0.5));
     return points;
   }
   points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -24,7 +24,7 @@ std::vector<Eigen::Vector2d> cell_points(fem::Shape shape, int degree) {
       const double t = static_cast<double>(i) / degree;
       points.emplace_back((1 - t) * points[static_cast<std::size_t>(from)] + t * points[static_cast<std::size_t>(to)]);
     }
-  for (const Eigen::Vector2d& xi : fem::lattice(shape, degree))
+  for (const Eigen::Vector2d& xi : mesh::lattice(shape, degree))
     if (xi.minCoeff() > 0 && xi.maxCoeff() < 1) points.push_back(xi);
   return points;
 }
@@ -57,7 +57,7 @@ GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& 
   const fem::Space& space = solution.discrete->space();
   const auto xi = cell_points(space.shape(), space.degree);
   GridPiece piece{
-      .type = space.shape() == fem::Shape::triangle ? CellType::lagrange_triangle : CellType::lagrange_quadrilateral,
+      .type = space.shape() == mesh::Shape::triangle ? CellType::lagrange_triangle : CellType::lagrange_quadrilateral,
       .points_per_cell = xi.size()};
   if (space.owned_cells == 0) return piece;
   const auto present = fields_of(!solution.discrete->obstacles.empty(),

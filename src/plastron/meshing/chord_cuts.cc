@@ -2,11 +2,11 @@
 
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
-#include <plastron/fem/basis.hpp>
 #include <plastron/fem/cut_mesh.hpp>
-#include <plastron/fem/disjoint_sets.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/mesh/basis.hpp>
 #include <plastron/meshing/constants.hpp>
+#include <plastron/topology/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -91,12 +91,12 @@ class ChordChoice {
     place_cuts();
   }
 
-  std::vector<fem::Cuts> operator()() {
+  std::vector<mesh::Cuts> operator()() {
     choose();
-    std::vector<fem::Cuts> cuts;
+    std::vector<mesh::Cuts> cuts;
     bool any = false;
     for (const auto& of_cell : numbers_.of_cell) {
-      fem::Cuts& own = cuts.emplace_back();
+      mesh::Cuts& own = cuts.emplace_back();
       for (std::size_t d = 0; d < 2; ++d) {
         const Chord& chord = chords_[of_cell[d]];
         if (chord.is_cut) own[d] = {chord.cut};
@@ -110,7 +110,7 @@ class ChordChoice {
  private:
   /// Sums the data of chords over the cells of all ranks.
   void sum_up() {
-    const fem::Rule rule = fem::gauss(space_.degree + 1);
+    const mesh::Rule rule = mesh::gauss(space_.degree + 1);
     const std::size_t slices = rule.weights.size(), width = slices + 3;  // cells, crossed, without patches, slices
     std::vector<double> sums(width * static_cast<std::size_t>(numbers_.count), 0);
     const auto number = [&](std::size_t cell, std::size_t direction) {
@@ -241,13 +241,13 @@ class ChordChoice {
 
 }  // namespace
 
-Chords chords(const fem::CoarseMesh& mesh) {
-  PLASTRON_ASSERT(mesh.shape == fem::Shape::quadrilateral);
-  fem::DisjointSets sets(2 * mesh.cells.size());   // of cell directions that must be divided together
-  std::map<std::pair<int, int>, std::size_t> cut;  // sides, each with the cell direction that cuts it
+Chords chords(const mesh::CoarseMesh& mesh) {
+  PLASTRON_ASSERT(mesh.shape == mesh::Shape::quadrilateral);
+  topology::DisjointSets sets(2 * mesh.cells.size());  // of cell directions that must be divided together
+  std::map<std::pair<int, int>, std::size_t> cut;      // sides, each with the cell direction that cuts it
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int side = 0; side < 4; ++side) {
-      const auto [from, to] = fem::side_corners(fem::Shape::quadrilateral, side);
+      const auto [from, to] = mesh::side_corners(mesh::Shape::quadrilateral, side);
       const auto ends = std::minmax(mesh.cells[c].vertices[from], mesh.cells[c].vertices[to]);
       const std::size_t direction = 2 * c + (side < 2 ? 1 : 0);
       const auto [other, is_new] = cut.try_emplace(ends, direction);
@@ -266,7 +266,7 @@ Chords chords(const fem::CoarseMesh& mesh) {
   return result;
 }
 
-std::vector<fem::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task) {
+std::vector<mesh::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task) {
   const bool is_divided = space.global_cells > static_cast<std::int64_t>(space.coarse->cells.size());
   // The two sides of a fold would have to be cut alike.
   if (is_divided || !space.coarse->folds.empty()) return {};

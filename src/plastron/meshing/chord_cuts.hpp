@@ -21,7 +21,7 @@ struct Chords {
 
 /// Returns the chords, numbered by their first cells. Precondition: quadrilaterals. Their sides run the same way in
 /// neighbours where this matters.
-Chords chords(const fem::CoarseMesh& mesh);
+Chords chords(const mesh::CoarseMesh& mesh);
 
 /// Why and where chords are cut.
 struct ChordTask {
@@ -38,6 +38,6 @@ struct ChordTask {
 
 /// Returns cuts of the coarse cells, see fem::MeshSequence::cut. Empty where cells are already divided or single cells
 /// have more worth (collective).
-std::vector<fem::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task);
+std::vector<mesh::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task);
 
 }  // namespace plastron::meshing

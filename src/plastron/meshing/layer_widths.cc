@@ -1,7 +1,7 @@
 #include <plastron/meshing/layer_widths.hpp>
 
-#include <plastron/fem/coarse_mesh.hpp>
-#include <plastron/fem/domain.hpp>
+#include <plastron/domain/domain.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/meshing/constants.hpp>
@@ -47,7 +47,7 @@ Piece circle(int boundary, const Vector2d& centre, double radius, double sign) {
 }
 
 struct Pieces {
-  std::vector<Piece> operator()(const fem::Rectangle& r) const {
+  std::vector<Piece> operator()(const domain::Rectangle& r) const {
     std::vector<double> ends{r.from[0]};
     ends.insert(ends.end(), r.breaks.begin(), r.breaks.end());
     ends.push_back(r.to[0]);
@@ -61,13 +61,13 @@ struct Pieces {
     }
     return pieces;
   }
-  std::vector<Piece> operator()(const fem::Disk& d) const { return {circle(0, d.centre, d.radius, -1)}; }
-  std::vector<Piece> operator()(const fem::Annulus& a) const {
+  std::vector<Piece> operator()(const domain::Disk& d) const { return {circle(0, d.centre, d.radius, -1)}; }
+  std::vector<Piece> operator()(const domain::Annulus& a) const {
     return {circle(0, a.centre, a.inner, 1), circle(1, a.centre, a.outer, -1)};
   }
-  std::vector<Piece> operator()(const fem::Polygon& polygon) const {
+  std::vector<Piece> operator()(const domain::Polygon& polygon) const {
     const auto& p = polygon.corners;
-    const double sense = fem::signed_area(polygon) > 0 ? 1 : -1;
+    const double sense = domain::signed_area(polygon) > 0 ? 1 : -1;
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < p.size(); ++i) {
       const Vector2d& q = p[(i + 1) % p.size()];
@@ -76,7 +76,7 @@ struct Pieces {
     }
     return pieces;
   }
-  std::vector<Piece> operator()(const fem::MeshFile&) const { return {}; }
+  std::vector<Piece> operator()(const domain::MeshFile&) const { return {}; }
 };
 
 const std::string& region_name(const std::vector<std::string>& names, int region) { return names[region]; }
@@ -152,7 +152,7 @@ double layer_width(double thickness, const LayerCurvatures& c, double length) {
 }
 
 std::vector<EdgeLayer> edge_layers(const problem::Problem& problem) {
-  const auto names = fem::region_names(problem.domain);
+  const auto names = domain::region_names(problem.domain);
   std::vector<EdgeLayer> layers;
   for (const Piece& piece : std::visit(Pieces{}, problem.domain)) {
     const std::string& region = region_name(names, piece.region);
@@ -164,7 +164,8 @@ std::vector<EdgeLayer> edge_layers(const problem::Problem& problem) {
 
 Interior interior(const problem::Problem& problem) {
   constexpr int n = constants.interior_samples;
-  auto coarse = std::make_shared<const fem::CoarseMesh>(fem::coarse_mesh(problem.domain, fem::Shape::quadrilateral));
+  auto coarse =
+      std::make_shared<const mesh::CoarseMesh>(domain::coarse_mesh(problem.domain, mesh::Shape::quadrilateral));
   const fem::Surface surface(coarse, problem.charts);
   std::vector<Vector2d> xi;
   xi.reserve(n * n);

@@ -24,8 +24,8 @@ double layer_width(double thickness, const LayerCurvatures& curvatures, double l
 
 /// The layer along a boundary of a built-in domain, in one region.
 struct EdgeLayer {
-  int boundary = 0;           ///< in the order of fem::boundary_names()
-  int region = 0;             ///< in the order of fem::region_names()
+  int boundary = 0;           ///< in the order of domain::boundary_names()
+  int region = 0;             ///< in the order of domain::region_names()
   double width = 0;           ///< l [m]
   double width_in_omega = 0;  ///< l divided by the length on the shell of a unit step from the boundary in Omega
 };

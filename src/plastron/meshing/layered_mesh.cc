@@ -1,6 +1,6 @@
 #include <plastron/meshing/layered_mesh.hpp>
 
-#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ std::vector<double> lines_across(double from, double to, const std::vector<doubl
   std::transform(right.rbegin(), right.rend(), std::back_inserter(lines), [&](double d) { return to - d; });
   lines.push_back(to);
   if (std::ranges::adjacent_find(lines, std::greater_equal{}) != lines.end())
-    throw fem::DomainError(fmt::format("rows along the boundaries do not fit between {} and {}", from, to));
+    throw mesh::DomainError(fmt::format("rows along the boundaries do not fit between {} and {}", from, to));
   return lines;
 }
 
@@ -46,7 +46,7 @@ std::vector<double> smaller(const std::vector<double>& a, const std::vector<doub
   return result;
 }
 
-fem::CoarseMesh layered_rectangle(const fem::Rectangle& r, const Rows& rows) {
+mesh::CoarseMesh layered_rectangle(const domain::Rectangle& r, const Rows& rows) {
   const auto &left = rows.distances[0][0], &right = rows.distances[1][0];
   const auto &bottom = rows.distances[2], &top = rows.distances[3];
   const auto xs = lines_across(r.from[0], r.to[0], left, r.breaks, right);
@@ -66,9 +66,9 @@ fem::CoarseMesh layered_rectangle(const fem::Rectangle& r, const Rows& rows) {
   for (std::size_t j = 0; j < lines; ++j)
     for (std::size_t i = 0; i < xs.size(); ++i) vertices.emplace_back(xs[i], ys[i][j]);
   const auto across = parts_across(ys.front(), bottom.front().size(), top.front().size(), rows.inner[1]);
-  fem::CoarseMesh mesh = fem::grid_mesh(std::move(vertices), columns.size());
-  mesh.regions = fem::region_names(fem::Domain{r});
-  mesh.boundaries = fem::boundary_names(fem::Domain{r});
+  mesh::CoarseMesh mesh = domain::grid_mesh(std::move(vertices), columns.size());
+  mesh.regions = domain::region_names(domain::Domain{r});
+  mesh.boundaries = domain::boundary_names(domain::Domain{r});
   std::vector<std::array<int, 2>> parts;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const std::size_t i = c % columns.size(), j = c / columns.size();
@@ -78,21 +78,21 @@ fem::CoarseMesh layered_rectangle(const fem::Rectangle& r, const Rows& rows) {
   return fem::subdivided(mesh, parts);
 }
 
-fem::CoarseMesh layered_disk(const fem::Disk& disk, const Rows& rows) {
+mesh::CoarseMesh layered_disk(const domain::Disk& disk, const Rows& rows) {
   const std::vector<double>& distances = rows.distances[0][0];
   std::vector<double> radii{disk.radius};
   for (const double d : distances) radii.push_back(disk.radius - d);
   if (rows.core > 0) radii.push_back(rows.core);
   std::ranges::reverse(radii);
   if (radii.front() <= 0 || std::ranges::adjacent_find(radii, std::greater_equal{}) != radii.end())
-    throw fem::DomainError("rows along the rim do not fit into the disk");
-  fem::CoarseMesh mesh = fem::disk_mesh({disk.centre, radii.front()});
+    throw mesh::DomainError("rows along the rim do not fit into the disk");
+  mesh::CoarseMesh mesh = domain::disk_mesh({disk.centre, radii.front()});
   mesh.edges.clear();
   std::vector<std::array<int, 2>> parts{{rows.inner[0], rows.inner[0]}};
   for (std::size_t k = 0; k < 4; ++k) parts.push_back({rows.inner[1], rows.inner[0]});
   const std::vector<int> first{4, 5, 6, 7};
-  const fem::Rings rings{disk.centre, std::numbers::pi / 4, 4};
-  fem::add_rings(rings, radii, first, mesh);
+  const domain::Rings rings{disk.centre, std::numbers::pi / 4, 4};
+  domain::add_rings(rings, radii, first, mesh);
   parts.resize(mesh.cells.size(), {1, rows.inner[0]});
   if (rows.core > 0)
     for (std::size_t k = 5; k < 9; ++k) parts[k][0] = rows.rings;
@@ -101,11 +101,11 @@ fem::CoarseMesh layered_disk(const fem::Disk& disk, const Rows& rows) {
   return fem::subdivided(mesh, parts);
 }
 
-fem::CoarseMesh layered_annulus(const fem::Annulus& annulus, const Rows& rows) {
+mesh::CoarseMesh layered_annulus(const domain::Annulus& annulus, const Rows& rows) {
   const auto radii = lines_across(annulus.inner, annulus.outer, rows.distances[0][0], {}, rows.distances[1][0]);
   const auto outwards = parts_across(radii, rows.distances[0][0].size(), rows.distances[1][0].size(), rows.inner[1]);
-  const int sectors = rows.inner[0] > 0 ? rows.inner[0] : fem::annulus_sectors(annulus);
-  fem::CoarseMesh mesh = fem::ring_mesh({annulus.centre, 0, sectors}, radii);
+  const int sectors = rows.inner[0] > 0 ? rows.inner[0] : domain::annulus_sectors(annulus);
+  mesh::CoarseMesh mesh = domain::ring_mesh({annulus.centre, 0, sectors}, radii);
   std::vector<std::array<int, 2>> parts;
   for (const int n : outwards) parts.insert(parts.end(), static_cast<std::size_t>(sectors), {n, 1});
   return fem::subdivided(mesh, parts);
@@ -113,20 +113,20 @@ fem::CoarseMesh layered_annulus(const fem::Annulus& annulus, const Rows& rows) {
 
 struct LayeredMesher {
   const Rows& rows;
-  fem::CoarseMesh operator()(const fem::Rectangle& d) const { return layered_rectangle(d, rows); }
-  fem::CoarseMesh operator()(const fem::Disk& d) const { return layered_disk(d, rows); }
-  fem::CoarseMesh operator()(const fem::Annulus& d) const { return layered_annulus(d, rows); }
-  fem::CoarseMesh operator()(const fem::Polygon& d) const { return layered_polygon(d, rows); }
-  fem::CoarseMesh operator()(const fem::MeshFile&) const {
-    throw fem::DomainError("a mesh of a file gets no rows along its boundaries: its cells are what the file says");
+  mesh::CoarseMesh operator()(const domain::Rectangle& d) const { return layered_rectangle(d, rows); }
+  mesh::CoarseMesh operator()(const domain::Disk& d) const { return layered_disk(d, rows); }
+  mesh::CoarseMesh operator()(const domain::Annulus& d) const { return layered_annulus(d, rows); }
+  mesh::CoarseMesh operator()(const domain::Polygon& d) const { return layered_polygon(d, rows); }
+  mesh::CoarseMesh operator()(const domain::MeshFile&) const {
+    throw mesh::DomainError("a mesh of a file gets no rows along its boundaries: its cells are what the file says");
   }
 };
 
 }  // namespace
 
-fem::CoarseMesh layered_mesh(const fem::Domain& domain, fem::Shape shape, const Rows& rows) {
-  fem::CoarseMesh mesh = std::visit(LayeredMesher{rows}, domain);
-  return shape == fem::Shape::triangle ? fem::cut_crosswise(std::move(mesh)) : mesh;
+mesh::CoarseMesh layered_mesh(const domain::Domain& domain, mesh::Shape shape, const Rows& rows) {
+  mesh::CoarseMesh mesh = std::visit(LayeredMesher{rows}, domain);
+  return shape == mesh::Shape::triangle ? mesh::cut_crosswise(std::move(mesh)) : mesh;
 }
 
 }  // namespace plastron::meshing

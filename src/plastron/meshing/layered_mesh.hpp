@@ -1,6 +1,7 @@
 // Coarse meshes with rows of long thin cells along the boundaries, for the edge layers of thin shells.
 #pragma once
-#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/domain/domain.hpp>
+#include <plastron/mesh/coarse_mesh.hpp>
 
 #include <array>
 #include <vector>
@@ -24,9 +25,9 @@ struct Rows {
 
 /// Makes the mesh. Throws DomainError if the rows leave no space between them, and for mesh files. Triangles are the
 /// quadrilaterals cut crosswise.
-fem::CoarseMesh layered_mesh(const fem::Domain& domain, fem::Shape shape, const Rows& rows);
+mesh::CoarseMesh layered_mesh(const domain::Domain& domain, mesh::Shape shape, const Rows& rows);
 
 /// Makes the layered mesh of a polygon.
-fem::CoarseMesh layered_polygon(const fem::Polygon& polygon, const Rows& rows);
+mesh::CoarseMesh layered_polygon(const domain::Polygon& polygon, const Rows& rows);
 
 }  // namespace plastron::meshing

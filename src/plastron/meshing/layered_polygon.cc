@@ -1,8 +1,8 @@
 // Polygons with rows along their sides. Four convex corners make a grid of straight lines. For other polygons the
 // rows are cut off first and Gmsh meshes the rest.
-#include <plastron/fem/coarse_mesh.hpp>
+#include <plastron/domain/domain.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/cut_mesh.hpp>
-#include <plastron/fem/domain.hpp>
 #include <plastron/meshing/constants.hpp>
 #include <plastron/meshing/layered_mesh.hpp>
 
@@ -36,7 +36,7 @@ Vector2d crossing(const Line& a, const Line& b) {
   return a.from + cross(b.from - a.from, v) / cross(u, v) * u;
 }
 
-[[noreturn]] void refuse_rows() { throw fem::DomainError("rows along the sides of the polygon do not fit into it"); }
+[[noreturn]] void refuse_rows() { throw mesh::DomainError("rows along the sides of the polygon do not fit into it"); }
 
 /// The lines of a grid from one side of a convex quadrilateral to the opposite one.
 std::vector<Line> lines_between(const Line& first, const std::vector<double>& near, const Line& last,
@@ -54,8 +54,8 @@ std::vector<int> parts_between(std::size_t near, std::size_t far, int inner) {
   return parts;
 }
 
-fem::CoarseMesh grid_of_four_sides(const std::vector<Line>& sides, const std::vector<int>& boundaries,
-                                   const std::vector<std::string>& names, const Rows& rows) {
+mesh::CoarseMesh grid_of_four_sides(const std::vector<Line>& sides, const std::vector<int>& boundaries,
+                                    const std::vector<std::string>& names, const Rows& rows) {
   const auto distances = [&](std::size_t k) -> const std::vector<double>& { return rows.distances[boundaries[k]][0]; };
   // Side 0 is the bottom; right, top and left follow anticlockwise.
   const auto across = lines_between(sides[3], distances(3), sides[1], distances(1));
@@ -64,10 +64,10 @@ fem::CoarseMesh grid_of_four_sides(const std::vector<Line>& sides, const std::ve
   for (const Line& up : upwards)
     for (const Line& x : across) vertices.push_back(crossing(up, x));
   const std::size_t columns = across.size() - 1;
-  fem::CoarseMesh mesh = fem::grid_mesh(std::move(vertices), columns);
+  mesh::CoarseMesh mesh = domain::grid_mesh(std::move(vertices), columns);
   mesh.boundaries = names;
   const std::array of_grid{boundaries[3], boundaries[1], boundaries[0], boundaries[2]};
-  for (fem::BoundaryEdge& edge : mesh.edges) edge.boundary = of_grid[edge.boundary];
+  for (mesh::BoundaryEdge& edge : mesh.edges) edge.boundary = of_grid[edge.boundary];
   const auto x_parts = parts_between(distances(3).size(), distances(1).size(), rows.inner[0]);
   const auto y_parts = parts_between(distances(0).size(), distances(2).size(), rows.inner[1]);
   std::vector<std::array<int, 2>> parts;
@@ -103,7 +103,7 @@ Corner corner_between(const Line& a, double depth_a, const Line& b, double depth
 /// The rows around the mesh made by Gmsh.
 class Surrounded {
  public:
-  Surrounded(fem::CoarseMesh inside, std::vector<std::string> names) : mesh_(std::move(inside)) {
+  Surrounded(mesh::CoarseMesh inside, std::vector<std::string> names) : mesh_(std::move(inside)) {
     inner_edges_ = std::exchange(mesh_.edges, {});
     mesh_.boundaries = std::move(names);
   }
@@ -125,7 +125,7 @@ class Surrounded {
   void add_row(int side, int boundary, std::size_t first_corner, std::size_t last_corner) {
     const int begin = ends_[first_corner].next, end = ends_[last_corner].previous;
     std::vector<int> inner;
-    for (const fem::BoundaryEdge& edge : inner_edges_)
+    for (const mesh::BoundaryEdge& edge : inner_edges_)
       if (edge.boundary == side) inner.insert(inner.end(), edge.vertices.begin(), edge.vertices.end());
     const Vector2d along = at(end) - at(begin);
     std::ranges::sort(inner, {}, [&](int v) { return at(v).dot(along); });
@@ -141,7 +141,7 @@ class Surrounded {
     }
   }
 
-  fem::CoarseMesh finished() { return std::move(mesh_); }
+  mesh::CoarseMesh finished() { return std::move(mesh_); }
 
  private:
   struct Ends {
@@ -159,17 +159,17 @@ class Surrounded {
     return static_cast<int>(found - mesh_.vertices.begin());
   }
   void add_cell(const std::array<int, 4>& v) {
-    const fem::LagrangeMap map{1, {at(v[0]), at(v[1]), at(v[2]), at(v[3])}};
+    const mesh::LagrangeMap map{1, {at(v[0]), at(v[1]), at(v[2]), at(v[3])}};
     for (const int k : {0, 1, 2, 3}) {
-      const Vector2d p = fem::corner(fem::Shape::quadrilateral, k);
-      const fem::PlaneJet jet = map(p);
+      const Vector2d p = mesh::corner(mesh::Shape::quadrilateral, k);
+      const geometry::PlaneJet jet = map(p);
       if (!(cross(jet.d[0], jet.d[1]) > 0)) refuse_rows();
     }
     mesh_.cells.push_back({v, 0, {map}});
   }
 
-  fem::CoarseMesh mesh_;
-  std::vector<fem::BoundaryEdge> inner_edges_;
+  mesh::CoarseMesh mesh_;
+  std::vector<mesh::BoundaryEdge> inner_edges_;
   std::vector<Ends> ends_;
 };
 
@@ -186,29 +186,29 @@ std::vector<double> depths_of(const std::vector<int>& boundaries, const Rows& ro
   return depths;
 }
 
-fem::CoarseMesh surrounded_by_rows(const std::vector<Line>& sides, const std::vector<int>& boundaries,
-                                   const std::vector<std::string>& names, const std::vector<double>& depths,
-                                   double length) {
+mesh::CoarseMesh surrounded_by_rows(const std::vector<Line>& sides, const std::vector<int>& boundaries,
+                                    const std::vector<std::string>& names, const std::vector<double>& depths,
+                                    double length) {
   const std::size_t n = sides.size();
   std::vector<Corner> corners;  // corners at the end of each side
-  fem::Polygon inner;           // its side i is the last line of the row at side i
+  domain::Polygon inner;        // its side i is the last line of the row at side i
   for (std::size_t i = 0; i < n; ++i)
     corners.push_back(corner_between(sides[i], depths[i], sides[(i + 1) % n], depths[(i + 1) % n]));
   for (std::size_t i = 0; i < n; ++i) inner.corners.push_back(corners[(i + n - 1) % n].inner);
   for (std::size_t i = 0; i < n; ++i)
     if (!((inner.corners[(i + 1) % n] - inner.corners[i]).dot(sides[i].direction()) > 0)) refuse_rows();
-  Surrounded mesh(fem::gmsh_polygon(inner, fem::Shape::quadrilateral, length), names);
+  Surrounded mesh(domain::gmsh_polygon(inner, mesh::Shape::quadrilateral, length), names);
   for (std::size_t i = 0; i < n; ++i) mesh.add_corner(corners[i], boundaries[i], boundaries[(i + 1) % n]);
   for (std::size_t i = 0; i < n; ++i) mesh.add_row(static_cast<int>(i), boundaries[i], (i + n - 1) % n, i);
-  fem::CoarseMesh result = mesh.finished();
-  if (fem::find_overlap(result)) refuse_rows();
+  mesh::CoarseMesh result = mesh.finished();
+  if (mesh::find_overlap(result)) refuse_rows();
   return result;
 }
 
 }  // namespace
 
-fem::CoarseMesh layered_polygon(const fem::Polygon& polygon, const Rows& rows) {
-  const auto names = fem::boundary_names(fem::Domain{polygon});
+mesh::CoarseMesh layered_polygon(const domain::Polygon& polygon, const Rows& rows) {
+  const auto names = domain::boundary_names(domain::Domain{polygon});
   const auto& p = polygon.corners;
   const std::size_t n = p.size();
   std::vector<Line> sides;
@@ -217,19 +217,19 @@ fem::CoarseMesh layered_polygon(const fem::Polygon& polygon, const Rows& rows) {
     sides.push_back({p[i], p[(i + 1) % n]});
     boundaries.push_back(static_cast<int>(i));
   }
-  if (fem::signed_area(polygon) < 0) {
+  if (domain::signed_area(polygon) < 0) {
     for (Line& side : sides) std::swap(side.from, side.to);
     std::ranges::reverse(sides);
     std::ranges::reverse(boundaries);
   }
-  if (fem::is_convex_quadrilateral(polygon)) {
-    fem::CoarseMesh mesh = grid_of_four_sides(sides, boundaries, names, rows);
-    if (fem::find_overlap(mesh)) refuse_rows();
+  if (domain::is_convex_quadrilateral(polygon)) {
+    mesh::CoarseMesh mesh = grid_of_four_sides(sides, boundaries, names, rows);
+    if (mesh::find_overlap(mesh)) refuse_rows();
     return mesh;
   }
   const std::vector<double> depths = depths_of(boundaries, rows);
-  const double length = fem::perimeter(polygon) / std::max(constants.least_cells_around, rows.inner[0]);
-  if (std::ranges::max(depths) == 0) return fem::gmsh_polygon(polygon, fem::Shape::quadrilateral, length);
+  const double length = domain::perimeter(polygon) / std::max(constants.least_cells_around, rows.inner[0]);
+  if (std::ranges::max(depths) == 0) return domain::gmsh_polygon(polygon, mesh::Shape::quadrilateral, length);
   return surrounded_by_rows(sides, boundaries, names, depths, length);
 }
 

@@ -76,8 +76,8 @@ std::vector<signed char> marks_by_errors(const fem::Space& space, const NextMesh
 }
 
 /// Returns cuts, if they are better than the division of the marked cells.
-std::vector<fem::Cuts> cuts_by_errors(const problem::Problem& problem, const fem::Space& space,
-                                      const NextMeshTask& task, const std::vector<signed char>& marks) {
+std::vector<mesh::Cuts> cuts_by_errors(const problem::Problem& problem, const fem::Space& space,
+                                       const NextMeshTask& task, const std::vector<signed char>& marks) {
   const MPI_Comm comm = space.layout->comm;
   const std::vector<double> shares = error_indicators(space, task.goals, *task.estimates);
   double whole = 0, divided = 0, cells = 0;
@@ -128,7 +128,7 @@ NextMesh next_mesh(const problem::Problem& problem, const fem::Space& space, con
   for (std::size_t c = 0; c < next.marks.size(); ++c)
     if (next.marks[c] > 0 && std::abs(space.cells[c].size) <= constants.smallest_cell) next.marks[c] = 0;
   next.has_joined = next.cuts.empty() && count_of(-1, next, space) > 0;
-  const auto parts = [](const fem::Cuts& cuts) {
+  const auto parts = [](const mesh::Cuts& cuts) {
     return static_cast<std::int64_t>((cuts[0].size() + 1) * (cuts[1].size() + 1));
   };
   next.added_cells = next.cuts.empty() ? 3 * count_of(1, next, space)

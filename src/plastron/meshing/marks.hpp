@@ -2,8 +2,8 @@
 // joined (docs/methods/accuracy.md).
 #pragma once
 #include <plastron/estimation/goal_record.hpp>
-#include <plastron/fem/coarse_mesh.hpp>
 #include <plastron/fem/space.hpp>
+#include <plastron/mesh/coarse_mesh.hpp>
 #include <plastron/problem/problem.hpp>
 
 #include <mpi.h>
@@ -45,7 +45,7 @@ struct NextMeshTask {
 };
 
 struct NextMesh {
-  std::vector<fem::Cuts> cuts{};     ///< cuts of the coarse cells, see fem::MeshSequence::cut; if empty, `marks` count
+  std::vector<mesh::Cuts> cuts{};    ///< cuts of the coarse cells, see fem::MeshSequence::cut; if empty, `marks` count
   std::vector<signed char> marks{};  ///< marks of the owned cells, see fem::MeshSequence::refine
   std::int64_t added_cells = 0;
   bool has_joined = false;  ///< whether cells are joined

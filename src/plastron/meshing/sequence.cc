@@ -22,7 +22,7 @@ fem::MeshSequence::Even even_boundaries(const problem::Problem& problem) {
 
 fem::MeshSequence mesh_sequence(const problem::Problem& problem, MPI_Comm comm) {
   // Every rank reads a mesh file that was not shared before, and one rank may find another file or none.
-  auto coarse = algebra::in_agreement<fem::DomainError>(comm, [&] { return start_mesh(problem).coarse; });
+  auto coarse = algebra::in_agreement<mesh::DomainError>(comm, [&] { return start_mesh(problem).coarse; });
   fem::MeshSequence::Even even = even_boundaries(problem);
   for (const std::string& fold : coarse.fold_boundaries) even.push_back({fold});
   return {std::move(coarse), problem.discretisation.degree, comm, joining(problem), std::move(even)};

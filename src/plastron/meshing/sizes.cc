@@ -1,5 +1,6 @@
 #include <plastron/meshing/sizes.hpp>
 
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/meshing/constants.hpp>
@@ -21,16 +22,16 @@ int refine_for_samples(fem::MeshSequence& meshes) {
   return level;
 }
 
-std::vector<Vector2d> corners_of(fem::Shape shape) {
-  std::vector<Vector2d> xi(static_cast<std::size_t>(fem::corner_count(shape)));
-  for (std::size_t k = 0; k < xi.size(); ++k) xi[k] = fem::corner(shape, static_cast<int>(k));
+std::vector<Vector2d> corners_of(mesh::Shape shape) {
+  std::vector<Vector2d> xi(static_cast<std::size_t>(mesh::corner_count(shape)));
+  for (std::size_t k = 0; k < xi.size(); ++k) xi[k] = mesh::corner(shape, static_cast<int>(k));
   return xi;
 }
 
-double longest_side(fem::Shape shape, const std::vector<geometry::Frame>& corners) {
+double longest_side(mesh::Shape shape, const std::vector<geometry::Frame>& corners) {
   double longest = 0;
-  for (int side = 0; side < fem::corner_count(shape); ++side) {
-    const auto [from, to] = fem::side_corners(shape, side);
+  for (int side = 0; side < mesh::corner_count(shape); ++side) {
+    const auto [from, to] = mesh::side_corners(shape, side);
     longest = std::max(longest, (corners[to].phi - corners[from].phi).norm());
   }
   return longest;
@@ -39,8 +40,8 @@ double longest_side(fem::Shape shape, const std::vector<geometry::Frame>& corner
 }  // namespace
 
 double extent(const problem::Problem& problem) {
-  const fem::Shape shape = problem.discretisation.cells;
-  fem::MeshSequence meshes(fem::coarse_mesh(problem.domain, shape), 1, MPI_COMM_SELF);
+  const mesh::Shape shape = problem.discretisation.cells;
+  fem::MeshSequence meshes(domain::coarse_mesh(problem.domain, shape), 1, MPI_COMM_SELF);
   refine_for_samples(meshes);
   const fem::Surface surface(meshes.space()->coarse, problem.charts);
   const std::vector<Vector2d> xi = corners_of(shape);

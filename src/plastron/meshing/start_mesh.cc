@@ -1,7 +1,7 @@
 #include <plastron/meshing/start_mesh.hpp>
 
-#include <plastron/fem/coarse_mesh.hpp>
-#include <plastron/fem/domain.hpp>
+#include <plastron/domain/domain.hpp>
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/meshing/constants.hpp>
 
 #include <fmt/format.h>
@@ -22,21 +22,21 @@ using Eigen::Vector2d;
 /// Space for rows along a boundary, in Omega.
 struct Room {
   const EdgeLayer& layer;
-  double operator()(const fem::Rectangle& r) const {
+  double operator()(const domain::Rectangle& r) const {
     if (layer.boundary >= 2) return r.to[1] - r.from[1];
     const auto& breaks = r.breaks;
     if (breaks.empty()) return r.to[0] - r.from[0];
     return layer.boundary == 0 ? breaks.front() - r.from[0] : r.to[0] - breaks.back();
   }
-  double operator()(const fem::Disk& d) const { return d.radius; }
-  double operator()(const fem::Annulus& a) const { return a.outer - a.inner; }
-  double operator()(const fem::Polygon& polygon) const { return fem::inner_width(polygon); }
-  double operator()(const fem::MeshFile&) const { return 0; }
+  double operator()(const domain::Disk& d) const { return d.radius; }
+  double operator()(const domain::Annulus& a) const { return a.outer - a.inner; }
+  double operator()(const domain::Polygon& polygon) const { return domain::inner_width(polygon); }
+  double operator()(const domain::MeshFile&) const { return 0; }
 };
 
 /// Returns boundaries beyond which the shell continues: there is no edge.
 std::set<int> boundaries_within(const problem::Problem& problem) {
-  const auto names = fem::boundary_names(problem.domain);
+  const auto names = domain::boundary_names(problem.domain);
   std::set<int> result;
   const auto add = [&](const std::string& name) {
     const auto place = std::ranges::find(names, name);
@@ -53,7 +53,7 @@ std::set<int> boundaries_within(const problem::Problem& problem) {
 bool keeps_joins_alike(const problem::Problem& problem) {
   if (problem.joins.empty()) return true;
   const std::set<std::string> pair(problem.joins[0].boundaries.begin(), problem.joins[0].boundaries.end());
-  return problem.joins.size() == 1 && std::holds_alternative<fem::Rectangle>(problem.domain) &&
+  return problem.joins.size() == 1 && std::holds_alternative<domain::Rectangle>(problem.domain) &&
          (pair == std::set<std::string>{"left", "right"} || pair == std::set<std::string>{"bottom", "top"});
 }
 
@@ -62,8 +62,9 @@ bool keeps_joins_alike(const problem::Problem& problem) {
 /// the widest row's part of the domain's width.
 bool wants_narrow_rows(const problem::Problem& problem, double share) {
   if (!problem.accuracy || problem.discretisation.degree != constants.narrow_row_degree) return false;
-  const auto* polygon = std::get_if<fem::Polygon>(&problem.domain);
-  if (!std::holds_alternative<fem::Rectangle>(problem.domain) && !(polygon && fem::is_convex_quadrilateral(*polygon)))
+  const auto* polygon = std::get_if<domain::Polygon>(&problem.domain);
+  if (!std::holds_alternative<domain::Rectangle>(problem.domain) &&
+      !(polygon && domain::is_convex_quadrilateral(*polygon)))
     return false;
   return std::ranges::any_of(problem.accuracy->goals, [&](const problem::Accuracy::Goal& goal) {
     return goal.tolerance <= constants.corner_error * share * share;
@@ -75,7 +76,7 @@ std::pair<Rows, std::vector<EdgeLayer>> rows_of(const problem::Problem& problem)
   Rows rows;
   std::vector<EdgeLayer> kept;
   const auto within = boundaries_within(problem);
-  const auto boundaries = static_cast<int>(fem::boundary_names(problem.domain).size());
+  const auto boundaries = static_cast<int>(domain::boundary_names(problem.domain).size());
   const auto layers = edge_layers(problem);
   double share = 0;  // share of the widest row
   for (int b = 0; b < boundaries; ++b) {
@@ -140,39 +141,39 @@ struct InnerCells {
     if (!(cells > 1)) return 1;  // also where the chart has almost no curvature
     return static_cast<int>(std::min(cells, 1.0 * constants.most_cells_across));
   }
-  std::array<int, 2> operator()(const fem::Rectangle& r) const {
+  std::array<int, 2> operator()(const domain::Rectangle& r) const {
     const Vector2d taken(last_or_nothing(rows.distances[0]) + last_or_nothing(rows.distances[1]),
                          last_or_nothing(rows.distances[2]) + last_or_nothing(rows.distances[3]));
     const Vector2d length = (r.to - r.from - taken).cwiseProduct(inside.stretch);
     return {std::max(r.cells[0], count(length[0])), std::max(r.cells[1], count(length[1]))};
   }
   /// A disk has 5 m^2 cells of about the same area.
-  std::array<int, 2> operator()(const fem::Disk&) const {
+  std::array<int, 2> operator()(const domain::Disk&) const {
     const int m = count(std::sqrt(inside.area / 5));
     return {m, m};
   }
-  std::array<int, 2> operator()(const fem::Annulus& a) const {
+  std::array<int, 2> operator()(const domain::Annulus& a) const {
     const double stretch = inside.stretch.mean();
     const int around = 2 * count(std::numbers::pi * (a.inner + a.outer) / 2 * stretch);
     const double between = a.outer - a.inner - last_or_nothing(rows.distances[0]) - last_or_nothing(rows.distances[1]);
     return {std::max(6, around), count(between * stretch)};
   }
-  std::array<int, 2> operator()(const fem::Polygon& polygon) const {
+  std::array<int, 2> operator()(const domain::Polygon& polygon) const {
     const auto& p = polygon.corners;
     const double stretch = inside.stretch.mean();
-    if (!fem::is_convex_quadrilateral(polygon)) {
-      const int along = count(fem::perimeter(polygon) / 2 * stretch);
+    if (!domain::is_convex_quadrilateral(polygon)) {
+      const int along = count(domain::perimeter(polygon) / 2 * stretch);
       return {along, along};
     }
     const auto side = [&](std::size_t i) { return (p[(i + 1) % 4] - p[i]).norm(); };
     return {count((side(0) + side(2)) / 2 * stretch), count((side(1) + side(3)) / 2 * stretch)};
   }
-  std::array<int, 2> operator()(const fem::MeshFile&) const { return {1, 1}; }
+  std::array<int, 2> operator()(const domain::MeshFile&) const { return {1, 1}; }
 };
 
 /// Adds rings outside the middle of a disk whose chords may be cut.
 void add_rings(const problem::Problem& problem, const InnerCells& cells, Rows& rows) {
-  const auto* disk = std::get_if<fem::Disk>(&problem.domain);
+  const auto* disk = std::get_if<domain::Disk>(&problem.domain);
   if (!disk || !problem.accuracy || is_refined_evenly(problem) || problem.discretisation.degree > constants.ring_degree)
     return;
   const double core = constants.ring_core * disk->radius;
@@ -187,9 +188,9 @@ void add_rings(const problem::Problem& problem, const InnerCells& cells, Rows& r
 double largest_cell(const Interior& inside) { return std::sqrt(inside.area) / 2; }
 
 /// Whether all fixed points are nodes.
-bool has_points(const fem::CoarseMesh& coarse, const problem::Problem& problem) {
-  const auto nodes = fem::kept_nodes(coarse, problem.discretisation.degree);
-  const double tolerance = fem::point_tolerance(coarse);
+bool has_points(const mesh::CoarseMesh& coarse, const problem::Problem& problem) {
+  const auto nodes = mesh::kept_nodes(coarse, problem.discretisation.degree);
+  const double tolerance = mesh::point_tolerance(coarse);
   return std::ranges::all_of(problem.shell.supports, [&](const assembly::Support& s) {
     return !s.point ||
            std::ranges::any_of(nodes, [&](const Vector2d& x) { return (x - *s.point).norm() <= tolerance; });
@@ -199,16 +200,16 @@ bool has_points(const fem::CoarseMesh& coarse, const problem::Problem& problem) 
 }  // namespace
 
 bool is_refined_evenly(const problem::Problem& problem) {
-  return problem.accuracy->is_uniform || problem.discretisation.cells == fem::Shape::triangle;
+  return problem.accuracy->is_uniform || problem.discretisation.cells == mesh::Shape::triangle;
 }
 
 StartMesh start_mesh(const problem::Problem& problem) {
   const problem::Discretisation& d = problem.discretisation;
   const auto plain = [&](const std::string& why) {
-    return StartMesh{.coarse = fem::coarse_mesh(problem.domain, d.cells), .rows = {}, .no_rows = why};
+    return StartMesh{.coarse = domain::coarse_mesh(problem.domain, d.cells), .rows = {}, .no_rows = why};
   };
   if (d.layers == problem::Layers::none) return plain("");
-  if (std::holds_alternative<fem::MeshFile>(problem.domain)) return plain("a mesh that is read is left as it is");
+  if (std::holds_alternative<domain::MeshFile>(problem.domain)) return plain("a mesh that is read is left as it is");
   if (!keeps_joins_alike(problem)) return plain("joined edges must have the same cells on both sides");
   auto [rows, layers] = rows_of(problem);
   const Interior inside = interior(problem);
@@ -219,7 +220,7 @@ StartMesh start_mesh(const problem::Problem& problem) {
   StartMesh mesh{.coarse = {}, .rows = std::move(layers), .has_narrow_rows = has_narrow_rows(rows)};
   try {
     mesh.coarse = layered_mesh(problem.domain, d.cells, rows);
-  } catch (const fem::DomainError& error) {
+  } catch (const mesh::DomainError& error) {
     return plain(error.what());
   }
   if (!has_points(mesh.coarse, problem)) return plain("points that are held would be no nodes");
@@ -227,23 +228,23 @@ StartMesh start_mesh(const problem::Problem& problem) {
 }
 
 int recommended_degree(const problem::Problem& problem) {
-  if (problem.discretisation.cells == fem::Shape::triangle) return constants.degree_of_triangles;
+  if (problem.discretisation.cells == mesh::Shape::triangle) return constants.degree_of_triangles;
   return problem.shell.obstacles.empty() ? constants.degree_smooth : constants.degree_with_contact;
 }
 
-std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinements) {
+std::int64_t node_count(const mesh::CoarseMesh& coarse, int degree, int refinements) {
   std::set<std::pair<int, int>> sides;
-  for (const fem::CoarseCell& cell : coarse.cells)
-    for (int side = 0; side < fem::corner_count(coarse.shape); ++side) {
-      const auto [from, to] = fem::side_corners(coarse.shape, side);
+  for (const mesh::CoarseCell& cell : coarse.cells)
+    for (int side = 0; side < mesh::corner_count(coarse.shape); ++side) {
+      const auto [from, to] = mesh::side_corners(coarse.shape, side);
       sides.insert(std::minmax(cell.vertices[from], cell.vertices[to]));
     }
   // A refined cell has the nodes of one cell of degree n.
   const std::int64_t n = static_cast<std::int64_t>(degree) << refinements;
-  const bool is_triangle = coarse.shape == fem::Shape::triangle;
+  const bool is_triangle = coarse.shape == mesh::Shape::triangle;
   const std::int64_t in_cell = is_triangle ? (n - 1) * (n - 2) / 2 : (n - 1) * (n - 1);
   std::set<int> vertices;
-  for (const fem::CoarseCell& cell : coarse.cells)
+  for (const mesh::CoarseCell& cell : coarse.cells)
     for (const int v : cell.vertices)
       if (v >= 0) vertices.insert(v);
   return static_cast<std::int64_t>(vertices.size()) + static_cast<std::int64_t>(sides.size()) * (n - 1) +
@@ -255,7 +256,7 @@ std::string describe(const StartMesh& mesh, const problem::Problem& problem) {
   if (d.layers == problem::Layers::none) return "";
   const int width = element::is_relaxed(problem.shell.tangency.formulation) ? 6 : 5;
   const auto unknowns = [&](int refinements) { return width * node_count(mesh.coarse, d.degree, refinements); };
-  const auto names = fem::boundary_names(problem.domain), regions = fem::region_names(problem.domain);
+  const auto names = domain::boundary_names(problem.domain), regions = domain::region_names(problem.domain);
   std::vector<std::string> rows;
   for (const EdgeLayer& layer : mesh.rows) {
     const std::string& region = regions[layer.region];

@@ -13,13 +13,13 @@
 namespace plastron::meshing {
 
 struct StartMesh {
-  fem::CoarseMesh coarse;
+  mesh::CoarseMesh coarse;
   std::vector<EdgeLayer> rows{};  ///< the layers that have rows along their edges
   bool has_narrow_rows = false;   ///< a second row between each row and the edge, for accuracies that corners determine
   std::string no_rows{};          ///< reason why there are no rows although the problem requests them; empty otherwise
 };
 
-/// Returns the start mesh. Throws fem::DomainError where the domain cannot be meshed.
+/// Returns the start mesh. Throws mesh::DomainError where the domain cannot be meshed.
 StartMesh start_mesh(const problem::Problem& problem);
 
 /// Whether all cells of a problem with an accuracy are divided, or none. The problem may request this, and triangles
@@ -31,7 +31,7 @@ bool is_refined_evenly(const problem::Problem& problem);
 int recommended_degree(const problem::Problem& problem);
 
 /// Number of nodes of the mesh after uniform refinement, before edges are joined.
-std::int64_t node_count(const fem::CoarseMesh& coarse, int degree, int refinements);
+std::int64_t node_count(const mesh::CoarseMesh& coarse, int degree, int refinements);
 
 /// Returns a description of the start mesh for the user, in a sentence or two; empty where the problem requests no
 /// rows.

@@ -1,3 +1,4 @@
+#include <plastron/domain/domain_mesh.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/problem/problem.hpp>
 
@@ -13,7 +14,7 @@ void locate_points(Problem& problem) {
                           [](const auto& support) { return support.point_in_space.has_value(); });
   if (!has_any) return;
   const fem::Surface surface(
-      std::make_shared<const fem::CoarseMesh>(fem::coarse_mesh(problem.domain, problem.discretisation.cells)),
+      std::make_shared<const mesh::CoarseMesh>(domain::coarse_mesh(problem.domain, problem.discretisation.cells)),
       problem.charts);
   const auto point = [&](const Eigen::Vector3d& place) { return fem::nearest_point(surface, place).point; };
   for (Probe& probe : problem.probes)

@@ -2,10 +2,10 @@
 #pragma once
 #include <plastron/assembly/description.hpp>
 #include <plastron/contact/settings.hpp>
+#include <plastron/domain/domain.hpp>
 #include <plastron/fem/constraints.hpp>
-#include <plastron/fem/domain.hpp>
-#include <plastron/fem/reference_cell.hpp>
 #include <plastron/geometry/chart.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 #include <plastron/problem/unit_names.hpp>
 
 #include <limits>
@@ -22,7 +22,7 @@ enum class Layers {
 };
 
 struct Discretisation {
-  fem::Shape cells = fem::Shape::quadrilateral;
+  mesh::Shape cells = mesh::Shape::quadrilateral;
   int degree = 2;  ///< k, 1 to 8; 1 or 2 on triangles
   Layers layers = Layers::none;
   int refinements = 3;  ///< uniform refinements of the coarsest mesh; every level is solved
@@ -86,7 +86,7 @@ struct Output {
 };
 
 struct Problem {
-  fem::Domain domain = fem::Rectangle{};
+  domain::Domain domain = domain::Rectangle{};
   std::vector<fem::Join> joins{};                 ///< edges that are joined
   std::vector<fem::RigidBody> rigid_bodies{};     ///< bodies that carry edges
   std::map<std::string, geometry::Chart> charts;  ///< charts by region; the unnamed region is ""
@@ -103,7 +103,7 @@ struct Problem {
 };
 
 /// Sets the points of Omega of probes, lines and supports that are given in space: the nearest points of the mid-surface,
-/// and for supports the nearest nodes that every mesh keeps. Throws fem::DomainError of the mesh.
+/// and for supports the nearest nodes that every mesh keeps. Throws mesh::DomainError of the mesh.
 void locate_points(Problem& problem);
 
 }  // namespace plastron::problem

@@ -58,7 +58,7 @@ class LayerSearch {
 
   void search(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Choice& choice) {
     const fem::Space& space = discrete.space();
-    const Recovery recovery(discrete, solution, fem::lattice(space.shape(), space.degree), choice);
+    const Recovery recovery(discrete, solution, mesh::lattice(space.shape(), space.degree), choice);
     for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
       const auto region =
           std::ranges::find(regions_, assembly::region_of(*space.coarse, space.cells[cell]), &RegionLayers::name);

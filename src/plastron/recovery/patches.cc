@@ -20,7 +20,7 @@ namespace {
 algebra::Vector corner_marks(const fem::Space& space, const std::array<std::size_t, 4>& corner_nodes) {
   algebra::Vector marks(space.layout, 1);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
-    for (int k = 0; k < fem::corner_count(space.shape()); ++k)
+    for (int k = 0; k < mesh::corner_count(space.shape()); ++k)
       marks.local()[static_cast<std::size_t>(space.nodes(cell)[corner_nodes[static_cast<std::size_t>(k)]])] = 1;
   marks.accumulate_ghosts();
   marks.update_ghosts();
@@ -31,7 +31,7 @@ algebra::Vector corner_marks(const fem::Space& space, const std::array<std::size
 
 Vertices::Vertices(const fem::Space& space) {
   const auto k = static_cast<std::size_t>(space.degree);
-  if (space.shape() == fem::Shape::quadrilateral)
+  if (space.shape() == mesh::Shape::quadrilateral)
     corner_nodes_ = {0, k, k * (k + 1), (k + 1) * (k + 1) - 1};
   else
     corner_nodes_ = {0, k, (k + 1) * (k + 2) / 2 - 1, 0};
@@ -123,8 +123,8 @@ Eigen::Matrix2d to_turned_square(std::span<const double> sum, const TangentPlane
 }
 
 /// The corners at the other ends of a corner's two sides.
-std::array<int, 2> neighbours(fem::Shape shape, int corner) {
-  if (shape == fem::Shape::quadrilateral) return {corner ^ 1, corner ^ 2};
+std::array<int, 2> neighbours(mesh::Shape shape, int corner) {
+  if (shape == mesh::Shape::quadrilateral) return {corner ^ 1, corner ^ 2};
   return {(corner + 1) % 3, (corner + 2) % 3};
 }
 
@@ -145,7 +145,7 @@ void add_points(const Vector3d& vertex, const CellResultants& cell, double area,
 
 Patches::Patches(const assembly::DiscreteShell& discrete, const std::vector<CellResultants>& cells, int degree)
     : space_(discrete.space()),
-      corners_(fem::corner_count(space_.shape())),
+      corners_(mesh::corner_count(space_.shape())),
       degree_(degree),
       terms_(Eigen::Index{degree + 1} * (degree + 2) / 2),
       vertices_(space_),
@@ -162,7 +162,7 @@ void Patches::corner_frames(const assembly::DiscreteShell& discrete, std::size_t
                             std::vector<geometry::Frame>& frames) const {
   frames.resize(static_cast<std::size_t>(corners_));
   std::vector<Eigen::Vector2d> xi(frames.size());
-  for (int k = 0; k < corners_; ++k) xi[static_cast<std::size_t>(k)] = fem::corner(space_.shape(), k);
+  for (int k = 0; k < corners_; ++k) xi[static_cast<std::size_t>(k)] = mesh::corner(space_.shape(), k);
   discrete.shell.surface().frames(space_.cells[cell], xi, frames, false);
 }
 
@@ -187,7 +187,7 @@ algebra::Vector Patches::sums_round_vertices(const assembly::DiscreteShell& disc
   }
   for (const fem::BoundarySide& side : space_.sides)
     if (side.cell < space_.owned_cells)
-      for (const int corner : fem::side_corners(space_.shape(), side.side))
+      for (const int corner : mesh::side_corners(space_.shape(), side.side))
         all.at(vertex(side.cell, corner))[side.is_inner ? Sum::curves : Sum::edges] += 1;
   all.accumulate_ghosts();
   all.update_ghosts();

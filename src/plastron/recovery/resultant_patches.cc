@@ -8,8 +8,8 @@ namespace plastron::recovery {
 namespace {
 
 /// Weight of a corner: bilinear on quadrilaterals, barycentric on triangles.
-double corner_weight(fem::Shape shape, int corner, const Eigen::Vector2d& xi) {
-  if (shape == fem::Shape::quadrilateral)
+double corner_weight(mesh::Shape shape, int corner, const Eigen::Vector2d& xi) {
+  if (shape == mesh::Shape::quadrilateral)
     return (corner % 2 == 1 ? xi[0] : 1 - xi[0]) * (corner >= 2 ? xi[1] : 1 - xi[1]);
   return corner == 0 ? 1 - xi[0] - xi[1] : xi[corner - 1];
 }
@@ -66,7 +66,7 @@ std::vector<std::pair<algebra::LocalIndex, double>> ResultantPatches::blended(st
   const Patches::Kind wanted = patches_->best(cell);
   if (wanted == Patches::Kind::none) return vertices;
   double total = 0;
-  for (int k = 0; k < fem::corner_count(shape_); ++k) {
+  for (int k = 0; k < mesh::corner_count(shape_); ++k) {
     const algebra::LocalIndex vertex = patches_->vertex(cell, k);
     if (patches_->kind(vertex) != wanted) continue;
     vertices.emplace_back(vertex, corner_weight(shape_, k, xi));
@@ -116,12 +116,12 @@ void ResultantPatches::add_transposed(const assembly::DiscreteShell& discrete, c
       return patches_->plane(vertex).most != Patches::Kind::none && !at(vertex).isZero(0);
     };
     int count = 0;
-    for (int k = 0; k < fem::corner_count(shape_); ++k) count += touched(k) ? 1 : 0;
+    for (int k = 0; k < mesh::corner_count(shape_); ++k) count += touched(k) ? 1 : 0;
     if (count == 0) continue;
     element::CellField unit = element::CellField::Zero(discrete.space().nodes_per_cell(), 6), forces = unit;
     const CellResultants points = take(cell, unit);
     ResultantRows of_points = ResultantRows::Zero(points.values.rows(), 8);
-    for (int k = 0; k < fem::corner_count(shape_); ++k) {
+    for (int k = 0; k < mesh::corner_count(shape_); ++k) {
       if (!touched(k)) continue;
       const algebra::LocalIndex vertex = patches_->vertex(cell, k);
       const Patches::Plane& plane = patches_->plane(vertex);

@@ -55,7 +55,7 @@ class ResultantPatches {
   std::vector<std::pair<algebra::LocalIndex, double>> blended(std::size_t cell, const Eigen::Vector2d& xi) const;
   void fit(const std::vector<CellResultants>& cells);
 
-  fem::Shape shape_;
+  mesh::Shape shape_;
   std::shared_ptr<const Patches> patches_{};
   algebra::Vector coefficients_{};  ///< terms x 8 per vertex
 };

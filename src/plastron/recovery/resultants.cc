@@ -22,7 +22,7 @@ Resultants in_other_axes_transposed(const Resultants& weights, const Eigen::Matr
 
 ResultantPoints::ResultantPoints(const assembly::DiscreteShell& discrete, std::optional<Vector3d> axis)
     : discrete_(discrete), axis_(std::move(axis)) {
-  const fem::Shape shape = discrete.space().shape();
+  const mesh::Shape shape = discrete.space().shape();
   const int degree = discrete.space().degree;
   basis_ = element::basis_at(shape, degree, element::resultant_points(shape, degree));
   tied_ = element::tied_interpolation(discrete.shell.tables(), basis_.xi);

@@ -75,13 +75,13 @@ Hold held_in_plane(const Eigen::Matrix3d& sum, const Vector3d& t, const Vector3d
 
 void add_ends(const assembly::DiscreteShell& discrete, const fem::BoundarySide& side, std::vector<SideEnd>& ends) {
   const fem::Space& space = discrete.space();
-  const auto corners = fem::anticlockwise_corners(space.shape(), side.side);
-  const auto on_side = fem::side_nodes(space.shape(), space.degree, side.side);
+  const auto corners = mesh::anticlockwise_corners(space.shape(), side.side);
+  const auto on_side = mesh::side_nodes(space.shape(), space.degree, side.side);
   for (int k = 0; k < 2; ++k) {
-    const Eigen::Vector2d from = fem::corner(space.shape(), corners[static_cast<std::size_t>(k)]),
-                          to = fem::corner(space.shape(), corners[static_cast<std::size_t>(1 - k)]);
+    const Eigen::Vector2d from = mesh::corner(space.shape(), corners[static_cast<std::size_t>(k)]),
+                          to = mesh::corner(space.shape(), corners[static_cast<std::size_t>(1 - k)]);
     const geometry::Frame frame = discrete.shell.surface().frame(space.cells[side.cell], from, false);
-    const bool is_first = (from - fem::side_point(space.shape(), side.side, 0)).norm() < 0.5;
+    const bool is_first = (from - mesh::side_point(space.shape(), side.side, 0)).norm() < 0.5;
     const auto node = static_cast<std::size_t>(
         space.nodes(side.cell)[static_cast<std::size_t>(is_first ? on_side.front() : on_side.back())]);
     if (space.continuity.constrains(node)) continue;

@@ -23,7 +23,7 @@ StressPeak peak_of(const PointValues& point) {
 std::vector<StressPeak> local_peaks(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                                     const Choice& choice, std::span<const SingularPlace> singular) {
   const fem::Space& space = discrete.space();
-  const std::vector<Eigen::Vector2d> lattice = fem::lattice(space.shape(), space.degree);
+  const std::vector<Eigen::Vector2d> lattice = mesh::lattice(space.shape(), space.degree);
   const Recovery recovery(discrete, solution, lattice, choice);
   std::vector<StressPeak> peaks;
   double most = 0;

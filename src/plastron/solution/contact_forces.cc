@@ -1,7 +1,7 @@
 #include <plastron/solution/contact_forces.hpp>
 
-#include <plastron/fem/basis.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <tuple>
@@ -74,15 +74,15 @@ namespace {
 /// Quadrature on a side whose nodes carry the weights: Gauss-Lobatto. On triangles of degree 2 vertices have no
 /// bound, and only the middle has weight.
 std::vector<double> side_weights(const fem::Space& space) {
-  if (space.shape() == fem::Shape::triangle && space.degree == 2) return {0, 1, 0};
-  return fem::gauss_lobatto(space.degree + 1).weights;
+  if (space.shape() == mesh::Shape::triangle && space.degree == 2) return {0, 1, 0};
+  return mesh::gauss_lobatto(space.degree + 1).weights;
 }
 
 /// Length of the shell's edges represented by each node; 0 inside.
 algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
   const fem::Space& space = discrete.space();
   const auto weights = side_weights(space);
-  const auto line = fem::gauss_lobatto(space.degree + 1).points;
+  const auto line = mesh::gauss_lobatto(space.degree + 1).points;
   algebra::Vector lengths(space.layout, 1);
   std::vector<geometry::Frame> frames(line.size());
   const fem::BoundarySide* last = nullptr;
@@ -93,10 +93,10 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
     if (is_seen || edge.is_inner || edge.cell >= space.owned_cells) continue;
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
-    for (const double t : line) xi.push_back(fem::side_point(space.shape(), edge.side, t));
+    for (const double t : line) xi.push_back(mesh::side_point(space.shape(), edge.side, t));
     discrete.shell.surface().frames(space.cells[edge.cell], xi, frames, false);
-    const Eigen::Vector2d along = fem::side_tangent(space.shape(), edge.side);
-    const auto on_side = fem::side_nodes(space.shape(), space.degree, edge.side);
+    const Eigen::Vector2d along = mesh::side_tangent(space.shape(), edge.side);
+    const auto on_side = mesh::side_nodes(space.shape(), space.degree, edge.side);
     for (std::size_t i = 0; i < line.size(); ++i) {
       const auto node = static_cast<std::size_t>(space.nodes(edge.cell)[static_cast<std::size_t>(on_side[i])]);
       lengths.local()[node] += weights[i] * geometry::along(frames[i], along).norm();

@@ -1,7 +1,7 @@
 #include <plastron/solution/support_shares.hpp>
 
-#include <plastron/fem/basis.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
+#include <plastron/mesh/basis.hpp>
 #include <plastron/solution/place_order.hpp>
 
 #include <Eigen/Geometry>
@@ -62,17 +62,17 @@ std::vector<NodeSupport> rows_of(const std::vector<assembly::Support>& some, con
 /// (collective).
 algebra::Vector edge_at_nodes(const assembly::DiscreteShell& discrete, const std::string& boundary) {
   const fem::Space& space = discrete.space();
-  const fem::Rule line = fem::gauss_lobatto(space.degree + 1);
+  const mesh::Rule line = mesh::gauss_lobatto(space.degree + 1);
   algebra::Vector edge(space.layout, 4);
   std::vector<geometry::Frame> frames(line.points.size());
   for (const fem::BoundarySide& side : space.sides) {
     if (side.cell >= space.owned_cells || side.boundary < 0) continue;
     if (space.coarse->boundaries[static_cast<std::size_t>(side.boundary)] != boundary) continue;
     std::vector<Eigen::Vector2d> xi;
-    for (const double t : line.points) xi.push_back(fem::side_point(space.shape(), side.side, t));
+    for (const double t : line.points) xi.push_back(mesh::side_point(space.shape(), side.side, t));
     discrete.shell.surface().frames(space.cells[side.cell], xi, frames, false);
-    const Eigen::Vector2d along = fem::side_tangent(space.shape(), side.side);
-    const auto on_side = fem::side_nodes(space.shape(), space.degree, side.side);
+    const Eigen::Vector2d along = mesh::side_tangent(space.shape(), side.side);
+    const auto on_side = mesh::side_nodes(space.shape(), space.degree, side.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
       const Vector3d tangent = geometry::along(frames[i], along);
       double* at = edge.local().data() +

@@ -124,7 +124,7 @@ class Marching {
   }
 
   void follow_rim(int side) {
-    const auto nodes = fem::side_nodes(space_.shape(), space_.degree, side);
+    const auto nodes = mesh::side_nodes(space_.shape(), space_.degree, side);
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
       const int a = nodes[i], b = nodes[i + 1];
       if (touches(a) && touches(b))
@@ -198,8 +198,8 @@ class Marching {
 
   /// Twice the area of the triangle of a side and a point. It is positive inside of the side and 0 on it.
   double inside_of(int side, const Eigen::Vector2d& xi) const {
-    const auto corners = fem::anticlockwise_corners(space_.shape(), side);
-    const Eigen::Vector2d a = fem::corner(space_.shape(), corners[0]), b = fem::corner(space_.shape(), corners[1]);
+    const auto corners = mesh::anticlockwise_corners(space_.shape(), side);
+    const Eigen::Vector2d a = mesh::corner(space_.shape(), corners[0]), b = mesh::corner(space_.shape(), corners[1]);
     const Eigen::Vector2d along = b - a, way = xi - a;
     return along[0] * way[1] - along[1] * way[0];
   }
@@ -208,7 +208,7 @@ class Marching {
   /// Whether the point is at most one distance of nodes outside of the cell, and not outside of a border: the end of
   /// the shell, of a region or of a smooth part.
   bool is_beside_no_border(const Eigen::Vector2d& xi) const {
-    for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
+    for (int side = 0; side < mesh::corner_count(space_.shape()); ++side)
       if (inside_of(side, xi) < (is_border(side) ? -rounding_of_xi : -1.0 / space_.degree)) return false;
     return true;
   }
@@ -224,7 +224,7 @@ class Marching {
     search.axes.col(0) = frame.a_cov[0].normalized();
     search.axes.col(1) = a3.cross(search.axes.col(0));
     const Eigen::Vector2d &a = reference_point(end.touching), &b = reference_point(end.other);
-    for (int side = 0; side < fem::corner_count(space_.shape()); ++side)
+    for (int side = 0; side < mesh::corner_count(space_.shape()); ++side)
       if (is_border(side) && std::abs(inside_of(side, a)) < rounding_of_xi &&
           std::abs(inside_of(side, b)) < rounding_of_xi)
         search.along = search.axes.transpose() * (tangents * (b - a)).normalized();

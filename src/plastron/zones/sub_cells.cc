@@ -1,7 +1,7 @@
 #include <plastron/zones/sub_cells.hpp>
 
 #include <plastron/constraints/map.hpp>
-#include <plastron/fem/disjoint_sets.hpp>
+#include <plastron/topology/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -31,15 +31,15 @@ std::vector<SubCell> sub_triangles(int k) {
 
 }  // namespace
 
-std::vector<SubCell> sub_cells(fem::Shape shape, int degree) {
-  return shape == fem::Shape::triangle ? sub_triangles(degree) : sub_squares(degree);
+std::vector<SubCell> sub_cells(mesh::Shape shape, int degree) {
+  return shape == mesh::Shape::triangle ? sub_triangles(degree) : sub_squares(degree);
 }
 
 namespace {
 
 /// The components connected by this rank's own cells, by local node.
-fem::DisjointSets local_components(const fem::Space& space, std::span<const char> inside) {
-  fem::DisjointSets sets(static_cast<std::size_t>(space.layout->local_size()));
+topology::DisjointSets local_components(const fem::Space& space, std::span<const char> inside) {
+  topology::DisjointSets sets(static_cast<std::size_t>(space.layout->local_size()));
   const auto subs = sub_cells(space.shape(), space.degree);
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const auto nodes = space.nodes(c);
@@ -64,7 +64,7 @@ fem::DisjointSets local_components(const fem::Space& space, std::span<const char
 /// Names of components. Names of the same component are united over all ranks.
 struct SameNames {
   std::vector<double> names;  ///< ascending, each once
-  fem::DisjointSets sets;
+  topology::DisjointSets sets;
 
   std::size_t set_of(double name) {
     return sets.of(static_cast<std::size_t>(std::ranges::lower_bound(names, name) - names.begin()));
@@ -77,7 +77,7 @@ SameNames same_names(std::span<const double> pairs, MPI_Comm comm) {
   std::vector<double> names = all;
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  SameNames same{.names = names, .sets = fem::DisjointSets(names.size())};
+  SameNames same{.names = names, .sets = topology::DisjointSets(names.size())};
   for (std::size_t i = 0; i < all.size(); i += 2) same.sets.unite(same.set_of(all[i]), same.set_of(all[i + 1]));
   return same;
 }
@@ -87,7 +87,7 @@ SameNames same_names(std::span<const double> pairs, MPI_Comm comm) {
 ZoneLabels zone_labels(const fem::Space& space, std::span<const char> inside) {
   const algebra::Layout& layout = *space.layout;
   const auto count = static_cast<std::size_t>(layout.local_size());
-  fem::DisjointSets sets = local_components(space, inside);
+  topology::DisjointSets sets = local_components(space, inside);
   // A component is named after one of its nodes. If a rank has another name for a node than its owner, both names
   // mean one component.
   algebra::Vector owners(space.layout, 1);

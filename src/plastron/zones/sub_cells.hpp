@@ -1,8 +1,8 @@
 // Sub-cells: a cell of degree k is divided into k^2 sub-cells with nodes at their corners. Each side is shared with a
 // neighbour. Nodes are neighbours if they are corners of one sub-cell. Zones are connected components of neighbours.
 #pragma once
-#include <plastron/fem/reference_cell.hpp>
 #include <plastron/fem/space.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 
 #include <array>
 #include <span>
@@ -13,7 +13,7 @@ namespace plastron::zones {
 /// Three or four nodes of the cell in their order round a sub-cell.
 using SubCell = std::vector<int>;
 
-std::vector<SubCell> sub_cells(fem::Shape shape, int degree);
+std::vector<SubCell> sub_cells(mesh::Shape shape, int degree);
 
 /// Calls visit(a, b) for every two corners of all sub-cells of owned cells, in both orders.
 template <class Visit>

@@ -52,7 +52,7 @@ void TouchingNodes::judge_nodes_without_bound(const assembly::DiscreteShell& dis
   constexpr int block = 3;  // neighbours that touch, free ones, the sum of their roots
   constexpr double closed = 0.1;
   const fem::Space& space = discrete.space();
-  if (space.shape() != fem::Shape::triangle || space.degree != 2) return;
+  if (space.shape() != mesh::Shape::triangle || space.degree != 2) return;
   const auto has_bound = [&](LocalIndex node) {  // weights of constrained nodes were added to their masters
     return discrete.points[static_cast<std::size_t>(representative(space, node))].side_weight > 0;
   };

@@ -10,7 +10,7 @@ using namespace plastron;
 problem::Problem pressed_plate() {
   using assembly::Direction, assembly::Unknown;
   problem::Problem problem;
-  problem.domain = fem::Disk{.radius = 0.5};
+  problem.domain = domain::Disk{.radius = 0.5};
   problem.charts.emplace("", geometry::Chart({"x", "y", "0.02"}, {}));  // the mid-surface
   problem.shell.sections.common.thickness = geometry::Expression(0.02);
   problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);

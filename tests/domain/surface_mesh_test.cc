@@ -1,0 +1,147 @@
+// Meshes in space from files: names, folds, scale, orientation, and the coarse mesh that is made of them.
+#include "domain/space_surface.hpp"
+#include "domain/written_mesh.hpp"
+
+#include <plastron/domain/mesh_data.hpp>
+#include <plastron/fem/surface.hpp>
+#include <plastron/mesh/surface_patches.hpp>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace plastron::domain {
+namespace {
+
+using namespace space_meshes;            // NOLINT: builders of meshes
+using namespace topology::space_meshes;  // NOLINT: builders of meshes
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Two unit squares in a right angle along the y axis; the second one is turned round. The line between them is a named
+/// curve.
+const std::string folded = written::header +
+                           "$PhysicalNames\n3\n1 1 \"bend\"\n2 2 \"floor\"\n2 3 \"wall\"\n$EndPhysicalNames\n"
+                           "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 0 1 1\n$EndNodes\n"
+                           "$Elements\n3\n1 1 2 1 1 1 4\n2 3 2 2 1 1 2 3 4\n3 3 2 3 2 1 5 6 4\n$EndElements\n";
+
+MeshFile file_of(const written::TemporaryPath& path, const std::string& text, SpaceReading reading = {}) {
+  std::ofstream(path.path) << text;
+  return {.path = path.path.string(), .in_space = std::move(reading)};
+}
+
+std::string refusal(const std::string& text, SpaceReading reading = {}) {
+  const written::TemporaryPath path(".msh");
+  try {
+    (void)coarse_mesh(file_of(path, text, std::move(reading)), mesh::Shape::quadrilateral);
+  } catch (const mesh::DomainError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SurfaceMesh, HasNamesFoldsAndOneOrientation) {
+  const written::TemporaryPath path(".msh");
+  const FileSurface surface = read_surface(file_of(path, folded), {});
+  EXPECT_THAT(surface.regions, ElementsAre("floor", "wall"));
+  EXPECT_EQ(topology::summary_of(surface.topology).turned, 1U);
+  const mesh::CoarseMesh mesh = surface_mesh(surface, mesh::Shape::quadrilateral);
+  EXPECT_THAT(mesh.boundaries, ElementsAre("bend", "fold 1"));
+  EXPECT_THAT(mesh.fold_boundaries, ElementsAre("fold 1"));
+  EXPECT_EQ(mesh.folds.size(), 1U);
+  EXPECT_EQ(mesh.vertices.size(), 8U);  // two of them twice
+  // The named curve is listed for one side of the fold, the fold for both.
+  EXPECT_EQ(std::ranges::count(mesh.edges, 0, &mesh::BoundaryEdge::boundary), 1);
+  EXPECT_EQ(std::ranges::count(mesh.edges, 1, &mesh::BoundaryEdge::boundary), 2);
+}
+
+TEST(SurfaceMesh, HasTheScaleAndTheSideThatTheCaseNames) {
+  const written::TemporaryPath path(".msh");
+  const Vector3d below(0, 0, -1);
+  const MeshFile file = file_of(path, folded, {.scale = 1e-3, .upper = below});
+  const fem::Surface surface(std::make_shared<const mesh::CoarseMesh>(coarse_mesh(file, mesh::Shape::quadrilateral)),
+                             {});
+  const geometry::Frame frame = surface.frame({.coarse = 0}, {0.25, 0.5});
+  EXPECT_LT((frame.a3 - below).norm(), 1e-14);
+  EXPECT_LT((geometry::surface_normal(frame) - below).norm(), 1e-14);
+  EXPECT_NEAR(frame.sqrt_a, 1e-6, 1e-18);
+}
+
+TEST(SurfaceMesh, IsSmoothBelowTheAngleThatTheCaseNames) {
+  const written::TemporaryPath path(".msh");
+  EXPECT_TRUE(coarse_mesh(file_of(path, folded, {.smooth_angle = 1.6}), mesh::Shape::quadrilateral).folds.empty());
+  const std::string flat =
+      folded.substr(0, folded.find("5 0 0 1")) + "5 -1 0 0\n6 -1 1 0" + folded.substr(folded.find("\n$EndNodes"));
+  EXPECT_TRUE(coarse_mesh(file_of(path, flat), mesh::Shape::quadrilateral).folds.empty());
+  EXPECT_EQ(
+      surface_mesh(read_surface(file_of(path, flat, {.folds = {"bend"}}), {}), mesh::Shape::quadrilateral).folds.size(),
+      1U);
+}
+
+TEST(SurfaceMesh, LiesAtTheOffsetFromTheFile) {
+  const FileSurface file = surface_of(sphere(mesh::Shape::quadrilateral, 3, 4));
+  // The file of a sphere of radius 1; the mid-surface is half of a thickness of 0.1 inside of it.
+  std::string text =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(file.topology.mesh.nodes.size()) + "\n";
+  for (std::size_t n = 0; n < file.topology.mesh.nodes.size(); ++n) {
+    const Vector3d& x = file.topology.mesh.nodes[n];
+    text += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", n + 1, x[0], x[1], x[2]);
+  }
+  text += "$EndNodes\n$Elements\n" + std::to_string(file.topology.mesh.cells.size()) + "\n";
+  const auto places = lattice_places(mesh::Shape::quadrilateral, 4);
+  for (std::size_t c = 0; c < file.topology.mesh.cells.size(); ++c) {
+    text += fmt::format("{} 37 2 0 1", c + 1);
+    for (const std::size_t place : places) text += fmt::format(" {}", file.topology.mesh.cells[c].nodes[place] + 1);
+    text += "\n";
+  }
+  text += "$EndElements\n";
+  const written::TemporaryPath path(".msh");
+  const MeshFile moved = file_of(path, text, {.offset = {.part = -0.5, .thickness = geometry::Expression(0.1)}});
+  const fem::Surface surface(std::make_shared<const mesh::CoarseMesh>(coarse_mesh(moved, mesh::Shape::quadrilateral)),
+                             {});
+  for (int c = 0; c < 54; ++c) EXPECT_NEAR(surface.frame({.coarse = c}, {0.3, 0.6}).phi.norm(), 0.95, 1e-4);
+  EXPECT_THAT(refusal(folded, {.offset = {.part = 0.5}}), HasSubstr("an offset would tear it"));
+}
+
+TEST(SurfaceMesh, IsCutCrosswiseForTriangles) {
+  const written::TemporaryPath path(".msh");
+  const mesh::CoarseMesh mesh = coarse_mesh(file_of(path, folded), mesh::Shape::triangle);
+  EXPECT_EQ(mesh.cells.size(), 8U);
+  EXPECT_EQ(mesh.folds.size(), 1U);
+  const fem::Surface surface(std::make_shared<const mesh::CoarseMesh>(mesh), {});
+  double area = 0;
+  for (int c = 0; c < 8; ++c) area += surface.frame({.coarse = c}, {1.0 / 3, 1.0 / 3}).sqrt_a / 2;
+  EXPECT_NEAR(area, 2, 1e-14);
+}
+
+TEST(SurfaceMesh, IsRefusedWithTheReason) {
+  EXPECT_THAT(refusal(folded, {.folds = {"edge"}}), HasSubstr("there is no curve \"edge\""));
+  EXPECT_THAT(refusal(written::header + "$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n0\n$EndElements\n"),
+              HasSubstr("it has no quadrilaterals"));
+}
+
+TEST(SurfaceMesh, GivesAddressesThatLeadBackToTheirPoints) {
+  const FileSurface file = surface_of(sphere(mesh::Shape::quadrilateral, 2, 3));
+  const fem::Surface surface(std::make_shared<const mesh::CoarseMesh>(surface_mesh(file, mesh::Shape::quadrilateral)),
+                             {});
+  for (const Vector3d& wanted : {Vector3d(0.9, 0.1, 0.2), Vector3d(0, 0, -1.2), Vector3d(0.5, -0.5, 0.5)}) {
+    const fem::NearestPoint nearest = nearest_point(surface, wanted);
+    EXPECT_LT((nearest.place - wanted.normalized()).norm(), 5e-3);
+    EXPECT_NEAR(nearest.distance, std::abs(1 - wanted.norm()), 1e-3);
+    const auto location = fem::locate(surface.coarse(), nearest.point);
+    ASSERT_TRUE(location);
+    EXPECT_LT((surface.frame({.coarse = location->coarse}, location->xi).phi - nearest.place).norm(), 1e-12);
+  }
+}
+
+TEST(NearestPoint, OfAChartIsTheFootOfTheNormal) {
+  const fem::Surface surface(std::make_shared<const mesh::CoarseMesh>(coarse_mesh(Disk{}, mesh::Shape::quadrilateral)),
+                             {{"", geometry::Chart({"x", "y", "x^2 + y^2"}, {})}});
+  const Vector3d foot(0.3, -0.2, 0.13), normal = Vector3d(-0.6, 0.4, 1).normalized();
+  const fem::NearestPoint nearest = nearest_point(surface, foot + 0.1 * normal);
+  EXPECT_LT((nearest.place - foot).norm(), 1e-7);
+  EXPECT_LT((nearest.point - Vector2d(0.3, -0.2)).norm(), 1e-7);
+}
+
+}  // namespace
+}  // namespace plastron::domain
