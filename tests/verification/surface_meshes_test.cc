@@ -211,8 +211,8 @@ TEST(Fold, HoldsWhenCellsAreDividedBesideIt) {
   EXPECT_NEAR(solved(by_accuracy).summary.energy.total(), exact, 1e-3 * exact);
 }
 
-/// The energy of a cube that stands on the plane Z = 0 with its face -axis.
-computation::Result standing_cube(int axis) {
+/// A cube that stands on the plane Z = 0 with its face -axis.
+computation::Result standing_cube(int axis, element::Formulation formulation = element::Formulation::tangent) {
   topology::SpaceMesh mesh = cube(Shape::quadrilateral, 2);
   for (Vector3d& node : mesh.nodes)
     node = Vector3d(node[(axis + 1) % 3], node[(axis + 2) % 3], node[axis] + 0.5 + 0.05 / 2);
@@ -223,6 +223,7 @@ computation::Result standing_cube(int axis) {
   weight.force[2] = geometry::Expression(-1.0);
   problem.shell.loads.on_areas = {weight};
   problem.shell.obstacles.all = {obstacle::Obstacle{}};
+  problem.shell.tangency.formulation = formulation;
   return solved(problem);
 }
 
@@ -235,6 +236,13 @@ TEST(Fold, TouchesAnObstacleWithTheFacesOfAllItsSides) {
     EXPECT_NEAR(result.summary.obstacles.front().zones.front().area, 1, 1e-9) << axis;
     EXPECT_EQ(result.estimates->goals.front().contact_edge, 0) << axis;
   }
+}
+
+// (M13) and (M14) see only gradients of r . a_3: without r . a_3 = 0 at folds each face of the cube had a free motion.
+TEST(Fold, HoldsTheNormalRotationInAllFormulations) {
+  const double energy = standing_cube(0).summary.energy.total();
+  for (const auto formulation : {element::Formulation::penalised, element::Formulation::mixed})
+    EXPECT_NEAR(standing_cube(0, formulation).summary.energy.total(), energy, 1e-8 * energy);
 }
 
 }  // namespace

@@ -100,12 +100,7 @@ NodeCoordinates kinked_coordinates(const constraints::Row& row, const NodalPoint
   const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - row.own().bottomRightCorner<3, 3>();
   for (const Vector3d& direction : orthonormal_range(rest)) all.rotation.emplace_back(direction, 0);
   all.rotation.insert(all.rotation.end(), support.rotation.begin(), support.rotation.end());
-  NodeCoordinates coordinates = node_coordinates(point, all, {}, {}, Vector6::Zero(), size);
-  if (support.rotation.empty()) {  // r . a_3 is free where no support holds r
-    coordinates.lower[5] = -std::numeric_limits<double>::infinity();
-    coordinates.upper[5] = std::numeric_limits<double>::infinity();
-  }
-  return coordinates;
+  return node_coordinates(point, all, {}, {}, Vector6::Zero(), size);
 }
 
 NodeCoordinates body_coordinates(const fem::PlacedBody& placed, const fem::BodyNode& member, const NodalPoint& point,

@@ -83,6 +83,17 @@ void take_faces_at_folds(const fem::Space& space, std::vector<std::vector<obstac
   }
 }
 
+/// Marks the owned nodes that decide the displacement at a kink (collective).
+std::vector<char> deciding_at_kinks(const fem::Space& space) {
+  algebra::Vector kinked(space.layout, 1);
+  for (const constraints::Row& row : space.kinks.rows())
+    if (row.node < space.layout->owned) kinked.local()[static_cast<std::size_t>(row.node)] = 1;
+  space.kinks.apply_transposed(kinked);
+  std::vector<char> marks;
+  for (const double number : kinked.owned()) marks.push_back(number > 0.5 ? 1 : 0);
+  return marks;
+}
+
 /// Returns the coordinates of one owned node. A constrained node has no bounds: its rows touch no obstacle.
 NodeCoordinates owned_coordinates(const NodalCoordinates& all, std::size_t i, const NodalPoint& point,
                                   const NodeSupport& support, const State& state, double size) {
@@ -142,9 +153,12 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
     coordinates.nearest_faces = nearest_faces(space, own, gaps, size);
   }
   coordinates.gaps = std::move(gaps);
+  const std::vector<char> decides = deciding_at_kinks(space);
   algebra::in_agreement<SupportError, obstacle::ObstacleError>(comm, [&] {
     for (std::size_t i = 0; i < node_support.size(); ++i) {
-      const NodeCoordinates node = owned_coordinates(coordinates, i, points[i], node_support[i], state, size);
+      NodeCoordinates node = owned_coordinates(coordinates, i, points[i], node_support[i], state, size);
+      // The forms (M13) and (M14) see only gradients of r . a_3: at kinks it vanishes, as on Gamma_0, on all sides.
+      if (decides[i]) node.lower[NodalCoordinates::normal_rotation] = node.upper[NodalCoordinates::normal_rotation] = 0;
       Eigen::Map<NodeBasis>{bases.at(i).data()} = node.basis;
       std::copy_n(node.lower.begin(), width, coordinates.lower.at(i).begin());
       std::copy_n(node.upper.begin(), width, coordinates.upper.at(i).begin());
