@@ -27,7 +27,7 @@ constexpr double used_share = 0.6;                     // coefficients over node
 constexpr double least_cosine = 0.5;                   // of the directors of a neighbour and the plane's normal
 constexpr double fitting = 0.25;                       // largest residual over the correction that a fit makes
 constexpr double most_of_sag = 2, most_of_bend = 0.1;  // largest corrections of cells of order 1, and of others
-constexpr double negligible = 1e-8;                    // correction over the size of the stencil
+constexpr double no_correction = 1e-8;                    // correction over the size of the stencil
 
 using Nodes = std::vector<std::int32_t>;
 
@@ -225,7 +225,7 @@ std::optional<CellFit> SecondSurface::fit(std::size_t cell) const {
     double misfit = 0;
     for (const std::int32_t node : nodes) misfit = std::max(misfit, std::abs(found->lift(position(node))));
     const double change = correction(cell, *found);
-    const bool is_flat = std::max(misfit, change) <= negligible;
+    const bool is_flat = std::max(misfit, change) <= no_correction;
     const bool fits = is_flat || (misfit <= fitting * change && change * found->plane.scale <= most);
     if (!fits || change * found->plane.scale >= least) continue;
     least = change * found->plane.scale;
@@ -261,7 +261,7 @@ NewNode SecondSurface::moved(std::size_t cell, const CellFit& fit, const Key& ke
   const geometry::Frame before = frame(cell, xi);
   const Vector3d at = fit.plane.local(before.phi);
   const double lift = fit.lift(before.phi);
-  if (is_kept(key) || std::abs(lift) <= negligible) return {before.phi, before.a3};
+  if (is_kept(key) || std::abs(lift) <= no_correction) return {before.phi, before.a3};
   NewNode node{.position = before.phi + lift * fit.plane.scale * fit.plane.axes.col(2),
                .director = (fit.plane.axes * fit.heights.normal(at[0], at[1])).normalized()};
   for (const Edge& edge : symmetric_) {
