@@ -245,5 +245,32 @@ TEST(Fold, HoldsTheNormalRotationInAllFormulations) {
     EXPECT_NEAR(standing_cube(0, formulation).summary.energy.total(), energy, 1e-8 * energy);
 }
 
+/// The energy of two plates in a right angle, with borders fixed in u, that the load presses onto a ball.
+double energy_on_ball(const Vector3d& centre, const std::vector<obstacle::Face>& faces) {
+  const auto on_border = [](const Vector3d& p) {
+    return p[0] > 1 - 1e-9 || p[2] > 1 - 1e-9 || p[1] < 1e-9 || p[1] > 1 - 1e-9;
+  };
+  problem::Problem problem =
+      problem_on(surface_of(star(Shape::quadrilateral, 2, 1, {0, pi / 2}), {{"rim", on_border}}), 3, 0);
+  problem.shell.supports = {edge_support("rim", {Direction::x, Direction::y, Direction::z})};
+  assembly::AreaLoad load;
+  for (const std::size_t k : {0, 2}) load.force[k] = geometry::Expression(-1000.0);
+  problem.shell.loads.on_areas = {load};
+  for (const obstacle::Face face : faces)
+    problem.shell.obstacles.all.push_back({.shape = obstacle::Ball{.centre = centre, .radius = 0.1}, .face = face});
+  const computation::Result result = solved(problem);
+  EXPECT_GT(result.summary.reaction.force.norm(), 1);
+  return result.summary.energy.total();
+}
+
+// At the ends of the fold u is fixed. The face of one side is not moved by the rotation of the other.
+TEST(Fold, MayEndOnABorderFixedInUBesideAnObstacle) {
+  using obstacle::Face;
+  const double energy = energy_on_ball({0.5, 0.5, -0.13}, {Face::nearer});
+  EXPECT_NEAR(energy_on_ball({-0.13, 0.5, 0.5}, {Face::nearer}), energy, 1e-9 * energy);
+  for (const Vector3d& centre : {Vector3d(0.5, 0.5, -0.13), Vector3d(-0.13, 0.5, 0.5)})
+    EXPECT_NEAR(energy_on_ball(centre, {Face::lower, Face::upper}), energy, 1e-9 * energy);
+}
+
 }  // namespace
 }  // namespace plastron::verification::surface_meshes_test

@@ -48,27 +48,28 @@ std::optional<std::vector<ContactColumn>> around_one_gap(const obstacle::Gap& ga
     const Vector3d unit_w = p / p.squaredNorm();  // n . unit_w = 1
     columns.push_back({unit_w, zero});
     for (const Vector3d& d : orthogonal_part(u, p)) columns.push_back({d, zero});
-    for (const Vector3d& d : r) columns.push_back({-gap.z * gap.normal.dot(d) * unit_w, d});
+    for (const Vector3d& d : r) columns.push_back({-gap.arm * gap.normal.dot(d) * unit_w, d});
     return columns;
   }
   const Vector3d q = projection(r, gap.normal);
-  if (!(q.norm() > negligible)) return {};
-  columns.push_back({zero, q / (gap.z * q.squaredNorm())});
+  if (gap.arm == 0 || !(q.norm() > negligible)) return {};
+  columns.push_back({zero, q / (gap.arm * q.squaredNorm())});
   for (const Vector3d& d : u) columns.push_back({d, zero});
   for (const Vector3d& d : orthogonal_part(r, q)) columns.push_back({zero, d});
   return columns;
 }
 
-/// The gaps as rows on the free directions: displacements are not scaled, rotations are multiplied by the largest |z|.
+/// The gaps as rows on the free directions: displacements are not scaled, rotations are multiplied by the largest arm.
 struct GapRows {
   GapRows(std::span<const obstacle::Gap> gaps, const std::vector<Vector3d>& free_u, const std::vector<Vector3d>& free_r)
       : u(free_u), r(free_r), all(static_cast<Index>(gaps.size()), static_cast<Index>(u.size() + r.size())) {
-    for (const obstacle::Gap& gap : gaps) lever = std::max(lever, std::abs(gap.z));
+    for (const obstacle::Gap& gap : gaps) lever = std::max(lever, std::abs(gap.arm));
+    if (lever == 0) lever = 1;  // no gap depends on r: the rows are zero there
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       const auto row = static_cast<Index>(i);
       for (std::size_t k = 0; k < u.size(); ++k) all(row, static_cast<Index>(k)) = gaps[i].normal.dot(u[k]);
       for (std::size_t k = 0; k < r.size(); ++k)
-        all(row, static_cast<Index>(u.size() + k)) = gaps[i].z / lever * gaps[i].normal.dot(r[k]);
+        all(row, static_cast<Index>(u.size() + k)) = gaps[i].arm / lever * gaps[i].normal.dot(r[k]);
     }
   }
 

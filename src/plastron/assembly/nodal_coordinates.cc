@@ -54,17 +54,16 @@ algebra::Vector nearest_faces(const fem::Space& space, const std::vector<std::ve
 /// another side moves with u alone there: its rotation is normal to the obstacle's normal where that side touches
 /// (collective).
 void take_faces_at_folds(const fem::Space& space, std::vector<std::vector<obstacle::Gap>>& gaps) {
-  constexpr std::size_t size = 10;  // node, obstacle, gap, normal, side, contact point
+  constexpr std::size_t size = 10;  // node, obstacle, gap, normal, height, contact point
   std::vector<double> mine;
   for (algebra::LocalIndex i = 0; i < space.layout->owned; ++i) {
     const constraints::Row* row = space.kinks.find(static_cast<std::size_t>(i));
     if (!row) continue;
     for (std::size_t k = 0; k < gaps.size(); ++k) {
       const obstacle::Gap& gap = gaps[k][static_cast<std::size_t>(i)];
-      mine.insert(mine.end(),
-                  {static_cast<double>(space.layout->global(row->terms.front().node)), static_cast<double>(k),
-                   gap.initial, gap.normal[0], gap.normal[1], gap.normal[2], gap.z < 0 ? -1.0 : 1.0,
-                   gap.contact_point[0], gap.contact_point[1], gap.contact_point[2]});
+      mine.insert(mine.end(), {static_cast<double>(space.layout->global(row->terms.front().node)),
+                               static_cast<double>(k), gap.initial, gap.normal[0], gap.normal[1], gap.normal[2], gap.z,
+                               gap.contact_point[0], gap.contact_point[1], gap.contact_point[2]});
     }
   }
   const auto all = algebra::gather_over_ranks(mine, space.layout->comm);
@@ -75,11 +74,11 @@ void take_faces_at_folds(const fem::Space& space, std::vector<std::vector<obstac
     if (node == local.end()) continue;
     obstacle::Gap& gap = gaps[static_cast<std::size_t>(all[at + 1])][static_cast<std::size_t>(node->second)];
     if (!(all[at + 2] < gap.initial)) continue;
-    constexpr double no_height = 1e-300;  // its sign tells the face
     gap = {.initial = all[at + 2],
            .normal = {all[at + 3], all[at + 4], all[at + 5]},
-           .z = all[at + 6] * no_height,
-           .contact_point = {all[at + 7], all[at + 8], all[at + 9]}};
+           .z = all[at + 6],
+           .contact_point = {all[at + 7], all[at + 8], all[at + 9]},
+           .arm = 0};
   }
 }
 

@@ -41,8 +41,8 @@ double distance_from_state(const assembly::DiscreteShell& discrete, const soluti
     if (!touches) return;
     const Vector6 way = node_values(solution.y, row.node) - discrete.state.at(row.node);
     const Vector3d r = geometry::tangential(way.tail<3>(), discrete.points[row.node].a3);
-    const double z = discrete.coordinates.gaps[k][row.node].z;
-    farthest = std::max(farthest, (way.head<3>() + z * r - discrete.obstacles.way(k)).norm());
+    const double arm = discrete.coordinates.gaps[k][row.node].arm;
+    farthest = std::max(farthest, (way.head<3>() + arm * r - discrete.obstacles.way(k)).norm());
   });
   return algebra::max_over_ranks(farthest, discrete.space().layout->comm);
 }

@@ -32,7 +32,7 @@ element::BasisAt between_nodes(const fem::Space& space, int direction) {
 /// Change of a gap by a field.
 double opening(const obstacle::Gap& gap, const auto& row, const Eigen::Vector3d& a3) {
   return gap.normal.dot(Eigen::Vector3d(row.template head<3>())) +
-         gap.z * gap.normal.dot(geometry::tangential(row.template tail<3>(), a3));
+         gap.arm * gap.normal.dot(geometry::tangential(row.template tail<3>(), a3));
 }
 
 }  // namespace

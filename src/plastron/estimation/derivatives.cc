@@ -133,7 +133,7 @@ Derivative derivative_of(const SupportForce& force, const Solved& solved) {
         if (!is_active(row, solved)) continue;
         const obstacle::Gap& gap = coordinates.gaps[static_cast<std::size_t>(row.obstacle)][i];
         const Vector3d turned = geometry::tangential(gap.normal, solved.discrete.points[i].a3);
-        const double shared = direction.head<3>().dot(gap.normal) + gap.z * direction.tail<3>().dot(turned);
+        const double shared = direction.head<3>().dot(gap.normal) + gap.arm * direction.tail<3>().dot(turned);
         all.push_back({coordinates.at(i, row.coordinate), -shared / row.scale * d});
       }
     }

@@ -35,8 +35,8 @@ Nearest nearest(const ExaminedNodes& nodes, std::size_t obstacle, Face face) {
   for (std::size_t i = 0; i < count; ++i) {
     const obstacle::Gap& gap = nodes.coordinates.gaps[obstacle][i];
     cosines[i] = facing(gap, nodes.points[i], face);
-    // The other face is nearer by 2 |z| |cosine| where the cosine is negative.
-    gaps[i] = gap.initial + std::min(0.0, 2 * std::abs(gap.z) * cosines[i]);
+    // The other face is nearer by 2 |arm| |cosine| where the cosine is negative.
+    gaps[i] = gap.initial + std::min(0.0, 2 * std::abs(gap.arm) * cosines[i]);
   }
   const auto least = static_cast<std::size_t>(std::ranges::min_element(gaps) - gaps.begin());
   double weights = 0, sum = 0;

@@ -160,6 +160,7 @@ Gap gap_at(const Obstacle& obstacle, const ShellPoint& at) {
 }
 
 double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at) {
+  if (gap.arm == 0) return obstacle.nearest(gap.contact_point + at.u).distance;
   return gap_of_face(obstacle, at, gap.z, {}).distance;
 }
 

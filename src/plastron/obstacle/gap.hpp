@@ -12,14 +12,16 @@ inline double face_position(Face face, const Vector3d& n, const Vector3d& a3) {
   return face == Face::lower ? -0.5 : 0.5;
 }
 
-/// g(u, r) = initial + n . (u + z r), with z = -e/2 (lower face) or +e/2 (upper face).
+/// g(u, r) = initial + n . (u + arm r). The arm is z = -e/2 (lower face) or +e/2 (upper face). At a fold a face of another
+/// side has the arm 0: it moves with u alone.
 struct Gap {
   double initial;          ///< gap of the undeformed shell [m]
   Vector3d normal;         ///< n = grad d at the touching face
   double z;                ///< height of the touching face above the mid-surface [m]
   Vector3d contact_point;  ///< phi + z a_3
+  double arm = z;          ///< z, or 0 for a face of another side [m]
 
-  double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + z * r); }
+  double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + arm * r); }
 };
 
 /// A point of the mid-surface with its displacement and rotation in the state of the linearisation.

@@ -231,10 +231,10 @@ class Marching {
     return search;
   }
 
-  /// Height of the touching face above the mid-surface at a point of the cell.
+  /// Height of the touching face above the mid-surface at a point of the cell; 0 at a fold for a face of another side.
   double height(const CellEnd& end, const Eigen::Vector2d& xi) const {
-    const double z = gaps_[static_cast<std::size_t>(node(end.touching))].z,
-                 other = gaps_[static_cast<std::size_t>(node(end.other))].z;
+    const double z = gaps_[static_cast<std::size_t>(node(end.touching))].arm,
+                 other = gaps_[static_cast<std::size_t>(node(end.other))].arm;
     if (end.touching == end.other || z * other <= 0) return z;
     const Eigen::Vector2d way = reference_point(end.other) - reference_point(end.touching);
     return z + way.dot(xi - reference_point(end.touching)) / way.squaredNorm() * (other - z);

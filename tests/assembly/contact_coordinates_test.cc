@@ -1,0 +1,85 @@
+// Bases of nodes at contact: gaps that the rotation does not change.
+#include <plastron/assembly/contact_coordinates.hpp>
+
+#include <gtest/gtest.h>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <numeric>
+
+namespace plastron::assembly {
+namespace {
+
+using obstacle::Gap;
+
+constexpr double half = 0.05;
+const std::vector<Vector3d> everywhere{Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()};
+
+std::vector<Vector3d> tangents(const Vector3d& a3) {
+  const auto pair = across(a3.normalized());
+  return {pair[0], pair[1]};
+}
+
+Gap gap(const Vector3d& normal, double z, double initial = 0) {
+  return {.initial = initial, .normal = normal.normalized(), .z = z, .contact_point = Vector3d::Zero()};
+}
+
+Gap of_another_side(const Vector3d& normal, double z) {
+  Gap moved = gap(normal, z);
+  moved.arm = 0;
+  return moved;
+}
+
+ContactCoordinates coordinates(const std::vector<Gap>& gaps, const std::vector<Vector3d>& u,
+                               const std::vector<Vector3d>& r) {
+  std::vector<std::size_t> nearest_first(gaps.size());
+  std::iota(nearest_first.begin(), nearest_first.end(), std::size_t{0});
+  std::ranges::stable_sort(nearest_first, {}, [&](std::size_t k) { return gaps[k].initial; });
+  return contact_coordinates(gaps, nearest_first, u, r);
+}
+
+/// The largest part of a column: u, or r times half of the thickness.
+double largest(const ContactCoordinates& found) {
+  double most = 0;
+  for (const ContactColumn& column : found.columns)
+    most = std::max({most, column.u.cwiseAbs().maxCoeff(), half * column.r.cwiseAbs().maxCoeff()});
+  return most;
+}
+
+/// Each column changes the gap by the scale of its place, or not at all.
+void expect_coordinates(const std::vector<Gap>& gaps, const ContactCoordinates& found) {
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const ContactPlace& place = found.places[i];
+    if (place.is_left_out) continue;
+    for (std::size_t k = 0; k < found.columns.size(); ++k) {
+      const double change = gaps[i].normal.dot(found.columns[k].u + gaps[i].arm * found.columns[k].r);
+      EXPECT_NEAR(change, static_cast<int>(k) == place.coordinate ? place.scale : 0, 1e-10) << i << " " << k;
+    }
+  }
+}
+
+TEST(ContactCoordinates, OfAFaceThatTheRotationDoesNotMoveAreDisplacements) {
+  const std::vector<Vector3d> r = tangents({1, 0, 0});
+  const Gap below = of_another_side({0, 0.1, 1}, -half), above = of_another_side({0, 0.1, 1}, half);
+  for (const std::vector<Gap>& gaps : {std::vector{below}, {below, above}, {below, gap({0, 0, 1}, half)}}) {
+    const ContactCoordinates found = coordinates(gaps, everywhere, r);
+    ASSERT_EQ(found.columns.size(), 5U);
+    EXPECT_LT(largest(found), 11);
+    EXPECT_EQ(found.places[0].coordinate, 0);
+    expect_coordinates(gaps, found);
+  }
+}
+
+TEST(ContactCoordinates, OfAFaceThatTheRotationDoesNotMoveHaveNoBoundWhereUIsFixed) {
+  const std::vector<Vector3d> r = tangents({1, 0, 0});
+  const Gap below = of_another_side({0, 0, 1}, -half), above = of_another_side({0, 0, 1}, half);
+  for (const std::vector<Gap>& gaps : {std::vector{below}, {below, above}}) {
+    const ContactCoordinates found = coordinates(gaps, {}, r);
+    ASSERT_EQ(found.columns.size(), 2U);
+    EXPECT_LE(largest(found), half);
+    for (const ContactPlace& place : found.places) EXPECT_EQ(place.coordinate, -1);
+  }
+}
+
+}  // namespace
+}  // namespace plastron::assembly
