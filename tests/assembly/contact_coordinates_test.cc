@@ -1,4 +1,4 @@
-// Bases of nodes at contact: gaps that the rotation does not change.
+// Bases of nodes at contact: gaps that the rotation does not change, gaps that hardly differ, and gaps that depend on others.
 #include <plastron/assembly/contact_coordinates.hpp>
 
 #include <gtest/gtest.h>
@@ -46,6 +46,12 @@ double largest(const ContactCoordinates& found) {
   return most;
 }
 
+std::vector<bool> left_out(const ContactCoordinates& found) {
+  std::vector<bool> marks;
+  for (const ContactPlace& place : found.places) marks.push_back(place.is_left_out);
+  return marks;
+}
+
 /// Each column changes the gap by the scale of its place, or not at all.
 void expect_coordinates(const std::vector<Gap>& gaps, const ContactCoordinates& found) {
   for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -78,6 +84,36 @@ TEST(ContactCoordinates, OfAFaceThatTheRotationDoesNotMoveHaveNoBoundWhereUIsFix
     ASSERT_EQ(found.columns.size(), 2U);
     EXPECT_LE(largest(found), half);
     for (const ContactPlace& place : found.places) EXPECT_EQ(place.coordinate, -1);
+  }
+}
+
+// The normal of the shell in a mesh is known to some digits only. The far face is a thickness behind and needs no bound.
+TEST(ContactCoordinates, LeaveOutTheFarFaceOnTheSameSide) {
+  for (const double slope : {2e-6, 1e-4, 1e-2}) {
+    const std::vector<Gap> gaps{gap({0, 0, 1}, half, 2 * half), gap({0, 0, 1}, -half)};
+    const ContactCoordinates found = coordinates(gaps, everywhere, tangents({slope, 0, 1}));
+    EXPECT_EQ(left_out(found), (std::vector{true, false})) << slope;
+    EXPECT_LT(largest(found), 2) << slope;
+    expect_coordinates(gaps, found);
+  }
+}
+
+TEST(ContactCoordinates, BoundBothFacesOfAShellBetweenPlates) {
+  const std::vector<Gap> gaps{gap({0, 0, 1}, -half), gap({0, 0, -1}, half)};
+  const ContactCoordinates found = coordinates(gaps, everywhere, tangents({1e-3, 0, 1}));
+  EXPECT_EQ(left_out(found), (std::vector{false, false}));
+  expect_coordinates(gaps, found);
+}
+
+// Two rollers along y meet both faces. All gaps change with u_x, u_z and one rotation, but for the small slope along y.
+TEST(ContactCoordinates, LeaveOutAGapThatNearlyDependsOnNearerOnes) {
+  for (const double slope : {0.0, 2e-6, 1e-4}) {
+    const std::vector<Gap> gaps{gap({0.95, 0, 0.31}, -half, 0.5), gap({0.94, 0, 0.34}, half, 0.55),
+                                gap({0.4, 0, 0.9}, -half), gap({0.35, 0, 0.93}, half, 2 * half)};
+    const ContactCoordinates found = coordinates(gaps, everywhere, tangents({0, slope, 1}));
+    EXPECT_EQ(left_out(found), (std::vector{false, true, false, false})) << slope;
+    EXPECT_LT(largest(found), 20) << slope;
+    expect_coordinates(gaps, found);
   }
 }
 

@@ -68,6 +68,30 @@ TEST_P(PanelOnThreeBalls, ComesToRestWithEachBallAtItsShare) {
 INSTANTIATE_TEST_SUITE_P(Flat, PanelOnThreeBalls, testing::Values("0.025"));
 INSTANTIATE_TEST_SUITE_P(Curved, PanelOnThreeBalls, testing::Values("0.025 + 0.02*(x^2 + y^2)"));
 
+/// The energy of a panel whose normal hardly differs from z, as in a mesh with rounded nodes.
+double energy_at_rest(const std::vector<obstacle::Shape>& shapes, const std::vector<obstacle::Face>& faces) {
+  problem::Problem p = panel("0.025 + 2e-6*y");
+  for (const obstacle::Shape& shape : shapes)
+    for (const obstacle::Face face : faces) p.shell.obstacles.all.push_back({.shape = shape, .face = face});
+  const Result r = solve(p, MPI_COMM_SELF);
+  EXPECT_EQ(r.status, Status::solved) << r.missed_limits;
+  EXPECT_NEAR(r.summary.reaction.force[2], weight * side * side, 1e-6 * weight);
+  return r.summary.energy.total();
+}
+
+// The gaps of both faces are nearly parallel on a plane, and nearly depend on each other at two rollers.
+TEST(APanelWithBothFacesNamed, RestsOnItsLowerFace) {
+  using obstacle::Face;
+  const auto roller = [](double x) {
+    return obstacle::Cylinder{.point = {x, 0, -0.1}, .axis = {0, 1, 0}, .radius = 0.1};
+  };
+  for (const std::vector<obstacle::Shape>& shapes :
+       {std::vector<obstacle::Shape>{obstacle::HalfSpace{}}, {roller(-0.25), roller(0.25)}}) {
+    const double lower = energy_at_rest(shapes, {Face::lower});
+    EXPECT_NEAR(energy_at_rest(shapes, {Face::lower, Face::upper}), lower, 1e-6 * lower) << shapes.size();
+  }
+}
+
 // The middle of the weight is beyond the line between two balls.
 TEST(APanelOnTwoBallsAndOneFarAway, TipsOff) {
   problem::Problem p = panel("0.025");

@@ -62,7 +62,10 @@ std::optional<std::vector<ContactColumn>> around_one_gap(const obstacle::Gap& ga
 /// The gaps as rows on the free directions: displacements are not scaled, rotations are multiplied by the largest arm.
 struct GapRows {
   GapRows(std::span<const obstacle::Gap> gaps, const std::vector<Vector3d>& free_u, const std::vector<Vector3d>& free_r)
-      : u(free_u), r(free_r), all(static_cast<Index>(gaps.size()), static_cast<Index>(u.size() + r.size())) {
+      : u(free_u),
+        r(free_r),
+        all(static_cast<Index>(gaps.size()), static_cast<Index>(u.size() + r.size())),
+        arms(all.rows()) {
     for (const obstacle::Gap& gap : gaps) lever = std::max(lever, std::abs(gap.arm));
     if (lever == 0) lever = 1;  // no gap depends on r: the rows are zero there
     for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -70,8 +73,14 @@ struct GapRows {
       for (std::size_t k = 0; k < u.size(); ++k) all(row, static_cast<Index>(k)) = gaps[i].normal.dot(u[k]);
       for (std::size_t k = 0; k < r.size(); ++k)
         all(row, static_cast<Index>(u.size() + k)) = gaps[i].arm / lever * gaps[i].normal.dot(r[k]);
+      arms[row] = gaps[i].arm;
     }
   }
+
+  /// Projects row i on row k, and returns the factor of row k.
+  double scale(Index i, Index k) const { return all.row(i).dot(all.row(k)) / all.row(k).squaredNorm(); }
+  /// Returns the length of the part of row i that is orthogonal to row k.
+  double difference(Index i, Index k) const { return (all.row(i) - scale(i, k) * all.row(k)).norm(); }
 
   ContactColumn column(const VectorXd& free) const {
     ContactColumn c;
@@ -83,6 +92,7 @@ struct GapRows {
   const std::vector<Vector3d>&u, &r;
   double lever = 0;
   MatrixXd all;
+  VectorXd arms;
 };
 
 /// Returns a basis whose first columns C have F C = 1. They are orthogonal to the other columns, which F maps to zero.
@@ -124,14 +134,30 @@ struct Choice {
   std::vector<ContactPlace> places{};
 };
 
+/// Returns the place of a row that is parallel to a coordinate's row.
 std::optional<ContactPlace> parallel_place(const GapRows& rows, Index row, const std::vector<Index>& coordinates) {
-  for (std::size_t k = 0; k < coordinates.size(); ++k) {
-    const auto known = rows.all.row(coordinates[k]);
-    const double scale = rows.all.row(row).dot(known) / known.squaredNorm();
-    if ((rows.all.row(row) - scale * known).norm() <= negligible * rows.all.row(row).norm())
-      return ContactPlace{static_cast<int>(k), scale};
-  }
+  for (std::size_t k = 0; k < coordinates.size(); ++k)
+    if (rows.difference(row, coordinates[k]) <= negligible * rows.all.row(row).norm())
+      return ContactPlace{static_cast<int>(k), rows.scale(row, coordinates[k])};
   return {};
+}
+
+/// Whether the row is of the far face where the near face of the shell, k, already has a bound in the same direction. The
+/// far face is a thickness behind: it is not the first to touch. Coordinates that separate the two gaps would be rotations
+/// divided by the slope, and its square would be their stiffness.
+bool is_far_face(const GapRows& rows, Index row, Index k) {
+  constexpr double nearly_parallel = 0.2;  // the obstacle's normal is within 6 degrees of the shell's
+  return rows.arms[row] * rows.arms[k] < 0 && rows.scale(row, k) > 0 &&
+         rows.difference(row, k) <= nearly_parallel * rows.all.row(row).norm();
+}
+
+/// Whether the row depends on the coordinates' rows. `rest` is its part that is orthogonal to all of them.
+bool depends_on_several(const GapRows& rows, Index row, const std::vector<Index>& coordinates, double rest) {
+  constexpr double noise = 1e-3;  // of directors and normals that lie in one plane
+  double least = rows.all.row(row).norm();
+  if (!(rest > negligible * least)) return true;
+  for (const Index k : coordinates) least = std::min(least, rows.difference(row, k));
+  return coordinates.size() > 1 && !(rest > noise * least);
 }
 
 Choice choose(const GapRows& rows, std::span<const std::size_t> order) {
@@ -148,7 +174,8 @@ Choice choose(const GapRows& rows, std::span<const std::size_t> order) {
       continue;
     }
     const Eigen::RowVectorXd rest = row - row * span.transpose() * span;
-    place.is_left_out = !(rest.norm() > negligible * row.norm());
+    place.is_left_out = depends_on_several(rows, i, choice.coordinates, rest.norm()) ||
+                        std::ranges::any_of(choice.coordinates, [&](Index k) { return is_far_face(rows, i, k); });
     if (place.is_left_out) continue;
     span.conservativeResize(span.rows() + 1, Eigen::NoChange);
     span.bottomRows(1) = rest.normalized();
