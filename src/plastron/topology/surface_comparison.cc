@@ -27,7 +27,7 @@ constexpr double used_share = 0.6;                     // coefficients over node
 constexpr double least_cosine = 0.5;                   // of the directors of a neighbour and the plane's normal
 constexpr double fitting = 0.25;                       // largest residual over the correction that a fit makes
 constexpr double most_of_sag = 2, most_of_bend = 0.1;  // largest corrections of cells of order 1, and of others
-constexpr double no_correction = 1e-8;                    // correction over the size of the stencil
+constexpr double no_correction = 1e-8;                 // correction over the size of the stencil
 
 using Nodes = std::vector<std::int32_t>;
 
