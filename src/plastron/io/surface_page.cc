@@ -44,7 +44,7 @@ std::string regions_html(const std::vector<RegionPart>& regions) {
   HtmlTable table({"<region", "cells", "turned", "area [m^2]", "middle [m]", "mean normal a3"});
   for (const RegionPart& region : regions)
     table.row({name_html(name_text(region)), fmt::format("{}", region.cells), fmt::format("{}", region.turned),
-               html_number(region.area), html_text(fem::place_of(region.middle)), html_text(normal_text(region))});
+               html_number(region.area), html_text(topology::place_of(region.middle)), html_text(normal_text(region))});
   return "<p class=\"note\">In a case: <code>region = \"...\"</code>.</p>\n" + table.text();
 }
 
@@ -54,8 +54,8 @@ std::string curves_html(const std::vector<CurvePart>& curves) {
   for (const CurvePart& curve : curves)
     table.row({name_html(curve.name), html_text(curve.edges.empty() ? "none: points" : kinds_text(curve)),
                html_number(curve.length), html_number(curve.largest_angle * 180 / std::numbers::pi, "", 1e3),
-               curve.edges.empty() ? "" : html_text(fem::place_of(curve.low)),
-               curve.edges.empty() ? "" : html_text(fem::place_of(curve.high))});
+               curve.edges.empty() ? "" : html_text(topology::place_of(curve.low)),
+               curve.edges.empty() ? "" : html_text(topology::place_of(curve.high))});
   return "<p class=\"note\">In a case: <code>boundary = \"...\"</code>. Names in brackets are no names of a case; "
          "\"fold 1\" and so on are given by the program.</p>\n" +
          table.text();
@@ -69,7 +69,7 @@ std::string doubtful_html(const topology::SurfaceTopology& topology) {
   for (std::size_t i = 0; i < std::min(most_rows, edges.size()); ++i) {
     const topology::SurfaceEdge& edge = topology.edges[edges[i]];
     const auto end = [&](std::size_t k) {
-      return html_text(fem::place_of(topology.mesh.nodes[static_cast<std::size_t>(edge.ends[k])]));
+      return html_text(topology::place_of(topology.mesh.nodes[static_cast<std::size_t>(edge.ends[k])]));
     };
     table.row({html_number(edge.angle * 180 / std::numbers::pi),
                edge.is_lone_fold ? "single fold: counts as smooth" : std::string(kind_word(edge.kind)), end(0),
