@@ -37,6 +37,7 @@ void print_curves(const std::vector<io::CurvePart>& curves) {
 
 std::vector<io::PageFinding> on_page(const std::vector<examination::Finding>& findings) {
   std::vector<io::PageFinding> all;
+  all.reserve(findings.size());
   for (const examination::Finding& finding : findings)
     all.push_back({finding.severity != examination::Severity::note, finding.text});
   return all;

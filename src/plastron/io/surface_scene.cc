@@ -152,6 +152,7 @@ class SceneBuilder {
     std::ranges::stable_sort(pieces, std::greater<>{}, &std::vector<std::size_t>::size);
     if (pieces.size() > most_marks) pieces.resize(most_marks);
     std::vector<std::uint32_t> marks;
+    marks.reserve(pieces.size());
     for (const std::vector<std::size_t>& piece : pieces) marks.push_back(mark_of(piece));
     return marks;
   }
@@ -165,6 +166,7 @@ class SceneBuilder {
     std::map<std::size_t, std::vector<std::size_t>> pieces;
     for (const std::size_t edge : curve.edges) pieces[connected.of(end(edge, 0))].push_back(edge);
     std::vector<std::vector<std::size_t>> list;
+    list.reserve(pieces.size());
     for (auto& [first, edges] : pieces) list.push_back(std::move(edges));
     return list;
   }
