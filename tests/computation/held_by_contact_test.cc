@@ -79,17 +79,15 @@ double energy_at_rest(const std::vector<obstacle::Shape>& shapes, const std::vec
   return r.summary.energy.total();
 }
 
-// The gaps of both faces are nearly parallel on a plane, and nearly depend on each other at two rollers.
+// The gaps of both faces nearly depend on each other at two rollers.
 TEST(APanelWithBothFacesNamed, RestsOnItsLowerFace) {
   using obstacle::Face;
   const auto roller = [](double x) {
     return obstacle::Cylinder{.point = {x, 0, -0.1}, .axis = {0, 1, 0}, .radius = 0.1};
   };
-  for (const std::vector<obstacle::Shape>& shapes :
-       {std::vector<obstacle::Shape>{obstacle::HalfSpace{}}, {roller(-0.25), roller(0.25)}}) {
-    const double lower = energy_at_rest(shapes, {Face::lower});
-    EXPECT_NEAR(energy_at_rest(shapes, {Face::lower, Face::upper}), lower, 1e-6 * lower) << shapes.size();
-  }
+  const std::vector<obstacle::Shape> rollers{roller(-0.25), roller(0.25)};
+  const double lower = energy_at_rest(rollers, {Face::lower});
+  EXPECT_NEAR(energy_at_rest(rollers, {Face::lower, Face::upper}), lower, 1e-6 * lower);
 }
 
 // The middle of the weight is beyond the line between two balls.
