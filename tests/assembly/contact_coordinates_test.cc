@@ -1,4 +1,4 @@
-// Bases of nodes at contact: gaps that the rotation does not change, gaps that hardly differ, and gaps that depend on others.
+// Bases of nodes at contact: gaps that the rotation does not change, that hardly differ, and that depend on others.
 #include <plastron/assembly/contact_coordinates.hpp>
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST(ContactCoordinates, OfAFaceThatTheRotationDoesNotMoveHaveNoBoundWhereUIsFix
   }
 }
 
-// The normal of the shell in a mesh is known to some digits only. The far face is a thickness behind and needs no bound.
+// The normal of a mesh has some digits only. The far face is a thickness behind and needs no bound.
 TEST(ContactCoordinates, LeaveOutTheFarFaceOnTheSameSide) {
   for (const double slope : {2e-6, 1e-4, 1e-2}) {
     const std::vector<Gap> gaps{gap({0, 0, 1}, half, 2 * half), gap({0, 0, 1}, -half)};

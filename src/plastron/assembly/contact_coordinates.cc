@@ -142,9 +142,9 @@ std::optional<ContactPlace> parallel_place(const GapRows& rows, Index row, const
   return {};
 }
 
-/// Whether the row is of the far face where the near face of the shell, k, already has a bound in the same direction. The
-/// far face is a thickness behind: it is not the first to touch. Coordinates that separate the two gaps would be rotations
-/// divided by the slope, and its square would be their stiffness.
+/// Whether the row is of the far face where the near face of the shell, k, already has a bound in the same direction.
+/// The far face is a thickness behind: it is not the first to touch. Coordinates that separate the two gaps would be
+/// rotations divided by the slope, and their stiffness would be divided by its square.
 bool is_far_face(const GapRows& rows, Index row, Index k) {
   constexpr double nearly_parallel = 0.2;  // the obstacle's normal is within 6 degrees of the shell's
   return rows.arms[row] * rows.arms[k] < 0 && rows.scale(row, k) > 0 &&

@@ -18,7 +18,7 @@ struct ContactColumn {
 struct ContactPlace {
   int coordinate = -1;  ///< -1: the free directions do not change the gap, or it is left out
   double scale = 1;
-  /// The gap depends on nearer gaps and has no bound: it is nearly a combination of several, or the gap of the far face.
+  /// The gap depends on nearer gaps and has no bound: it is nearly a combination of several, or that of the far face.
   bool is_left_out = false;
 };
 

@@ -12,8 +12,8 @@ inline double face_position(Face face, const Vector3d& n, const Vector3d& a3) {
   return face == Face::lower ? -0.5 : 0.5;
 }
 
-/// g(u, r) = initial + n . (u + arm r). The arm is z = -e/2 (lower face) or +e/2 (upper face). At a fold a face of another
-/// side has the arm 0: it moves with u alone.
+/// g(u, r) = initial + n . (u + arm r). The arm is z = -e/2 (lower face) or +e/2 (upper face). At a fold a face of
+/// another side has the arm 0: it moves with u alone.
 struct Gap {
   double initial;          ///< gap of the undeformed shell [m]
   Vector3d normal;         ///< n = grad d at the touching face
