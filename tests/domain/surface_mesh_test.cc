@@ -120,6 +120,15 @@ TEST(SurfaceMesh, IsRefusedWithTheReason) {
               HasSubstr("it has no quadrilaterals"));
 }
 
+TEST(SurfaceMesh, IsRefusedWithAllReasonsInOneLine) {
+  const std::string crossed = "$Elements\n4\n1 1 2 1 1 1 4\n2 3 2 2 1 1 2 3 4\n3 3 2 3 2 1 6 5 4\n4 3 2 2 1 1 2 3 4\n";
+  const std::string text = refusal(folded.substr(0, folded.find("$Elements")) + crossed + "$EndElements\n");
+  EXPECT_THAT(text, HasSubstr("elements have the same corners"));
+  EXPECT_THAT(text, HasSubstr("; also: "));
+  EXPECT_THAT(text, HasSubstr("is degenerate or folds over"));
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
 TEST(SurfaceMesh, GivesAddressesThatLeadBackToTheirPoints) {
   const FileSurface file = surface_of(sphere(mesh::Shape::quadrilateral, 2, 3));
   const fem::Surface surface(std::make_shared<const mesh::CoarseMesh>(surface_mesh(file, mesh::Shape::quadrilateral)),

@@ -298,6 +298,48 @@ TEST(FreeRigidMotions, that_only_the_obstacle_can_stop_are_named) {
   EXPECT_THAT(only_held(p), SizeIs(3));
 }
 
+/// Two unit squares with x = 2k + s, y = t in the regions "first" and "second", side by side in space.
+problem::Problem two_squares() {
+  problem::Problem p = free_plate();
+  p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/two-squares.msh"};
+  p.charts = {{"first", Chart({"x", "y", "0"}, {})}, {"second", Chart({"x - 1", "y", "0"}, {})}};
+  return p;
+}
+
+TEST(FreeRigidMotions, of_a_part_that_no_support_holds_are_found_though_another_part_is_held) {
+  problem::Problem p = two_squares();
+  p.shell.supports = {clamped("west")};
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("part 2 of 2"), HasSubstr("\"second\""),
+                                           HasSubstr("translation along (0, 0, 1)"),
+                                           HasSubstr("rotation about the axis (0, 0, 1)"))));
+  p.shell.supports.push_back(clamped("east"));
+  EXPECT_THAT(errors(p), IsEmpty());
+  EXPECT_THAT(texts(p, Severity::note), testing::Contains(HasSubstr("no rigid motion is left free in any of 2 parts")));
+}
+
+TEST(FreeRigidMotions, of_joined_parts_are_those_of_one_shell) {
+  problem::Problem p = two_squares();
+  p.joins = {{{"seam_a", "seam_b"}}};
+  p.shell.supports = {clamped("west")};
+  EXPECT_THAT(errors(p), IsEmpty());
+  EXPECT_THAT(errors(free_plate()), SizeIs(6));
+}
+
+TEST(FreeRigidMotions, of_parts_that_only_the_obstacle_can_stop_depend_on_the_loads_of_each_part) {
+  problem::Problem p = two_squares();
+  for (const char* side : {"west", "east"}) p.shell.supports.push_back(held(side, {Direction::x, Direction::y}));
+  p.shell.obstacles.all = {{.shape = obstacle::HalfSpace{.point = {0, 0, -1}}}};
+  const auto loaded = [&](double on_first, double on_second) {
+    p.shell.loads.on_areas = {force(0, 0, on_first), force(0, 0, on_second)};
+    p.shell.loads.on_areas[0].regions = {"first"};
+    p.shell.loads.on_areas[1].regions = {"second"};
+    return p;
+  };
+  EXPECT_THAT(errors(loaded(-1, -1)), IsEmpty());
+  EXPECT_THAT(errors(loaded(-2, 1)),
+              ElementsAre(AllOf(HasSubstr("part 2 of 2"), HasSubstr("nothing stops the shell"))));
+}
+
 TEST(FreeRigidMotions, do_not_depend_on_units_of_length) {
   for (const char* scale : {"1e-4", "1e4"}) {
     const std::string s = scale;

@@ -80,7 +80,7 @@ std::vector<std::string> messages_of(const std::vector<topology::Flaw>& flaws) {
 }
 
 std::string text_of(const std::vector<topology::Flaw>& flaws) {
-  return fmt::format("{}", fmt::join(messages_of(flaws), "\n"));
+  return fmt::format("{}", fmt::join(messages_of(flaws), "; also: "));
 }
 
 /// Returns the mesh whose nodes are moved along the directors by parts of the thickness. Throws DomainError where there
