@@ -301,7 +301,7 @@ TEST(FreeRigidMotions, that_only_the_obstacle_can_stop_are_named) {
 /// Two unit squares with x = 2k + s, y = t in the regions "first" and "second", side by side in space.
 problem::Problem two_squares() {
   problem::Problem p = free_plate();
-  p.domain = fem::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/two-squares.msh"};
+  p.domain = domain::MeshFile{.path = PLASTRON_TESTS_DIR "/computation/meshes/two-squares.msh"};
   p.charts = {{"first", Chart({"x", "y", "0"}, {})}, {"second", Chart({"x - 1", "y", "0"}, {})}};
   return p;
 }

@@ -7,8 +7,11 @@
 #include <plastron/mesh/reference_cell.hpp>
 #include <plastron/obstacle/error.hpp>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <variant>
 
 namespace plastron::examination {
@@ -22,20 +25,19 @@ algebra::Vector load_of(const Examined& examined) {
   return assembly::load_vector(shell, problem.shell.loads);
 }
 
-void add_hold(const Pressing& pressing, const RigidMotions& motions, Examined& examined) {
+std::string hold_text(const Pressing& pressing, const RigidMotions& motions) {
   const std::string motion = motions.in_words(pressing.motion);
   if (pressing.hold == Hold::pulled_off)
-    examined.add(Severity::error,
-                 "nothing stops the shell in the rigid motion: {}; the supports leave it free, it opens the gap, and "
-                 "the loads drive it on; turn the loads so that they press the shell onto the obstacle, or fix more "
-                 "components",
-                 motion);
-  if (pressing.hold == Hold::balanced)
-    examined.add(Severity::warning,
-                 "the loads do not press the shell onto the obstacle against the rigid motion: {}; they do no work or "
-                 "hardly any against it, so the solution need not be unique; press the shell onto the obstacle, or "
-                 "fix more components",
-                 motion);
+    return fmt::format(
+        "nothing stops the shell in the rigid motion: {}; the supports leave it free, it opens the gap, and "
+        "the loads drive it on; turn the loads so that they press the shell onto the obstacle, or fix more "
+        "components",
+        motion);
+  return fmt::format(
+      "the loads do not press the shell onto the obstacle against the rigid motion: {}; they do no work or "
+      "hardly any against it, so the solution need not be unique; press the shell onto the obstacle, or "
+      "fix more components",
+      motion);
 }
 
 /// Contact of the shell with an obstacle: the least distance of its faces, and the obstacle's normal there.
@@ -141,19 +143,25 @@ void check_rolling(Examined& examined, const RigidMotions& motions, const Examin
                    motions.in_words(motion));
 }
 
-}  // namespace
+std::vector<std::string> in_words(const RigidMotions& motions, const Eigen::MatrixXd& basis) {
+  std::vector<std::string> words;
+  for (const RigidMotion& motion : readable(basis)) words.push_back(motions.in_words(motion));
+  return words;
+}
 
-void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
-  const RigidMotions motions(nodes.points);
-  const FreeMotions free = free_rigid_motions(motions, nodes.points, nodes.coordinates);
-  for (const RigidMotion& motion : readable(free.unheld))
+/// Checks the whole shell, which is one part.
+void check_one_part(Examined& examined, const ExaminedNodes& nodes, const ShellPart& part) {
+  const RigidMotions motions(part.points);
+  const FreeMotions free = free_rigid_motions(motions, part, nodes.coordinates);
+  for (const std::string& motion : in_words(motions, free.unheld))
     examined.add(Severity::error,
-                 "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries",
-                 motions.in_words(motion));
+                 "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries", motion);
   if (free.held_by_obstacle.cols() > 0) {
     const algebra::Vector load = load_of(examined);
-    const Pressing found = pressing(motions, free.held_by_obstacle, nodes.points, nodes.coordinates, load.owned());
-    add_hold(found, motions, examined);
+    const Pressing found = pressing(motions, free.held_by_obstacle, part, nodes.coordinates, load.owned());
+    if (found.hold != Hold::pressed)
+      examined.add(found.hold == Hold::pulled_off ? Severity::error : Severity::warning, "{}",
+                   hold_text(found, motions));
     const std::vector<RigidMotion> held = readable(free.held_by_obstacle);
     if (found.hold == Hold::pressed) check_rolling(examined, motions, nodes, held, load);
     for (const RigidMotion& motion : held)
@@ -162,6 +170,69 @@ void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
   } else if (free.unheld.cols() + free.held_by_obstacle.cols() == 0) {
     examined.add(Severity::note, "supports: no rigid motion is left free");
   }
+}
+
+/// Returns the place of the node nearest to the middle of a part, with the region if there are several.
+std::string place_of_part(const Examined& examined, const ShellPart& part) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const assembly::NodalPoint& p : part.points) middle += p.phi / static_cast<double>(part.points.size());
+  const auto nearest = static_cast<std::size_t>(
+      std::ranges::min_element(part.points, {}, [&](const auto& p) { return (p.phi - middle).norm(); }) -
+      part.points.begin());
+  const fem::Space& space = *examined.space;
+  std::string text = "at " + examined.place(part.points[nearest].x);
+  if (space.coarse->regions.size() < 2) return text;
+  for (std::size_t c = 0; c < space.cells.size(); ++c)
+    if (std::ranges::count(space.nodes(c), static_cast<algebra::LocalIndex>(part.nodes[nearest])) > 0) {
+      const auto coarse = static_cast<std::size_t>(space.cells[c].coarse);
+      const auto region = static_cast<std::size_t>(space.coarse->cells[coarse].region);
+      return fmt::format("{}, in the region \"{}\"", text, space.coarse->regions[region]);
+    }
+  return text;
+}
+
+/// The finding at one of several parts that are not joined; no text if its supports hold it.
+Finding motions_of_part(const ExaminedNodes& nodes, const ShellPart& part, const algebra::Vector& load) {
+  const RigidMotions motions(part.points);
+  const FreeMotions free = free_rigid_motions(motions, part, nodes.coordinates);
+  if (free.unheld.cols() > 0)
+    return {
+        Severity::error,
+        fmt::format("the supports leave rigid motions of it free: {}; fix more components, or join it to the others",
+                    fmt::join(in_words(motions, free.unheld), "; "))};
+  if (free.held_by_obstacle.cols() == 0) return {Severity::note, ""};
+  const Pressing found = pressing(motions, free.held_by_obstacle, part, nodes.coordinates, load.owned());
+  if (found.hold != Hold::pressed)
+    return {found.hold == Hold::pulled_off ? Severity::error : Severity::warning, hold_text(found, motions)};
+  return {Severity::note, fmt::format("only the obstacle holds the rigid motions: {}; the loads press the part onto it",
+                                      fmt::join(in_words(motions, free.held_by_obstacle), "; "))};
+}
+
+/// Checks parts that are not joined, and describes a few of each kind.
+void check_parts(Examined& examined, const ExaminedNodes& nodes, const std::vector<ShellPart>& parts) {
+  constexpr std::size_t described = 3;
+  const algebra::Vector load = load_of(examined);
+  std::map<Severity, std::size_t> count;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Finding found = motions_of_part(nodes, parts[k], load);
+    if (!found.text.empty() && ++count[found.severity] <= described)
+      examined.add(found.severity, "part {} of {}, {}: {}", k + 1, parts.size(), place_of_part(examined, parts[k]),
+                   found.text);
+  }
+  for (const auto& [severity, number] : count)
+    if (number > described) examined.add(severity, "{} more parts of the shell are like these", number - described);
+  if (count.empty())
+    examined.add(Severity::note, "supports: no rigid motion is left free in any of {} parts", parts.size());
+}
+
+}  // namespace
+
+void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
+  const std::vector<ShellPart> parts = parts_of(*examined.space, nodes.points);
+  if (parts.size() == 1)
+    check_one_part(examined, nodes, parts.front());
+  else
+    check_parts(examined, nodes, parts);
 }
 
 }  // namespace plastron::examination

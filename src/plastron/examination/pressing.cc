@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 namespace plastron::examination {
@@ -15,16 +14,17 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// Returns G', one column for each contact row.
-MatrixXd gap_changes(const RigidMotions& motions, const MatrixXd& held, const std::vector<assembly::NodalPoint>& points,
+MatrixXd gap_changes(const RigidMotions& motions, const MatrixXd& held, const ShellPart& part,
                      const assembly::NodalCoordinates& coordinates) {
-  std::vector<assembly::ContactRow> touchable;
-  std::ranges::copy_if(coordinates.rows, std::back_inserter(touchable), &assembly::ContactRow::is_touchable);
+  std::vector<RigidMotion> touchable;
+  for (std::size_t i = 0; i < part.nodes.size(); ++i)
+    for (const assembly::ContactRow& row : coordinates.rows_of(part.nodes[i])) {
+      const auto& gaps = coordinates.gaps[static_cast<std::size_t>(row.obstacle)];
+      if (row.is_touchable()) touchable.push_back(motions.gap_change(part.points[i], gaps[row.node]));
+    }
   MatrixXd changes(held.cols(), static_cast<Index>(touchable.size()));
-  for (std::size_t k = 0; k < touchable.size(); ++k) {
-    const auto& gaps = coordinates.gaps[static_cast<std::size_t>(touchable[k].obstacle)];
-    changes.col(static_cast<Index>(k)) =
-        held.transpose() * motions.gap_change(points[touchable[k].node], gaps[touchable[k].node]);
-  }
+  for (std::size_t k = 0; k < touchable.size(); ++k)
+    changes.col(static_cast<Index>(k)) = held.transpose() * touchable[k];
   return changes;
 }
 
@@ -96,15 +96,16 @@ VectorXd nonnegative_residual(const MatrixXd& A, const VectorXd& b) {
   return residual;
 }
 
-Pressing pressing(const RigidMotions& motions, const MatrixXd& held, const std::vector<assembly::NodalPoint>& points,
+Pressing pressing(const RigidMotions& motions, const MatrixXd& held, const ShellPart& part,
                   const assembly::NodalCoordinates& coordinates, std::span<const double> forces) {
   // Rotations of a curved shell are only interpolated between nodes, so that works have errors of about 1e-5.
   // A shell that a thousandth of its load presses is hardly fixed.
   constexpr double unbalanced = 1e-4, margin = 1e-3;
-  const MatrixXd G = gap_changes(motions, held, points, coordinates);
-  VectorXd load = held.transpose() * motions.work(points, forces);
+  const MatrixXd G = gap_changes(motions, held, part, coordinates);
+  VectorXd load = held.transpose() * motions.work(part, forces);
   double all_forces = 0;  // sums of magnitudes, not of squares: loads may be arbitrarily small
-  for (const double force : forces) all_forces += std::abs(force);
+  for (const std::size_t node : part.nodes)
+    for (const double force : forces.subspan(6 * node, 6)) all_forces += std::abs(force);
   const double works = load.lpNorm<1>();
   const bool does_work = works > 1e-9 * all_forces;
   load = does_work ? VectorXd((load / works).normalized()) : VectorXd::Zero(load.size());

@@ -2,11 +2,13 @@
 
 #include <plastron/examination/checks.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
+#include <plastron/topology/disjoint_sets.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <map>
 
 namespace plastron::examination {
 
@@ -27,6 +29,31 @@ MatrixXd kernel(const MatrixXd& gram) {
 }
 
 }  // namespace
+
+std::vector<ShellPart> parts_of(const fem::Space& space, const std::vector<assembly::NodalPoint>& points) {
+  topology::DisjointSets sets(points.size());
+  const auto unite = [&](algebra::LocalIndex i, algebra::LocalIndex j) {
+    sets.unite(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+  };
+  for (std::size_t c = 0; c < space.cells.size(); ++c)
+    for (const algebra::LocalIndex node : space.nodes(c)) unite(space.nodes(c)[0], node);
+  for (const constraints::Row& row : space.constraints.rows())
+    for (const constraints::Term& term : row.terms) unite(row.node, term.node);
+  for (const fem::PlacedBody& placed : space.bodies)
+    for (const fem::BodyNode& member : placed.members) unite(placed.members.front().node, member.node);
+
+  std::vector<ShellPart> parts;
+  std::map<std::size_t, std::size_t> number;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [at, is_new] = number.emplace(sets.of(i), parts.size());
+    if (is_new) parts.emplace_back();
+    parts[at->second].nodes.push_back(i);
+    parts[at->second].points.push_back(points[i]);
+  }
+  for (const fem::PlacedBody& placed : space.bodies)
+    parts[number.at(sets.of(static_cast<std::size_t>(placed.members.front().node)))].bodies.push_back(&placed);
+  return parts;
+}
 
 RigidMotions::RigidMotions(const std::vector<assembly::NodalPoint>& points) : centre_(Vector3d::Zero()), size_(0) {
   for (const auto& p : points) centre_ += p.phi / static_cast<double>(points.size());
@@ -62,12 +89,12 @@ Matrix6 RigidMotions::fixed_by(const fem::RigidBody& body) const {
   return gram;
 }
 
-RigidMotion RigidMotions::work(const std::vector<assembly::NodalPoint>& points, std::span<const double> forces) const {
+RigidMotion RigidMotions::work(const ShellPart& part, std::span<const double> forces) const {
   RigidMotion sum = RigidMotion::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    RigidMotion force = Eigen::Map<const RigidMotion>(forces.data() + 6 * i);
+  for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+    RigidMotion force = Eigen::Map<const RigidMotion>(forces.data() + 6 * part.nodes[i]);
     force.tail<3>() /= size_;
-    sum += at(points[i]).transpose() * force;
+    sum += at(part.points[i]).transpose() * force;
   }
   return sum;
 }
@@ -126,22 +153,23 @@ std::vector<RigidMotion> readable(const MatrixXd& basis) {
   return motions;
 }
 
-FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<assembly::NodalPoint>& points,
+FreeMotions free_rigid_motions(const RigidMotions& motions, const ShellPart& part,
                                const assembly::NodalCoordinates& coordinates) {
   Matrix6 by_supports = Matrix6::Zero(), by_gap = Matrix6::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Matrix6 at_node = motions.at(points[i]);
+  for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+    const std::size_t node = part.nodes[i];
+    const Matrix6 at_node = motions.at(part.points[i]);
     for (int k = 0; k < coordinates.width; ++k) {
-      if (!coordinates.is_prescribed(i, k)) continue;
-      const RigidMotion row = at_node.transpose() * coordinates.direction(i, k);
+      if (!coordinates.is_prescribed(node, k)) continue;
+      const RigidMotion row = at_node.transpose() * coordinates.direction(node, k);
       by_supports += row * row.transpose();
     }
     for (const auto& gaps : coordinates.gaps) {
-      const RigidMotion row = motions.gap_change(points[i], gaps[i]);
-      by_gap += row * row.transpose() / static_cast<double>(points.size());
+      const RigidMotion row = motions.gap_change(part.points[i], gaps[node]);
+      by_gap += row * row.transpose() / static_cast<double>(part.nodes.size());
     }
   }
-  for (const fem::PlacedBody& placed : coordinates.space->bodies) by_supports += motions.fixed_by(placed.body);
+  for (const fem::PlacedBody* placed : part.bodies) by_supports += motions.fixed_by(placed->body);
   const MatrixXd free = kernel(by_supports);
   FreeMotions result{.unheld = MatrixXd(6, 0), .held_by_obstacle = MatrixXd(6, 0)};
   if (free.cols() == 0) return result;

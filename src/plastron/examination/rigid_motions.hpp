@@ -13,6 +13,16 @@ namespace plastron::examination {
 /// size [m]. With these units all six move the shell by about the same distance.
 using RigidMotion = Eigen::Matrix<double, 6, 1>;
 
+/// A connected part of the shell, on a mesh that is on this rank alone.
+struct ShellPart {
+  std::vector<std::size_t> nodes{};              ///< ascending
+  std::vector<assembly::NodalPoint> points{};    ///< of these nodes
+  std::vector<const fem::PlacedBody*> bodies{};  ///< that carry some of these nodes
+};
+
+/// Returns the parts, by their first nodes. Cells are connected by common nodes, joined edges, folds and rigid bodies.
+std::vector<ShellPart> parts_of(const fem::Space& space, const std::vector<assembly::NodalPoint>& points);
+
 class RigidMotions {
  public:
   explicit RigidMotions(const std::vector<assembly::NodalPoint>& points);
@@ -23,8 +33,9 @@ class RigidMotions {
   RigidMotion gap_change(const assembly::NodalPoint& point, const obstacle::Gap& gap) const;
   /// Returns the Gram matrix of a rigid body's prescribed components as functionals of the motions.
   Eigen::Matrix<double, 6, 6> fixed_by(const fem::RigidBody& body) const;
-  /// Returns the work of nodal forces and couples (u and r of every node in turn) for each coefficient.
-  RigidMotion work(const std::vector<assembly::NodalPoint>& points, std::span<const double> forces) const;
+  /// Returns the work of nodal forces and couples (u and r of every node of the mesh in turn) on the part, for each
+  /// coefficient.
+  RigidMotion work(const ShellPart& part, std::span<const double> forces) const;
 
   /// Returns a place after a rotation about the axis of the motion, without its translation along the axis.
   Eigen::Vector3d turned(const Eigen::Vector3d& place, const RigidMotion& motion, double angle) const;
@@ -48,8 +59,8 @@ struct FreeMotions {
   Eigen::MatrixXd held_by_obstacle;  ///< the others: they change the gap, so contact may fix them; orthonormal
 };
 
-/// Returns the free motions, for a mesh that is on this rank alone.
-FreeMotions free_rigid_motions(const RigidMotions& motions, const std::vector<assembly::NodalPoint>& points,
+/// Returns the free motions of the part. `motions` are those of its points.
+FreeMotions free_rigid_motions(const RigidMotions& motions, const ShellPart& part,
                                const assembly::NodalCoordinates& coordinates);
 
 /// Returns the columns of a basis in reduced echelon form, which shows pure translations and rotations.
@@ -70,11 +81,10 @@ struct Pressing {
   RigidMotion motion = RigidMotion::Zero();  ///< unit length: the motion that is not pressed; it opens the gap
 };
 
-/// Checks the loads. `held` is an orthonormal basis of motions that the supports leave free, `forces` are nodal forces
-/// and couples.
-Pressing pressing(const RigidMotions& motions, const Eigen::MatrixXd& held,
-                  const std::vector<assembly::NodalPoint>& points, const assembly::NodalCoordinates& coordinates,
-                  std::span<const double> forces);
+/// Checks the loads on a part. `held` is an orthonormal basis of motions that the supports leave free, `forces` are
+/// nodal forces and couples of the whole mesh.
+Pressing pressing(const RigidMotions& motions, const Eigen::MatrixXd& held, const ShellPart& part,
+                  const assembly::NodalCoordinates& coordinates, std::span<const double> forces);
 
 /// Solves a least squares problem with non-negative coefficients, for few rows: min |b - A x| over x >= 0
 /// (C. L. Lawson, R. J. Hanson: Solving least squares problems, chapter 23).
