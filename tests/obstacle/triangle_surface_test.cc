@@ -1,5 +1,6 @@
 #include "obstacle/probing.hpp"
 
+#include <plastron/geometry/file_error.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <gmock/gmock.h>
@@ -157,15 +158,15 @@ TEST(PointsThatWereRoundedApart, AreJoinedUpToAMillionthOfTheSurface) {
   const double size = 2 * std::sqrt(3.0);
   TriangleMesh near = scattered(sphere, 2e-7 * size);
   EXPECT_NE(refusal(near).find("not closed"), std::string::npos);
-  join_near_points(near);
+  geometry::join_near_points(near);
   EXPECT_EQ(refusal(near), "");
   EXPECT_EQ(near.points.size(), points);
   EXPECT_EQ(near.triangles.size(), triangles);
   EXPECT_EQ(near.joined, 3 * triangles - points);
   EXPECT_GT(near.joined_over, 2e-7 * size);
-  EXPECT_LE(near.joined_over, joining_tolerance * size);
+  EXPECT_LE(near.joined_over, geometry::joining_tolerance * size);
   TriangleMesh far = scattered(sphere, 1e-5 * size);
-  join_near_points(far);
+  geometry::join_near_points(far);
   EXPECT_THAT(refusal(far), testing::AllOf(testing::HasSubstr("not closed"),
                                            testing::HasSubstr("a millionth of the surface's size")));
 }
@@ -173,7 +174,7 @@ TEST(PointsThatWereRoundedApart, AreJoinedUpToAMillionthOfTheSurface) {
 TEST(APointFarOut, JoinsNoCornersThatAreApart) {
   TriangleMesh box = scattered(box_mesh({0, 0, 0}, {1, 1, 1}), 1e-7);
   box.points.back() = Vector3d(0, 0, 2.8e6);
-  join_near_points(box);
+  geometry::join_near_points(box);
   EXPECT_GT(box.joined, 0u);
   EXPECT_LE(box.joined_over, 1e-6);
   EXPECT_NE(refusal(box).find("not closed"), std::string::npos);
@@ -187,7 +188,7 @@ TEST(AClosedSurface, KeepsItsPoints) {
   for (const auto& t : tiny.triangles) two.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
   two.points.insert(two.points.end(), tiny.points.begin(), tiny.points.end());
   const auto before = two.points;
-  join_near_points(two);
+  geometry::join_near_points(two);
   EXPECT_EQ(two.points, before);
   EXPECT_EQ(two.joined, 0u);
 }
@@ -228,14 +229,14 @@ TEST(Files, OfAllFormatsGiveTheSameSurface) {
     for (const auto& t : box.triangles) ply << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
   }
   for (const char* name : {"a.stl", "b.stl", "c.obj", "d.ply"}) {
-    const TriangleSurface surface(read_triangle_mesh(path(name)), name);
+    const TriangleSurface surface(geometry::read_triangle_mesh(path(name)), name);
     EXPECT_EQ(surface.mesh().points.size(), 8u) << name;
     EXPECT_EQ(surface.mesh().triangles.size(), 12u) << name;
   }
   std::ofstream(path("e.stl")) << "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n";
   std::ofstream(path("f.stl"), std::ios::binary) << std::string(300, 'x');
   for (const char* name : {"e.stl", "f.stl", "none.stl", "a.step"})
-    EXPECT_THROW(read_triangle_mesh(path(name)), ObstacleError) << name;
+    EXPECT_THROW(geometry::read_triangle_mesh(path(name)), geometry::FileError) << name;
   std::filesystem::remove_all(folder);
 }
 

@@ -1,6 +1,8 @@
 // Reads the shapes of obstacles, one for each key of [[obstacle]] that names one.
 #include <plastron/config/printable.hpp>
 #include <plastron/config/sections.hpp>
+#include <plastron/geometry/file_error.hpp>
+#include <plastron/geometry/triangle_mesh.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <cmath>
@@ -95,21 +97,23 @@ std::optional<std::string> read_path(Table& table, const std::string& name) {
   return table.reading().file(*path).string();
 }
 
-/// Returns the result of `make`. If that throws an ObstacleError, it is reported at the key.
+/// Returns the result of `make`. If that throws a FileError or an ObstacleError, it is reported at the key.
 MaybeShape made(const Table& table, const std::string& name, const std::string& allowed, const auto& make) {
   try {
     return Shape(make());
   } catch (const obstacle::ObstacleError& error) {
     table.report(name, printable(error.what()), allowed);
-    return {};
+  } catch (const geometry::FileError& error) {
+    table.report(name, printable(error.what()), allowed);
   }
+  return {};
 }
 
 MaybeShape read_surface(Table& obstacle, const std::string& name) {
   const auto path = read_path(obstacle, name);
   if (!path) return {};
   return made(obstacle, name, "a file .stl, .obj or .ply with the closed surface of a body, turned outward",
-              [&] { return obstacle::TriangleSurface(obstacle::read_triangle_mesh(*path), *path); });
+              [&] { return obstacle::TriangleSurface(geometry::read_triangle_mesh(*path), *path); });
 }
 
 /// Returns the function of a key, noted as effective.

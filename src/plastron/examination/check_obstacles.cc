@@ -135,7 +135,7 @@ void check_surfaces(Examined& examined) {
         "surface of {}: {} corners at open sides were joined with others up to {:.2g} m away (allowed: {:g} of "
         "the surface's size)",
         obstacle_text(examined.problem, k), surface->mesh().joined, surface->mesh().joined_over,
-        obstacle::joining_tolerance);
+        geometry::joining_tolerance);
   }
 }
 

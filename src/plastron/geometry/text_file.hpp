@@ -1,19 +1,16 @@
 // A text file as numbered lines of words, read completely and parsed word by word. For any file, the result is a value
 // or a FileError.
 #pragma once
+#include <plastron/geometry/file_error.hpp>
+
 #include <charconv>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace plastron::geometry {
-
-/// A file that cannot be read, or a line of it that is wrong. The text is for the user.
-struct FileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// A piece of a file in a form for messages: printable and short.
 std::string shown(std::string_view text);
@@ -59,6 +56,8 @@ class TextFile {
   std::size_t count(const char* what, std::size_t least);
   void expect_end_of_line();
   void skip_rest_of_line() { rest_ = {}; }
+  /// Returns the words of the line that are not yet taken, with the blanks between them.
+  std::string_view take_rest_of_line() { return std::exchange(rest_, {}); }
 
   /// Whether no word follows on any line. If one does, moves to its line.
   bool at_end() { return !has_word() && !next_line(); }

@@ -1,54 +1,16 @@
-// A surface of triangles: points, and three corners per triangle, counted from 0, anticlockwise seen from outside.
+// The surface of a body as triangles (geometry/triangle_mesh.hpp), and what it takes to be one.
 #pragma once
-#include <plastron/geometry/jet.hpp>
+#include <plastron/geometry/triangle_mesh.hpp>
 
-#include <array>
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace plastron::obstacle {
 
-struct TriangleMesh {
-  std::vector<geometry::Vector3d> points{};  ///< [m]
-  std::vector<std::array<int, 3>> triangles{};
-  std::size_t joined = 0;  ///< number of points that join_near_points joined to another
-  double joined_over = 0;  ///< largest distance between joined points [m]
-};
-
-inline constexpr std::size_t most_triangles = 2'000'000;
-
-/// Reads .stl (ASCII or binary), .obj or .ply (ASCII or binary), selected by the end of the name. Cuts polygons into
-/// triangles from their first corner. Joins equal and nearly equal points (join_near_points), and drops triangles
-/// with two equal corners. Throws ObstacleError: no such file, no such format, damaged, numbers that are not finite,
-/// more than most_triangles.
-TriangleMesh read_triangle_mesh(const std::string& path);
-
-/// Points at open sides within this distance are joined. It is relative to the diagonal of the box around all points,
-/// because coordinates of six digits are not more accurate.
-inline constexpr double joining_tolerance = 1e-6;
-/// Returns this distance for a mesh [m]: joining_tolerance of the diagonal, but at most a hundredth of the median side. A
-/// single distant point, placed by mistake, makes the diagonal long.
-double joining_distance(const TriangleMesh& mesh);
-
-/// Joins such points, drops triangles that lost a side by this, and records both in the mesh. Does not change a
-/// closed surface.
-void join_near_points(TriangleMesh& mesh);
+using geometry::TriangleMesh, geometry::TriangleSide;
 
 /// Checks that the triangles are the boundary of a body. Throws ObstacleError with `name` in front otherwise. Each
 /// triangle must have an area. Each side must belong to exactly two triangles, which traverse it in opposite senses.
 /// No part may be turned inside out. (TriangleSurface checks that triangles do not cross.)
 void check_closed(const TriangleMesh& mesh, const std::string& name);
-
-/// A side from corner to corner in the direction of its triangle, and the triangle.
-struct TriangleSide {
-  int low, high, triangle;
-  bool rises;
-
-  bool is_same(const TriangleSide& other) const { return low == other.low && high == other.high; }
-};
-
-/// Returns the sides of all triangles in an order in which equal ones are consecutive.
-std::vector<TriangleSide> sorted_sides(const TriangleMesh& mesh);
 
 }  // namespace plastron::obstacle

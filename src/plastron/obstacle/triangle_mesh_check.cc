@@ -13,7 +13,7 @@ namespace plastron::obstacle {
 
 namespace {
 
-using geometry::Vector3d;
+using geometry::Vector3d, geometry::joining_distance, geometry::sorted_sides;
 using Triangle = std::array<int, 3>;
 using Side = TriangleSide;
 

@@ -1,8 +1,6 @@
 // Readers of STL, OBJ and PLY files.
 #include <plastron/geometry/text_file.hpp>
-#include <plastron/obstacle/error.hpp>
-#include <plastron/obstacle/nearest.hpp>
-#include <plastron/obstacle/triangle_mesh.hpp>
+#include <plastron/geometry/triangle_mesh.hpp>
 
 #include <fmt/format.h>
 
@@ -16,11 +14,11 @@
 #include <map>
 #include <string_view>
 
-namespace plastron::obstacle {
+namespace plastron::geometry {
 
 namespace {
 
-using geometry::TextFile;
+constexpr double largest_coordinate = 1e50;  // squares of lengths stay finite
 
 static_assert(std::endian::native == std::endian::little, "binary files are read as they are in memory");
 
@@ -30,23 +28,31 @@ class Builder {
   explicit Builder(std::string path) : path_(std::move(path)) {}
 
   int add_point(const Vector3d& p) {
-    if (!(p.cwiseAbs().maxCoeff() <= largest_coordinate)) throw ObstacleError(path_ + ": a coordinate is not finite");
+    if (!(p.cwiseAbs().maxCoeff() <= largest_coordinate)) throw FileError(path_ + ": a coordinate is not finite");
     const auto [found, is_new] =
         number_.try_emplace({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}, static_cast<int>(mesh_.points.size()));
     if (is_new) mesh_.points.push_back(p);
     return found->second;
+  }
+  /// The polygons that follow belong to the group. Without a name they belong to none.
+  void begin_group(std::string_view name) {
+    const auto found = std::ranges::find(mesh_.groups, name);
+    group_ = name.empty() ? -1 : static_cast<int>(found - mesh_.groups.begin());
+    if (!name.empty() && found == mesh_.groups.end()) mesh_.groups.emplace_back(name);
   }
   void add_polygon(const std::vector<int>& corners) {
     for (std::size_t k = 2; k < corners.size(); ++k) {
       const int a = corners[0], b = corners[k - 1], c = corners[k];
       if (a == b || b == c || c == a) continue;
       if (mesh_.triangles.size() == most_triangles)
-        throw ObstacleError(fmt::format("{}: more than {} triangles; make the surface coarser", path_, most_triangles));
+        throw FileError(fmt::format("{}: more than {} triangles; make the surface coarser", path_, most_triangles));
       mesh_.triangles.push_back({a, b, c});
+      mesh_.group_of.push_back(group_);
     }
   }
   TriangleMesh take() {
-    if (mesh_.triangles.empty()) throw ObstacleError(path_ + ": the file has no triangles");
+    if (mesh_.triangles.empty()) throw FileError(path_ + ": the file has no triangles");
+    if (mesh_.groups.empty()) mesh_.group_of.clear();
     return std::move(mesh_);
   }
 
@@ -54,6 +60,7 @@ class Builder {
   std::string path_;
   TriangleMesh mesh_;
   std::map<std::array<double, 3>, int> number_;
+  int group_ = -1;
 };
 
 Vector3d vector(TextFile& file) {
@@ -66,25 +73,31 @@ void expect(TextFile& file, const char* word) {
   if (!file.take(word)) file.refuse(fmt::format("\"{}\" should stand here", word));
 }
 
-void read_ascii_stl(TextFile& file, Builder& builder) {
-  expect(file, "solid");
-  file.skip_rest_of_line();
-  while (!file.take("endsolid")) {
-    expect(file, "facet");
-    expect(file, "normal");
-    // The normal is computed from the corners.
-    for (int i = 0; i < 3; ++i) file.word("a normal");
-    expect(file, "outer");
-    expect(file, "loop");
-    std::vector<int> corners;
-    for (int k = 0; k < 3; ++k) {
-      expect(file, "vertex");
-      corners.push_back(builder.add_point(vector(file)));
-    }
-    expect(file, "endloop");
-    expect(file, "endfacet");
-    builder.add_polygon(corners);
+void read_facet(TextFile& file, Builder& builder) {
+  expect(file, "facet");
+  expect(file, "normal");
+  // The normal is computed from the corners.
+  for (int i = 0; i < 3; ++i) file.word("a normal");
+  expect(file, "outer");
+  expect(file, "loop");
+  std::vector<int> corners;
+  for (int k = 0; k < 3; ++k) {
+    expect(file, "vertex");
+    corners.push_back(builder.add_point(vector(file)));
   }
+  expect(file, "endloop");
+  expect(file, "endfacet");
+  builder.add_polygon(corners);
+}
+
+/// Reads the solids one after the other.
+void read_ascii_stl(TextFile& file, Builder& builder) {
+  do {
+    expect(file, "solid");
+    builder.begin_group(file.take_rest_of_line());
+    while (!file.take("endsolid")) read_facet(file, builder);
+    file.take_rest_of_line();
+  } while (!file.at_end());
 }
 
 /// Numbers as bytes, each checked to be within the text.
@@ -95,7 +108,7 @@ class Bytes {
 
   template <class Number>
   Number take() {
-    if (text_.size() - at_ < sizeof(Number)) throw ObstacleError(path_ + ": the file ends too early");
+    if (text_.size() - at_ < sizeof(Number)) throw FileError(path_ + ": the file ends too early");
     std::array<char, sizeof(Number)> raw;
     std::memcpy(raw.data(), text_.data() + at_, sizeof(Number));
     if (swapped_) std::ranges::reverse(raw);
@@ -123,9 +136,9 @@ bool is_binary_stl(const std::string& text) {
 void read_stl(TextFile& file, Builder& builder) {
   if (!is_binary_stl(file.text())) {
     if (file.at_end() || file.peek() != "solid")
-      throw ObstacleError(file.path() +
-                          ": this is no STL file: it neither begins with \"solid\" nor has the length "
-                          "that a binary one states; it may have been cut off");
+      throw FileError(file.path() +
+                      ": this is no STL file: it neither begins with \"solid\" nor has the length "
+                      "that a binary one states; it may have been cut off");
     return read_ascii_stl(file, builder);
   }
   Bytes bytes(file.path(), file.text(), 80);
@@ -142,8 +155,23 @@ void read_stl(TextFile& file, Builder& builder) {
   }
 }
 
-/// Reads lines "v x y z" and "f 1 2 3", "f 1/4 2/5 3/6", negative numbers from the last point backwards; skips all
-/// others.
+/// Reads the corners of a line "f 1 2 3" or "f 1/4 2/5 3/6". Negative numbers count from the last point backwards.
+std::vector<int> obj_face(TextFile& file, const std::vector<int>& points) {
+  std::vector<int> corners;
+  while (file.has_word()) {
+    const std::string_view corner = file.word("a corner");
+    long given = 0;
+    if (!parse(corner.substr(0, corner.find('/')), given))
+      file.refuse(fmt::format("found \"{}\" where the number of a point should stand", shown(corner)));
+    const long count = static_cast<long>(points.size()), index = given < 0 ? count + given : given - 1;
+    if (index < 0 || index >= count) file.refuse(fmt::format("there is no point {} yet", given));
+    corners.push_back(points[index]);
+  }
+  if (corners.size() < 3) file.refuse("a face has fewer than three corners");
+  return corners;
+}
+
+/// Reads points (v), faces (f) and names of groups and objects (g, o); skips all others.
 void read_obj(TextFile& file, Builder& builder) {
   std::vector<int> points;
   while (!file.at_end()) {
@@ -152,18 +180,9 @@ void read_obj(TextFile& file, Builder& builder) {
       points.push_back(builder.add_point(vector(file)));
       file.skip_rest_of_line();
     } else if (key == "f") {
-      std::vector<int> corners;
-      while (file.has_word()) {
-        const std::string_view corner = file.word("a corner");
-        long given = 0;
-        if (!geometry::parse(corner.substr(0, corner.find('/')), given))
-          file.refuse(fmt::format("found \"{}\" where the number of a point should stand", geometry::shown(corner)));
-        const long count = static_cast<long>(points.size()), index = given < 0 ? count + given : given - 1;
-        if (index < 0 || index >= count) file.refuse(fmt::format("there is no point {} yet", given));
-        corners.push_back(points[index]);
-      }
-      if (corners.size() < 3) file.refuse("a face has fewer than three corners");
-      builder.add_polygon(corners);
+      builder.add_polygon(obj_face(file, points));
+    } else if (key == "g" || key == "o") {
+      builder.begin_group(file.take_rest_of_line());
     } else {
       file.skip_rest_of_line();
     }
@@ -197,7 +216,7 @@ class PlyNumbers {
     if (type == "uint" || type == "uint32") return bytes_.take<std::uint32_t>();
     if (type == "float" || type == "float32") return bytes_.take<float>();
     if (type == "double" || type == "float64") return bytes_.take<double>();
-    throw ObstacleError(file_.path() + ": a property has a type that PLY does not know");
+    throw FileError(file_.path() + ": a property has a type that PLY does not know");
   }
 
  private:
@@ -214,7 +233,7 @@ void read_ply_element(TextFile& file, const Element& element, PlyNumbers& number
     for (const Property& property : element.properties) {
       const double count = property.count_type.empty() ? 1 : numbers.take(property.count_type);
       constexpr double most_corners = 1000;
-      if (!(count >= 0 && count <= most_corners)) throw ObstacleError(file.path() + ": a list is too long");
+      if (!(count >= 0 && count <= most_corners)) throw FileError(file.path() + ": a list is too long");
       for (int k = 0; k < static_cast<int>(count); ++k) {
         const double value = numbers.take(property.type);
         for (int a = 0; a < 3; ++a)
@@ -222,7 +241,7 @@ void read_ply_element(TextFile& file, const Element& element, PlyNumbers& number
         if (element.name != "face" || property.count_type.empty() || property.name.find("ind") == std::string::npos)
           continue;
         if (!(value >= 0 && value < static_cast<double>(points.size())))
-          throw ObstacleError(
+          throw FileError(
               fmt::format("{}: face {} names the point {}, which does not exist", file.path(), i + 1, value));
         corners.push_back(points[static_cast<std::size_t>(value)]);
       }
@@ -260,33 +279,38 @@ void read_ply(TextFile& file, Builder& builder) {
   }
   body = file.text().find('\n', file.text().find("end_header")) + 1;
   if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-    throw ObstacleError(file.path() +
-                        ": the PLY file names no format of ascii, binary_little_endian, binary_big_endian");
+    throw FileError(file.path() + ": the PLY file names no format of ascii, binary_little_endian, binary_big_endian");
   PlyNumbers numbers(file, format, body);
   std::vector<int> points;
   for (const Element& element : elements)
     if (!element.properties.empty()) read_ply_element(file, element, numbers, points, builder);
 }
 
-}  // namespace
-
-TriangleMesh read_triangle_mesh(const std::string& path) {
+/// The end of a file's name in small letters.
+std::string ending_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending != ".stl" && ending != ".obj" && ending != ".ply")
-    throw ObstacleError(path + ": the file's name must end in .stl, .obj or .ply");
+  return ending;
+}
+
+}  // namespace
+
+bool is_triangle_file(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return ending == ".stl" || ending == ".obj" || ending == ".ply";
+}
+
+TriangleMesh read_triangle_mesh(const std::string& path) {
+  if (!is_triangle_file(path)) throw FileError(path + ": the file's name must end in .stl, .obj or .ply");
+  const std::string ending = ending_of(path);
   Builder builder(path);
-  try {
-    TextFile file(path, "file", geometry::Lines::run_on);
-    if (ending == ".stl") read_stl(file, builder);
-    if (ending == ".obj") read_obj(file, builder);
-    if (ending == ".ply") read_ply(file, builder);
-  } catch (const geometry::FileError& error) {
-    throw ObstacleError(error.what());
-  }
+  TextFile file(path, "file", Lines::run_on);
+  if (ending == ".stl") read_stl(file, builder);
+  if (ending == ".obj") read_obj(file, builder);
+  if (ending == ".ply") read_ply(file, builder);
   TriangleMesh mesh = builder.take();
   join_near_points(mesh);
   return mesh;
 }
 
-}  // namespace plastron::obstacle
+}  // namespace plastron::geometry

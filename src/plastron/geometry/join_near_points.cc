@@ -1,6 +1,6 @@
 // Joins corners that were separated by rounding when a surface was written: only at open sides, and only within
 // rounding.
-#include <plastron/obstacle/triangle_mesh.hpp>
+#include <plastron/geometry/triangle_mesh.hpp>
 
 #include <Eigen/Geometry>
 
@@ -13,11 +13,9 @@
 #include <set>
 #include <tuple>
 
-namespace plastron::obstacle {
+namespace plastron::geometry {
 
 namespace {
-
-using geometry::Vector3d;
 
 /// The corners of sides with only one triangle, ascending.
 std::vector<int> open_corners(const TriangleMesh& mesh) {
@@ -80,6 +78,20 @@ class Cubes {
   std::map<Key, std::vector<int>> cubes_;
 };
 
+/// Removes triangles with two equal corners.
+void remove_triangles_without_sides(TriangleMesh& mesh) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = mesh.triangles[t];
+    if (a == b || b == c || c == a) continue;
+    mesh.triangles[kept] = {a, b, c};
+    if (!mesh.group_of.empty()) mesh.group_of[kept] = mesh.group_of[t];
+    ++kept;
+  }
+  mesh.triangles.resize(kept);
+  if (!mesh.group_of.empty()) mesh.group_of.resize(kept);
+}
+
 /// Removes points that no triangle uses.
 void remove_unused_points(TriangleMesh& mesh) {
   std::vector<int> number(mesh.points.size(), -1);
@@ -116,10 +128,11 @@ double joining_distance(const TriangleMesh& mesh) {
   return std::min(joining_tolerance * box.diagonal().norm(), part_of_side * median_side(mesh));
 }
 
-void join_near_points(TriangleMesh& mesh) {
+void join_near_points(TriangleMesh& mesh) { join_near_points(mesh, joining_distance(mesh)); }
+
+void join_near_points(TriangleMesh& mesh, double tolerance) {
   const std::vector<int> open = open_corners(mesh);
   if (open.empty()) return;
-  const double tolerance = joining_distance(mesh);
   double largest = 0;
   for (const Vector3d& p : mesh.points) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
   // Equal points were already joined.
@@ -138,8 +151,8 @@ void join_near_points(TriangleMesh& mesh) {
   for (auto& triangle : mesh.triangles)
     for (int& corner : triangle)
       if (const auto found = joined.find(corner); found != joined.end()) corner = found->second;
-  std::erase_if(mesh.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  remove_triangles_without_sides(mesh);
   remove_unused_points(mesh);
 }
 
-}  // namespace plastron::obstacle
+}  // namespace plastron::geometry
