@@ -65,6 +65,7 @@ struct Questions {
 struct PartsOptions {
   std::string file{};  ///< a mesh in space
   double scale = 1;    ///< factor of its lengths
+  double size = 0;     ///< sides of cells from facets [m]; 0: from the area
   double smooth = 0;   ///< largest angle of smooth edges [degrees]; 0: the default of its order
   std::string page{};  ///< HTML file to write; empty: none
 };

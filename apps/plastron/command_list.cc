@@ -40,7 +40,7 @@ void describe_values(const CLI::Option& option, Argument& argument) {
   else if (name == "CASE")
     offer({"toml"}, Accepts::file);
   else if (name == "MESH")
-    offer({"msh", "inp"}, Accepts::file);
+    offer({"msh", "inp", "stl", "obj", "ply"}, Accepts::file);
   else if (name == "page")
     offer({"html"}, Accepts::file);
   else if (name == "DIR" || name == "NAME" || name == "output" || name == "files")

@@ -68,6 +68,7 @@ ExitCode parts(const PartsOptions& options) {
     }
   }
   domain::SpaceReading reading{.scale = options.scale};
+  if (options.size > 0) reading.size = options.size;
   if (options.smooth > 0) reading.smooth_angle = options.smooth * std::numbers::pi / 180;
   const domain::FileSurface surface = domain::read_surface({.path = options.file, .in_space = reading}, {});
   const auto findings = examination::surface_findings(surface);

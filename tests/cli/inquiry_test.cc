@@ -228,8 +228,8 @@ TEST(BashCompletion, OffersCaseFilesWhereACaseIsWanted) {
 
 TEST(BashCompletion, OffersMeshesWhereAMeshIsWanted) {
   const Scratch scratch;
-  for (const char* name : {"a.msh", "b.inp", "c.toml", "d.html"}) scratch.write(name, "");
-  EXPECT_THAT(offered(scratch, "parts ''"), ElementsAre("a.msh", "b.inp"));
+  for (const char* name : {"a.msh", "b.inp", "c.toml", "d.html", "e.stl", "f.obj", "g.ply"}) scratch.write(name, "");
+  EXPECT_THAT(offered(scratch, "parts ''"), ElementsAre("a.msh", "b.inp", "e.stl", "f.obj", "g.ply"));
   EXPECT_THAT(offered(scratch, "parts a.msh --page ''"), ElementsAre("d.html"));
 }
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "cli/program.hpp"
@@ -48,6 +49,30 @@ TEST(MeshInSpace, GivesOneResultFromBothFormats) {
   // The moment of the load at the fold, 100/3 for each metre, turns it by M L / (E e^3 / 12) and bends the wall: 1/3 ML + q L^4 (11/120).
   const double stiffness = 1e9 * 0.02 * 0.02 * 0.02 / 12;
   EXPECT_NEAR(from_msh, -(100.0 / 3 + 100 * 11.0 / 120) / stiffness, 0.1 * std::abs(from_msh));
+}
+
+/// The same angle as facets: two triangles a face, whose edges have numbers in the place of names.
+TEST(MeshInSpace, CanBeFacets) {
+  const Scratch scratch;
+  fs::copy_file(fs::path(PLASTRON_SOURCE_DIR) / "tests/domain/data/angle.stl", scratch.path / "angle.stl");
+  const Outcome parts = plastron({"parts", "angle.stl", "--size", "0.2"}, scratch.path);
+  EXPECT_EQ(parts.exit_code, 0) << parts.output;
+  EXPECT_THAT(parts.output, AllOf(HasSubstr("4 facets of 2 m^2"), HasSubstr("about 0.2 m (size)"), HasSubstr("floor"),
+                                  HasSubstr("wall"), HasSubstr("edge 7"), HasSubstr("4 folds (90 to 90 degrees)")));
+  // The edge of the floor that the case holds has its middle at x = 1.
+  const std::size_t line = parts.output.find("(1, 0, 0), (1, 1, 0)"), start = parts.output.rfind("edge ", line);
+  ASSERT_NE(line, std::string::npos);
+  std::string text = case_with("angle.stl");
+  text.replace(text.find("\"edge\""), 6, "\"" + parts.output.substr(start, 6) + "\"");
+  text.replace(text.find("refinements = 2"), 15, "refinements = 0");
+  text.replace(text.find("[shell]"), 7, "size = 0.2\n[shell]");
+  std::ofstream(scratch.path / "facets.toml") << text;
+  const Outcome run = plastron({"run", "facets.toml", "--output", "out"}, scratch.path);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(plastron({"verify", "out"}, scratch.path).output, HasSubstr("PASSED"));
+  const auto results = nlohmann::json::parse(text_of(scratch.path / "out" / "results.json"));
+  const double from_msh = deflection(scratch, "angle.msh", msh), from_facets = results["probes"]["top"]["u"][0];
+  EXPECT_NEAR(from_facets, from_msh, 0.01 * std::abs(from_msh));
 }
 
 TEST(MeshInSpace, IsListedByItsParts) {

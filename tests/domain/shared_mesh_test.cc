@@ -57,6 +57,15 @@ TEST(SharedMesh, OfCurvedTrianglesHasTheirExactMaps) {
   expect_same(shared(name, mesh::Shape::triangle), coarse_mesh(file(name), mesh::Shape::triangle));
 }
 
+TEST(SharedMesh, OfFacetsIsMeshedOnce) {
+  const auto facets = [](const std::string& path) { return MeshFile{.path = path, .in_space = SpaceReading{}}; };
+  const MeshFile angle = facets(file("angle.stl").path);
+  const MeshFile here = rank() == 0 ? angle : facets("/no/such.stl");
+  const mesh::CoarseMesh mesh =
+      coarse_mesh(with_shared_mesh(here, mesh::Shape::quadrilateral, MPI_COMM_WORLD), mesh::Shape::quadrilateral);
+  expect_same(mesh, coarse_mesh(angle, mesh::Shape::quadrilateral));
+}
+
 TEST(SharedMesh, IsReadAgainForCellsOfAnotherShape) {
   const Domain domain = with_shared_mesh(file("two-regions-4.1.msh"), mesh::Shape::quadrilateral, MPI_COMM_WORLD);
   EXPECT_EQ(coarse_mesh(domain, mesh::Shape::triangle).shape, mesh::Shape::triangle);

@@ -2,8 +2,10 @@
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 #include <plastron/geometry/quotation.hpp>
+#include <plastron/geometry/triangle_mesh.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace plastron::config {
 
@@ -104,7 +106,13 @@ std::vector<Section> geometry_sections() {
             "instead of domain and chart: a mesh in space, whose quadrilaterals or triangles are the mid-surface. A "
             "Gmsh "
             "file (.msh, format 2.2 or 4.1, ASCII, order 1 to 10). Physical surfaces name the regions, physical curves "
-            "name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more"),
+            "name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more. Facets (.stl, "
+            ".obj, "
+            ".ply) are remeshed, with the error that facets have: methods/surface-meshes.md"),
+        key("size", &SpaceReading::size, &Table::number_or_none,
+            {.kind = Kind::number, .unit = "m", .range = Range::positive()},
+            "sides of the cells that are made from facets. If not given: about 2000 quadrilaterals on the surface. "
+            "`plastron check` prints it"),
         key("scale", &SpaceReading::scale, {.fallback = "1", .range = Range::positive()},
             "factor from the lengths of the file to those of the case: 1e-3 for a file in millimetres"),
         key("upper", &SpaceReading::upper, &Table::direction_or_none, {.kind = Kind::vector},
@@ -115,7 +123,7 @@ std::vector<Section> geometry_sections() {
             {.kind = Kind::number, .unit = "degrees", .range = Range::between(0, 170)},
             "cells that meet at a smaller angle are smooth there, others are a fold. If not given: 10 for cells of "
             "order "
-            "2 or more, 30 for cells with straight sides"),
+            "2 or more, 30 for facets and other cells with straight sides"),
         key("folds", &SpaceReading::folds, {.fallback = "[]"}, "names of curves that are folds, whatever their angle"),
         key("tolerance", &SpaceReading::tolerance, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
@@ -147,13 +155,20 @@ std::optional<domain::Domain> read_file(Table& geometry) {
   reading.offset.part = geometry.number("offset").value_or(0);
   const auto path = read_mesh_path(geometry, "file");
   if (!path || !is_right) return {};
+  if (reading.size && !geometry::is_triangle_file(*path)) {
+    geometry.report("size",
+                    fmt::format("size is given, but {} is a mesh, whose cells are taken as they are",
+                                std::filesystem::path(*path).filename().string()),
+                    "size only with facets: .stl, .obj, .ply", "remove size, or mesh the part with other cells");
+    return {};
+  }
   file.path = *path;
   file.in_space = std::move(reading);
   return file;
 }
 
 void refuse_keys_of_files(const Table& geometry) {
-  for (const char* name : {"scale", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
+  for (const char* name : {"scale", "size", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
     if (geometry.has(name))
       geometry.report_key(name, fmt::format("{} is a key of a mesh in space", name), "",
                           "name the mesh: file = \"part.msh\"");

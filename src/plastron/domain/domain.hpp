@@ -64,13 +64,15 @@ struct SpaceReading {
   /// Largest angle of an edge that is no fold [rad]; default by the order of the cells.
   std::optional<double> smooth_angle{};
   std::vector<std::string> folds{};      ///< names of curves that are folds at any angle
+  std::optional<double> size{};          ///< sides of the cells that are made from facets [m]; default: from the area
   std::optional<double> tolerance{};     ///< nodes nearer than this are one node [m]; default: rounding
   std::vector<std::string> symmetric{};  ///< boundaries in planes of symmetry, in which their directors lie
   Offset offset{};
   bool has_slits = false;  ///< whether edges may run beside each other without being joined
 };
 
-/// A file of quadrilaterals or triangles (order 1 or higher): Gmsh's .msh, or .inp of Abaqus and CalculiX in space.
+/// A file of quadrilaterals or triangles (order 1 or higher): Gmsh's .msh; in space also .inp of Abaqus and CalculiX, and
+/// facets (.stl, .obj, .ply), which are remeshed.
 /// Physical curves name the boundaries, physical surfaces the regions.
 struct MeshFile {
   std::string path;

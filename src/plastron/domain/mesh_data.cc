@@ -75,7 +75,8 @@ void add_triangle(int from, int order, std::vector<Place>& places) {
   add_triangle(from + 1, order - 3, places);
 }
 
-/// Whether the bytes are UTF-8 without control characters.
+}  // namespace
+
 bool is_printable(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -92,8 +93,6 @@ bool is_printable(std::string_view text) {
   }
   return true;
 }
-
-}  // namespace
 
 std::string ElementType::name() const {
   constexpr const char* names[] = {"Point", "Line", "Triangle", "Quadrilateral", "Volume"};

@@ -70,7 +70,8 @@ struct MeshData {
   /// Unit normals of the surface at nodes, given by the file: one entry for each node, or none at all.
   std::vector<std::optional<Eigen::Vector3d>> normals{};
   std::map<std::string, std::vector<std::int64_t>> point_sets{};  ///< named points: indices into `nodes`
-  std::vector<std::string> notes{};  ///< for the user: contents of the file that are not read, one sentence each
+  std::vector<std::string> notes{};     ///< for the user: contents of the file that are not read, one sentence each
+  std::vector<std::string> warnings{};  ///< for the user: flaws of the file that can be computed with
 };
 
 /// Reads a .msh file of Gmsh, format 2.0 to 2.2 or 4.1 as text. Throws DomainError with the file, the line and the
@@ -82,6 +83,9 @@ MeshData read_inp_file(const std::string& path);
 
 /// Returns the index of a set of groups, which is stored once. Group 0 means none.
 std::size_t group_set(MeshData& data, std::vector<int> groups);
+
+/// Returns true if the bytes are UTF-8 without control characters.
+bool is_printable(std::string_view text);
 
 /// Returns the name. Refuses a name that is empty, longer than 127 bytes (Gmsh's limit), or not printable UTF-8: names
 /// are written to results and to the terminal.

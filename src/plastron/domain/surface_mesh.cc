@@ -1,8 +1,10 @@
 #include <plastron/domain/surface_mesh.hpp>
 
+#include <plastron/domain/facet_mesh.hpp>
 #include <plastron/domain/mesh_groups.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
+#include <plastron/geometry/triangle_mesh.hpp>
 #include <plastron/mesh/surface_patches.hpp>
 #include <plastron/topology/disjoint_sets.hpp>
 #include <plastron/topology/surface_flaws.hpp>
@@ -189,6 +191,7 @@ class SurfaceReader {
                         .notes = data_.notes,
                         .warnings = messages_of(flaws.warnings),
                         .has_upper = reading_.upper.has_value()};
+    std::ranges::copy(data_.warnings, std::back_inserter(surface.warnings));
     name_edges(surface);
     for (const std::string& boundary : reading_.symmetric) put_into_plane(boundary, surface);
     return surface;
@@ -332,6 +335,16 @@ class SurfaceMesher {
   mesh::CoarseMesh mesh_{};
 };
 
+/// Throws DomainError with the name of the file in front.
+FileSurface surface_of(const MeshData& data, const SpaceReading& reading, std::optional<mesh::Shape> shape) {
+  try {
+    return SurfaceReader(data, reading, shape)();
+  } catch (const mesh::DomainError& error) {
+    const std::string text = error.what();
+    throw mesh::DomainError(text.starts_with(data.source) ? text : fmt::format("{}: {}", data.source, text));
+  }
+}
+
 }  // namespace
 
 void put_into_plane(const std::string& boundary, FileSurface& surface) {
@@ -351,13 +364,14 @@ void put_into_plane(const std::string& boundary, FileSurface& surface) {
 }
 
 FileSurface read_surface(const MeshFile& file, std::optional<mesh::Shape> shape) {
-  const MeshData data = file.path.ends_with(".inp") ? read_inp_file(file.path) : read_msh_file(file.path);
-  try {
-    return SurfaceReader(data, *file.in_space, shape)();
-  } catch (const mesh::DomainError& error) {
-    const std::string text = error.what();
-    throw mesh::DomainError(text.starts_with(data.source) ? text : fmt::format("{}: {}", data.source, text));
+  if (geometry::is_triangle_file(file.path)) {
+    const FacetMesh mesh = mesh_facets(file.path, *file.in_space, shape.value_or(mesh::Shape::quadrilateral));
+    FileSurface surface = surface_of(mesh.data, mesh.reading, shape);
+    surface.is_remeshed = true;
+    return surface;
   }
+  const MeshData data = file.path.ends_with(".inp") ? read_inp_file(file.path) : read_msh_file(file.path);
+  return surface_of(data, *file.in_space, shape);
 }
 
 mesh::CoarseMesh surface_mesh(const FileSurface& surface, mesh::Shape shape) {

@@ -23,6 +23,7 @@ struct FileSurface {
   std::size_t merged_nodes = 0;         ///< nodes that the file had twice at one place
   std::vector<std::string> notes{};     ///< contents of the file that are not read
   std::vector<std::string> warnings{};  ///< flaws that can be computed with
+  bool is_remeshed = false;             ///< whether the cells were made from the facets of the file
   bool has_upper = false;               ///< whether the case names the side of a_3
   double symmetry_turn = 0;             ///< largest angle by which a director was put into a plane of symmetry [rad]
 };

@@ -47,7 +47,7 @@ void report_cells(Findings& findings, const domain::FileSurface& surface, const 
   if (surface.merged_nodes > 0)
     add(findings, Severity::note, "{} were at the place of others and are one with them",
         counted(surface.merged_nodes, "node", "nodes"));
-  if (least == 1)
+  if (least == 1 && !surface.is_remeshed)
     add(findings, Severity::note,
         "cells of order 1 are facets: a curved part needs ten times finer cells than of order 2; export order 2 "
         "(Gmsh: Mesh.ElementOrder = 2, Mesh.SecondOrderIncomplete = 0; Abaqus, CalculiX: S8)");
@@ -82,8 +82,11 @@ void report_upper(Findings& findings, const domain::FileSurface& surface) {
 
 void report_edges(Findings& findings, const domain::FileSurface& surface, const topology::SurfaceSummary& summary) {
   const auto& [border, smooth, fold, branch] = summary.edges;
-  std::string text = fmt::format("edges: {} smooth (up to {:.3g} degrees; limit {:.3g})", smooth.number,
-                                 degrees(smooth.largest_angle), degrees(surface.topology.smooth_angle));
+  // The limit of facets is one for their angles, not for those of the cells.
+  const std::string limit =
+      surface.is_remeshed ? "" : fmt::format("; limit {:.3g}", degrees(surface.topology.smooth_angle));
+  std::string text =
+      fmt::format("edges: {} smooth (up to {:.3g} degrees{})", smooth.number, degrees(smooth.largest_angle), limit);
   if (fold.number > 0)
     text += fmt::format(", {} folds ({:.3g} to {:.3g} degrees)", fold.number, degrees(fold.least_angle),
                         degrees(fold.largest_angle));
