@@ -50,6 +50,12 @@ std::string tube(int columns) {
   return text + "endsolid\n";
 }
 
+/// Two squares with a gap between them.
+std::string beside(double gap) {
+  return "solid\n" + floor_facets + quadrilateral({1 + gap, 0, 0}, {2 + gap, 0, 0}, {2 + gap, 1, 0}, {1 + gap, 1, 0}) +
+         "endsolid\n";
+}
+
 /// Facets of a cube.
 std::string cube() {
   const Vector3d o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
@@ -126,6 +132,15 @@ TEST(FacetMesh, WhoseAnglesAreNearTheLimitHasAWarning) {
   EXPECT_THAT(facet_surface(tube(18)).warnings, Contains(HasSubstr("20 degrees count as smooth")));
   EXPECT_THAT(facet_surface(tube(8)).warnings, Contains(HasSubstr("45 degrees count as a fold")));
   EXPECT_THAT(facet_surface(cube()).warnings, IsEmpty());
+}
+
+TEST(FacetMesh, WithGapsIsRefusedUnlessTheyAreClosedOrMeant) {
+  EXPECT_THAT(facet_refusal(beside(1e-3)),
+              AllOf(HasSubstr("2 corners"), HasSubstr("up to 0.001 m away"), HasSubstr("set tolerance = 0.0011")));
+  const FileSurface closed = facet_surface(beside(1e-3), {.tolerance = 1.1e-3});
+  EXPECT_EQ(closed.topology.part_count, 1);
+  EXPECT_THAT(closed.notes, Contains(HasSubstr("2 points at open sides were joined with others, up to 0.001 m away")));
+  EXPECT_EQ(facet_surface(beside(1e-3), {.has_slits = true}).topology.part_count, 2);
 }
 
 TEST(FacetMesh, CanConsistOfTriangles) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace plastron::domain {
@@ -52,10 +53,34 @@ double default_size(const Facets& facets) {
                   (high - low).norm() / parts);
 }
 
+/// Throws DomainError if corners at open sides are so near to each other that the gap between them is hardly meant: within a
+/// hundredth of the shortest open side. After the remeshing a gap looks wider.
+void check_gaps(const std::string& path, const geometry::TriangleMesh& mesh) {
+  constexpr double part_of_side = 1e-2;
+  const auto sides = geometry::sorted_sides(mesh);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    while (end < sides.size() && sides[end].is_same(sides[i])) ++end;
+    if (end - i == 1) shortest = std::min(shortest, (mesh.points[sides[i].high] - mesh.points[sides[i].low]).norm());
+  }
+  if (!std::isfinite(shortest)) return;
+  geometry::TriangleMesh joined = mesh;
+  joined.joined = 0, joined.joined_over = 0;
+  join_near_points(joined, part_of_side * shortest);
+  if (joined.joined > 0)
+    throw mesh::DomainError(
+        fmt::format("{}: {} corners at open sides of the facets lie beside others, up to {:.2g} m away, and are not "
+                    "joined with them; "
+                    "set tolerance = {:.2g} to join them, or slits = true if the gaps are meant",
+                    path, joined.joined, joined.joined_over, 1.1 * joined.joined_over));
+}
+
 Facets read_facets(const std::string& path, const SpaceReading& reading) {
   geometry::TriangleMesh mesh = geometry::read_triangle_mesh(path);
   for (Vector3d& p : mesh.points) p *= reading.scale;
+  mesh.joined_over *= reading.scale;
   if (reading.tolerance) join_near_points(mesh, *reading.tolerance);
+  if (!reading.has_slits) check_gaps(path, mesh);
   constexpr std::size_t longest = 127;  // as in .msh files
   for (std::string& name : mesh.groups)
     if (name.size() > longest || !is_printable(name)) name.clear();
@@ -136,7 +161,9 @@ std::vector<std::string> notes_of(const Facets& facets, double size, mesh::Shape
   const auto add = [&](std::size_t count, const char* what) {
     if (count > 0) notes.push_back(fmt::format("{} {}", count, what));
   };
-  add(facets.mesh.joined, "points at open sides were joined with others that are as near as rounding");
+  if (facets.mesh.joined > 0)
+    notes.push_back(fmt::format("{} points at open sides were joined with others, up to {:.2g} m away",
+                                facets.mesh.joined, facets.mesh.joined_over));
   add(facets.repeated, "triangles occurred twice and were taken once");
   add(facets.flat, "triangles had no area and were given to their neighbours");
   add(facets.turned, "triangles were turned the other way round than their neighbours");

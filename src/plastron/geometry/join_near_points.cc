@@ -147,7 +147,7 @@ void join_near_points(TriangleMesh& mesh, double tolerance) {
     mesh.joined_over = std::max(mesh.joined_over, way.norm());
   }
   if (joined.empty()) return;
-  mesh.joined = joined.size();
+  mesh.joined += joined.size();
   for (auto& triangle : mesh.triangles)
     for (int& corner : triangle)
       if (const auto found = joined.find(corner); found != joined.end()) corner = found->second;
