@@ -195,7 +195,9 @@ void print_estimates(const computation::Result& result) {
     print("                  too small in {} cells, which have no neighbours for comparison\n",
           result.estimates->unjudged_cells);
   const auto& geometry = result.estimates->geometry;
-  if (geometry && geometry->judged_share < nearly_all)
+  if (geometry && geometry->judged_share == 0)
+    print("                  the error by the mesh, or by the facets, of the file is not estimated\n");
+  else if (geometry && geometry->judged_share < nearly_all)
     print("                  the mesh of the file cannot be judged on {:.2g} % of the area: its cells are too coarse\n",
           100 * (1 - geometry->judged_share));
 }

@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include "cli/program.hpp"
 
@@ -73,6 +75,30 @@ TEST(MeshInSpace, CanBeFacets) {
   const auto results = nlohmann::json::parse(text_of(scratch.path / "out" / "results.json"));
   const double from_msh = deflection(scratch, "angle.msh", msh), from_facets = results["probes"]["top"]["u"][0];
   EXPECT_NEAR(from_facets, from_msh, 0.01 * std::abs(from_msh));
+}
+
+/// A quarter of a tube. The nodes lie on the facets, so that nothing is known of the part.
+TEST(MeshInSpace, OfCurvedFacetsHasNoEstimateOfItsError) {
+  const Scratch scratch;
+  {
+    std::ofstream file(scratch.path / "tube.obj");
+    constexpr int strips = 24;
+    for (int i = 0; i <= strips; ++i) {
+      const double angle = std::numbers::pi / 2 * i / strips;
+      for (const int y : {0, 1}) file << "v " << std::cos(angle) << " " << y << " " << std::sin(angle) << "\n";
+    }
+    for (int i = 0; i < strips; ++i)
+      file << "f " << 2 * i + 1 << " " << 2 * i + 2 << " " << 2 * i + 4 << " " << 2 * i + 3 << "\n";
+  }
+  std::ofstream(scratch.path / "tube.toml")
+      << "[geometry]\nfile = \"tube.obj\"\nsize = 0.15\n[shell]\nE = 1e9\nnu = 0.3\nthickness = 0.02\n[[support]]\n"
+         "boundary = \"edge 1\"\nfix = [\"u\", \"r\"]\n[[load]]\npressure = 1\n[mesh]\ndegree = 2\nrefinements = 0\n";
+  const Outcome run = plastron({"run", "tube.toml", "--output", "out"}, scratch.path);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("by the facets, of the file is not estimated"));
+  const auto results = nlohmann::json::parse(text_of(scratch.path / "out" / "results.json"));
+  EXPECT_TRUE(results["estimates"]["geometry"]["deviation"].is_null());
+  EXPECT_EQ(results["estimates"]["geometry"]["judged_share"], 0);
 }
 
 TEST(MeshInSpace, IsListedByItsParts) {

@@ -4,6 +4,7 @@
 #include <plastron/computation/approach.hpp>
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/domain/domain_mesh.hpp>
+#include <plastron/geometry/triangle_mesh.hpp>
 #include <plastron/meshing/sequence.hpp>
 
 #include <fmt/format.h>
@@ -164,6 +165,16 @@ void Meshes::judge_geometry() {
   Stopwatch watch;
   const topology::SurfaceComparison second = topology::compared_surface(
       domain::coarse_mesh(run_.problem.domain, surface_->coarse().shape), file->in_space->symmetric);
+  // The nodes of remeshed facets lie on the facets and not on the part: a fit through them tells nothing of the part, unless
+  // all is plane.
+  constexpr double negligible = 1e-6;  // relative to the thickness
+  const bool is_plane =
+      second.judged_share > least_judged && second.deviation <= negligible * run_.result.summary.least_thickness;
+  if (geometry::is_triangle_file(file->path) && !is_plane) {
+    run_.result.estimates->geometry =
+        estimation::GeometryDeviation{.largest = std::numeric_limits<double>::quiet_NaN()};
+    return;
+  }
   run_.result.estimates->geometry = {.largest = second.deviation,
                                      .place = {second.place[0], second.place[1], second.place[2]},
                                      .judged_share = second.judged_share};

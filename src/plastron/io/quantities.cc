@@ -288,10 +288,11 @@ std::span<const Quantity<Result>> estimate_quantities() {
 std::span<const Quantity<estimation::GeometryDeviation>> geometry_quantities() {
   using estimation::GeometryDeviation;
   static const std::vector<Quantity<GeometryDeviation>> all{
-      {"deviation", "m", "estimated largest distance of the mesh from the part",
+      {"deviation", "m", "estimated largest distance of the mesh from the part; null if not known",
        [](const GeometryDeviation& g) { return number(g.largest); }},
       {"place", "m", "where it is", [](const GeometryDeviation& g) { return Json(g.place); }, Form::triple},
-      {"judged_share", "1", "share of the area where the cells around tell the deviation",
+      {"judged_share", "1",
+       "share of the area where the cells around tell the deviation; 0 for facets that are not plane",
        [](const GeometryDeviation& g) { return number(g.judged_share); }},
   };
   return all;
