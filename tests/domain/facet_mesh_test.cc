@@ -163,6 +163,9 @@ TEST(FacetMesh, ThatCannotBeMadeIsRefusedWithItsFile) {
               AllOf(HasSubstr("3 triangles meet"), HasSubstr("give the .msh file")));
   EXPECT_THAT(facet_refusal("solid\n" + floor_facets + "endsolid\n", {.size = 1e-4}),
               AllOf(HasSubstr("size = 0.0016"), HasSubstr("cells; at most")));
+  const std::string touching = quadrilateral({1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0});
+  EXPECT_THAT(facet_refusal("solid\n" + floor_facets + touching + "endsolid\n"),
+              AllOf(HasSubstr("only at a point (1, 1, 0)"), HasSubstr("cells that were made from the facets")));
   EXPECT_THAT(facet_refusal("solid\n" + floor_facets + "endsolid\n", {.folds = {"bend"}}),
               AllOf(HasSubstr("no curve \"bend\""), HasSubstr("edge 1")));
 }

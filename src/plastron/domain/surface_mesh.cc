@@ -345,6 +345,20 @@ FileSurface surface_of(const MeshData& data, const SpaceReading& reading, std::o
   }
 }
 
+/// Messages about cells say that these were made: the file has other numbers.
+FileSurface surface_of_facets(const FacetMesh& mesh, std::optional<mesh::Shape> shape) {
+  try {
+    FileSurface surface = surface_of(mesh.data, mesh.reading, shape);
+    surface.is_remeshed = true;
+    return surface;
+  } catch (const mesh::DomainError& error) {
+    const std::string text = error.what();
+    if (text.find(" element ") == std::string::npos) throw;
+    throw mesh::DomainError(
+        text + "; the elements are cells that were made from the facets: repair the facets at these places");
+  }
+}
+
 }  // namespace
 
 void put_into_plane(const std::string& boundary, FileSurface& surface) {
@@ -365,10 +379,7 @@ void put_into_plane(const std::string& boundary, FileSurface& surface) {
 
 FileSurface read_surface(const MeshFile& file, std::optional<mesh::Shape> shape) {
   if (geometry::is_triangle_file(file.path)) {
-    const FacetMesh mesh = mesh_facets(file.path, *file.in_space, shape.value_or(mesh::Shape::quadrilateral));
-    FileSurface surface = surface_of(mesh.data, mesh.reading, shape);
-    surface.is_remeshed = true;
-    return surface;
+    return surface_of_facets(mesh_facets(file.path, *file.in_space, shape.value_or(mesh::Shape::quadrilateral)), shape);
   }
   const MeshData data = file.path.ends_with(".inp") ? read_inp_file(file.path) : read_msh_file(file.path);
   return surface_of(data, *file.in_space, shape);

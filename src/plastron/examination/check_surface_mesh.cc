@@ -38,7 +38,7 @@ void report_cells(Findings& findings, const domain::FileSurface& surface, const 
       counted(static_cast<std::size_t>(surface.topology.sheet_count), "smooth sheet", "smooth sheets"),
       counted(static_cast<std::size_t>(surface.topology.part_count), "part", "parts"),
       summary.is_closed ? fmt::format("closed, volume {:.6g} m^3", summary.volume) : "open");
-  constexpr double huge = 300;
+  const double huge = surface.is_remeshed ? 100 : 300;  // files of facets name no unit and are mostly in millimetres
   if ((summary.high - summary.low).maxCoeff() > huge)
     add(findings, Severity::warning,
         "the part is {:.4g} m long: if the file is in millimetres, write scale = 1e-3, or give all of the case in "
