@@ -1,5 +1,6 @@
 // Meshes in space of facets: .stl, .obj and .ply files. Their triangles are remeshed.
 #pragma once
+#include <plastron/domain/domain.hpp>
 #include <plastron/domain/mesh_data.hpp>
 
 namespace plastron::domain {
