@@ -1,6 +1,8 @@
 // The strains (M4-M6): their invariances, their values for known fields, and their transposes.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "geometry/surfaces.hpp"
 #include "shell/random_fields.hpp"
 
@@ -68,6 +70,62 @@ TEST(Strain, of_an_inflated_sphere_is_pure_growth) {
     EXPECT_LT((s.bending - metric / (R * R)).norm(), 1e-14);
     EXPECT_LT(s.shear.norm(), 1e-14);
   }
+}
+
+LocalField<double> sum(const LocalField<double>& v, double factor, const LocalField<double>& w) {
+  LocalField<double> s = v;
+  s.r += factor * w.r;
+  for (std::size_t a = 0; a < 2; ++a) {
+    s.du[a] += factor * w.du[a];
+    s.dr[a] += factor * w.dr[a];
+  }
+  return s;
+}
+
+Strain<double> finite_strain(const LocalField<double>& v, const Frame& f) {
+  return strain(v, deformed(f, sum(v, -0.5, v)));
+}
+
+TEST(FiniteStrain, of_a_field_is_that_of_the_definition) {  // (M24), (M25), (M26)
+  Random random;
+  at_all_points([&](const Frame& f) {
+    const LocalField<double> v = random.field();
+    const Strain<double> s = finite_strain(v, f);
+    const Frame now = deformed(f, v);
+    const auto gamma = [&](int a, int b) { return (now.a_cov[a].dot(now.a_cov[b]) - f.metric_cov(a, b)) / 2; };
+    const auto chi = [&](int a, int b) {
+      return (now.a_cov[a].dot(now.da3[b]) + now.a_cov[b].dot(now.da3[a]) - f.a_cov[a].dot(f.da3[b]) -
+              f.a_cov[b].dot(f.da3[a])) /
+             2;
+    };
+    const double rounding = 1e-13 * scale(f);
+    EXPECT_LT((s.membrane - Vector3d(gamma(0, 0), gamma(1, 1), 2 * gamma(0, 1))).norm(), rounding);
+    EXPECT_LT((s.bending - Vector3d(chi(0, 0), chi(1, 1), 2 * chi(0, 1))).norm(), rounding);
+    for (int a = 0; a < 2; ++a) EXPECT_NEAR(s.shear[a], now.a_cov[a].dot(now.a3), rounding);
+  });
+}
+
+TEST(FiniteStrain, has_the_strain_at_the_state_as_its_derivative) {
+  Random random;
+  at_all_points([&](const Frame& f) {
+    const LocalField<double> v = random.field(), w = random.field();
+    const Strain<double> ahead = finite_strain(sum(v, 1, w), f), behind = finite_strain(sum(v, -1, w), f),
+                         derivative = strain(w, deformed(f, v));
+    const double rounding = 1e-13 * scale(f);
+    EXPECT_LT(((ahead.membrane - behind.membrane) / 2 - derivative.membrane).norm(), rounding);
+    EXPECT_LT(((ahead.bending - behind.bending) / 2 - derivative.bending).norm(), rounding);
+    EXPECT_LT(((ahead.shear - behind.shear) / 2 - derivative.shear).norm(), rounding);
+  });
+}
+
+TEST(FiniteStrain, of_a_rotation_by_any_angle_is_zero) {
+  at_all_points([&](const Frame& f) {
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(2.5, Vector3d(0.3, -0.5, 0.8).normalized()).toRotationMatrix() - Eigen::Matrix3d::Identity();
+    const Strain<double> s =
+        finite_strain({{turn * f.a_cov[0], turn * f.a_cov[1]}, turn * f.a3, {turn * f.da3[0], turn * f.da3[1]}}, f);
+    EXPECT_LT(s.membrane.norm() + s.bending.norm() + s.shear.norm(), 1e-13 * scale(f));
+  });
 }
 
 TEST(Dual, is_the_transpose_of_the_strain) {

@@ -37,13 +37,6 @@ void scale_by_stiffness(const ShellOperator& shell, std::size_t cell, RowMatrix&
   }
 }
 
-RowMatrix gram(const ShellOperator& shell, const RowMatrix& b) {
-  RowMatrix k(b.cols(), b.cols());
-  shell.kernels().gram(b.data(), static_cast<int>(b.rows()), static_cast<int>(b.cols()), k.data());
-  k.triangularView<Eigen::StrictlyUpper>() = k.transpose();
-  return k;
-}
-
 /// Returns the constraint b(U, q) = 0 in nodal coordinates. The Schur complement of the multiplier is spectrally close
 /// to the matrix of int a^{ab} d_a p d_b q. The reason: b(s, q) is equal to this form for s = q a_3, and this s adds
 /// little other energy.
@@ -81,30 +74,42 @@ contact::EqualityConstraints tangency_constraints(const DiscreteShell& discrete)
 }
 
 /// Returns the decrease of a row's gap for a unit motion of its obstacle along the force.
-double closing(const DiscreteShell& discrete, const ContactRow& row) {
+double closing(const NodalCoordinates& coordinates, const RigidObstacles& obstacles, const ContactRow& row) {
   const auto k = static_cast<std::size_t>(row.obstacle);
-  return discrete.coordinates.gaps[k][row.node].normal.dot(discrete.obstacles.all[k].force.normalized());
+  return coordinates.gaps[k][row.node].normal.dot(obstacles.all[k].force.normalized());
 }
 
-/// Returns the forces in the order of pressed_obstacles().
-std::vector<contact::PressingForce> pressing_forces(const DiscreteShell& discrete) {
-  const NodalCoordinates& coordinates = discrete.coordinates;
+RowMatrix gram(const ShellOperator& shell, const RowMatrix& b) {
+  RowMatrix k(b.cols(), b.cols());
+  shell.kernels().gram(b.data(), static_cast<int>(b.rows()), static_cast<int>(b.cols()), k.data());
+  k.triangularView<Eigen::StrictlyUpper>() = k.transpose();
+  return k;
+}
+
+}  // namespace
+
+constraints::NodeColumns material_stiffness(const ShellOperator& shell, const NodalCoordinates& coordinates,
+                                            std::size_t cell, const CellGeometry& at) {
+  auto [nodes, b] = in_coordinates(coordinates, cell, shell.strain_matrix(cell, at));
+  scale_by_stiffness(shell, cell, b);
+  return {std::move(nodes), gram(shell, b)};
+}
+
+std::vector<contact::PressingForce> pressing_forces(const NodalCoordinates& coordinates,
+                                                    const RigidObstacles& obstacles, const State& state) {
   std::vector<contact::PressingForce> forces;
-  for (const std::size_t k : pressed_obstacles(discrete)) {
+  for (const std::size_t k : pressed_obstacles(obstacles, state)) {
     const algebra::Vector zero(coordinates.lower.layout(), coordinates.width);
-    forces.push_back({.lower_shape = zero,
-                      .upper_shape = zero,
-                      .force = discrete.state.force_factor(k) * discrete.obstacles.all[k].force.norm()});
+    forces.push_back(
+        {.lower_shape = zero, .upper_shape = zero, .force = state.force_factor(k) * obstacles.all[k].force.norm()});
     for (const ContactRow& row : coordinates.rows) {
       if (!row.binds || static_cast<std::size_t>(row.obstacle) != k) continue;
       algebra::Vector& shape = row.scale > 0 ? forces.back().lower_shape : forces.back().upper_shape;
-      shape.owned()[coordinates.at(row.node, row.coordinate)] = closing(discrete, row) / row.scale;
+      shape.owned()[coordinates.at(row.node, row.coordinate)] = closing(coordinates, obstacles, row) / row.scale;
     }
   }
   return forces;
 }
-
-}  // namespace
 
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
   const ShellOperator& shell = discrete.shell;
@@ -113,9 +118,7 @@ algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
   const fem::Space& space = shell.space();
   algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    auto [nodes, b] = in_coordinates(coordinates, c, shell.strain_matrix(c));
-    scale_by_stiffness(shell, c, b);
-    RowMatrix k = gram(shell, b);
+    auto [nodes, k] = material_stiffness(shell, coordinates, c, shell.geometry(c));
     if (tangency_factor > 0)
       k += gram(shell, in_coordinates(coordinates, c, scaled_normal_rotation_matrix(shell, c, tangency_factor)).matrix);
     matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
@@ -142,15 +145,15 @@ contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Ma
                               .load = std::move(load),
                               .lower = discrete.coordinates.lower,
                               .upper = discrete.coordinates.upper};
-  problem.pressing = pressing_forces(discrete);
+  problem.pressing = pressing_forces(discrete.coordinates, discrete.obstacles, discrete.state);
   if (discrete.tangency.formulation == element::Formulation::mixed) problem.equations = tangency_constraints(discrete);
   return problem;
 }
 
-std::vector<std::size_t> pressed_obstacles(const DiscreteShell& discrete) {
+std::vector<std::size_t> pressed_obstacles(const RigidObstacles& obstacles, const State& state) {
   std::vector<std::size_t> pressed;
-  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
-    if (discrete.obstacles.all[k].is_pressed() && discrete.state.force_factor(k) > 0) pressed.push_back(k);
+  for (std::size_t k = 0; k < obstacles.all.size(); ++k)
+    if (obstacles.all[k].is_pressed() && state.force_factor(k) > 0) pressed.push_back(k);
   return pressed;
 }
 
@@ -161,7 +164,7 @@ void press(DiscreteShell& discrete, std::span<const double> ways) {
   PLASTRON_ASSERT(ways.size() == pressed.size(), ways.size(), pressed.size());
   for (std::size_t j = 0; j < pressed.size(); ++j) way[pressed[j]] = ways[j];
   for (ContactRow& row : coordinates.rows) {
-    const double closed = way[static_cast<std::size_t>(row.obstacle)] * closing(discrete, row);
+    const double closed = way[static_cast<std::size_t>(row.obstacle)] * closing(coordinates, discrete.obstacles, row);
     if (closed == 0) continue;
     row.bound_gap -= closed;
     if (!row.binds) continue;

@@ -17,13 +17,24 @@ namespace plastron::assembly {
 /// Returns the matrix of a(., .) in nodal coordinates, including the form of normal_rotation.hpp (collective).
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);
 
+/// Returns the matrix of a cell's part of (M8) in nodal coordinates, with the strains' derivative at a state.
+constraints::NodeColumns material_stiffness(const ShellOperator& shell, const NodalCoordinates& coordinates,
+                                            std::size_t cell, const CellGeometry& at);
+
+/// Returns the forces of the obstacles in the order of pressed_obstacles().
+std::vector<contact::PressingForce> pressing_forces(const NodalCoordinates& coordinates,
+                                                    const RigidObstacles& obstacles, const State& state);
+
 /// Returns the program. In the mixed formulation it contains the equations b(U, q) = 0. `matrix` is the shell's
 /// stiffness_matrix(). `discrete` and `matrix` must outlive the result (collective).
 contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix);
 
-/// Returns the obstacles that a force presses in the discrete shell's state, by their place in its list. The forces of
-/// box_problem() have the same order, and their positions are measured from the obstacles' present positions.
-std::vector<std::size_t> pressed_obstacles(const DiscreteShell& discrete);
+/// Returns the obstacles that a force presses in the state, by their place in the list. The forces of box_problem() have the
+/// same order, and their positions are measured from the obstacles' present positions.
+std::vector<std::size_t> pressed_obstacles(const RigidObstacles& obstacles, const State& state);
+inline std::vector<std::size_t> pressed_obstacles(const DiscreteShell& discrete) {
+  return pressed_obstacles(discrete.obstacles, discrete.state);
+}
 
 /// Moves the pressed obstacles by `ways` [m] along their forces, and changes gaps and bounds. The normals stay, as in
 /// the linearisation (collective).

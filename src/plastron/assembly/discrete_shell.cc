@@ -35,7 +35,8 @@ void linearise(DiscreteShell& discrete, State state) {
   discrete.state = std::move(state);
   discrete.obstacles = discrete.obstacles_at_start.standing(discrete.state);
   discrete.coordinates =
-      nodal_coordinates(discrete.shell.space_pointer(), discrete.shell.surface(), discrete.points, discrete.supports,
+      nodal_coordinates(discrete.shell.space_pointer(), discrete.points,
+                        node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports),
                         discrete.obstacles, discrete.tangency.formulation, discrete.state);
   discrete.load = discrete.full_load;
   for (double& value : discrete.load.local()) value *= discrete.state.load_factor;

@@ -126,8 +126,8 @@ bool NodalCoordinates::is_fixed_inside(const ContactRow& row, const NodalPoint& 
   return row.bound_gap < -1e-12 * (point.phi.norm() + point.thickness + std::abs(initial));
 }
 
-NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_pointer, const fem::Surface& surface,
-                                   const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
+NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_pointer,
+                                   const std::vector<NodalPoint>& points, const std::vector<NodeSupport>& supports,
                                    const RigidObstacles& obstacles, element::Formulation formulation,
                                    const State& state) {
   const fem::Space& space = *space_pointer;
@@ -139,7 +139,6 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
                                .space = std::move(space_pointer),
                                .lower = algebra::Vector(space.layout, width),
                                .upper = algebra::Vector(space.layout, width)};
-  const auto node_support = node_supports(space, surface, points, supports);
   const double size = bounding_box(
                           points.size(), [&](std::size_t i) { return points[i].phi; }, comm)
                           .longest_side();
@@ -154,8 +153,8 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   coordinates.gaps = std::move(gaps);
   const std::vector<char> decides = deciding_at_kinks(space);
   algebra::in_agreement<SupportError, obstacle::ObstacleError>(comm, [&] {
-    for (std::size_t i = 0; i < node_support.size(); ++i) {
-      NodeCoordinates node = owned_coordinates(coordinates, i, points[i], node_support[i], state, size);
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+      NodeCoordinates node = owned_coordinates(coordinates, i, points[i], supports[i], state, size);
       // The forms (M13) and (M14) see only gradients of r . a_3: at kinks it vanishes, as on Gamma_0, on all sides.
       if (decides[i]) node.lower[NodalCoordinates::normal_rotation] = node.upper[NodalCoordinates::normal_rotation] = 0;
       Eigen::Map<NodeBasis>{bases.at(i).data()} = node.basis;

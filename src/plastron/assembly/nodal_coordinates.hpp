@@ -75,11 +75,10 @@ constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std
 /// Returns a point of the shell after the motion (u, r) = `moved`.
 obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved);
 
-/// Returns the coordinates with the gaps against `obstacles` at their positions, linearised at `state` (collective).
-/// Throws SupportError, ObstacleError.
-NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space, const fem::Surface& surface,
-                                   const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
-                                   const RigidObstacles& obstacles, element::Formulation formulation,
-                                   const State& state = {});
+/// Returns the coordinates with the gaps against `obstacles` at their positions, linearised at `state`. `supports`: those
+/// of node_supports() (collective). Throws SupportError, ObstacleError.
+NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space, const std::vector<NodalPoint>& points,
+                                   const std::vector<NodeSupport>& supports, const RigidObstacles& obstacles,
+                                   element::Formulation formulation, const State& state = {});
 
 }  // namespace plastron::assembly

@@ -7,6 +7,7 @@
 
 namespace plastron::assembly {
 
+using geometry::Frame;
 using geometry::Vector3d;
 using shell::LocalField;
 
@@ -45,10 +46,35 @@ double ShellOperator::area(std::size_t cell) const {
   return area;
 }
 
-std::vector<SamplingPoint> ShellOperator::sampling_points(std::size_t sampling, std::size_t cell) const {
-  std::vector<SamplingPoint> points(tables_.samplings[sampling].basis.xi.size());
-  for (std::size_t t = 0; t < points.size(); ++t) points[t] = packs_.sampling_point(sampling, cell, t);
-  return points;
+CellGeometry ShellOperator::geometry(std::size_t cell) const {
+  CellGeometry at;
+  at.frames.reserve(tables_.weights.size());
+  for (std::size_t q = 0; q < tables_.weights.size(); ++q) at.frames.push_back(packs_.frame(cell, q));
+  for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
+    const std::size_t count = tables_.samplings[s].basis.xi.size();
+    std::vector<SamplingPoint>& points = at.samplings.emplace_back();
+    points.reserve(count);
+    for (std::size_t t = 0; t < count; ++t) points.push_back(packs_.sampling_point(s, cell, t));
+  }
+  return at;
+}
+
+CellGeometry ShellOperator::geometry(std::size_t cell, const element::CellField& moved) const {
+  CellGeometry at = geometry(cell);
+  const element::FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), moved);
+  for (std::size_t q = 0; q < at.frames.size(); ++q)
+    at.frames[q] = shell::deformed(at.frames[q], rows.at(static_cast<Eigen::Index>(q)));
+  for (std::size_t s = 0; s < at.samplings.size(); ++s) {
+    const element::FieldRows sampled =
+        interpolation_.fields(cell, tables_.samplings[s].basis, sampling_bases(s, cell), moved);
+    for (std::size_t t = 0; t < at.samplings[s].size(); ++t) {
+      const LocalField<double> v = sampled.at(static_cast<Eigen::Index>(t));
+      SamplingPoint& point = at.samplings[s][t];
+      for (std::size_t a = 0; a < 2; ++a) point.a_cov[a] += v.du[a];
+      point.a3 += v.r;
+    }
+  }
+  return at;
 }
 
 void ShellOperator::assert_is_field([[maybe_unused]] const algebra::Vector& y,
@@ -70,29 +96,29 @@ element::CellField ShellOperator::gather(std::size_t cell, const algebra::Vector
 }
 
 ShellOperator::SampledStrain ShellOperator::sampled_strains(std::size_t s, std::size_t cell,
-                                                            const element::CellField& field) const {
+                                                            const element::CellField& field,
+                                                            const CellGeometry& geometry) const {
   const element::BasisAt& basis = tables_.samplings[s].basis;
-  const std::vector<SamplingPoint> geometry = sampling_points(s, cell);
   const element::FieldRows rows = interpolation_.fields(cell, basis, sampling_bases(s, cell), field);
   SampledStrain sampled(rows.value.rows(), 5);
   for (Eigen::Index t = 0; t < sampled.rows(); ++t) {
     const LocalField<double> v = rows.at(t);
-    const SamplingPoint& at = geometry[static_cast<std::size_t>(t)];
+    const SamplingPoint& at = geometry.samplings[s][static_cast<std::size_t>(t)];
     sampled.row(t).head<3>() = shell::membrane_strain(v, at.a_cov);
     sampled.row(t).tail<2>() = shell::shear_strain(v, at.a_cov, at.a3);
   }
   return sampled;
 }
 
-CellStrain ShellOperator::strains(std::size_t cell, const element::CellField& field) const {
+CellStrain ShellOperator::strains(std::size_t cell, const element::CellField& field, const CellGeometry& at) const {
   PLASTRON_ASSERT(field.rows() == tables_.nodes_per_cell(), field.rows(), tables_.nodes_per_cell());
   CellStrain strains = CellStrain::Zero(tables_.points_per_cell(), 8);
   const element::FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), field);
   for (int q = 0; q < tables_.points_per_cell(); ++q)
-    strains.row(q).segment<3>(3) = shell::bending_strain(rows.at(q), frame_at(cell, q));
+    strains.row(q).segment<3>(3) = shell::bending_strain(rows.at(q), at.frames[static_cast<std::size_t>(q)]);
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const element::Sampling& sampling = tables_.samplings[s];
-    const SampledStrain sampled = sampled_strains(s, cell, field);
+    const SampledStrain sampled = sampled_strains(s, cell, field, at);
     for (int q = 0; q < tables_.points_per_cell(); ++q)
       for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)]) {
         for (const int m : sampling.membrane) strains(q, m) += weight * sampled(t, m);
@@ -115,8 +141,9 @@ CellStrain ShellOperator::strains_at(std::size_t cell, const element::CellField&
     strains.row(p).head<3>() = shell::membrane_strain(rows.at(p), frame.a_cov);
     strains.row(p).tail<2>() = shell::shear_strain(rows.at(p), frame.a_cov, frame.a3);
   }
+  const CellGeometry reference = tied.empty() ? CellGeometry{} : geometry(cell);
   for (std::size_t s = 0; s < tied.size(); ++s) {
-    const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field);
+    const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field, reference);
     for (const int m : tables_.samplings[s].membrane) strains.col(m) = at_points.col(m);
     for (const int d : tables_.samplings[s].shear) strains.col(6 + d) = at_points.col(3 + d);
   }
@@ -144,46 +171,50 @@ std::optional<CellStrain> ShellOperator::weighted_initial_stresses(std::size_t c
   return stresses;
 }
 
-element::CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses) const {
+ShellOperator::SampledStrain ShellOperator::sampled_stresses(std::size_t s, const CellStrain& stresses) const {
+  const element::Sampling& sampling = tables_.samplings[s];
+  SampledStrain sampled = SampledStrain::Zero(static_cast<Eigen::Index>(sampling.basis.xi.size()), 5);
+  for (int q = 0; q < tables_.points_per_cell(); ++q)
+    for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)]) {
+      for (const int m : sampling.membrane) sampled(t, m) += weight * stresses(q, m);
+      for (const int d : sampling.shear) sampled(t, 3 + d) += weight * stresses(q, 6 + d);
+    }
+  return sampled;
+}
+
+element::CellField ShellOperator::forces(std::size_t cell, const CellStrain& stresses,
+                                         const CellGeometry& geometry) const {
   PLASTRON_ASSERT(stresses.rows() == tables_.points_per_cell(), stresses.rows(), tables_.points_per_cell());
   element::CellField forces = element::CellField::Zero(tables_.nodes_per_cell(), 6);
   element::FieldRows bending = element::FieldRows::zero(tables_.points_per_cell());
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
     LocalField<double> dual = shell::zero_field();
-    shell::add_bending_dual(stresses.row(q).segment<3>(3), frame_at(cell, q), dual);
+    shell::add_bending_dual(stresses.row(q).segment<3>(3), geometry.frames[static_cast<std::size_t>(q)], dual);
     bending.add_dual(q, dual);
   }
   interpolation_.add_forces(cell, tables_.quadrature, quadrature_bases(cell), std::move(bending), forces);
 
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
-    const element::Sampling& sampling = tables_.samplings[s];
-    const auto points = static_cast<Eigen::Index>(sampling.basis.xi.size());
-    SampledStrain sampled = SampledStrain::Zero(points, 5);
-    for (int q = 0; q < tables_.points_per_cell(); ++q)
-      for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)]) {
-        for (const int m : sampling.membrane) sampled(t, m) += weight * stresses(q, m);
-        for (const int d : sampling.shear) sampled(t, 3 + d) += weight * stresses(q, 6 + d);
-      }
-    const std::vector<SamplingPoint> geometry = sampling_points(s, cell);
-    element::FieldRows rows = element::FieldRows::zero(points);
-    for (Eigen::Index t = 0; t < points; ++t) {
-      const SamplingPoint& at = geometry[static_cast<std::size_t>(t)];
+    const SampledStrain sampled = sampled_stresses(s, stresses);
+    element::FieldRows rows = element::FieldRows::zero(sampled.rows());
+    for (Eigen::Index t = 0; t < sampled.rows(); ++t) {
+      const SamplingPoint& at = geometry.samplings[s][static_cast<std::size_t>(t)];
       LocalField<double> dual = shell::zero_field();
       shell::add_membrane_dual(sampled.row(t).head<3>(), at.a_cov, dual);
       shell::add_shear_dual(sampled.row(t).tail<2>(), at.a_cov, at.a3, dual);
       rows.add_dual(t, dual);
     }
-    interpolation_.add_forces(cell, sampling.basis, sampling_bases(s, cell), std::move(rows), forces);
+    interpolation_.add_forces(cell, tables_.samplings[s].basis, sampling_bases(s, cell), std::move(rows), forces);
   }
   return forces;
 }
 
-RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
+RowMatrix ShellOperator::strain_matrix(std::size_t cell, const CellGeometry& geometry) const {
   const int columns = 6 * tables_.nodes_per_cell();
   RowMatrix b = RowMatrix::Zero(8 * tables_.points_per_cell(), columns);
   Eigen::RowVectorXd row(columns);
   for (int q = 0; q < tables_.points_per_cell(); ++q) {
-    const geometry::Frame frame = frame_at(cell, q);
+    const Frame& frame = geometry.frames[static_cast<std::size_t>(q)];
     for (int c = 0; c < 3; ++c) {
       LocalField<double> dual = shell::zero_field();
       shell::add_bending_dual(Vector3d::Unit(c), frame, dual);
@@ -193,14 +224,13 @@ RowMatrix ShellOperator::strain_matrix(std::size_t cell) const {
   }
   for (std::size_t s = 0; s < tables_.samplings.size(); ++s) {
     const element::Sampling& sampling = tables_.samplings[s];
-    const std::vector<SamplingPoint> geometry = sampling_points(s, cell);
     std::vector<RowMatrix> sampled(sampling.membrane.size() + sampling.shear.size(),
                                    RowMatrix(static_cast<Eigen::Index>(sampling.basis.xi.size()), columns));
     std::vector<int> component(sampling.membrane);
     for (const int d : sampling.shear) component.push_back(6 + d);
     for (Eigen::Index t = 0; t < sampled[0].rows(); ++t)
       for (std::size_t k = 0; k < component.size(); ++k) {
-        const SamplingPoint& at = geometry[static_cast<std::size_t>(t)];
+        const SamplingPoint& at = geometry.samplings[s][static_cast<std::size_t>(t)];
         LocalField<double> dual = shell::zero_field();
         if (component[k] < 3)
           shell::add_membrane_dual(Vector3d::Unit(component[k]), at.a_cov, dual);

@@ -40,8 +40,19 @@ struct QuadraturePoint {
   double area;             ///< sqrt(a) times the quadrature weight [m^2]
 };
 
+/// The vectors by which strains depend on a cell's surface: tangents, director and its derivatives at the quadrature
+/// points and at the points of each sampling. They are those of the reference or of a deformed state (M23); metric and
+/// area are always those of the reference.
+struct CellGeometry {
+  std::vector<geometry::Frame> frames{};
+  std::vector<std::vector<SamplingPoint>> samplings{};
+};
+
 class ShellOperator {
  public:
+  /// Membrane and shear components at sampling points, one row for each: 11 22 2x12, 2delta_1 2delta_2.
+  using SampledStrain = Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor>;
+
   /// Precondition: the surface is regular and the thickness positive at the quadrature points. Covariant interpolation
   /// follows (M15). Throws mesh::DomainError for cross-sections of regions that the mesh does not have.
   ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
@@ -64,17 +75,35 @@ class ShellOperator {
   element::CellField gather(std::size_t cell, const algebra::Vector& y) const;
   /// Adds a cell's nodal forces to f's local values.
   void scatter(std::size_t cell, const element::CellField& forces, algebra::Vector& f) const;
-  /// Strains at the quadrature points, tied where tying is on (M4-M6, M22).
-  CellStrain strains(std::size_t cell, const element::CellField& field) const;
+  CellGeometry geometry(std::size_t cell) const;
+  /// Returns the geometry that `moved` has deformed.
+  CellGeometry geometry(std::size_t cell, const element::CellField& moved) const;
+  /// Strains at the quadrature points, tied where tying is on (M4-M6, M22). With the geometry of a state they are the
+  /// derivative of finite_strains() along `field`.
+  CellStrain strains(std::size_t cell, const element::CellField& field, const CellGeometry& at) const;
+  CellStrain strains(std::size_t cell, const element::CellField& field) const {
+    return strains(cell, field, geometry(cell));
+  }
+  /// Strains of finite rotations (M24-M26), tied alike. They are polynomials of second degree: the map of the state half
+  /// way, applied to the field.
+  CellStrain finite_strains(std::size_t cell, const element::CellField& field) const {
+    return strains(cell, field, geometry(cell, field / 2));
+  }
   /// Nodal forces of weighted stresses: the transpose of strains().
-  element::CellField forces(std::size_t cell, const CellStrain& stresses) const;
+  element::CellField forces(std::size_t cell, const CellStrain& stresses, const CellGeometry& at) const;
+  element::CellField forces(std::size_t cell, const CellStrain& stresses) const {
+    return forces(cell, stresses, geometry(cell));
+  }
+  /// Returns weighted membrane and shear stresses at the points of a sampling: the transpose of the interpolation.
+  SampledStrain sampled_stresses(std::size_t sampling, const CellStrain& stresses) const;
   /// Stresses times area at the quadrature points: N, M, Q of (M8), without the share of initial strains.
   CellStrain weighted_stresses(std::size_t cell, const CellStrain& strains) const;
   /// Returns N_0, M_0 of initial strains times area at the quadrature points; empty if the cell has none.
   std::optional<CellStrain> weighted_initial_stresses(std::size_t cell) const;
   /// Returns the matrix of strains(): rows by point in the order of CellStrain, columns by node in the order of
   /// CellField.
-  RowMatrix strain_matrix(std::size_t cell) const;
+  RowMatrix strain_matrix(std::size_t cell, const CellGeometry& at) const;
+  RowMatrix strain_matrix(std::size_t cell) const { return strain_matrix(cell, geometry(cell)); }
 
   /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), the others
   /// directly.
@@ -105,10 +134,6 @@ class ShellOperator {
   bool has_packed_strains() const { return !interpolation_.is_covariant(); }
 
  private:
-  /// Sampled membrane and shear strains, one row for each sampling point: gamma_11 gamma_22 2gamma_12 2delta_1
-  /// 2delta_2.
-  using SampledStrain = Eigen::Matrix<double, Eigen::Dynamic, 5, Eigen::RowMajor>;
-
   /// Asserts six values for every node that this rank sees.
   void assert_is_field(const algebra::Vector& y, const char* what) const;
   static element::Interpolation::Bases bases_at(const std::vector<geometry::MovingBasis>& all, std::size_t cell,
@@ -121,9 +146,8 @@ class ShellOperator {
   }
   /// Energies of this rank's cells.
   Energies energies_cell_by_cell(const algebra::Vector& y) const;
-  /// Points of a sampling in a cell.
-  std::vector<SamplingPoint> sampling_points(std::size_t sampling, std::size_t cell) const;
-  SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const element::CellField& field) const;
+  SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const element::CellField& field,
+                                const CellGeometry& at) const;
 
   std::shared_ptr<const fem::Space> space_;
   std::shared_ptr<const fem::Surface> surface_;

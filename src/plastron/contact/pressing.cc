@@ -120,7 +120,8 @@ BoxProblem at_positions(const BoxProblem& problem, std::span<const double> posit
                  .lower = problem.lower,
                  .upper = problem.upper,
                  .equations = problem.equations,
-                 .shift = problem.shift};
+                 .shift = problem.shift,
+                 .may_be_indefinite = problem.may_be_indefinite};
   move_bounds(problem, positions, box);
   return box;
 }

@@ -43,7 +43,8 @@ struct BoxProblem {
   algebra::Vector lower;          ///< -infinity where there is no bound
   algebra::Vector upper;          ///< +infinity where there is no bound; lower == upper prescribes the unknown
   std::optional<EqualityConstraints> equations{};
-  double shift = 0;  ///< rho >= 0: A is `matrix` + rho diag(`matrix`), and `apply` includes the shift
+  double shift = 0;                ///< rho >= 0: A is `matrix` + rho diag(`matrix`), and `apply` includes the shift
+  bool may_be_indefinite = false;  ///< A may have negative eigenvalues: a set without a minimiser ends the search
   std::vector<PressingForce> pressing{};  ///< if not empty, lower and upper are the bounds at delta = 0
 };
 

@@ -9,7 +9,7 @@ namespace {
 /// Whether proximal points can continue from a free motion. They treat neither equations nor pressing forces. A + rho D
 /// has no free motion.
 bool may_take_proximal_points(const BoxProblem& problem) {
-  return problem.pressing.empty() && !problem.equations && problem.shift == 0;
+  return problem.pressing.empty() && !problem.equations && problem.shift == 0 && !problem.may_be_indefinite;
 }
 
 /// Continues with a search that cannot cycle. Projections onto the box violate equations and the balance of pressing
@@ -51,6 +51,8 @@ BoxSolution solve_primal_dual_active_set(const BoxProblem& problem, std::span<co
                              solution);
   } else if (solution.iterations.empty())
     solution.status = subproblems.failure();
+  else if (end == StepsEnd::no_minimiser && problem.may_be_indefinite)
+    solution.status = after_a_first_step(subproblems.failure());
   else
     continue_safely(problem, subproblems, preconditioner, settings, observer, solution);
   return solution;

@@ -50,8 +50,8 @@ std::vector<Finding> findings_of(const problem::Problem& problem) {
     check(examined);
     if (has_errors(examined.findings)) return examined.findings;
   }
-  for (const auto check : {check_surface_mesh, check_normals, check_seams, check_finite, check_surfaces, check_locking,
-                           check_precision, check_start_mesh, check_probes, check_lines})
+  for (const auto check : {check_surface_mesh, check_normals, check_seams, check_finite, check_surfaces, check_weight,
+                           check_locking, check_precision, check_start_mesh, check_probes, check_lines})
     check(examined);
   // Otherwise values that are not finite would be reported again with another text.
   if (!has_errors(examined.findings)) check_inside_cells(examined);
@@ -78,9 +78,10 @@ std::string Examined::place(const Eigen::Vector2d& x) const {
 ExaminedNodes::ExaminedNodes(const Examined& examined)
     : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables,
                                       examined.problem.shell.sections)),
-      coordinates(assembly::nodal_coordinates(examined.space, *examined.surface, points,
-                                              examined.problem.shell.supports, examined.problem.shell.obstacles,
-                                              examined.problem.shell.tangency.formulation)) {}
+      coordinates(assembly::nodal_coordinates(
+          examined.space, points,
+          assembly::node_supports(*examined.space, *examined.surface, points, examined.problem.shell.supports),
+          examined.problem.shell.obstacles, examined.problem.shell.tangency.formulation)) {}
 
 std::string obstacle_text(const problem::Problem& problem, std::size_t obstacle) {
   return problem.shell.obstacles.all.size() == 1

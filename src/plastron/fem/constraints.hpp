@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,12 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
 /// its nodes.
 std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> space, const Surface& surface,
                                                const std::vector<RigidBody>& bodies);
+
+/// Returns the space for small motions about a deformed state, in which kinks and rigid bodies have turned (collective).
+/// `normals`, `directors`: unit vectors of local nodes before and now. `turns`: the rotation of each body. The prescribed
+/// components of bodies are 0, those of increments.
+std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Eigen::Vector3d> normals,
+                                    std::span<const Eigen::Vector3d> directors, std::span<const Eigen::Matrix3d> turns);
 
 /// d [m] and theta [rad].
 struct BodyMotion {

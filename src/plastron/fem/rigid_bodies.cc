@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <map>
@@ -152,17 +153,21 @@ std::array<GlobalIndex, 2> hosts_of(const Members& members) {
   return {members.begin()->first, std::next(members.begin())->first};
 }
 
-/// Adds the rows of a body's local nodes.
-void add_body_rows(const Space& space, const Members& members, PlacedBody& placed,
-                   std::vector<constraints::Row>& rows) {
+/// Sets the body's local nodes.
+void set_members(const Space& space, const Members& members, PlacedBody& placed) {
   const algebra::Layout& layout = *space.layout;
   const auto hosts = hosts_of(members);
   for (LocalIndex i = 0; i < layout.local_size(); ++i) {
     const auto found = members.find(layout.global(i));
     if (found == members.end()) continue;
     for (std::size_t h = 0; h < 2; ++h) placed.hosts[h] = layout.local(hosts[h]);
-    const Matrix6 w = motion_at(placed.body, found->second, placed.length);
-    placed.members.push_back({i, w});
+    placed.members.push_back({i, motion_at(placed.body, found->second, placed.length)});
+  }
+}
+
+/// Adds the rows of the body's local nodes.
+void add_body_rows(const PlacedBody& placed, std::vector<constraints::Row>& rows) {
+  for (const auto& [i, w] : placed.members) {
     constraints::Row& row = rows.emplace_back(constraints::Row{.node = i});
     for (int h = 0; h < 2; ++h) {
       Matrix6 block = Matrix6::Zero();
@@ -226,8 +231,75 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
   std::vector<constraints::Row> rows;
   for (const constraints::Row& kink : result->kinks.rows())
     rows.push_back(*result->constraints.find(static_cast<std::size_t>(kink.node)));
-  for (std::size_t k = 0; k < bodies.size(); ++k) add_body_rows(*result, members[k], result->bodies[k], rows);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    set_members(*result, members[k], result->bodies[k]);
+    add_body_rows(result->bodies[k], rows);
+  }
   result->constraints = compose(result->continuity, constraints::Map(std::move(rows), comm), comm);
+  return result;
+}
+
+namespace {
+
+/// Turns both parts of a matrix on (u, r).
+Matrix6 turned_block(const Matrix3d& turn, const Matrix6& block) {
+  Matrix6 both = Matrix6::Zero();
+  both.topLeftCorner<3, 3>() = both.bottomRightCorner<3, 3>() = turn;
+  return both * block * both.transpose();
+}
+
+/// Returns the rotation that takes two unit vectors to two others, nearly; of parallel ones the least rotation.
+Matrix3d rotation_of(const std::array<Vector3d, 2>& before, const std::array<Vector3d, 2>& now) {
+  constexpr double parallel = 0.05;
+  const auto frame = [](const std::array<Vector3d, 2>& pair) {
+    Matrix3d columns;
+    columns.col(0) = pair[0].normalized();
+    columns.col(2) = pair[0].cross(pair[1]).normalized();
+    columns.col(1) = columns.col(2).cross(columns.col(0));
+    return columns;
+  };
+  if (before[0].cross(before[1]).norm() > parallel && now[0].cross(now[1]).norm() > parallel)
+    return frame(now) * frame(before).transpose();
+  return Eigen::Quaterniond::FromTwoVectors(before[0], now[0]).toRotationMatrix();
+}
+
+PlacedBody turned_body(PlacedBody placed, const Matrix3d& turn) {
+  placed.gram.setZero();
+  for (BodyNode& member : placed.members) member.motion = turned_block(turn, member.motion);
+  for (auto& component : placed.body.fixed)
+    if (component) component = 0;
+  return placed;
+}
+
+}  // namespace
+
+std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Vector3d> normals,
+                                    std::span<const Vector3d> directors, std::span<const Matrix3d> turns) {
+  if (space->bodies.empty() && space->kinks.is_identity()) return space;
+  const MPI_Comm comm = space->layout->comm;
+  auto result = std::make_shared<Space>(*space);
+  std::vector<constraints::Row> rows;
+  for (const constraints::Row& kink : space->kinks.rows()) {
+    const auto node = static_cast<std::size_t>(kink.node);
+    constraints::Row row = *space->constraints.find(node);
+    Matrix3d last = Matrix3d::Identity();
+    for (constraints::Term& term : row.terms) {
+      if (!term.block) continue;
+      const auto source = static_cast<std::size_t>(term.node);
+      if (source != node) last = rotation_of({normals[source], normals[node]}, {directors[source], directors[node]});
+      term = constraints::term(term.node, term.weight * turned_block(last, *term.block));
+    }
+    rows.push_back(std::move(row));
+  }
+  for (std::size_t k = 0; k < result->bodies.size(); ++k) {
+    result->bodies[k] = turned_body(result->bodies[k], turns[k]);
+    Matrix6& gram = result->bodies[k].gram;
+    for (const auto& [node, w] : result->bodies[k].members)
+      if (node < space->layout->owned) gram += w.transpose() * weighted(w, result->bodies[k].length);
+    for (double& entry : gram.reshaped()) entry = algebra::sum_over_ranks(entry, comm);
+    add_body_rows(result->bodies[k], rows);
+  }
+  result->constraints = compose(space->continuity, constraints::Map(std::move(rows), comm), comm);
   return result;
 }
 

@@ -1,6 +1,9 @@
 // Naghdi's strains at a point as functions of the unknowns (u, r) and their derivatives (M4-M6), and the
 // transposed map from stress resultants to generalised forces. Templated on the scalar for automatic
 // differentiation. Symmetric pairs are stored as (11, 22, 2 x 12), shear as (2 delta_1, 2 delta_2).
+//
+// The strains of finite rotations (M24-M26) are polynomials of second degree in (u, r). Their derivative at a state is the
+// same linear map, with y_a, d, d_a d in the place of a_a, a_3, d_a a_3 (deformed()).
 #pragma once
 #include <plastron/geometry/frame.hpp>
 
@@ -58,6 +61,19 @@ Eigen::Matrix<S, 2, 1> shear_strain(const LocalField<S>& v, const std::array<Vec
 template <class S>
 Strain<S> strain(const LocalField<S>& v, const Frame& f) {
   return {membrane_strain(v, f.a_cov), bending_strain(v, f), shear_strain(v, f.a_cov, f.a3)};
+}
+
+/// Returns the frame of the surface and director that `v` has moved: y_a, d, d_a d (M23). Metric, area and curvature stay
+/// those of the reference, as (M27) wants. strain(v, deformed(f, v / 2)) is the strain of finite rotations (M24-M26), because
+/// this is a polynomial of second degree.
+inline Frame deformed(const Frame& reference, const LocalField<double>& v) {
+  Frame f = reference;
+  f.a3 += v.r;
+  for (std::size_t a = 0; a < 2; ++a) {
+    f.a_cov[a] += v.du[a];
+    f.da3[a] += v.dr[a];
+  }
+  return f;
 }
 
 /// Add the work-conjugates of LocalField: N : gamma + M : chi + Q . delta = sum du_dual . d u + r_dual . r + dr_dual

@@ -1,0 +1,163 @@
+#include <plastron/finite/tangent.hpp>
+
+namespace plastron::finite {
+
+using assembly::RowMatrix;
+using assembly::ShellOperator;
+using Eigen::Vector3d;
+
+namespace {
+
+/// Returns sum over points of weight_p a_pi b_pj.
+Eigen::MatrixXd weighted_product(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights, const Eigen::MatrixXd& b) {
+  return a.transpose() * weights.asDiagonal() * b;
+}
+
+/// Returns sum over points of s_11 a_1 b_1 + s_22 a_2 b_2 + s_12 (a_1 b_2 + a_2 b_1), by nodes.
+Eigen::MatrixXd of_gradients(const element::BasisAt& basis, const Eigen::Ref<const Eigen::MatrixX3d>& s) {
+  return weighted_product(basis.d1, s.col(0), basis.d1) + weighted_product(basis.d2, s.col(1), basis.d2) +
+         weighted_product(basis.d1, s.col(2), basis.d2) + weighted_product(basis.d2, s.col(2), basis.d1);
+}
+
+/// The geometric stiffness of a cell: its blocks between nodes are multiples of the unit matrix.
+struct GeometricStiffness {
+  Eigen::MatrixXd of_u, of_u_and_r;
+};
+
+GeometricStiffness geometric_stiffness(const ShellOperator& shell, const CellStrain& stresses) {
+  const element::ElementTables& tables = shell.tables();
+  GeometricStiffness k{.of_u = Eigen::MatrixXd::Zero(tables.nodes_per_cell(), tables.nodes_per_cell()),
+                       .of_u_and_r = of_gradients(tables.quadrature, stresses.middleCols<3>(3))};
+  for (std::size_t s = 0; s < tables.samplings.size(); ++s) {
+    const element::BasisAt& basis = tables.samplings[s].basis;
+    const ShellOperator::SampledStrain sampled = shell.sampled_stresses(s, stresses);
+    k.of_u += of_gradients(basis, sampled.leftCols<3>());
+    k.of_u_and_r += weighted_product(basis.d1, sampled.col(3), basis.value) +
+                    weighted_product(basis.d2, sampled.col(4), basis.value);
+  }
+  return k;
+}
+
+RowMatrix on_nodes(const GeometricStiffness& blocks) {
+  RowMatrix k = RowMatrix::Zero(6 * blocks.of_u.rows(), 6 * blocks.of_u.rows());
+  for (Eigen::Index i = 0; i < blocks.of_u.rows(); ++i)
+    for (Eigen::Index j = 0; j < blocks.of_u.cols(); ++j) {
+      k.block<3, 3>(6 * i, 6 * j).diagonal().setConstant(blocks.of_u(i, j));
+      k.block<3, 3>(6 * i, 6 * j + 3).diagonal().setConstant(blocks.of_u_and_r(i, j));
+      k.block<3, 3>(6 * j + 3, 6 * i).diagonal().setConstant(blocks.of_u_and_r(i, j));
+    }
+  return k;
+}
+
+/// Adds the curvature of the spheres of directors: -(f_i . d_i) s_i . t_i, f_i the couple of all forces on r.
+void add_curvature_of_spheres(const algebra::Vector& forces, const State& state,
+                              const std::vector<assembly::NodalPoint>& points,
+                              const assembly::NodalCoordinates& coordinates, algebra::Matrix& matrix) {
+  const auto width = static_cast<Eigen::Index>(coordinates.width);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(forces.layout()->owned); ++i) {
+    if (coordinates.space->constraints.constrains(i)) continue;
+    const Vector3d couple = assembly::node_values(forces, i).tail<3>();
+    const RowMatrix turn = coordinates.basis[i].bottomRows<3>().leftCols(width);
+    const RowMatrix k = (state.contact_couples[i] - couple.dot(points[i].a3)) * turn.transpose() * turn;
+    const auto node = static_cast<algebra::LocalIndex>(i);
+    matrix.add({&node, 1}, {k.data(), static_cast<std::size_t>(k.size())});
+  }
+}
+
+}  // namespace
+
+algebra::Vector with_unit_directors(const assembly::DiscreteShell& discrete, algebra::Vector y,
+                                    const std::vector<BodyPlace>& bodies) {
+  for (std::size_t i = 0; i < discrete.points.size(); ++i) {
+    const Vector3d& a3 = discrete.points[i].a3;
+    Eigen::Map<Vector3d> r(y.at(i).data() + 3);
+    r = (a3 + r).normalized() - a3;
+  }
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const fem::PlacedBody& placed = discrete.space().bodies[k];
+    const Eigen::Matrix3d change = bodies[k].turn - Eigen::Matrix3d::Identity();
+    for (const auto& [node, motion] : placed.members) {
+      const assembly::NodalPoint& point = discrete.points[static_cast<std::size_t>(node)];
+      double* values = y.at(static_cast<std::size_t>(node)).data();
+      Eigen::Map<Vector3d>{values} = bodies[k].displacement + change * (point.phi - placed.body.reference);
+      if (placed.body.turns_normals) Eigen::Map<Vector3d>{values + 3} = change * point.a3;
+    }
+  }
+  discrete.space().continuity.apply(y);
+  return y;
+}
+
+std::vector<assembly::NodalPoint> moved_points(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  std::vector<assembly::NodalPoint> points = discrete.points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const assembly::Vector6 moved = assembly::node_values(y, i);
+    points[i].phi += moved.head<3>();
+    points[i].a3 = (points[i].a3 + moved.tail<3>()).normalized();
+  }
+  return points;
+}
+
+CellStrain stresses_of(const assembly::DiscreteShell& discrete, std::size_t cell, const CellStrain& strains) {
+  CellStrain stresses = discrete.shell.weighted_stresses(cell, strains);
+  if (const auto initial = discrete.shell.weighted_initial_stresses(cell))
+    stresses -= discrete.state.load_factor * *initial;
+  return stresses;
+}
+
+algebra::Vector unbalanced_forces(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  return unbalanced_forces(discrete, y, [&](std::size_t c) {
+    return stresses_of(discrete, c, discrete.shell.finite_strains(c, discrete.shell.gather(c, y)));
+  });
+}
+
+element::CellField geometric_forces(const ShellOperator& shell, const CellStrain& stresses,
+                                    const element::CellField& field) {
+  const GeometricStiffness k = geometric_stiffness(shell, stresses);
+  element::CellField forces(field.rows(), 6);
+  forces.leftCols<3>() = k.of_u * field.leftCols<3>() + k.of_u_and_r * field.rightCols<3>();
+  forces.rightCols<3>() = k.of_u_and_r.transpose() * field.leftCols<3>();
+  return forces;
+}
+
+namespace {
+
+/// Assembles stiffness of cells, and the curvature of the spheres. `add(cell, matrix)` adds to the geometric stiffness.
+template <class Add>
+algebra::Matrix assembled(const assembly::DiscreteShell& discrete, const State& state,
+                          const std::vector<assembly::NodalPoint>& points,
+                          const assembly::NodalCoordinates& coordinates, const Add& add) {
+  const ShellOperator& shell = discrete.shell;
+  const fem::Space& space = shell.space();
+  algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    const RowMatrix half =
+        in_coordinates(coordinates, c, on_nodes(geometric_stiffness(shell, state.stresses[c]))).matrix;
+    auto [nodes, k] = in_coordinates(coordinates, c, half.transpose());
+    add(c, k);
+    matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
+  }
+  algebra::Vector forces = unbalanced_forces(discrete, state.y, [&](std::size_t c) { return state.stresses[c]; });
+  coordinates.space->constraints.apply_transposed(forces);
+  add_curvature_of_spheres(forces, state, points, coordinates, matrix);
+  matrix.finish();
+  return matrix;
+}
+
+}  // namespace
+
+algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const State& state,
+                                 const std::vector<assembly::NodalPoint>& points,
+                                 const assembly::NodalCoordinates& coordinates) {
+  return assembled(discrete, state, points, coordinates, [](std::size_t /*cell*/, RowMatrix& /*k*/) {});
+}
+
+algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const State& state,
+                               const std::vector<assembly::NodalPoint>& points,
+                               const assembly::NodalCoordinates& coordinates) {
+  return assembled(discrete, state, points, coordinates, [&](std::size_t c, RowMatrix& k) {
+    const ShellOperator& shell = discrete.shell;
+    k += assembly::material_stiffness(shell, coordinates, c, shell.geometry(c, shell.gather(c, state.y))).matrix;
+  });
+}
+
+}  // namespace plastron::finite
